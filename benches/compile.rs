@@ -14,7 +14,9 @@ use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 fn chain(count: usize) -> Look {
     let mut look = Look { name: "Chain".to_owned(), ..Look::default() };
     let mut add = |id: String, kind: &str| {
-        look.graph.nodes.insert(id.as_str().into(), Node { kind: kind.to_owned(), ..Node::default() });
+        look.graph
+            .nodes
+            .insert(id.as_str().into(), Node { kind: kind.to_owned(), ..Node::default() });
     };
     add("facing".to_owned(), "facing");
     for i in 0..count {
@@ -26,10 +28,14 @@ fn chain(count: usize) -> Look {
         let id = format!("n{i}");
         let value = chiaro::document::Value::Number(if i % 2 == 0 { 0.001 } else { 0.999 });
         look.graph.nodes[id.as_str()].values.insert("b".into(), value);
-        look.graph.wires.push(Wire { from: Endpoint::new(from, ""), to: Endpoint::new(id.clone(), "a") });
+        look.graph
+            .wires
+            .push(Wire { from: Endpoint::new(from, ""), to: Endpoint::new(id.clone(), "a") });
         from = id;
     }
-    look.graph.wires.push(Wire { from: Endpoint::new(from, ""), to: Endpoint::new("output", "color") });
+    look.graph
+        .wires
+        .push(Wire { from: Endpoint::new(from, ""), to: Endpoint::new("output", "color") });
     look
 }
 
@@ -45,17 +51,26 @@ fn benchmark(criterion: &mut Criterion) {
         });
         for live in [Live::Keyed, Live::All] {
             let options = Options { live: live.clone(), ..Options::default() };
-            group.bench_with_input(BenchmarkId::new(format!("our own time, {live:?}"), count), &look, |b, look| {
-                b.iter(|| {
-                    let (typed, _) = check(black_box(look), library, None).expect("the chain is valid");
-                    compile_source(&typed, &options).expect("the chain compiles")
-                });
-            });
+            group.bench_with_input(
+                BenchmarkId::new(format!("our own time, {live:?}"), count),
+                &look,
+                |b, look| {
+                    b.iter(|| {
+                        let (typed, _) =
+                            check(black_box(look), library, None).expect("the chain is valid");
+                        compile_source(&typed, &options).expect("the chain compiles")
+                    });
+                },
+            );
         }
         let source = compile(&look, library, &Options::default()).expect("the chain compiles").wgsl;
-        group.bench_with_input(BenchmarkId::new("naga parses and validates", count), &source, |b, source| {
-            b.iter(|| wgsl::parse(black_box(source)));
-        });
+        group.bench_with_input(
+            BenchmarkId::new("naga parses and validates", count),
+            &source,
+            |b, source| {
+                b.iter(|| wgsl::parse(black_box(source)));
+            },
+        );
     }
     group.finish();
 }

@@ -1,8 +1,9 @@
-//! What the window costs a hand: frames of the canvas, opening, the way from an edit to its picture, strokes, startup,
-//! memory.
+//! What the window costs a hand: frames of the canvas, opening, the way from an edit to its
+//! picture, strokes, startup, memory.
 //!
-//! `cargo bench --profile dev --bench editor` prints tables; docs/performance.md holds the figures. With arguments after
-//! `--` only the parts so named run: `canvas`, `latency`, `painting`, `startup`, `memory`; with numbers, looks of so many nodes.
+//! `cargo bench --profile dev --bench editor` prints tables; docs/performance.md holds the figures.
+//! With arguments after `--` only the parts so named run: `canvas`, `latency`, `painting`,
+//! `startup`, `memory`; with numbers, looks of so many nodes.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 #![allow(missing_docs, reason = "a program")]
 #![allow(clippy::disallowed_methods, reason = "it starts programs and reads what they say")]
@@ -41,7 +42,8 @@ fn example(name: &str) -> PathBuf {
 }
 
 fn main() {
-    let asked: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
+    let asked: Vec<String> =
+        std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
     if let [part, nodes] = asked.as_slice()
         && part == memory::CHILD
     {

@@ -1,8 +1,10 @@
-//! What is saved by what a scene does not call for: pictures with a thing against pictures without it.
+//! What is saved by what a scene does not call for: pictures with a thing against pictures without
+//! it.
 //!
-//! `cargo bench --profile dev --no-default-features --features gpu --bench effects` prints medians of wall-clock times, taken in turns
-//! so that a busy machine slows both. docs/performance.md holds the figures. A node that could be left out is kept by
-//! exposing the value that makes it useless: the picture is the same, and nothing is proved of it.
+//! `cargo bench --profile dev --no-default-features --features gpu --bench effects` prints medians
+//! of wall-clock times, taken in turns so that a busy machine slows both. docs/performance.md holds
+//! the figures. A node that could be left out is kept by exposing the value that makes it useless:
+//! the picture is the same, and nothing is proved of it.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 
 use std::sync::Arc;
@@ -10,7 +12,9 @@ use std::time::Instant;
 
 use chiaro::compile::Live;
 use chiaro::document::{Camera, Look, Scene};
-use chiaro::frame::{Cull, FramePlan, PlanOptions, Planner, Setup, SetupLook, SetupObject, object_matrix};
+use chiaro::frame::{
+    Cull, FramePlan, PlanOptions, Planner, Setup, SetupLook, SetupObject, object_matrix,
+};
 use chiaro::geometry::{Mesh, shape};
 use chiaro::library::Library;
 use chiaro::render::{Gpu, Renderer, block_on};
@@ -24,7 +28,11 @@ fn look(json: &Json) -> SetupLook {
     let loaded = Look::read(&json.to_string(), "bench.json");
     let problems: Vec<String> = loaded.diagnostics.iter().map(ToString::to_string).collect();
     assert!(problems.is_empty(), "{}", problems.join("\n"));
-    SetupLook { look: loaded.value.expect("a look"), source: loaded.source.into(), folder: "".into() }
+    SetupLook {
+        look: loaded.value.expect("a look"),
+        source: loaded.source.into(),
+        folder: "".into(),
+    }
 }
 
 fn object(number: usize, mesh: &Arc<Mesh>, look: usize, matrix: DMat4) -> SetupObject {
@@ -38,11 +46,17 @@ fn object(number: usize, mesh: &Arc<Mesh>, look: usize, matrix: DMat4) -> SetupO
 }
 
 fn one(look: SetupLook, mesh: &Arc<Mesh>) -> Setup {
-    Setup { looks: vec![look], objects: vec![object(0, mesh, 0, DMat4::IDENTITY)], ..Setup::default() }
+    Setup {
+        looks: vec![look],
+        objects: vec![object(0, mesh, 0, DMat4::IDENTITY)],
+        ..Setup::default()
+    }
 }
 
 fn plan(planner: &mut Planner, setup: &Setup, live: &Live) -> FramePlan {
-    planner.plan(setup, Library::built_in(), live, &OPTIONS).unwrap_or_else(|problems| panic!("{problems:?}"))
+    planner
+        .plan(setup, Library::built_in(), live, &OPTIONS)
+        .unwrap_or_else(|problems| panic!("{problems:?}"))
 }
 
 #[expect(clippy::disallowed_methods, reason = "a benchmark is about time")]
@@ -57,7 +71,8 @@ fn median(times: &mut [f64]) -> f64 {
     times[times.len() / 2]
 }
 
-/// Medians of drawing the plans in turn; what else a plan needs (pipelines, meshes) is made in a first turn.
+/// Medians of drawing the plans in turn; what else a plan needs (pipelines, meshes) is made in a
+/// first turn.
 fn draw(renderer: &mut Renderer, plans: [&FramePlan; 2]) -> [f64; 2] {
     let mut times = [Vec::new(), Vec::new()];
     for turn in 0..=TURNS {
@@ -86,10 +101,15 @@ fn layered(name: &str, color: f64) -> SetupLook {
 
 /// Ten objects before the camera, and `others` far to the side of it, each with a look of its own.
 fn crowd(mesh: &Arc<Mesh>, others: usize) -> Setup {
-    let mut setup = Setup { scene: Scene { camera: Camera::default(), ..Scene::default() }, ..Setup::default() };
+    let mut setup = Setup {
+        scene: Scene { camera: Camera::default(), ..Scene::default() },
+        ..Setup::default()
+    };
     for number in 0..10 + others {
         let place = match number {
-            0..10 => DVec3::new((number % 5) as f64 * 0.6 - 1.2, (number / 5) as f64 * 0.8 - 0.4, 0.0),
+            0..10 => {
+                DVec3::new((number % 5) as f64 * 0.6 - 1.2, (number / 5) as f64 * 0.8 - 0.4, 0.0)
+            }
             _ => DVec3::new(300.0, number as f64, 0.0),
         };
         setup.looks.push(layered(&format!("look {number}"), 0.01 * number as f64));
@@ -113,7 +133,8 @@ fn fifty_looks(renderer: &mut Renderer, mesh: &Arc<Mesh>) {
                 cold[index].push(milliseconds(|| drop(plan(&mut fresh, setup, &Live::Keyed))));
                 planners[index] = fresh;
             }
-            warm[index].push(milliseconds(|| drop(plan(&mut planners[index], setup, &Live::Keyed))));
+            warm[index]
+                .push(milliseconds(|| drop(plan(&mut planners[index], setup, &Live::Keyed))));
         }
     }
     let plans = [0, 1, 2].map(|index| plan(&mut planners[index], &setups[index], &Live::Keyed));
@@ -122,16 +143,21 @@ fn fifty_looks(renderer: &mut Renderer, mesh: &Arc<Mesh>) {
     let names = ["10 looks", "50 looks, 40 out of sight", "50 looks, nothing left out"];
     for (index, gpu) in [ten, fifty, all].into_iter().enumerate() {
         let (cold, warm) = (median(&mut cold[index]), median(&mut warm[index]));
-        println!("  {:28} first plan {cold:8.2}  next plan {warm:7.3}  picture {gpu:7.2}", names[index]);
+        println!(
+            "  {:28} first plan {cold:8.2}  next plan {warm:7.3}  picture {gpu:7.2}",
+            names[index]
+        );
     }
 }
 
 type Case = (&'static str, &'static str, Json, Json);
 
-/// A look for each kind of reason: what goes, the value to expose so that it stays, nodes and wires.
+/// A look for each kind of reason: what goes, the value to expose so that it stays, nodes and
+/// wires.
 fn cases() -> Vec<Case> {
     let facing = json!({"id": "facing", "kind": "facing"});
-    let noise = |id: &str| json!({"id": id, "kind": "noise", "values": {"octaves": 4, "kind": "perlin"}});
+    let noise =
+        |id: &str| json!({"id": id, "kind": "noise", "values": {"octaves": 4, "kind": "perlin"}});
     let wire = |from: &str, to: &str| json!({"from": from, "to": to});
     let to_output = |from: &str| wire(from, "output.color");
     vec![
@@ -183,7 +209,12 @@ fn cases() -> Vec<Case> {
                 to_output("all")
             ]),
         ),
-        ("ranges: a cutoff that cuts nothing", "output.cutoff", json!([facing]), json!([to_output("facing")])),
+        (
+            "ranges: a cutoff that cuts nothing",
+            "output.cutoff",
+            json!([facing]),
+            json!([to_output("facing")]),
+        ),
         (
             "passes: curvature of slope 0",
             "bent.slope",
@@ -201,7 +232,9 @@ fn removals(renderer: &mut Renderer, mesh: &Arc<Mesh>) {
             "output.cutoff" => json!({"id": "output", "kind": "output", "values": {"cutoff": 0.5}}),
             _ => json!({"id": "output", "kind": "output"}),
         });
-        let look = look(&json!({"nodes": nodes, "wires": wires, "exposed": [{"name": "kept", "target": exposed}]}));
+        let look = look(
+            &json!({"nodes": nodes, "wires": wires, "exposed": [{"name": "kept", "target": exposed}]}),
+        );
         let setup = one(look, mesh);
         let kept = plan(&mut Planner::default(), &setup, &Live::Exposed);
         let left_out = plan(&mut Planner::default(), &setup, &Live::Keyed);
@@ -215,16 +248,25 @@ fn removals(renderer: &mut Renderer, mesh: &Arc<Mesh>) {
     let setup = lit(0.0);
     let kept = plan(&mut Planner::default().culling(Cull::Objects), &setup, &Live::Keyed);
     let left_out = plan(&mut Planner::default(), &setup, &Live::Keyed);
-    report("light reaches no object: three layers of a light that is out", draw(renderer, [&kept, &left_out]));
+    report(
+        "light reaches no object: three layers of a light that is out",
+        draw(renderer, [&kept, &left_out]),
+    );
     let mut setup = crowd(mesh, 0);
-    setup.objects.iter_mut().for_each(|object| object.world_from_object *= DMat4::from_scale(DVec3::ZERO));
+    setup
+        .objects
+        .iter_mut()
+        .for_each(|object| object.world_from_object *= DMat4::from_scale(DVec3::ZERO));
     let kept = plan(&mut Planner::default().culling(Cull::Nothing), &setup, &Live::Keyed);
     let left_out = plan(&mut Planner::default(), &setup, &Live::Keyed);
     report("no surface: ten objects of scale 0", draw(renderer, [&kept, &left_out]));
 }
 
 fn report(what: &str, [kept, left_out]: [f64; 2]) {
-    println!("  {what:60} kept {kept:7.2}  left out {left_out:7.2}  {:5.1} %", 100.0 * (kept - left_out) / kept);
+    println!(
+        "  {what:60} kept {kept:7.2}  left out {left_out:7.2}  {:5.1} %",
+        100.0 * (kept - left_out) / kept
+    );
 }
 
 fn main() {

@@ -1,9 +1,10 @@
-//! What a frame costs: every example look in the paper's own setting, how cost grows, and how far looks are from what
-//! the machine can do.
+//! What a frame costs: every example look in the paper's own setting, how cost grows, and how far
+//! looks are from what the machine can do.
 //!
-//! `cargo bench --profile dev --no-default-features --features gpu --bench frames` prints GPU times (timestamps where there are any)
-//! as medians with their 95% confidence interval, measured in turns. docs/performance.md holds the figures. With
-//! arguments after `--` only the parts so named run: `looks`, `layers`, `lights`, `pixels`, `objects`.
+//! `cargo bench --profile dev --no-default-features --features gpu --bench frames` prints GPU times
+//! (timestamps where there are any) as medians with their 95% confidence interval, measured in
+//! turns. docs/performance.md holds the figures. With arguments after `--` only the parts so named
+//! run: `looks`, `layers`, `lights`, `pixels`, `objects`.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 #![allow(missing_docs, reason = "a program")]
 #![allow(clippy::disallowed_methods, reason = "it asks another program to optimise, and the clock")]
@@ -19,7 +20,9 @@ use chiaro::accuracy::{Progress, Variant};
 use chiaro::compile::Live;
 use chiaro::document::{Look, Tier};
 use chiaro::export::spirv_words;
-use chiaro::frame::{self, Assets, FramePlan, PassKind, PlanOptions, Planner, Setup, SetupLook, default_setup, open};
+use chiaro::frame::{
+    self, Assets, FramePlan, PassKind, PlanOptions, Planner, Setup, SetupLook, default_setup, open,
+};
 use chiaro::library::Library;
 use chiaro::reference::{self, Control, Modules, execute};
 use chiaro::render::{Gpu, Renderer, block_on};
@@ -39,26 +42,35 @@ fn plan(setup: &Setup, size: [u32; 2]) -> FramePlan {
 
 fn measure(renderer: &mut Renderer, plans: &[FramePlan], rounds: usize) -> Vec<Series> {
     let mut on = |_, _| true;
-    alternate(renderer, &plans.iter().collect::<Vec<_>>(), rounds, &mut Progress::new(&mut on)).expect("it draws")
+    alternate(renderer, &plans.iter().collect::<Vec<_>>(), rounds, &mut Progress::new(&mut on))
+        .expect("it draws")
 }
 
 fn worn(json: &Json, mesh: &str) -> Setup {
     let loaded = Look::read(&json.to_string(), "bench.json");
     assert!(loaded.diagnostics.is_empty(), "{:?}", loaded.diagnostics);
-    let look = SetupLook { look: loaded.value.expect("a look"), source: loaded.source.into(), folder: "".into() };
+    let look = SetupLook {
+        look: loaded.value.expect("a look"),
+        source: loaded.source.into(),
+        folder: "".into(),
+    };
     default_setup(look, mesh, &mut Assets::default()).expect("a mesh").0
 }
 
 /// Layers over a base, each with a light of its own from one of `lights`.
 fn layers(count: usize, lights: usize, kind: &str) -> Json {
-    let mut nodes = vec![json!({"id": "base", "kind": "base", "values": {"color": [0.1, 0.1, 0.15]}})];
+    let mut nodes =
+        vec![json!({"id": "base", "kind": "base", "values": {"color": [0.1, 0.1, 0.15]}})];
     let mut wires = Vec::new();
     let mut below = "base".to_owned();
     let mut all = serde_json::Map::new();
     for light in 0..lights {
         let turn = light as f64 * 2.4;
         let place = json!([2.0 * turn.sin(), 1.0, 2.0 * turn.cos()]);
-        all.insert(format!("l{light}"), json!({"type": kind, "direction": place, "position": place}));
+        all.insert(
+            format!("l{light}"),
+            json!({"type": kind, "direction": place, "position": place}),
+        );
     }
     for index in 0..count {
         let id = format!("layer{index}");
@@ -79,8 +91,8 @@ fn told(series: &Series) -> String {
     format!("{:.1} ({:.1} to {:.1})", time.median, time.low, time.high)
 }
 
-/// Nanoseconds that one instruction takes in one fragment where nothing but arithmetic is done: a long chain of
-/// products and sums over all pixels of a quad.
+/// Nanoseconds that one instruction takes in one fragment where nothing but arithmetic is done: a
+/// long chain of products and sums over all pixels of a quad.
 fn instruction_price(renderer: &mut Renderer) -> f64 {
     let chain = |count: usize| {
         let mut nodes = vec![json!({"id": "start", "kind": "facing"})];
@@ -106,17 +118,24 @@ fn instruction_price(renderer: &mut Renderer) -> f64 {
 /// How many pixels of a plan show an object.
 fn covered(plan: &FramePlan) -> f64 {
     let modules = Modules::new(plan, chiaro::interp::Precision::F32).expect("it runs");
-    let picture = execute(plan, &modules, &reference::Options::default(), &Control::none()).expect("it draws");
+    let picture = execute(plan, &modules, &reference::Options::default(), &Control::none())
+        .expect("it draws");
     picture.coverage.iter().filter(|pixel| pixel.draw.is_some()).count() as f64
 }
 
-/// Bytes a second that the adapter moves where it does nothing else: reading and writing a large buffer.
+/// Bytes a second that the adapter moves where it does nothing else: reading and writing a large
+/// buffer.
 fn bandwidth(renderer: &Renderer) -> f64 {
     const BYTES: u64 = 256 << 20;
     let gpu = renderer.gpu();
     let buffer = |usage| {
         let label = Some("bandwidth");
-        gpu.device.create_buffer(&wgpu::BufferDescriptor { label, size: BYTES, usage, mapped_at_creation: false })
+        gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label,
+            size: BYTES,
+            usage,
+            mapped_at_creation: false,
+        })
     };
     let (from, to) = (buffer(wgpu::BufferUsages::COPY_SRC), buffer(wgpu::BufferUsages::COPY_DST));
     let mut times: Vec<f64> = (0..15).map(|_| copy_time(gpu, &from, &to, BYTES)).collect();
@@ -136,13 +155,15 @@ fn copy_time(gpu: &Gpu, from: &wgpu::Buffer, to: &wgpu::Buffer, bytes: u64) -> f
     start.elapsed().as_secs_f64()
 }
 
-/// Instructions of a module after `spirv-opt -O`, or as naga writes them where that is not installed.
+/// Instructions of a module after `spirv-opt -O`, or as naga writes them where that is not
+/// installed.
 fn instructions(valid: &wgsl::Valid) -> f64 {
     let words = spirv_words(valid).expect("SPIR-V can express it");
     spirv::instructions(spirv::optimised(&words).as_ref().unwrap_or(&words)) as f64
 }
 
-/// Instructions that a plan's passes run for a pixel that shows an object, as far as those of the first draw tell.
+/// Instructions that a plan's passes run for a pixel that shows an object, as far as those of the
+/// first draw tell.
 fn instructions_of(plan: &FramePlan) -> f64 {
     let of = |pass: &frame::Pass| match (pass.kind.shader(), &pass.kind) {
         (Some(name), _) => {
@@ -157,10 +178,13 @@ fn instructions_of(plan: &FramePlan) -> f64 {
     plan.passes.iter().map(of).sum()
 }
 
-/// What the machine would take at least for a frame: for its instructions, and for the bytes that it must move, in
-/// milliseconds.
+/// What the machine would take at least for a frame: for its instructions, and for the bytes that
+/// it must move, in milliseconds.
 fn limits(plan: &FramePlan, fragments: f64, price: f64, bandwidth: f64) -> [f64; 2] {
-    [price * 1e-6 * instructions_of(plan) * fragments, 1e3 * Sizes::of(plan).traffic as f64 / bandwidth]
+    [
+        price * 1e-6 * instructions_of(plan) * fragments,
+        1e3 * Sizes::of(plan).traffic as f64 / bandwidth,
+    ]
 }
 
 fn looks(renderer: &mut Renderer) {
@@ -175,11 +199,13 @@ fn looks(renderer: &mut Renderer) {
     println!("\n| look | exact | balanced | fast | exact: {beside} | fast: {beside} |");
     println!("| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |");
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
-    let mut files: Vec<_> = std::fs::read_dir(folder).expect("examples").flatten().map(|entry| entry.path()).collect();
+    let mut files: Vec<_> =
+        std::fs::read_dir(folder).expect("examples").flatten().map(|entry| entry.path()).collect();
     files.retain(|path| path.extension().is_some_and(|extension| extension == "json"));
     files.sort();
     for file in files {
-        let (setup, _) = open(&file, None, &mut Assets::default()).unwrap_or_else(|problems| panic!("{problems:?}"));
+        let (setup, _) = open(&file, None, &mut Assets::default())
+            .unwrap_or_else(|problems| panic!("{problems:?}"));
         let plans = TIERS.map(|tier| plan(&Variant::Looks(tier).of(&setup), PAPER));
         let series = measure(renderer, &plans, 7);
         // What is drawn in a quarter of the size covers a sixteenth of the pixels.
@@ -207,7 +233,8 @@ fn main() {
     let mut renderer = Renderer::new(block_on(Gpu::headless()).expect("an adapter"));
     let software = if renderer.gpu().is_software() { ", in software" } else { "" };
     println!("{}{software}", renderer.gpu().name());
-    let asked: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
+    let asked: Vec<String> =
+        std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
     let wants = |part: &str| asked.is_empty() || asked.iter().any(|asked| asked == part);
     if wants("looks") {
         looks(&mut renderer);
@@ -215,12 +242,23 @@ fn main() {
     let size = [640, 480];
     let sphere = "shape:sphere";
     if wants("layers") {
-        let of = |n: usize| (format!("{n} layers"), plan(&worn(&layers(n, 1, "directional"), sphere), size));
-        growth(&mut renderer, "Layers of one directional light, 640x480", &[1, 4, 16, 64, 256].map(of));
+        let of = |n: usize| {
+            (format!("{n} layers"), plan(&worn(&layers(n, 1, "directional"), sphere), size))
+        };
+        growth(
+            &mut renderer,
+            "Layers of one directional light, 640x480",
+            &[1, 4, 16, 64, 256].map(of),
+        );
     }
     if wants("lights") {
-        let of = |n: usize| (format!("{n} lights"), plan(&worn(&layers(16, n, "point"), sphere), size));
-        growth(&mut renderer, "16 layers of so many point lights, 640x480", &[1, 2, 4, 8, 16].map(of));
+        let of =
+            |n: usize| (format!("{n} lights"), plan(&worn(&layers(16, n, "point"), sphere), size));
+        growth(
+            &mut renderer,
+            "16 layers of so many point lights, 640x480",
+            &[1, 2, 4, 8, 16].map(of),
+        );
     }
     if wants("pixels") {
         let setup = worn(&layers(4, 1, "directional"), sphere);
@@ -234,8 +272,11 @@ fn main() {
             let side = (count as f64).sqrt().ceil();
             setup.objects = (0..count)
                 .map(|index| {
-                    let place =
-                        DVec3::new((index as f64 % side) + 0.5, (index as f64 / side).floor() + 0.5, 0.0) / side;
+                    let place = DVec3::new(
+                        (index as f64 % side) + 0.5,
+                        (index as f64 / side).floor() + 0.5,
+                        0.0,
+                    ) / side;
                     let matrix = DMat4::from_translation(2.0 * place - DVec3::new(1.0, 1.0, 0.0))
                         * DMat4::from_scale(DVec3::splat(1.0 / side));
                     let mut object = one.objects[0].clone();

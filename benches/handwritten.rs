@@ -1,10 +1,11 @@
-//! Generated modules against WGSL that an expert writes by hand for the same picture (`tests/truth/handwritten.rs` holds that it
-//! is the same).
+//! Generated modules against WGSL that an expert writes by hand for the same picture
+//! (`tests/truth/handwritten.rs` holds that it is the same).
 //!
-//! `cargo bench --no-default-features --features gpu --bench handwritten` prints a row for each look of
-//! `benches/handwritten/` and each tier: how many times as many SPIR-V instructions (in functions, both stages; as naga
-//! writes them, and after `spirv-opt -O` where that is installed), as much time of the look pass (the GPU's own clock,
-//! in turns, median with its 95% interval) and as many lines (without comments) the generated module takes.
+//! `cargo bench --no-default-features --features gpu --bench handwritten` prints a row for each
+//! look of `benches/handwritten/` and each tier: how many times as many SPIR-V instructions (in
+//! functions, both stages; as naga writes them, and after `spirv-opt -O` where that is installed),
+//! as much time of the look pass (the GPU's own clock, in turns, median with its 95% interval) and
+//! as many lines (without comments) the generated module takes.
 #![allow(clippy::print_stdout, reason = "what it is for")]
 #![allow(missing_docs, reason = "a program")]
 #![allow(clippy::disallowed_methods, reason = "it asks another program to optimise")]
@@ -51,21 +52,27 @@ fn main() {
     let tiers = [Tier::Exact, Tier::Balanced, Tier::Fast];
     for look in handwritten::LOOKS {
         let setup = handwritten::setup(look);
-        let generated: Vec<FramePlan> = tiers.iter().map(|tier| handwritten::generated(&setup, *tier, SIZE)).collect();
+        let generated: Vec<FramePlan> =
+            tiers.iter().map(|tier| handwritten::generated(&setup, *tier, SIZE)).collect();
         let hand = handwritten::by_hand(&setup, look, &generated[0]);
         let plans: Vec<&FramePlan> = generated.iter().chain([&hand]).collect();
         let mut told = |_, _| true;
         let series = alternate(&mut renderer, &plans, ROUNDS, &mut Progress::new(&mut told));
         let series = series.unwrap_or_else(|_| panic!("{look} was stopped"));
-        let by_hand = (look_pass(&series[3]), sizes(&hand.draws[0].look), lines(&hand.draws[0].look));
+        let by_hand =
+            (look_pass(&series[3]), sizes(&hand.draws[0].look), lines(&hand.draws[0].look));
         for ((tier, plan), series) in tiers.iter().zip(&generated).zip(&series) {
             let shader = &plan.draws[0].look;
-            let pairs: Vec<f64> = look_pass(series).iter().zip(by_hand.0).map(|(a, b)| a / b).collect();
+            let pairs: Vec<f64> =
+                look_pass(series).iter().zip(by_hand.0).map(|(a, b)| a / b).collect();
             let time = Estimate::of(&pairs);
-            let ratios = sizes(shader).into_iter().zip(by_hand.1).map(|(own, hand)| match (own, hand) {
-                (Some(own), Some(hand)) => format!("{own} / {hand} = {:.2}", own as f64 / hand as f64),
-                _ => "?".to_owned(),
-            });
+            let ratios =
+                sizes(shader).into_iter().zip(by_hand.1).map(|(own, hand)| match (own, hand) {
+                    (Some(own), Some(hand)) => {
+                        format!("{own} / {hand} = {:.2}", own as f64 / hand as f64)
+                    }
+                    _ => "?".to_owned(),
+                });
             let [naga, optimised] = ratios.collect::<Vec<_>>().try_into().expect("two");
             let (own, hand) = (lines(shader), by_hand.2);
             println!(

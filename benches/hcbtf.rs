@@ -1,8 +1,8 @@
-//! What HCBTFs cost: the thesis's two scenes (chapter 11) in each tier and storage, what it takes to fill and to store
-//! one, and how much memory grids of growing size take.
+//! What HCBTFs cost: the thesis's two scenes (chapter 11) in each tier and storage, what it takes
+//! to fill and to store one, and how much memory grids of growing size take.
 //!
-//! `cargo bench --profile dev --no-default-features --features gpu --bench hcbtf` prints it all, with `-- frames`,
-//! `-- baking` or `-- memory` a part; docs/performance.md holds the figures.
+//! `cargo bench --profile dev --no-default-features --features gpu --bench hcbtf` prints it all,
+//! with `-- frames`, `-- baking` or `-- memory` a part; docs/performance.md holds the figures.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 
 use std::hint::black_box;
@@ -14,9 +14,12 @@ use chiaro::accuracy::cost::alternate;
 use chiaro::accuracy::{Progress, Variant};
 use chiaro::compile::Live;
 use chiaro::document::{
-    Address, Camera, Directions, Grid, Hcbtf, HcbtfAngle, Look, Rule, Scene, Storage, Tier, Tile, Transform,
+    Address, Camera, Directions, Grid, Hcbtf, HcbtfAngle, Look, Rule, Scene, Storage, Tier, Tile,
+    Transform,
 };
-use chiaro::frame::{FramePlan, PlanOptions, Planner, Setup, SetupLook, SetupObject, object_matrix};
+use chiaro::frame::{
+    FramePlan, PlanOptions, Planner, Setup, SetupLook, SetupObject, object_matrix,
+};
 use chiaro::geometry::shape;
 use chiaro::hcbtf::{self, LayerOptions, needs, needs_at_most};
 use chiaro::library::Library;
@@ -27,14 +30,15 @@ use serde_json::json;
 const SIZE: [u32; 2] = [1280, 720];
 const ROUNDS: usize = 5;
 
-/// Every sample of its own texels, of so many colours.
+/// Every sample of its own texels, of so many colors.
 fn painted(grid: Grid, colors: u32) -> Hcbtf {
     let mut hcbtf = Hcbtf::new(grid);
     for (number, address) in (1_u32..).zip(grid.addresses()) {
         let [light, view] = [grid.light.vector(address.light), grid.view.vector(address.view)];
         let texel = |at: u32| {
-            let noise =
-                (at.wrapping_mul(0x9e37_79b1) ^ number.wrapping_mul(0x85eb_ca77)).wrapping_mul(0xc2b2_ae35) >> 8;
+            let noise = (at.wrapping_mul(0x9e37_79b1) ^ number.wrapping_mul(0x85eb_ca77))
+                .wrapping_mul(0xc2b2_ae35)
+                >> 8;
             let tone = noise % colors;
             let [r, g] = [light.x, view.y].map(|x| (128.0 + 60.0 * x) as u32);
             match colors {
@@ -65,7 +69,11 @@ fn look(path: &Path, kind: &str, lookup: &str, storage: Storage, repeats: f64) -
         "wires": [{"from": "light", "to": "paint.light"}, {"from": "paint", "to": "output.color"}]
     });
     let loaded = Look::read(&json.to_string(), "bench.json");
-    SetupLook { look: loaded.value.expect("a look"), source: loaded.source.into(), folder: PathBuf::new() }
+    SetupLook {
+        look: loaded.value.expect("a look"),
+        source: loaded.source.into(),
+        folder: PathBuf::new(),
+    }
 }
 
 fn object(name: &str, matrix: DMat4) -> SetupObject {
@@ -80,24 +88,39 @@ fn object(name: &str, matrix: DMat4) -> SetupObject {
     }
 }
 
-/// The waves with the ball over them, and the city, both so near that they fill the picture's width.
+/// The waves with the ball over them, and the city, both so near that they fill the picture's
+/// width.
 fn scenes() -> [(&'static str, f64, Vec<SetupObject>, DVec3); 2] {
     let lying = DMat4::from_rotation_x(-std::f64::consts::FRAC_PI_2);
-    let ball = DMat4::from_translation(DVec3::new(0.0, 0.45, 0.0)) * DMat4::from_scale(DVec3::splat(0.3));
+    let ball =
+        DMat4::from_translation(DVec3::new(0.0, 0.45, 0.0)) * DMat4::from_scale(DVec3::splat(0.3));
     [
-        ("waves and ball", 12.0, vec![object("waves", lying), object("ball", ball)], DVec3::new(0.0, 1.1, 2.1)),
+        (
+            "waves and ball",
+            12.0,
+            vec![object("waves", lying), object("ball", ball)],
+            DVec3::new(0.0, 1.1, 2.1),
+        ),
         ("city", 1.0, vec![object("city", DMat4::IDENTITY)], DVec3::new(0.0, 1.0, 1.9)),
     ]
 }
 
 fn frames(path: &Path) {
     let mut renderer = Renderer::new(block_on(Gpu::headless()).expect("a device"));
-    println!("{}, {} x {}; the least and the median of {ROUNDS}", renderer.gpu().name(), SIZE[0], SIZE[1]);
-    let lookups = [("hcbtf_lookup", "smooth", 3), ("hcbtf_lookup", "texels", 3), ("hcbtf_nearest", "", 1)];
+    println!(
+        "{}, {} x {}; the least and the median of {ROUNDS}",
+        renderer.gpu().name(),
+        SIZE[0],
+        SIZE[1]
+    );
+    let lookups =
+        [("hcbtf_lookup", "smooth", 3), ("hcbtf_lookup", "texels", 3), ("hcbtf_nearest", "", 1)];
     for (scene, repeats, objects, eye) in scenes() {
         let mut planner = Planner::default();
         let mut all = Vec::new();
-        for ((kind, lookup, tiers), storage) in lookups.into_iter().flat_map(|one| Storage::ALL.map(|it| (one, it))) {
+        for ((kind, lookup, tiers), storage) in
+            lookups.into_iter().flat_map(|one| Storage::ALL.map(|it| (one, it)))
+        {
             for tier in [Tier::Exact, Tier::Balanced, Tier::Fast].into_iter().take(tiers) {
                 let camera = Camera { eye: eye.to_array(), ..Camera::default() };
                 let setup = Setup {
@@ -108,7 +131,9 @@ fn frames(path: &Path) {
                 };
                 let options = PlanOptions { size: SIZE, samples: 1, time: 0.0 };
                 let setup = Variant::Looks(tier).of(&setup);
-                let plan = planner.plan(&setup, Library::built_in(), &Live::Keyed, &options).expect("it compiles");
+                let plan = planner
+                    .plan(&setup, Library::built_in(), &Live::Keyed, &options)
+                    .expect("it compiles");
                 all.push((format!("{scene}, {kind} {lookup}, {}, {tier:?}", storage.word()), plan));
             }
         }
@@ -117,7 +142,11 @@ fn frames(path: &Path) {
         let series = alternate(&mut renderer, &plans, ROUNDS, &mut Progress::new(&mut go_on));
         for ((name, _), series) in all.iter().zip(series.unwrap_or_else(|_| panic!("{scene}"))) {
             let least = series.frame.iter().copied().fold(f64::MAX, f64::min);
-            println!("{name}: {least:.1} ms ({:.1}), {:.1} fps", series.estimate().median, 1e3 / least);
+            println!(
+                "{name}: {least:.1} ms ({:.1}), {:.1} fps",
+                series.estimate().median,
+                1e3 / least
+            );
         }
     }
 }
@@ -146,14 +175,20 @@ fn baking(grid: Grid) {
         ),
     ] {
         let hcbtf = Hcbtf { rules, ..sparse.clone() };
-        let (filled, time) = seconds(|| hcbtf::fill::fill(&hcbtf, &hcbtf::Progress::new()).expect("it fits"));
-        println!("fill, {name}, {} painted: {time:.2} s, {} tiles", hcbtf.painted.len(), filled.tiles().len());
+        let (filled, time) =
+            seconds(|| hcbtf::fill::fill(&hcbtf, &hcbtf::Progress::new()).expect("it fits"));
+        println!(
+            "fill, {name}, {} painted: {time:.2} s, {} tiles",
+            hcbtf.painted.len(),
+            filled.tiles().len()
+        );
         for storage in Storage::ALL {
             for has_levels in [false, true] {
                 let options = LayerOptions { has_levels, is_decoded: false, storage };
                 let of = |address| filled.tile(address);
-                let (layers, time) =
-                    seconds(|| hcbtf::stored(&grid, of, options, &hcbtf::Progress::new()).expect("it fits"));
+                let (layers, time) = seconds(|| {
+                    hcbtf::stored(&grid, of, options, &hcbtf::Progress::new()).expect("it fits")
+                });
                 let mib = layers.bytes.len() as f64 / f64::from(1 << 20);
                 println!("  {}, levels {has_levels}: {time:.3} s, {mib:.2} MiB", storage.word());
                 black_box(layers);
@@ -167,9 +202,11 @@ fn memory(grids: &[Grid]) {
     for grid in grids {
         let few = painted(*grid, 64);
         let with_palettes = needs(grid, |address| few.painted(address));
-        for (most, few) in needs_at_most(grid).iter().zip(with_palettes).filter(|(most, _)| most.has_levels) {
+        for (most, few) in
+            needs_at_most(grid).iter().zip(with_palettes).filter(|(most, _)| most.has_levels)
+        {
             println!(
-                "{grid:?}: {}, {:.1} MiB in {:?}; of 64 colours {:.1} MiB",
+                "{grid:?}: {}, {:.1} MiB in {:?}; of 64 colors {:.1} MiB",
                 most.storage.word(),
                 mib(most.bytes()),
                 most.size,
@@ -184,7 +221,8 @@ fn main() {
         let directions = Directions { theta, phi };
         Grid { size: [side; 2], light: directions, view: directions }
     };
-    let wanted: Vec<String> = std::env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
+    let wanted: Vec<String> =
+        std::env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
     let is_wanted = |part: &str| wanted.is_empty() || wanted.iter().any(|word| word == part);
     if is_wanted("frames") {
         thesis_scenes();

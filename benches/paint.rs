@@ -28,7 +28,9 @@ fn benchmark(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("stamp-64-on-512");
     let soft = Brush { size: 64.0, hardness: 0.2, flow: 0.4, spacing: 0.25, ..Brush::default() };
     let stamp = Tool::Stamp(Arc::new(noise([64, 64])));
-    for (name, tool) in [("paint", Tool::Paint), ("erase", Tool::Erase), ("smudge", Tool::Smudge), ("stamp", stamp)] {
+    for (name, tool) in
+        [("paint", Tool::Paint), ("erase", Tool::Erase), ("smudge", Tool::Smudge), ("stamp", stamp)]
+    {
         let brush = Brush { tool, ..soft.clone() };
         // One step of the spacing: one stamp.
         let mut stroke = Stroke::begin(&base, &brush, &Symmetry::default(), true);
@@ -53,7 +55,11 @@ fn benchmark(criterion: &mut Criterion) {
     });
     let (from, to) = (DVec2::new(40.0, 60.0), DVec2::new(470.0, 430.0));
     for (name, base, brush) in [
-        ("hard-32-on-flat", &Tile::filled(SIZE, [90, 120, 60, 255]), &Brush { size: 32.0, ..Brush::default() }),
+        (
+            "hard-32-on-flat",
+            &Tile::filled(SIZE, [90, 120, 60, 255]),
+            &Brush { size: 32.0, ..Brush::default() },
+        ),
         ("soft-64-on-noise", &base, &soft),
     ] {
         group.bench_function(format!("{name}/line"), |bencher| {
@@ -61,14 +67,17 @@ fn benchmark(criterion: &mut Criterion) {
         });
         let after = line(base, brush, &Symmetry::default(), true, from, to);
         let patch = Patch::between(base, &after);
-        let changed = base.bytes().chunks(4).zip(after.bytes().chunks(4)).filter(|(a, b)| a != b).count();
+        let changed =
+            base.bytes().chunks(4).zip(after.bytes().chunks(4)).filter(|(a, b)| a != b).count();
         let bytes = patch.map_or(0, |patch| patch.memory());
         group.bench_function(format!("{name}/edit ({changed} texels, {bytes} bytes)"), |bencher| {
             bencher.iter(|| Patch::between(black_box(base), &after));
         });
     }
     let flood = Flood { tolerance: 1.0, edge: Flood::EDGE, wraps: true };
-    group.bench_function("flood", |bencher| bencher.iter(|| fill(black_box(&base), [9, 9], [7; 4], flood)));
+    group.bench_function("flood", |bencher| {
+        bencher.iter(|| fill(black_box(&base), [9, 9], [7; 4], flood))
+    });
     group.finish();
 }
 

@@ -1,12 +1,14 @@
 //! What a cheaper form of a node wins: each candidate against the exact form, on the GPU.
 //!
-//! `cargo bench --no-default-features --features gpu --bench tiers [-- FILTER]` prints a table for each file of
-//! `benches/tiers/` (`-- looks` or `-- looks/figure6`: of the example looks, as whole frames; `-- curvature`: of its tiers
-//! and per vertex, with errors); docs/performance.md holds the figures. Such a file is WGSL with functions
-//! `fn name(n: vec3f, l: vec3f, s: f32) -> f32`, of which `exact` is what the others are held against, and `nothing` what
-//! all of them cost before they begin. Each is drawn over the whole target, many times in each pixel, with unit
-//! vectors n and l that change smoothly over the screen and s in [-1, 1]. All of a file take turns, round by round; a
-//! ratio is the median over the rounds of (candidate - nothing) / (exact - nothing), with its 95% confidence interval.
+//! `cargo bench --no-default-features --features gpu --bench tiers [-- FILTER]` prints a table for
+//! each file of `benches/tiers/` (`-- looks` or `-- looks/figure6`: of the example looks, as whole
+//! frames; `-- curvature`: of its tiers and per vertex, with errors); docs/performance.md holds the
+//! figures. Such a file is WGSL with functions `fn name(n: vec3f, l: vec3f, s: f32) -> f32`, of
+//! which `exact` is what the others are held against, and `nothing` what all of them cost before
+//! they begin. Each is drawn over the whole target, many times in each pixel, with unit vectors n
+//! and l that change smoothly over the screen and s in [-1, 1]. All of a file take turns, round by
+//! round; a ratio is the median over the rounds of (candidate - nothing) / (exact - nothing), with
+//! its 95% confidence interval.
 #![allow(clippy::print_stdout, reason = "what it is for")]
 #![allow(missing_docs, reason = "a program")]
 
@@ -81,7 +83,12 @@ impl Bench {
             view_formats: &[],
         });
         let buffer = |size, usage| {
-            device.create_buffer(&wgpu::BufferDescriptor { label: None, size, usage, mapped_at_creation: false })
+            device.create_buffer(&wgpu::BufferDescriptor {
+                label: None,
+                size,
+                usage,
+                mapped_at_creation: false,
+            })
         };
         let uniform = buffer(16, wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST);
         let numbers: Vec<u8> = [REPEATS, 0, 0, 0].iter().flat_map(|x| x.to_le_bytes()).collect();
@@ -103,10 +110,12 @@ impl Bench {
         let device = &self.gpu.device;
         // Our own validator has no f16.
         if !source.starts_with("enable") {
-            chiaro::wgsl::parse(&source).unwrap_or_else(|error| panic!("{name}: {}", error.message));
+            chiaro::wgsl::parse(&source)
+                .unwrap_or_else(|error| panic!("{name}: {}", error.message));
         }
         let source = wgpu::ShaderSource::Wgsl(source.into());
-        let module = device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(name), source });
+        let module =
+            device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(name), source });
         let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some(name),
             layout: Some(&device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
@@ -165,7 +174,8 @@ impl Bench {
         device.poll(wgpu::PollType::wait_indefinitely()).expect("a device that answers");
         let bytes = self.read.slice(..).get_mapped_range().expect("mapped").to_vec();
         self.read.unmap();
-        let tick = |at: usize| u64::from_le_bytes(bytes[at..at + 8].try_into().expect("eight bytes"));
+        let tick =
+            |at: usize| u64::from_le_bytes(bytes[at..at + 8].try_into().expect("eight bytes"));
         (tick(8) - tick(0)) as f64 * f64::from(self.gpu.queue.get_timestamp_period()) * 1e-6
     }
 }
@@ -184,8 +194,13 @@ fn bindings(gpu: &Gpu, uniform: &wgpu::Buffer) -> (wgpu::BindGroupLayout, wgpu::
         usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
         view_formats: &[],
     });
-    let texels: Vec<u8> = (0..512 * 512 * 4_u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 24) as u8).collect();
-    let rows = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(512 * 4), rows_per_image: None };
+    let texels: Vec<u8> =
+        (0..512 * 512 * 4_u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 24) as u8).collect();
+    let rows = wgpu::TexelCopyBufferLayout {
+        offset: 0,
+        bytes_per_row: Some(512 * 4),
+        rows_per_image: None,
+    };
     gpu.queue.write_texture(image.as_image_copy(), &texels, rows, size);
     let sampler = |filter| {
         let repeat = wgpu::AddressMode::Repeat;
@@ -198,8 +213,12 @@ fn bindings(gpu: &Gpu, uniform: &wgpu::Buffer) -> (wgpu::BindGroupLayout, wgpu::
         })
     };
     let samplers = [wgpu::FilterMode::Linear, wgpu::FilterMode::Nearest].map(sampler);
-    let entry =
-        |binding, ty| wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::FRAGMENT, ty, count: None };
+    let entry = |binding, ty| wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::FRAGMENT,
+        ty,
+        count: None,
+    };
     let numbers = wgpu::BindingType::Buffer {
         ty: wgpu::BufferBindingType::Uniform,
         has_dynamic_offset: false,
@@ -242,15 +261,18 @@ fn run(bench: &Bench, file: &Path) {
     let text = std::fs::read_to_string(file).expect("a file that can be read");
     let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     // naga wants it first, before what is imported.
-    let (enabled, text) = text.strip_prefix("enable f16;").map_or(("", &*text), |rest| ("enable f16;\n", rest));
+    let (enabled, text) =
+        text.strip_prefix("enable f16;").map_or(("", &*text), |rest| ("enable f16;\n", rest));
     if !enabled.is_empty() && !bench.gpu.device.features().contains(wgpu::Features::SHADER_F16) {
         println!("\n{name}: this adapter has no f16");
         return;
     }
-    let linked = link(&[Source { name: &name, text }]).unwrap_or_else(|problems| panic!("{problems:?}"));
+    let linked =
+        link(&[Source { name: &name, text }]).unwrap_or_else(|problems| panic!("{problems:?}"));
     let own = scan(text);
     let library = format!("{enabled}{}", linked.text);
-    let is_candidate = |d: &Declaration| d.fields.iter().map(|field| field.name.as_str()).eq(["n", "l", "s"]);
+    let is_candidate =
+        |d: &Declaration| d.fields.iter().map(|field| field.name.as_str()).eq(["n", "l", "s"]);
     let mut candidates: Vec<Candidate> = own
         .declarations
         .iter()
@@ -265,20 +287,30 @@ fn run(bench: &Bench, file: &Path) {
             }
         }
     }
-    let times = |name: &str| candidates.iter().find(|c| c.name == name).map(|c| c.times.clone()).expect("the function");
+    let times = |name: &str| {
+        candidates.iter().find(|c| c.name == name).map(|c| c.times.clone()).expect("the function")
+    };
     let (nothing, exact) = (times("nothing"), times("exact"));
-    println!("\n{name}\n| form | ns per evaluation | of exact | 95% interval |\n| --- | ---: | ---: | --- |");
+    println!(
+        "\n{name}\n| form | ns per evaluation | of exact | 95% interval |\n| --- | ---: | ---: | --- |"
+    );
     let per = 1e6 / f64::from(SIZE * SIZE * REPEATS);
     for candidate in candidates.iter().filter(|c| c.name != "nothing") {
         let own = |round: usize| candidate.times[round] - nothing[round];
         let mut costs: Vec<f64> = (0..ROUNDS).map(|round| own(round) * per).collect();
-        let mut ratios: Vec<f64> = (0..ROUNDS).map(|round| own(round) / (exact[round] - nothing[round])).collect();
+        let mut ratios: Vec<f64> =
+            (0..ROUNDS).map(|round| own(round) / (exact[round] - nothing[round])).collect();
         let (ratio, low, high) = median(&mut ratios);
-        println!("| {} | {:.2} | {ratio:.3} | {low:.3} to {high:.3} |", candidate.name, median(&mut costs).0);
+        println!(
+            "| {} | {:.2} | {ratio:.3} | {low:.3} to {high:.3} |",
+            candidate.name,
+            median(&mut costs).0
+        );
     }
 }
 
-/// Milliseconds of a whole frame, passes included, by the clock: looks have no timestamps of their own.
+/// Milliseconds of a whole frame, passes included, by the clock: looks have no timestamps of their
+/// own.
 #[expect(clippy::disallowed_methods, reason = "a benchmark reads the clock")]
 fn frame_time(renderer: &mut Renderer, plan: &FramePlan) -> f64 {
     let start = std::time::Instant::now();
@@ -290,23 +322,30 @@ fn frame_time(renderer: &mut Renderer, plan: &FramePlan) -> f64 {
 /// Whole frames of the example looks in each tier, the tiers taking turns.
 fn looks(filter: &str) {
     let mut renderer = Renderer::new(gpu());
-    println!("\nwhole frames, 800x600, one sample a pixel\n| look | exact | balanced | of exact | fast | of exact |");
+    println!(
+        "\nwhole frames, 800x600, one sample a pixel\n| look | exact | balanced | of exact | fast | of exact |"
+    );
     println!("| --- | ---: | ---: | --- | ---: | --- |");
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
-    let mut files: Vec<PathBuf> =
-        std::fs::read_dir(folder).expect("the folder").map(|entry| entry.expect("an entry").path()).collect();
+    let mut files: Vec<PathBuf> = std::fs::read_dir(folder)
+        .expect("the folder")
+        .map(|entry| entry.expect("an entry").path())
+        .collect();
     files.sort();
     for file in files.iter().filter(|file| file.to_string_lossy().contains(filter)) {
         let mut assets = Assets::default();
-        let (mut setup, _) = open(file, None, &mut assets).unwrap_or_else(|problems| panic!("{problems:?}"));
+        let (mut setup, _) =
+            open(file, None, &mut assets).unwrap_or_else(|problems| panic!("{problems:?}"));
         let mut plans = Vec::new();
         for tier in [Tier::Exact, Tier::Balanced, Tier::Fast] {
-            // No frame is seen from where the one before it was, or passes would be left out because nothing changed.
+            // No frame is seen from where the one before it was, or passes would be left out
+            // because nothing changed.
             for _ in 0..2 {
                 setup.looks.iter_mut().for_each(|worn| worn.look.tier = tier);
                 setup.scene.camera.target = [0.002 * plans.len() as f64, 0.0, 0.0];
                 let options = PlanOptions { size: [800, 600], samples: 1, time: 0.0 };
-                let plan = Planner::default().plan(&setup, Library::built_in(), &Live::Keyed, &options);
+                let plan =
+                    Planner::default().plan(&setup, Library::built_in(), &Live::Keyed, &options);
                 plans.push(plan.unwrap_or_else(|problems| panic!("{problems:?}")));
             }
         }
@@ -320,7 +359,8 @@ fn looks(filter: &str) {
             }
         }
         let ratio = |tier: usize| {
-            let mut ratios: Vec<f64> = times[tier].iter().zip(&times[0]).map(|(own, exact)| own / exact).collect();
+            let mut ratios: Vec<f64> =
+                times[tier].iter().zip(&times[0]).map(|(own, exact)| own / exact).collect();
             let (ratio, low, high) = median(&mut ratios);
             format!("{ratio:.3} ({low:.3} to {high:.3})")
         };
@@ -328,7 +368,10 @@ fn looks(filter: &str) {
         let milliseconds = times.map(|mut times| median(&mut times).0);
         let name = file.file_stem().unwrap_or_default().to_string_lossy();
         let [exact, balanced, fast] = milliseconds;
-        println!("| {name} | {exact:.2} ms | {balanced:.2} ms | {} | {fast:.2} ms | {} |", of[0], of[1]);
+        println!(
+            "| {name} | {exact:.2} ms | {balanced:.2} ms | {} | {fast:.2} ms | {} |",
+            of[0], of[1]
+        );
     }
 }
 
@@ -336,22 +379,28 @@ fn looks(filter: &str) {
 fn gpu() -> Gpu {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
     descriptor.backends = wgpu::Backends::PRIMARY;
-    let adapter = block_on(wgpu::Instance::new(descriptor).request_adapter(&wgpu::RequestAdapterOptions::default()));
+    let adapter = block_on(
+        wgpu::Instance::new(descriptor).request_adapter(&wgpu::RequestAdapterOptions::default()),
+    );
     let adapter = adapter.expect("a GPU, a software one for one");
     let wanted = wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::SHADER_F16;
     let required_features = adapter.features() & wanted;
-    let descriptor = wgpu::DeviceDescriptor { required_features, ..wgpu::DeviceDescriptor::default() };
+    let descriptor =
+        wgpu::DeviceDescriptor { required_features, ..wgpu::DeviceDescriptor::default() };
     let (device, queue) = block_on(adapter.request_device(&descriptor)).expect("a device");
     Gpu::new(device, queue, adapter.get_info())
 }
 
 fn main() {
-    let filter = std::env::args().skip(1).find(|argument| !argument.starts_with('-')).unwrap_or_default();
+    let filter =
+        std::env::args().skip(1).find(|argument| !argument.starts_with('-')).unwrap_or_default();
     let bench = Bench::new(gpu());
     println!("{}", bench.gpu.name());
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/tiers");
-    let mut files: Vec<PathBuf> =
-        std::fs::read_dir(folder).expect("the folder").map(|entry| entry.expect("an entry").path()).collect();
+    let mut files: Vec<PathBuf> = std::fs::read_dir(folder)
+        .expect("the folder")
+        .map(|entry| entry.expect("an entry").path())
+        .collect();
     files.sort();
     if filter == "curvature" {
         curvature::check();

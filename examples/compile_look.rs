@@ -9,9 +9,14 @@ use chiaro::compile::{Options, compile};
 use chiaro::document::Look;
 use chiaro::library::Library;
 
-#[expect(clippy::print_stdout, clippy::print_stderr, reason = "an example talks to whoever runs it")]
+#[expect(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "an example talks to whoever runs it"
+)]
 fn main() -> ExitCode {
-    let path = std::env::args().nth(1).unwrap_or_else(|| "examples/looks/figure1-layers.json".to_owned());
+    let path =
+        std::env::args().nth(1).unwrap_or_else(|| "examples/looks/figure1-layers.json".to_owned());
     let loaded = Look::load(Path::new(&path));
     for diagnostic in &loaded.diagnostics {
         eprintln!("{diagnostic}");

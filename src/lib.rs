@@ -1,11 +1,13 @@
 //! Chiaro: from a graph of light to one readable WGSL shader.
 //!
-//! A [`document::Look`] is what an artist wires. [`compile`] checks it against the [`library`] of nodes (each one a
-//! WGSL file), runs whatever is known before the fragment through [`interp`] in f64, removes what cannot reach the
-//! output, and emits one WGSL module that [`wgsl`] has validated. [`frame`] joins looks, meshes, lights, keys and time
-//! into a frame plan, which the renderer executes and `export` turns into files for other programs.
+//! A [`document::Look`] is what an artist wires. [`compile`] checks it against the [`library`] of
+//! nodes (each one a WGSL file), runs whatever is known before the fragment through [`interp`] in
+//! f64, removes what cannot reach the output, and emits one WGSL module that [`wgsl`] has
+//! validated. [`frame`] joins looks, meshes, lights, keys and time into a frame plan, which the
+//! renderer executes and `export` turns into files for other programs.
 //!
-//! Each floor of the house is a crate under `src/`, lowest first; here its rooms go by the names that people say.
+//! Each floor of the house is a crate under `src/`, lowest first; here its rooms go by the names
+//! that people say.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 

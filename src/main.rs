@@ -1,4 +1,5 @@
-//! The `chiaro` program: reads the command line and hands over to the command line tools or the editor.
+//! The `chiaro` program: reads the command line and hands over to the command line tools or the
+//! editor.
 
 use std::io::Write as _;
 use std::process::ExitCode;
@@ -22,10 +23,13 @@ fn edit(files: &[std::path::PathBuf], mesh: Option<&str>) -> ExitCode {
 
 #[cfg(not(feature = "editor"))]
 fn edit(_files: &[std::path::PathBuf], _mesh: Option<&str>) -> ExitCode {
-    last_words(&"error: this chiaro was built without its editor; build it with the feature `editor`")
+    last_words(
+        &"error: this chiaro was built without its editor; build it with the feature `editor`",
+    )
 }
 
-/// Says why the program ends, where there is anybody to hear: a closed standard error is no reason to panic.
+/// Says why the program ends, where there is anybody to hear: a closed standard error is no reason
+/// to panic.
 fn last_words(words: &dyn std::fmt::Display) -> ExitCode {
     let _ = writeln!(std::io::stderr().lock(), "{words}");
     ExitCode::FAILURE

@@ -91,8 +91,8 @@ fn window_frames(window: &mut Window) -> Vec<f64> {
     (0..FRAMES).map(step).collect()
 }
 
-/// For each of many edits that take a wire away and put it back: the frame that applies it, the frame after, and all
-/// of it until naga has validated both shaders. In seconds.
+/// For each of many edits that take a wire away and put it back: the frame that applies it, the
+/// frame after, and all of it until naga has validated both shaders. In seconds.
 fn structural_edits(window: &mut Window) -> [Vec<f64>; 3] {
     let mut times = [const { Vec::new() }; 3];
     let wires = &window.app.session().look().graph.wires;
@@ -135,7 +135,9 @@ pub(crate) fn run() {
             compiled * 1e3
         ));
     }
-    println!("\nOpening, and an edit of the structure (a wire goes, or comes back), ms; of edits median / p95");
+    println!(
+        "\nOpening, and an edit of the structure (a wire goes, or comes back), ms; of edits median / p95"
+    );
     println!(
         "\n| nodes | open to first frame | to its shaders | edit: its frame | the frame after | until validated |"
     );

@@ -39,7 +39,11 @@ struct Driven {
 impl Driven {
     fn finish(&mut self) {
         let (what, _) = DRAGS[self.drag];
-        println!("| {what} | {} of {FRAMES} | {} |", self.in_time, told(std::mem::take(&mut self.times)));
+        println!(
+            "| {what} | {} of {FRAMES} | {} |",
+            self.in_time,
+            told(std::mem::take(&mut self.times))
+        );
         (self.drag, self.frame, self.in_time, self.from) = (self.drag + 1, 0, 0, None);
     }
 }
@@ -48,7 +52,9 @@ impl eframe::App for Driven {
     fn raw_input_hook(&mut self, ctx: &egui::Context, input: &mut RawInput) {
         // The last frame is presented when the next one asks for its input.
         self.times.extend(self.since_input.take().map(|clock| clock.seconds()));
-        let Some((_, find)) = DRAGS.get(self.drag) else { return ctx.send_viewport_cmd(ViewportCommand::Close) };
+        let Some((_, find)) = DRAGS.get(self.drag) else {
+            return ctx.send_viewport_cmd(ViewportCommand::Close);
+        };
         self.frame += 1;
         match self.from {
             None => {
@@ -78,20 +84,30 @@ impl eframe::App for Driven {
     }
 }
 
-/// Drags in a window of its own, and tells how many pictures were with the GPU before the frame of their edit was, and
-/// how long it took from the pointer's move until that frame was presented.
+/// Drags in a window of its own, and tells how many pictures were with the GPU before the frame of
+/// their edit was, and how long it took from the pointer's move until that frame was presented.
 pub(crate) fn run(look: &Path) {
-    println!("\nThe same in a window of 1600x960 points on a display, until it is presented; ms, median / p95");
+    println!(
+        "\nThe same in a window of 1600x960 points on a display, until it is presented; ms, median / p95"
+    );
     println!("\n| what is dragged | in the very next frame | from the pointer to the screen |");
     println!("| --- | ---: | ---: |");
     let look = look.to_owned();
     let create = move |context: &eframe::CreationContext<'_>| {
-        let mut app = App::new(&context.egui_ctx, context.wgpu_render_state.clone()).without_dialogs();
+        let mut app =
+            App::new(&context.egui_ctx, context.wgpu_render_state.clone()).without_dialogs();
         app.open(&look);
         app.session_mut().select(vec!["diffuse".into()]);
         let (in_time, times) = (0, Vec::new());
-        Ok(Box::new(Driven { app, drag: 0, from: None, frame: 0, since_input: None, in_time, times })
-            as Box<dyn eframe::App>)
+        Ok(Box::new(Driven {
+            app,
+            drag: 0,
+            from: None,
+            frame: 0,
+            since_input: None,
+            in_time,
+            times,
+        }) as Box<dyn eframe::App>)
     };
     eframe::run_native("chiaro-bench", options(), Box::new(create)).expect("a window");
 }

@@ -15,13 +15,14 @@ const REACH: f32 = 40.0;
 fn pixels(hand: &mut Hand) -> Vec<u8> {
     let rect: Rect = hand.app().viewport().rect().expect("the picture is shown");
     let image = hand.harness.render().expect("it draws");
-    let [x, y, width, height] = [rect.min.x, rect.min.y, rect.width(), rect.height()].map(|side| side as u32);
+    let [x, y, width, height] =
+        [rect.min.x, rect.min.y, rect.width(), rect.height()].map(|side| side as u32);
     image::imageops::crop_imm(&image, x, y, width, height).to_image().into_raw()
 }
 
-/// Drags along a small loop as wide as twice `reach` in points, and tells how many pictures were in the very frame of
-/// their edit, of all whose edit changed anything, and how long it took from the pointer's move until that frame was
-/// drawn.
+/// Drags along a small loop as wide as twice `reach` in points, and tells how many pictures were in
+/// the very frame of their edit, of all whose edit changed anything, and how long it took from the
+/// pointer's move until that frame was drawn.
 fn drag(hand: &mut Hand, from: Pos2, reach: f32, what: &str) {
     hand.hold(from);
     let (mut in_time, mut changed, mut times, mut own) = (0, 0, Vec::new(), Vec::new());
@@ -69,7 +70,8 @@ pub(crate) fn run() {
         if let Some(middle) = hand.app().viewport().middle() {
             drag(&mut hand, middle, REACH, &format!("{look}: a light"));
         }
-        let corner = hand.app().viewport().rect().expect("the picture is shown").min + vec2(60.0, 60.0);
+        let corner =
+            hand.app().viewport().rect().expect("the picture is shown").min + vec2(60.0, 60.0);
         drag(&mut hand, corner, REACH, &format!("{look}: the camera"));
     }
     if has_display() {

@@ -14,12 +14,14 @@ pub(crate) fn sizes() -> Vec<usize> {
 /// What most nodes are.
 const KIND: &str = "map_range";
 
-/// A grid of nodes, each wired to its left and upper neighbour, one in ten also to a far earlier one. The first tells
-/// how the surface faces the viewer and the last is the output, so that nothing can be folded away.
+/// A grid of nodes, each wired to its left and upper neighbour, one in ten also to a far earlier
+/// one. The first tells how the surface faces the viewer and the last is the output, so that
+/// nothing can be folded away.
 pub(crate) fn grid(count: usize) -> Look {
     let columns = (count as f64).sqrt().ceil() as usize;
     let mut look = Look { name: format!("{count} nodes"), ..Look::default() };
-    let ports: Vec<_> = Library::built_in().nodes[KIND].visible_inputs().map(|input| input.name.clone()).collect();
+    let ports: Vec<_> =
+        Library::built_in().nodes[KIND].visible_inputs().map(|input| input.name.clone()).collect();
     let id = |i: usize| format!("n{i}");
     let wire = |from: usize, to: usize, port: &str| Wire {
         from: Endpoint::new(id(from), ""),
@@ -37,7 +39,10 @@ pub(crate) fn grid(count: usize) -> Look {
         } else {
             KIND
         };
-        look.graph.nodes.insert(id(i).as_str().into(), Node { kind: kind.to_owned(), position, ..Node::default() });
+        look.graph.nodes.insert(
+            id(i).as_str().into(),
+            Node { kind: kind.to_owned(), position, ..Node::default() },
+        );
         seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         if i == 0 {
             continue;
@@ -48,7 +53,8 @@ pub(crate) fn grid(count: usize) -> Look {
         }
         let far = i.is_multiple_of(10).then(|| (seed >> 33) as usize % i);
         let sources = [(column > 0).then(|| i - 1), (row > 0).then(|| i - columns), far];
-        for (port, from) in ports.iter().zip(sources).filter_map(|(port, from)| Some((port, from?))) {
+        for (port, from) in ports.iter().zip(sources).filter_map(|(port, from)| Some((port, from?)))
+        {
             look.graph.wires.push(wire(from, i, port.as_str()));
         }
     }

@@ -18,11 +18,18 @@ fn resident() -> Option<f64> {
     Some(line.trim().strip_suffix("kB")?.trim().parse::<f64>().ok()? / 1024.0)
 }
 
-/// A thousand values one after the other, each in a frame of its own; then all of it taken back and done again.
+/// A thousand values one after the other, each in a frame of its own; then all of it taken back and
+/// done again.
 fn edit(window: &mut Window, id: &str) {
     for index in 0..EDITS {
         let value = Value::Number(index as f64 / EDITS as f64);
-        let edit = Edit::SetValue { graph: GraphId::Look, id: id.into(), port: "to_high".into(), value, index: None };
+        let edit = Edit::SetValue {
+            graph: GraphId::Look,
+            id: id.into(),
+            port: "to_high".into(),
+            value,
+            index: None,
+        };
         window.app.session_mut().apply(edit, None).expect("the node has this input");
         window.frame(Vec::new());
     }
@@ -52,11 +59,16 @@ pub(crate) fn run() {
     println!(
         "\nResident memory of a window without GPU, MiB; an edit is a value, and all are undone and redone at the end"
     );
-    println!("\n| nodes | new look | opened | after {EDITS} edits | {} | {} |", 2 * EDITS, 3 * EDITS);
+    println!(
+        "\n| nodes | new look | opened | after {EDITS} edits | {} | {} |",
+        2 * EDITS,
+        3 * EDITS
+    );
     println!("| ---: | ---: | ---: | ---: | ---: | ---: |");
     for nodes in sizes() {
         let program = std::env::current_exe().expect("this program");
-        let output = Command::new(program).args([CHILD, &nodes.to_string()]).output().expect("it starts");
+        let output =
+            Command::new(program).args([CHILD, &nodes.to_string()]).output().expect("it starts");
         print!("{}", String::from_utf8_lossy(&output.stdout));
     }
 }

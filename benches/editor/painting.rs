@@ -15,7 +15,7 @@ const FRAMES: u8 = 60;
 /// Half of a stroke's loop on the screen, in points.
 const REACH: f32 = 60.0;
 
-/// A tile that is nowhere of one colour.
+/// A tile that is nowhere of one color.
 fn noise(size: [u32; 2]) -> Tile {
     let mut state = 1_u32;
     let mut next = || {
@@ -33,7 +33,8 @@ fn opened(folder: &Path, grid: Grid) -> Hand {
         hcbtf.painted.insert(Address::new(light, [0, 0]), Arc::new(noise(grid.size)));
     }
     let path = folder.join(format!("{}.hcbtf", grid.size[0]));
-    std::fs::write(&path, chiaro::hcbtf::write(&hcbtf).expect("it can be written")).expect("a folder to write to");
+    std::fs::write(&path, chiaro::hcbtf::write(&hcbtf).expect("it can be written"))
+        .expect("a folder to write to");
     let mut hand = Hand::drawing_with(|app, _| app.without_dialogs());
     hand.app_mut().open(&path);
     hand.settle();
@@ -42,7 +43,8 @@ fn opened(folder: &Path, grid: Grid) -> Hand {
 
 /// The pixels of a part of the window as it is drawn now, which waits for the GPU.
 fn pixels(image: &image::RgbaImage, rect: Rect) -> Vec<u8> {
-    let [x, y, width, height] = [rect.min.x, rect.min.y, rect.width(), rect.height()].map(|side| side as u32);
+    let [x, y, width, height] =
+        [rect.min.x, rect.min.y, rect.width(), rect.height()].map(|side| side as u32);
     image::imageops::crop_imm(image, x, y, width, height).to_image().into_raw()
 }
 
@@ -111,6 +113,10 @@ pub(crate) fn run() {
     for (grid, brush) in [(Grid::THESIS, 4.0), (large, 16.0), (large, 64.0)] {
         let mut hand = opened(folder.path(), grid);
         let directions = grid.sample_count();
-        stroke(&mut hand, brush, &format!("{0}x{0}, {directions} samples, {brush} texels", grid.size[0]));
+        stroke(
+            &mut hand,
+            brush,
+            &format!("{0}x{0}, {directions} samples, {brush} texels", grid.size[0]),
+        );
     }
 }

@@ -10,7 +10,8 @@ use chiaro::milestones;
 use crate::times::spread;
 use crate::{example, has_display};
 
-/// Starts that are counted; one more comes before them, so that files and the driver's cache are warm.
+/// Starts that are counted; one more comes before them, so that files and the driver's cache are
+/// warm.
 const STARTS: usize = 7;
 /// What the window tells last.
 const LAST: &str = "picture on the screen";
@@ -23,7 +24,11 @@ fn start(has_display: bool) -> BTreeMap<String, f64> {
     if has_display {
         command.arg("edit").arg(look);
     } else {
-        command.arg("render").arg(look).args(["-s", "800x600", "-o"]).arg(folder.path().join("picture.png"));
+        command
+            .arg("render")
+            .arg(look)
+            .args(["-s", "800x600", "-o"])
+            .arg(folder.path().join("picture.png"));
     }
     for place in ["CHIARO_CONFIG_DIR", "CHIARO_STATE_DIR", "XDG_DATA_HOME"] {
         command.env(place, folder.path());
@@ -33,9 +38,15 @@ fn start(has_display: bool) -> BTreeMap<String, f64> {
     let mut program = command.spawn().expect("the program that was built with this benchmark");
     let mut told = BTreeMap::new();
     let mut before = 0.0;
-    for line in BufReader::new(program.stderr.take().expect("it is piped")).lines().map_while(Result::ok) {
+    for line in
+        BufReader::new(program.stderr.take().expect("it is piped")).lines().map_while(Result::ok)
+    {
         let Ok(line) = serde_json::from_str::<serde_json::Value>(&line) else { continue };
-        let (Some(milestone), Some(seconds)) = (line["milestone"].as_str(), line["seconds"].as_f64()) else { continue };
+        let (Some(milestone), Some(seconds)) =
+            (line["milestone"].as_str(), line["seconds"].as_f64())
+        else {
+            continue;
+        };
         if told.is_empty() {
             // The program counts from its own beginning; what came before is seen from outside.
             before = clock.seconds() - seconds;
@@ -53,7 +64,11 @@ fn start(has_display: bool) -> BTreeMap<String, f64> {
 
 pub(crate) fn run() {
     let has_display = has_display();
-    let what = if has_display { "`chiaro edit`, a window" } else { "`chiaro render`, as there is no display" };
+    let what = if has_display {
+        "`chiaro edit`, a window"
+    } else {
+        "`chiaro render`, as there is no display"
+    };
     start(has_display);
     let mut all: BTreeMap<String, Vec<f64>> = BTreeMap::new();
     for _ in 0..STARTS {
@@ -63,7 +78,9 @@ pub(crate) fn run() {
     }
     let mut rows: Vec<_> = all.into_iter().map(|(name, times)| (name, spread(times))).collect();
     rows.sort_by(|a, b| a.1[0].total_cmp(&b.1[0]));
-    println!("\nStart of {what}, on figure1-layers: ms since the program was asked for, of {STARTS} starts");
+    println!(
+        "\nStart of {what}, on figure1-layers: ms since the program was asked for, of {STARTS} starts"
+    );
     println!("\n| milestone | median | p95 | since the one before |");
     println!("| --- | ---: | ---: | ---: |");
     let mut before = 0.0;

@@ -1,4 +1,5 @@
-//! A window without display, GPU and accessibility, of which a frame is what egui runs and tessellates.
+//! A window without display, GPU and accessibility, of which a frame is what egui runs and
+//! tessellates.
 
 use std::path::Path;
 
@@ -102,5 +103,10 @@ pub(crate) fn moved(at: Pos2) -> Event {
 
 /// The first button goes down or up.
 pub(crate) fn button(pos: Pos2, pressed: bool) -> Event {
-    Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers: Modifiers::NONE }
+    Event::PointerButton {
+        pos,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    }
 }

@@ -1,4 +1,4 @@
-// Figure 4 by hand: a soft diffuse layer whose colour and extent follow curvature, over a fill.
+// Figure 4 by hand: a soft diffuse layer whose color and extent follow curvature, over a fill.
 
 struct View {
     clip_from_world: mat4x4f,
@@ -90,7 +90,7 @@ fn dimmed(tone: f32, light: Light) -> f32 {
     return tone * min(light.intensity, 1.0);
 }
 
-/// A colour under a light, which brightens it.
+/// A color under a light, which brightens it.
 fn lit(color: vec3f, light: Light) -> vec3f {
     return color * light.color * max(light.intensity, 1.0);
 }

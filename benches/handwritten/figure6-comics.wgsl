@@ -62,7 +62,7 @@ fn cel(half: vec2f, shift: f32, offset: vec2f) -> f32 {
     return saturate(0.5 - s * (2.0 + s * s / 3.0) / max(footprint(angle), 1e-6));
 }
 
-/// A layer between the colours of hollow and of convex places.
+/// A layer between the colors of hollow and of convex places.
 fn laid(below: vec3f, convex: vec3f, concave: vec3f, bulge: f32, tone: f32, light: Light) -> vec3f {
     let color = mix(concave, convex, 0.5 + 0.5 * bulge) * light.color * max(light.intensity, 1.0);
     return saturate(mix(below, color, tone * min(light.intensity, 1.0)));

@@ -21,7 +21,8 @@ pub(crate) fn optimised(words: &[u32]) -> Option<Vec<u32>> {
     let [before, after] = ["before.spv", "after.spv"].map(|name| folder.path().join(name));
     let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
     std::fs::write(&before, bytes).ok()?;
-    let ran = Command::new("spirv-opt").arg("-O").arg(&before).arg("-o").arg(&after).status().ok()?;
+    let ran =
+        Command::new("spirv-opt").arg("-O").arg(&before).arg("-o").arg(&after).status().ok()?;
     let bytes = ran.success().then(|| std::fs::read(after).ok()).flatten()?;
     let word = |bytes: &[u8]| Some(u32::from_le_bytes(bytes.try_into().ok()?));
     bytes.chunks_exact(4).map(word).collect()

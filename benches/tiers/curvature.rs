@@ -1,9 +1,9 @@
-//! Curvature in each tier and per vertex: what a frame takes, and how far a look that shows nothing else is from the
-//! truth.
+//! Curvature in each tier and per vertex: what a frame takes, and how far a look that shows nothing
+//! else is from the truth.
 //!
-//! Per vertex, mean curvature is computed once from the mesh (the normals along the edges of each vertex), handed over as
-//! a vertex colour, interpolated, and made a matter of the picture by the distance; `slanted` also counts the angle at
-//! which the surface is seen, as a ball's would be.
+//! Per vertex, mean curvature is computed once from the mesh (the normals along the edges of each
+//! vertex), handed over as a vertex color, interpolated, and made a matter of the picture by the
+//! distance; `slanted` also counts the angle at which the surface is seen, as a ball's would be.
 
 use std::sync::Arc;
 
@@ -24,8 +24,8 @@ const ROUNDS: usize = 11;
 /// That of figure 4.
 const SLOPE: f64 = 0.3;
 
-/// Mean curvature at each vertex in 1/unit of object space, convex positive: along each edge the normal turns by
-/// (n1 - n0) . (p1 - p0) / |p1 - p0|^2.
+/// Mean curvature at each vertex in 1/unit of object space, convex positive: along each edge the
+/// normal turns by (n1 - n0) . (p1 - p0) / |p1 - p0|^2.
 fn mean_curvature(mesh: &Mesh) -> Vec<f32> {
     let mut sums = vec![(0.0_f32, 0.0_f32); mesh.positions.len()];
     for corner in mesh.indices.chunks_exact(3) {
@@ -46,11 +46,16 @@ fn mean_curvature(mesh: &Mesh) -> Vec<f32> {
 fn setup(json: &Json, mesh: &str) -> Setup {
     let loaded = Look::read(&json.to_string(), "bench.json");
     assert!(loaded.diagnostics.is_empty(), "{:?}", loaded.diagnostics);
-    let look = SetupLook { look: loaded.value.expect("a look"), source: loaded.source.into(), folder: "".into() };
+    let look = SetupLook {
+        look: loaded.value.expect("a look"),
+        source: loaded.source.into(),
+        folder: "".into(),
+    };
     default_setup(look, mesh, &mut Assets::default()).expect("a mesh").0
 }
 
-/// A look that shows how convex the surface is, by curvature that `wires` bring to `convexity.kappa`.
+/// A look that shows how convex the surface is, by curvature that `wires` bring to
+/// `convexity.kappa`.
 fn convexity(mut nodes: Vec<Json>, mut wires: Vec<Json>) -> Json {
     nodes.push(json!({"id": "convexity", "kind": "transition", "values": {"slope": SLOPE}}));
     nodes.push(json!({"id": "output", "kind": "output"}));
@@ -63,7 +68,8 @@ fn per_pixel(tier: &str) -> Json {
     convexity(vec![kappa], vec![json!({"from": "kappa", "to": "convexity.kappa"})])
 }
 
-/// The red of the vertex colour times the distance and `scale`; where `slanted`, times (1 + z^2) / (2 z^3).
+/// The red of the vertex color times the distance and `scale`; where `slanted`, times (1 + z^2) /
+/// (2 z^3).
 fn per_vertex(scale: f64, slanted: bool) -> Json {
     let mut nodes = vec![
         json!({"id": "color", "kind": "vertex_color"}),
@@ -117,7 +123,8 @@ fn with_vertex_curvature(json: &Json, mesh: &str) -> Setup {
         let scale = length_of(object.world_from_object);
         let mut mesh = Mesh::clone(&object.mesh);
         let curvature = mean_curvature(&mesh);
-        mesh.colors = curvature.iter().map(|curvature| [curvature / scale as f32, 0.0, 0.0, 1.0]).collect();
+        mesh.colors =
+            curvature.iter().map(|curvature| [curvature / scale as f32, 0.0, 0.0, 1.0]).collect();
         mesh.has_colors = true;
         object.mesh = Arc::new(mesh);
     }
@@ -135,7 +142,13 @@ fn plan(setup: &Setup, options: &PlanOptions) -> FramePlan {
 
 fn told(series: &Series, exact: &Series) -> String {
     let ratio = series.ratio(exact);
-    format!("{:.2} ms | {:.3} ({:.3} to {:.3})", series.estimate().median, ratio.median, ratio.low, ratio.high)
+    format!(
+        "{:.2} ms | {:.3} ({:.3} to {:.3})",
+        series.estimate().median,
+        ratio.median,
+        ratio.low,
+        ratio.high
+    )
 }
 
 /// Prints a row for each mesh, size and form.
@@ -154,18 +167,26 @@ pub(crate) fn run(gpu: Gpu) {
                 ("balanced", setup(&per_pixel("balanced"), mesh)),
                 ("fast", setup(&per_pixel("fast"), mesh)),
                 ("per vertex", with_vertex_curvature(&per_vertex(view_height, false), mesh)),
-                ("per vertex, slanted", with_vertex_curvature(&per_vertex(view_height, true), mesh)),
+                (
+                    "per vertex, slanted",
+                    with_vertex_curvature(&per_vertex(view_height, true), mesh),
+                ),
             ];
-            let plans: Vec<FramePlan> = forms.iter().map(|(_, setup)| plan(setup, &options)).collect();
+            let plans: Vec<FramePlan> =
+                forms.iter().map(|(_, setup)| plan(setup, &options)).collect();
             let mut on = |_, _| true;
             let mut progress = Progress::new(&mut on);
-            let series = alternate(&mut renderer, &plans.iter().collect::<Vec<_>>(), ROUNDS, &mut progress);
+            let series =
+                alternate(&mut renderer, &plans.iter().collect::<Vec<_>>(), ROUNDS, &mut progress);
             let series = series.unwrap_or_else(|stopped| panic!("{stopped:?}"));
             let mut planner = Planner::for_truth(Assets::default());
-            let truth = Truth::of(&exact, Library::built_in(), &mut planner, &options, &mut progress);
+            let truth =
+                Truth::of(&exact, Library::built_in(), &mut planner, &options, &mut progress);
             let truth = truth.unwrap_or_else(|stopped| panic!("{stopped:?}"));
             for (((name, _), plan), times) in forms.iter().zip(&plans).zip(&series) {
-                let error = truth.compare(&mut precise, plan).unwrap_or_else(|stopped| panic!("{stopped:?}"));
+                let error = truth
+                    .compare(&mut precise, plan)
+                    .unwrap_or_else(|stopped| panic!("{stopped:?}"));
                 let [width, height] = size;
                 let time = told(times, &series[0]);
                 println!(
@@ -182,5 +203,8 @@ pub(crate) fn check() {
     let setup = setup(&per_pixel("exact"), "shape:sphere");
     let curvature = mean_curvature(&setup.objects[0].mesh);
     let radius = Vec3::from(setup.objects[0].mesh.positions[0]).length();
-    assert!(curvature.iter().all(|x| (x * radius - 1.0).abs() < 0.02), "a ball's curvature is 1 over its radius");
+    assert!(
+        curvature.iter().all(|x| (x * radius - 1.0).abs() < 0.02),
+        "a ball's curvature is 1 over its radius"
+    );
 }

@@ -5,7 +5,8 @@ import chiaro::antialias;
 
 /// Color curves
 ///
-/// Redraws a colour's channels along curves, one for all of them and then one for each: contrast, film looks, split toning.
+/// Redraws a color's channels along curves, one for all of them and then one for each: contrast,
+/// film looks, split toning.
 ///
 /// @param color "Color" default=0.5,0.5,0.5,1 : Straight RGBA; its alpha stays.
 /// @param all "All" : For red, green and blue alike, first.
@@ -20,6 +21,6 @@ fn color_curves(color: Color, all: Curve, red: Curve, green: Curve, blue: Curve)
     let r = curve_at(all, c.x, w.x);
     let g = curve_at(all, c.y, w.y);
     let b = curve_at(all, c.z, w.z);
-    // A stepped curve after the first one sees its steps as wide as the colour's own.
+    // A stepped curve after the first one sees its steps as wide as the color's own.
     return vec4f(curve_at(red, r, w.x), curve_at(green, g, w.y), curve_at(blue, b, w.z), c.w);
 }

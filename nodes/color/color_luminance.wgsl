@@ -4,8 +4,8 @@ import chiaro::total;
 
 /// Luminance
 ///
-/// How bright a colour looks, as one number: green counts most, blue least (Rec. 709 weights, on the numbers as they
-/// stand).
+/// How bright a color looks, as one number: green counts most, blue least (Rec. 709 weights, on
+/// the numbers as they stand).
 ///
 /// @param color "Color" default=1,1,1,1 : The alpha does not count.
 /// @return luminance "Luminance" : 0 for black, 1 for white.

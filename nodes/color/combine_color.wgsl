@@ -2,7 +2,7 @@ import chiaro::types;
 
 /// Combine color
 ///
-/// A colour from its channels.
+/// A color from its channels.
 ///
 /// @param red "Red" default=0 min=0 max=1 : The first channel.
 /// @param green "Green" default=0 min=0 max=1 : The second channel.

@@ -3,8 +3,8 @@ import chiaro::total;
 
 /// Gamma
 ///
-/// Darkens (above 1) or lifts (below 1) the middle of a colour and leaves black and white. Numbers below 0 keep their
-/// sign, but for whole even gammas, where the result is positive.
+/// Darkens (above 1) or lifts (below 1) the middle of a color and leaves black and white. Numbers
+/// below 0 keep their sign, but for whole even gammas, where the result is positive.
 ///
 /// @param color "Color" default=1,1,1,1 : Straight RGBA; the alpha stays.
 /// @param gamma "Gamma" default=1 min=0.01 max=8 : The exponent of each channel.

@@ -4,10 +4,12 @@ import chiaro::total;
 
 /// Hue, saturation, value
 ///
-/// Shifts a colour: another hue, greyer or stronger, darker or brighter. Greys have no hue and stay grey.
+/// Shifts a color: another hue, greyer or stronger, darker or brighter. Greys have no hue and stay
+/// grey.
 ///
 /// @param color "Color" default=1,1,1,1 : Straight RGBA; the alpha stays.
-/// @param hue "Hue" unit=rad default=0 min=-pi max=pi : Turns the colour wheel; a third of a turn makes red green.
+/// @param hue "Hue" unit=rad default=0 min=-pi max=pi : Turns the color wheel; a third of a turn
+///   makes red green.
 /// @param saturation "Saturation" default=1 min=0 max=2 : 0 is grey.
 /// @param value "Value" default=1 min=0 max=2 : 0 is black.
 /// @return color "Color" : Straight RGBA.
@@ -17,5 +19,6 @@ fn hsv_adjust(color: Color, hue: f32, saturation: f32, value: f32) -> Color {
         return bounded_vec4(color);
     }
     let rgb = bounded_vec3(color.xyz);
-    return vec4f(hsv_adjusted(rgb, bounded(hue) * 0.159154943091895336, bounded(saturation), bounded(value)), bounded(color.w));
+    return vec4f(hsv_adjusted(rgb, bounded(hue) * 0.159154943091895336, bounded(saturation),
+        bounded(value)), bounded(color.w));
 }

@@ -4,24 +4,25 @@ import chiaro::total;
 
 /// Mix colors
 ///
-/// Lays one colour on another as paint programs do. For a stack of shading layers take Blend, which knows tones and
-/// transparency.
+/// Lays one color on another as paint programs do. For a stack of shading layers take Blend, which
+/// knows tones and transparency.
 ///
-/// @choice mode "Mode" default=normal normal="Normal" multiply="Multiply" screen="Screen" overlay="Overlay"
-///   soft_light="Soft light" hard_light="Hard light" darken="Darken" lighten="Lighten" add="Add" subtract="Subtract"
-///   difference="Difference" divide="Divide" exclusion="Exclusion" color_dodge="Color dodge" color_burn="Color burn"
-///   hue="Hue" saturation="Saturation" color="Color" luminosity="Luminosity" :
-///   How B acts on A. The last four take that of B and the rest of A; they and both Color modes are meant for colors from
-///   0 to 1, and count others as the nearest of those.
-/// @param a "A" default=0,0,0,1 : The colour below.
-/// @param b "B" default=1,1,1,1 : The colour on top.
+/// @choice mode "Mode" default=normal normal="Normal" multiply="Multiply" screen="Screen"
+///   overlay="Overlay" soft_light="Soft light" hard_light="Hard light" darken="Darken"
+///   lighten="Lighten" add="Add" subtract="Subtract" difference="Difference" divide="Divide"
+///   exclusion="Exclusion" color_dodge="Color dodge" color_burn="Color burn" hue="Hue"
+///   saturation="Saturation" color="Color" luminosity="Luminosity" : How B acts on A. The last four
+///   take that of B and the rest of A; they and both Color modes are meant for colors from 0 to 1,
+///   and count others as the nearest of those.
+/// @param a "A" default=0,0,0,1 : The color below.
+/// @param b "B" default=1,1,1,1 : The color on top.
 /// @param factor "Factor" default=0.5 min=0 max=1 : How much of the effect; 0 is A.
 /// @return color "Color" : Normal mixes the alpha too; all others keep that of A.
 /// @bypass a when factor = 0 : its factor is 0
 /// @bypass b when factor = 1 and mode = normal : its factor is 1
 /// @bypass a when factor <= 0 : its factor is never above 0
 /// @bypass b when factor >= 1 and mode = normal : its factor is never below 1
-/// @bypass a when a = b and mode = normal|darken|lighten : both colours are the same
+/// @bypass a when a = b and mode = normal|darken|lighten : both colors are the same
 /// @source W3C Compositing and Blending 1
 fn mix_colors_normal(a: Color, b: Color, factor: f32) -> Color {
     return mixed_vec4(bounded_vec4(a), bounded_vec4(b), factor_of(factor, true));
@@ -36,15 +37,18 @@ fn mix_colors_screen(a: Color, b: Color, factor: f32) -> Color {
 }
 
 fn mix_colors_overlay(a: Color, b: Color, factor: f32) -> Color {
-    return color_mixed(a, vec3f(hard_light(b.x, a.x), hard_light(b.y, a.y), hard_light(b.z, a.z)), factor);
+    return color_mixed(a, vec3f(hard_light(b.x, a.x), hard_light(b.y, a.y), hard_light(b.z, a.z)),
+        factor);
 }
 
 fn mix_colors_soft_light(a: Color, b: Color, factor: f32) -> Color {
-    return color_mixed(a, vec3f(soft_light(a.x, b.x), soft_light(a.y, b.y), soft_light(a.z, b.z)), factor);
+    return color_mixed(a, vec3f(soft_light(a.x, b.x), soft_light(a.y, b.y), soft_light(a.z, b.z)),
+        factor);
 }
 
 fn mix_colors_hard_light(a: Color, b: Color, factor: f32) -> Color {
-    return color_mixed(a, vec3f(hard_light(a.x, b.x), hard_light(a.y, b.y), hard_light(a.z, b.z)), factor);
+    return color_mixed(a, vec3f(hard_light(a.x, b.x), hard_light(a.y, b.y), hard_light(a.z, b.z)),
+        factor);
 }
 
 fn mix_colors_darken(a: Color, b: Color, factor: f32) -> Color {
@@ -78,13 +82,15 @@ fn mix_colors_exclusion(a: Color, b: Color, factor: f32) -> Color {
 fn mix_colors_color_dodge(a: Color, b: Color, factor: f32) -> Color {
     let below = within_unit(a.xyz);
     let top = within_unit(b.xyz);
-    return color_mixed(a, vec3f(dodged(below.x, top.x), dodged(below.y, top.y), dodged(below.z, top.z)), factor);
+    return color_mixed(a, vec3f(dodged(below.x, top.x), dodged(below.y, top.y),
+        dodged(below.z, top.z)), factor);
 }
 
 fn mix_colors_color_burn(a: Color, b: Color, factor: f32) -> Color {
     let below = within_unit(a.xyz);
     let top = within_unit(b.xyz);
-    return color_mixed(a, vec3f(burned(below.x, top.x), burned(below.y, top.y), burned(below.z, top.z)), factor);
+    return color_mixed(a, vec3f(burned(below.x, top.x), burned(below.y, top.y),
+        burned(below.z, top.z)), factor);
 }
 
 fn mix_colors_hue(a: Color, b: Color, factor: f32) -> Color {

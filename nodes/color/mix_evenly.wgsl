@@ -4,11 +4,12 @@ import chiaro::total;
 
 /// Mix evenly
 ///
-/// Goes from one colour to another in steps that look even, without the grey or the dark that a plain mix passes through.
+/// Goes from one color to another in steps that look even, without the grey or the dark that a
+/// plain mix passes through.
 ///
 /// @choice space "Space" default=oklab oklab="Oklab" linear="Linear light" hue="Around the hues" :
-///   Oklab is what eyes judge as even; Linear light is how lights mix; Around the hues keeps colours vivid and takes the
-///   shorter way around the color wheel.
+///   Oklab is what eyes judge as even; Linear light is how lights mix; Around the hues keeps
+///   colors vivid and takes the shorter way around the color wheel.
 /// @param a "A" default=0,0,0,1 : Straight RGBA, as on screen.
 /// @param b "B" default=1,1,1,1 : The same.
 /// @param factor "Factor" default=0.5 min=0 max=1 : 0 is A, 1 is B.

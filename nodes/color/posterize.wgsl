@@ -5,11 +5,14 @@ import chiaro::antialias;
 
 /// Posterize
 ///
-/// Reduces a colour to a few steps, as screen prints and old posters do. By lightness the hue stays and only light and dark
-/// are cut, in steps that look even; by channel the hue shifts too, which is the look of early computers.
+/// Reduces a color to a few steps, as screen prints and old posters do. By lightness the hue stays
+/// and only light and dark are cut, in steps that look even; by channel the hue shifts too, which
+/// is the look of early computers.
 ///
-/// @choice by "By" default=lightness lightness="Lightness" channel="Channel" : What is cut into steps.
-/// @param color "Color" default=0.5,0.5,0.5,1 : Straight RGBA, as on screen; the alpha stays. Each from 0 to 1.
+/// @choice by "By" default=lightness lightness="Lightness" channel="Channel" : What is cut into
+///   steps.
+/// @param color "Color" default=0.5,0.5,0.5,1 : Straight RGBA, as on screen; the alpha stays. Each
+///   from 0 to 1.
 /// @param steps "Steps" default=4 min=2 max=64 : How many; fewer than 2 count as 2.
 /// @param softness "Softness" default=0 min=0 max=1 : How much of a step its edge takes.
 /// @return color "Color" : Straight RGBA.
@@ -17,9 +20,10 @@ import chiaro::antialias;
 fn posterize_lightness(color: Color, steps: i32, softness: f32) -> Color {
     let lab = oklab_of_srgb(within_unit(color.xyz));
     let stepped = stepped_tone(lab.x, footprint_of(lab.x), steps, softness);
-    // Colourfulness goes with the lightness, so that what becomes black has no colour.
+    // Colorfulness goes with the lightness, so that what becomes black has no color.
     let kept = select(0.0, stepped / max(lab.x, 1e-4), lab.x > 1e-4);
-    return vec4f(within_unit(srgb_of_oklab(vec3f(stepped, lab.yz * min(kept, 1.0)))), bounded(color.w));
+    return vec4f(within_unit(srgb_of_oklab(vec3f(stepped, lab.yz * min(kept, 1.0)))),
+        bounded(color.w));
 }
 
 fn posterize_channel(color: Color, steps: i32, softness: f32) -> Color {

@@ -2,7 +2,7 @@ import chiaro::types;
 
 /// Separate color
 ///
-/// A colour's channels: a mask packed into a texture, the alpha of a picture.
+/// A color's channels: a mask packed into a texture, the alpha of a picture.
 ///
 /// @param color "Color" default=0,0,0,1 : What is taken apart.
 fn separate_color(color: Color) -> ColorParts {

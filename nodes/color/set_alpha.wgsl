@@ -2,7 +2,7 @@ import chiaro::types;
 
 /// Set alpha
 ///
-/// The same colour with another transparency.
+/// The same color with another transparency.
 ///
 /// @param color "Color" default=1,1,1,1 : Its own alpha does not count.
 /// @param alpha "Alpha" default=1 min=0 max=1 : 0 is transparent.

@@ -2,8 +2,8 @@ import chiaro::curvature;
 
 /// Curvature transition
 ///
-/// From concave (0) over flat (0.5) to convex (1), as softly or sharply as you choose. (The BADF paper writes it
-/// lambda = 0.5 + 0.5 tanh(slope * kappa), with kappa for the curvature.)
+/// From concave (0) over flat (0.5) to convex (1), as softly or sharply as you choose. (The BADF
+/// paper writes it lambda = 0.5 + 0.5 tanh(slope * kappa), with kappa for the curvature.)
 ///
 /// @param kappa "Curvature" from=kappa : In 1/viewport-height, convex positive.
 /// @param slope "Slope" default=0.05 : How fast flat becomes convex; 0 is 0.5 everywhere.

@@ -1,6 +1,7 @@
 /// Curvature warp
 ///
-/// How far curvature moves the angle that a profile sees: convex parts by plus, concave parts by minus the amount.
+/// How far curvature moves the angle that a profile sees: convex parts by plus, concave parts by
+/// minus the amount.
 ///
 /// @param convexity "Convexity" default=0.5 min=0 max=1 : From a Curvature transition.
 /// @param amount "Amount" unit=rad default=0 min=-pi max=pi : The shape offset t.

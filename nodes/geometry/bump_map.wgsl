@@ -3,11 +3,12 @@ import chiaro::total;
 
 /// Bump map
 ///
-/// Bends the normal as if the surface were raised by a height: from a picture, a noise or anything else. It needs no
-/// texture coordinates.
+/// Bends the normal as if the surface were raised by a height: from a picture, a noise or anything
+/// else. It needs no texture coordinates.
 ///
 /// @param height "Height" default=0 : How far the surface is raised here.
-/// @param scale "Scale" default=0.1 : What a height of 1 is in scene units; below 0 it is pressed in.
+/// @param scale "Scale" default=0.1 : What a height of 1 is in scene units; below 0 it is pressed
+///   in.
 /// @param normal "Normal" from=normal : The normal to bend, world space.
 /// @param position from=position hidden
 /// @return normal "Normal" : World space, unit; slopes steeper than 84 degrees count as 84.

@@ -2,7 +2,8 @@ import chiaro::numeric;
 
 /// Facing ratio
 ///
-/// 1 where the surface faces the eye, 0 at its rim: for rim light, outlines, dusty cloth and candy edges.
+/// 1 where the surface faces the eye, 0 at its rim: for rim light, outlines, dusty cloth and candy
+/// edges.
 ///
 /// @param normal "Normal" from=normal : World space; any length but 0.
 /// @param view from=view hidden

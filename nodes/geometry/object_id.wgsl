@@ -1,6 +1,7 @@
 /// Object id
 ///
-/// The object's number in the scene, from 0: gives each object something of its own, as a seed or a place on a ramp.
+/// The object's number in the scene, from 0: gives each object something of its own, as a seed or a
+/// place on a ramp.
 ///
 /// @param object_id from=object_id hidden
 /// @return id "Id" : A whole number.

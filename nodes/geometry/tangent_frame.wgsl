@@ -2,8 +2,8 @@ import chiaro::surface;
 
 /// Tangent frame
 ///
-/// Three directions at right angles that go along with the mesh's texture coordinates: brushed metal, hair and other
-/// streaks follow the tangent.
+/// Three directions at right angles that go along with the mesh's texture coordinates: brushed
+/// metal, hair and other streaks follow the tangent.
 ///
 /// @param tangent from=tangent hidden
 /// @param bitangent from=bitangent hidden

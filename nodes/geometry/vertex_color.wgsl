@@ -2,7 +2,8 @@ import chiaro::types;
 
 /// Vertex color
 ///
-/// The colour painted on the mesh's vertices; white where it has none. Painters use it for masks too.
+/// The color painted on the mesh's vertices; white where it has none. Painters use it for masks
+/// too.
 ///
 /// @param vertex_color from=vertex_color hidden
 /// @return color "Color" : Straight RGBA.

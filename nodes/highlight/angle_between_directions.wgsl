@@ -4,8 +4,8 @@ import chiaro::angle;
 
 /// Angle between directions
 ///
-/// The angle that a Profile turns into a tone, between any two directions: a bent half-vector and the normal, a hair's
-/// tangent and a light.
+/// The angle that a Profile turns into a tone, between any two directions: a bent half-vector and
+/// the normal, a hair's tangent and a light.
 ///
 /// @param a "A" default=0,0,1 : Any length; without a direction it is +z.
 /// @param b "B" from=normal : The same.

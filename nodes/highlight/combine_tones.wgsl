@@ -4,9 +4,9 @@ import chiaro::total;
 ///
 /// Cuts, joins and crosses shapes of light, as one does with shapes in a drawing program.
 ///
-/// @choice operation "Operation" default=union union="Union" intersection="Intersection" difference="Difference"
-///   exclusion="Exclusion" : Union is where either is, Intersection where both are, Difference where A is and B is not,
-///   Exclusion where exactly one is.
+/// @choice operation "Operation" default=union union="Union" intersection="Intersection"
+///   difference="Difference" exclusion="Exclusion" : Union is where either is, Intersection where
+///   both are, Difference where A is and B is not, Exclusion where exactly one is.
 /// @param a "A" default=0 min=0 max=1 : A tone or a mask.
 /// @param b "B" default=0 min=0 max=1 : Another one.
 /// @return tone "Tone" : From 0 to 1.

@@ -6,8 +6,8 @@ import chiaro::direction;
 
 /// Polar place
 ///
-/// Where a direction lies around another one: how far, and in which direction around. A Curve over the second and Scale
-/// angle on the first draw highlights of any star-like shape.
+/// Where a direction lies around another one: how far, and in which direction around. A Curve over
+/// the second and Scale angle on the first draw highlights of any star-like shape.
 ///
 /// @param direction "Direction" from=normal : What is placed; any length.
 /// @param middle "Middle" default=0,0,1 : Around what: toward the light.

@@ -4,7 +4,8 @@ import chiaro::total;
 
 /// Scale angle
 ///
-/// Multiplies an angle before a Profile sees it: above 1 what the profile draws becomes smaller, below 1 larger.
+/// Multiplies an angle before a Profile sees it: above 1 what the profile draws becomes smaller,
+/// below 1 larger.
 ///
 /// @param angle "Angle" wire : From a Parametrization or Polar place.
 /// @param factor "Factor" default=1 min=0 : By how much; below 0 counts as 0.

@@ -2,10 +2,11 @@ import chiaro::direction;
 
 /// Split direction
 ///
-/// Cuts a highlight in two along an axis and moves the halves apart, or in four along both: window panes in an eye.
+/// Cuts a highlight in two along an axis and moves the halves apart, or in four along both: window
+/// panes in an eye.
 ///
-/// @param direction "Direction" from=normal : The half-vector, with the mesh's axes; or the normal, with axes around the
-///   half-vector. Any length.
+/// @param direction "Direction" from=normal : The half-vector, with the mesh's axes; or the normal,
+///   with axes around the half-vector. Any length.
 /// @param x_axis "X axis" from=tangent : Along u of the mesh, or from Axes around a direction.
 /// @param y_axis "Y axis" from=bitangent : Along v of the mesh, or from Axes around a direction.
 /// @param x "X" default=0.2 min=0 : How far apart along the first axis.

@@ -2,10 +2,11 @@ import chiaro::direction;
 
 /// Stretch direction
 ///
-/// Makes a highlight longer along an axis (above 0) or shorter (below 0): streaks of silk, hair and brushed metal.
+/// Makes a highlight longer along an axis (above 0) or shorter (below 0): streaks of silk, hair and
+/// brushed metal.
 ///
-/// @param direction "Direction" from=normal : The half-vector, with the mesh's axes; or the normal, with axes around the
-///   half-vector. Any length.
+/// @param direction "Direction" from=normal : The half-vector, with the mesh's axes; or the normal,
+///   with axes around the half-vector. Any length.
 /// @param x_axis "X axis" from=tangent : Along u of the mesh, or from Axes around a direction.
 /// @param y_axis "Y axis" from=bitangent : Along v of the mesh, or from Axes around a direction.
 /// @param x "X" default=0 max=1 : How much longer along the first axis; 1 has no end.

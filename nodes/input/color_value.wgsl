@@ -2,7 +2,7 @@ import chiaro::types;
 
 /// Color
 ///
-/// A colour to wire to several places, or to expose as a parameter of the look.
+/// A color to wire to several places, or to expose as a parameter of the look.
 ///
 /// @param color "Color" default=1,1,1,1 : Straight RGBA.
 /// @return color "Color" : The same.

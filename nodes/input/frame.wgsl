@@ -1,6 +1,7 @@
 /// Frame
 ///
-/// Frames since the start of the scene's time range. Rounded down by steps, it animates on twos or threes.
+/// Frames since the start of the scene's time range. Rounded down by steps, it animates on twos or
+/// threes.
 ///
 /// @param frame from=frame hidden
 /// @return frame "Frame" : From 0.

@@ -3,7 +3,7 @@ import chiaro::convert;
 
 /// Base
 ///
-/// The colour under the first layer, which may be transparent. (The BADF paper calls it C0.)
+/// The color under the first layer, which may be transparent. (The BADF paper calls it C0.)
 ///
 /// @param color "Color" default=0.1,0.1,0.12,1 : What is seen where no layer paints.
 /// @bound color

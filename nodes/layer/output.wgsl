@@ -4,11 +4,14 @@ import chiaro::numeric;
 
 /// Output
 ///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number becomes black here.
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
+/// becomes black here.
 ///
-/// @param color "Color" wire : The finished stack of layers, or any colour.
-/// @param normal "Detail normal" from=normal : What the curvature pass sees when a Curvature node asks for detail.
-/// @param cutoff "Alpha cutoff" default=0 min=0 max=1 : Fragments with less alpha than this are not drawn, the others keep theirs; 0 draws all.
+/// @param color "Color" wire : The finished stack of layers, or any color.
+/// @param normal "Detail normal" from=normal : What the curvature pass sees when a Curvature node
+///   asks for detail.
+/// @param cutoff "Alpha cutoff" default=0 min=0 max=1 : Fragments with less alpha than this are not
+///   drawn, the others keep theirs; 0 draws all.
 /// @return color "Color" : The pixel.
 fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));

@@ -5,8 +5,9 @@ import chiaro::antialias;
 
 /// Curve
 ///
-/// Turns a number into another along a curve that you draw: a tone's response, a profile of your own. Before the first
-/// point and after the last one it is flat; the steps of a stepped curve are antialiased.
+/// Turns a number into another along a curve that you draw: a tone's response, a profile of your
+/// own. Before the first point and after the last one it is flat; the steps of a stepped curve are
+/// antialiased.
 ///
 /// @param value "Value" default=0 : Where on the curve, from left to right.
 /// @param curve "Curve" : Its points, at most 16.

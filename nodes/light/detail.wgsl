@@ -5,13 +5,14 @@ import chiaro::material;
 
 /// Detail
 ///
-/// The second coordinate of a two-dimensional tone ramp: how much detail a place deserves, by its distance, its focus or
-/// how it faces the eye. Into Tone map it makes shading calmer far away, or at silhouettes.
+/// The second coordinate of a two-dimensional tone ramp: how much detail a place deserves, by its
+/// distance, its focus or how it faces the eye. Into Tone map it makes shading calmer far away, or
+/// at silhouettes.
 ///
-/// @choice by "By" default=depth depth="Distance" focus="Focus" place="Place" orientation="Orientation"
-///   highlight="Highlight" :
-///   Distance falls from Near to Far; Focus falls on both sides of Near until it is that many times nearer or farther as
-///   Far is; Place falls from Near to Far around a point; Orientation is 1 where the surface faces the eye, Highlight
+/// @choice by "By" default=depth depth="Distance" focus="Focus" place="Place"
+///   orientation="Orientation" highlight="Highlight" : Distance falls from Near to Far; Focus falls
+///   on both sides of Near until it is that many times nearer or farther as Far is; Place falls
+///   from Near to Far around a point; Orientation is 1 where the surface faces the eye, Highlight
 ///   where it mirrors a light to it.
 /// @param near "Near" default=2 min=0 : In scene units; the detail is 1 from here on inward.
 /// @param far "Far" default=8 min=0 : In scene units; the detail is 0 from here on.
@@ -44,10 +45,12 @@ fn detail_highlight(power: f32, light: Light, normal: vec3f, view: vec3f) -> f32
     let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
     let mirrored = normalize_or(2.0 * dot(n, view) * n - view, n);
     let cosine = max(dot(mirrored, light.direction), 0.0);
-    return min(cosine_power(cosine, sine_squared(mirrored, light.direction), clamp(bounded(power), 0.0, 1e3)), 1.0);
+    return min(cosine_power(cosine, sine_squared(mirrored, light.direction),
+        clamp(bounded(power), 0.0, 1e3)), 1.0);
 }
 
 fn detail_orientation(power: f32, normal: vec3f, view: vec3f) -> f32 {
     let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
-    return min(cosine_power(abs(dot(n, view)), sine_squared(n, view), clamp(bounded(power), 0.0, 1e3)), 1.0);
+    return min(cosine_power(abs(dot(n, view)), sine_squared(n, view),
+        clamp(bounded(power), 0.0, 1e3)), 1.0);
 }

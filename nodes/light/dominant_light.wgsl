@@ -4,12 +4,13 @@ import chiaro::numeric;
 
 /// Dominant light
 ///
-/// The one of two lights that gives the surface more, whole: what is painted for a light keeps its strokes where two of
-/// them would be blended into a mess. Chain it for more lights.
+/// The one of two lights that gives the surface more, whole: what is painted for a light keeps its
+/// strokes where two of them would be blended into a mess. Chain it for more lights.
 ///
 /// @param a "A" wire : A light.
 /// @param b "B" wire : Another light; where both give the same, A is taken.
-/// @param normal "Normal" from=normal : World space; a light gives the less the more it grazes, and nothing from behind.
+/// @param normal "Normal" from=normal : World space; a light gives the less the more it grazes, and
+///   nothing from behind.
 /// @return light "Light" : A or B, as it is.
 /// @source thesis 12.6
 fn dominant_light(a: Light, b: Light, normal: vec3f) -> Light {

@@ -3,8 +3,8 @@ import chiaro::light;
 
 /// Light
 ///
-/// A light of the look, as it arrives at the surface. Its data (type, direction, colour) is kept with the look's
-/// lights; turning the illumination frame turns every light in it.
+/// A light of the look, as it arrives at the surface. Its data (type, direction, color) is kept
+/// with the look's lights; turning the illumination frame turns every light in it.
 ///
 /// @param light "Light" light_name : The light's id.
 /// @param direction from=light.direction hidden
@@ -17,8 +17,9 @@ import chiaro::light;
 /// @param cone from=light.cone hidden
 /// @param fading from=light.fading hidden
 /// @param position "Position" from=position : Where the light arrives; point and spot lights only.
-/// @return light "Light" : Direction, colour and intensity at the surface.
-fn light_directional(direction: vec3f, own_direction: vec3f, color: vec3f, intensity: f32) -> Light {
+/// @return light "Light" : Direction, color and intensity at the surface.
+fn light_directional(direction: vec3f, own_direction: vec3f, color: vec3f,
+    intensity: f32) -> Light {
     return Light(direction, own_direction, color, intensity);
 }
 

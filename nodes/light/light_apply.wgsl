@@ -3,11 +3,11 @@ import chiaro::light;
 
 /// Light on a layer
 ///
-/// Gives a layer its light's colour and intensity: below 1 the intensity fades the tone, above 1 it brightens the
-/// colour, so that a light that goes out leaves the layers below as they are.
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
 ///
 /// @param light "Light" wire : The layer's light.
-/// @param color "Color" default=1,1,1,1 : The layer's colour, straight.
+/// @param color "Color" default=1,1,1,1 : The layer's color, straight.
 /// @param tone "Tone" default=1 : The layer's tone.
 /// @bound color
 fn light_apply(light: Light, color: Color, tone: f32) -> LitLayer {
@@ -16,7 +16,7 @@ fn light_apply(light: Light, color: Color, tone: f32) -> LitLayer {
 }
 
 struct LitLayer {
-    /// The colour under this light.
+    /// The color under this light.
     color: Color,
     /// The tone under this light.
     tone: f32,

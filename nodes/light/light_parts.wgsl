@@ -12,7 +12,7 @@ fn light_parts(light: Light) -> LightParts {
 struct LightParts {
     /// Unit, toward the light, world space.
     direction: vec3f,
-    /// The light's colour, opaque.
+    /// The light's color, opaque.
     color: Color,
     /// With the light's distance and cone attenuation; 0 or more.
     intensity: f32,

@@ -6,20 +6,23 @@ import chiaro::total;
 
 /// Mark place
 ///
-/// Where strokes and dots are anchored, and which way strokes go: on the picture, on the picture but moving along with the
-/// object, along texture coordinates, across an axis of the object, or around the light so that they turn with it. Wire
-/// both outputs to Hatching, Stippling, Brush strokes or Paper grain, which keep their marks as large on the picture as
-/// they are, however far the surface is.
+/// Where strokes and dots are anchored, and which way strokes go: on the picture, on the picture
+/// but moving along with the object, along texture coordinates, across an axis of the object, or
+/// around the light so that they turn with it. Wire both outputs to Hatching, Stippling, Brush
+/// strokes or Paper grain, which keep their marks as large on the picture as they are, however far
+/// the surface is.
 ///
-/// @choice follow "Follows" default=light light="Light" axis="Axis" uv="UV" object="Object" screen="Screen" :
-///   Light lays strokes along the edge of its shadow; Axis along cuts through the object; UV along u; Object moves with the
-///   object's middle and grows with its nearness; Screen stays where it is.
+/// @choice follow "Follows" default=light light="Light" axis="Axis" uv="UV" object="Object"
+///   screen="Screen" : Light lays strokes along the edge of its shadow; Axis along cuts through the
+///   object; UV along u; Object moves with the object's middle and grows with its nearness; Screen
+///   stays where it is.
 /// @param light "Light" wire : Whose light strokes lie around.
 /// @param axis "Axis" default=0,1,0 : In the object's own space.
 /// @param uv "UV" from=uv : Texture coordinates.
-/// @param unit "UV size" default=3 min=0.001 max=1000 : How large one unit of the texture coordinates is, in the object's own
-///   units.
-/// @param normal "Normal" from=normal : World space; any length but 0. Smooth normals keep strokes together.
+/// @param unit "UV size" default=3 min=0.001 max=1000 : How large one unit of the texture
+///   coordinates is, in the object's own units.
+/// @param normal "Normal" from=normal : World space; any length but 0. Smooth normals keep strokes
+///   together.
 /// @param angle "Angle" unit=rad default=0 : How far strokes are turned.
 /// @param view from=view hidden
 /// @param tangent from=tangent hidden
@@ -41,7 +44,8 @@ fn mark_place_light(
     magnification: f32,
 ) -> MarkPlace {
     let toward = light.direction * world_from_normal;
-    let m = place_across(toward, position_object, world_from_normal, normal, view, magnification, angle);
+    let m = place_across(toward, position_object, world_from_normal, normal, view, magnification,
+        angle);
     return MarkPlace(m.place, m.stretch);
 }
 
@@ -54,7 +58,8 @@ fn mark_place_axis(
     world_from_normal: mat3x3f,
     magnification: f32,
 ) -> MarkPlace {
-    let m = place_across(axis, position_object, world_from_normal, normal, view, magnification, angle);
+    let m = place_across(axis, position_object, world_from_normal, normal, view, magnification,
+        angle);
     return MarkPlace(m.place, m.stretch);
 }
 
@@ -69,7 +74,8 @@ fn mark_place_uv(
     world_from_normal: mat3x3f,
     magnification: f32,
 ) -> MarkPlace {
-    let m = place_along_uv(uv, unit, normal, view, tangent, bitangent, world_from_normal, magnification, angle);
+    let m = place_along_uv(uv, unit, normal, view, tangent, bitangent, world_from_normal,
+        magnification, angle);
     return MarkPlace(m.place, m.stretch);
 }
 

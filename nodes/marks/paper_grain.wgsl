@@ -4,8 +4,9 @@ import chiaro::total;
 
 /// Paper grain
 ///
-/// The tooth of paper: heights catch more ink than hollows, most at middle tones, as chalk, charcoal and a dry wash do. It lies
-/// on the picture; with Mark place's Object it moves along with an object and does not swim through it.
+/// The tooth of paper: heights catch more ink than hollows, most at middle tones, as chalk,
+/// charcoal and a dry wash do. It lies on the picture; with Mark place's Object it moves along with
+/// an object and does not swim through it.
 ///
 /// @param value "Tone" default=0.5 min=0 max=1 : 1 is paper, 0 is full ink; both stay as they are.
 /// @param place "Place" from=pixel : From Mark place; in pixels where Stretch is not wired.

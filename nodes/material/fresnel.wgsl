@@ -6,7 +6,8 @@ import chiaro::material;
 ///
 /// More toward the rim, as glass, water and lacquer reflect: Schlick's approximation.
 ///
-/// @param at_normal "Straight on" default=0.04 min=0 max=1 : What is reflected where the surface faces the eye.
+/// @param at_normal "Straight on" default=0.04 min=0 max=1 : What is reflected where the surface
+///   faces the eye.
 /// @param normal "Normal" from=normal : World space; any length but 0.
 /// @param view from=view hidden
 /// @return amount "Amount" : Up to 1, at the rim.

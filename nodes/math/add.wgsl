@@ -3,7 +3,7 @@ import chiaro::total;
 
 /// Add
 ///
-/// The sum of two numbers, vectors or colours. A colour keeps the alpha of A.
+/// The sum of two numbers, vectors or colors. A color keeps the alpha of A.
 ///
 /// @param a "A" default=0 : The one.
 /// @param b "B" default=0 : The other.

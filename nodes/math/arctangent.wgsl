@@ -2,7 +2,8 @@ import chiaro::total;
 
 /// Arctangent
 ///
-/// The angle of the slope y/x; with both wired, the direction of the point (x, y) around the origin, where it is 0.
+/// The angle of the slope y/x; with both wired, the direction of the point (x, y) around the
+/// origin, where it is 0.
 ///
 /// @param y "Y" default=0 : Up.
 /// @param x "X" default=1 : To the right.

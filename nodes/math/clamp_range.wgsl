@@ -3,15 +3,17 @@ import chiaro::total;
 
 /// Clamp
 ///
-/// Keeps a number between two others. Where low is above high, everything is high. A colour's alpha is kept
-/// within 0 and 1.
+/// Keeps a number between two others. Where low is above high, everything is high. A color's alpha
+/// is kept within 0 and 1.
 ///
 /// @param value "Value" default=0 : What is kept in.
 /// @param low "Low" default=0 : Nothing is below this.
 /// @param high "High" default=1 : Nothing is above this.
 /// @return value "Value" : From low to high.
-/// @bypass value when value = unit and low = 0 and high = 1 : its value lies between 0 and 1 already
-/// @bypass value when value >= low and value <= high and value = unit_alpha : its value never leaves its range
+/// @bypass value when value = unit and low = 0 and high = 1 : its value lies between 0 and 1
+///   already
+/// @bypass value when value >= low and value <= high and value = unit_alpha : its value never
+///   leaves its range
 /// @unit when low = 0 and high = 1
 fn clamp_range(value: f32, low: f32, high: f32) -> f32 {
     return min(max(bounded(value), bounded(low)), bounded(high));

@@ -19,5 +19,6 @@ fn cosine_vec3(angle: vec3f) -> vec3f {
 }
 
 fn cosine_vec4(angle: vec4f) -> vec4f {
-    return vec4f(sin_cos_of(angle.x).y, sin_cos_of(angle.y).y, sin_cos_of(angle.z).y, sin_cos_of(angle.w).y);
+    return vec4f(sin_cos_of(angle.x).y, sin_cos_of(angle.y).y, sin_cos_of(angle.z).y,
+        sin_cos_of(angle.w).y);
 }

@@ -3,7 +3,7 @@ import chiaro::total;
 
 /// Divide
 ///
-/// A divided by B, component by component. Dividing by 0 gives 0. A colour keeps the alpha of A.
+/// A divided by B, component by component. Dividing by 0 gives 0. A color keeps the alpha of A.
 ///
 /// @param a "A" default=1 : This is divided.
 /// @param b "B" default=1 : By this.

@@ -2,7 +2,8 @@ import chiaro::total;
 
 /// Exponential
 ///
-/// e raised to a power: grows ever faster, and fades toward 0 below 0. From 88.7 on it stays at the largest number.
+/// e raised to a power: grows ever faster, and fades toward 0 below 0. From 88.7 on it stays at the
+/// largest number.
 ///
 /// @param value "Value" default=0 : The power.
 /// @return value "Value" : e^value, 0 or more.
@@ -19,5 +20,6 @@ fn exponential_vec3(value: vec3f) -> vec3f {
 }
 
 fn exponential_vec4(value: vec4f) -> vec4f {
-    return vec4f(exponential_of(value.x), exponential_of(value.y), exponential_of(value.z), exponential_of(value.w));
+    return vec4f(exponential_of(value.x), exponential_of(value.y), exponential_of(value.z),
+        exponential_of(value.w));
 }

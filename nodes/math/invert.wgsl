@@ -3,7 +3,8 @@ import chiaro::total;
 
 /// Invert
 ///
-/// 1 minus the number: light becomes dark, a mask becomes what it left out. A colour keeps its alpha.
+/// 1 minus the number: light becomes dark, a mask becomes what it left out. A color keeps its
+/// alpha.
 ///
 /// @param value "Value" default=0 : What is inverted.
 /// @return value "Value" : 1 - value.

@@ -2,8 +2,8 @@ import chiaro::total;
 
 /// Logarithm
 ///
-/// To which power a base must be raised to give this number. 0 and below count as the smallest number above 0; where
-/// the base is 1 the result is 0.
+/// To which power a base must be raised to give this number. 0 and below count as the smallest
+/// number above 0; where the base is 1 the result is 0.
 ///
 /// @param value "Value" default=1 min=0 : The number.
 /// @param base "Base" default=2.718281828459045 min=0 : e is the natural logarithm.

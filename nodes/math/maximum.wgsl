@@ -3,7 +3,7 @@ import chiaro::total;
 
 /// Maximum
 ///
-/// The larger of two numbers, component by component. A colour keeps the alpha of A.
+/// The larger of two numbers, component by component. A color keeps the alpha of A.
 ///
 /// @param a "A" default=0 : The one.
 /// @param b "B" default=0 : The other.

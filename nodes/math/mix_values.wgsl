@@ -3,12 +3,13 @@ import chiaro::total;
 
 /// Mix
 ///
-/// Goes from A to B by a factor, in numbers, vectors and colours (with their alpha).
+/// Goes from A to B by a factor, in numbers, vectors and colors (with their alpha).
 ///
 /// @param a "A" default=0 : Where the factor is 0.
 /// @param b "B" default=1 : Where the factor is 1.
 /// @param factor "Factor" default=0.5 min=0 max=1 : How much of B.
-/// @param clamped "Clamp" default=true : Keeps the factor between 0 and 1; without, it goes on beyond A and B.
+/// @param clamped "Clamp" default=true : Keeps the factor between 0 and 1; without, it goes on
+///   beyond A and B.
 /// @return value "Value" : Between A and B.
 /// @bypass a when factor = 0 : its factor is 0
 /// @bypass b when factor = 1 : its factor is 1

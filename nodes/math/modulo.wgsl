@@ -2,7 +2,8 @@ import chiaro::total;
 
 /// Modulo
 ///
-/// What is left of A after taking B away as often as it goes: repeats a pattern, also below 0. By 0 it is 0.
+/// What is left of A after taking B away as often as it goes: repeats a pattern, also below 0. By 0
+/// it is 0.
 ///
 /// @param a "A" default=0 : What is repeated.
 /// @param b "B" default=1 : The length of one repetition.

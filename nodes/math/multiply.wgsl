@@ -3,7 +3,7 @@ import chiaro::total;
 
 /// Multiply
 ///
-/// The product of two numbers, vectors or colours, component by component: scales, masks and tints.
+/// The product of two numbers, vectors or colors, component by component: scales, masks and tints.
 ///
 /// @param a "A" default=1 : The one.
 /// @param b "B" default=1 : The other.

@@ -3,11 +3,11 @@ import chiaro::total;
 
 /// Power
 ///
-/// A number raised to a power. Above 1 it pulls values between 0 and 1 down, below 1 it lifts them. A colour keeps its
-/// alpha.
+/// A number raised to a power. Above 1 it pulls values between 0 and 1 down, below 1 it lifts them.
+/// A color keeps its alpha.
 ///
-/// A negative base is raised as in algebra by a whole exponent ((-2)^2 = 4) and keeps its sign with any other
-/// ((-4)^0.5 = -2). 0 to the power of 0 is 1; 0 to a negative power is 0.
+/// A negative base is raised as in algebra by a whole exponent ((-2)^2 = 4) and keeps its sign with
+/// any other ((-4)^0.5 = -2). 0 to the power of 0 is 1; 0 to a negative power is 0.
 ///
 /// @param base "Base" default=1 : What is raised.
 /// @param exponent "Exponent" default=1 : How often it is multiplied with itself.

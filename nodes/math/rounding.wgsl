@@ -4,7 +4,8 @@ import chiaro::total;
 ///
 /// Makes a number whole.
 ///
-/// @choice mode "Mode" default=nearest nearest="Nearest" floor="Down" ceiling="Up" : Which one; halfway, Nearest takes the even one.
+/// @choice mode "Mode" default=nearest nearest="Nearest" floor="Down" ceiling="Up" : Which one;
+///   halfway, Nearest takes the even one.
 /// @param value "Value" default=0 : Any number.
 /// @return value "Value" : A whole number.
 fn rounding_nearest(value: f32) -> f32 {

@@ -19,5 +19,6 @@ fn sine_vec3(angle: vec3f) -> vec3f {
 }
 
 fn sine_vec4(angle: vec4f) -> vec4f {
-    return vec4f(sin_cos_of(angle.x).x, sin_cos_of(angle.y).x, sin_cos_of(angle.z).x, sin_cos_of(angle.w).x);
+    return vec4f(sin_cos_of(angle.x).x, sin_cos_of(angle.y).x, sin_cos_of(angle.z).x,
+        sin_cos_of(angle.w).x);
 }

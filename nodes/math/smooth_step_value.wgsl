@@ -2,8 +2,8 @@ import chiaro::total;
 
 /// Smooth step
 ///
-/// Eases from 0 to 1 between two numbers, slowly at both ends. With low above high it eases from 1 to 0; where both are
-/// the same it is a step.
+/// Eases from 0 to 1 between two numbers, slowly at both ends. With low above high it eases from 1
+/// to 0; where both are the same it is a step.
 ///
 /// @param value "Value" default=0 : What eases.
 /// @param low "Low" default=0 : 0 up to here.

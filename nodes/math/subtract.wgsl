@@ -3,7 +3,7 @@ import chiaro::total;
 
 /// Subtract
 ///
-/// What is left of A when B is taken away. A colour keeps the alpha of A.
+/// What is left of A when B is taken away. A color keeps the alpha of A.
 ///
 /// @param a "A" default=0 : From this.
 /// @param b "B" default=0 : This is taken away.

@@ -5,15 +5,17 @@ import chiaro::shape;
 
 /// Exaggerated shading
 ///
-/// Shows detail of every size in every light, as makers of maps and technical illustrators do: at each scale the light
-/// comes from where it rakes along the surface.
+/// Shows detail of every size in every light, as makers of maps and technical illustrators do: at
+/// each scale the light comes from where it rakes along the surface.
 ///
 /// @choice scales "Scales" default=four two="Two" three="Three" four="Four" :
 ///   How many sizes of detail are told apart; each one more costs a pass over the picture.
-/// @param light "Light" wire : Its direction counts, not its colour.
-/// @param normal "Normal" from=normal : World space; any length but 0. Detail is what it has beyond the smooth ones.
+/// @param light "Light" wire : Its direction counts, not its color.
+/// @param normal "Normal" from=normal : World space; any length but 0. Detail is what it has beyond
+///   the smooth ones.
 /// @param contrast "Contrast" default=6 min=0 max=20 : How steep the shading of each scale is.
-/// @param detail "Detail" default=0.5 min=-2 max=2 : Above 0 fine detail counts more, below 0 large shapes do.
+/// @param detail "Detail" default=0.5 min=-2 max=2 : Above 0 fine detail counts more, below 0 large
+///   shapes do.
 /// @param smooth_1 "Smooth normal 1" from=smooth_normal_1 : World space; any length but 0.
 /// @param smooth_2 "Smooth normal 2" from=smooth_normal_2 : A smoother one.
 /// @param smooth_3 "Smooth normal 3" from=smooth_normal_3 : A smoother one still.

@@ -6,16 +6,19 @@ import chiaro::shape;
 
 /// Inner contour
 ///
-/// Lines within the outline that show the form, as a draughtsman sets them: where a contour is about to appear, along the
-/// bottom of hollows, or along ridges.
+/// Lines within the outline that show the form, as a draughtsman sets them: where a contour is
+/// about to appear, along the bottom of hollows, or along ridges.
 ///
-/// @choice lines "Lines" default=suggestive suggestive="Suggestive" valleys="Valleys" ridges="Ridges" :
-///   Suggestive lines are those that become outlines when the eye moves a little; Valleys lie where the surface is hollow,
-///   Ridges where it bulges.
-/// @param width "Width" default=3 min=0 max=40 : Suggestive: in thousandths of the picture's height.
-/// @param limit "Limit" default=20 min=0 max=200 : Weaker ones are left out; a curvature in 1/viewport-height.
+/// @choice lines "Lines" default=suggestive suggestive="Suggestive" valleys="Valleys"
+///   ridges="Ridges" : Suggestive lines are those that become outlines when the eye moves a little;
+///   Valleys lie where the surface is hollow, Ridges where it bulges.
+/// @param width "Width" default=3 min=0 max=40 : Suggestive: in thousandths of the picture's
+///   height.
+/// @param limit "Limit" default=20 min=0 max=200 : Weaker ones are left out; a curvature in
+///   1/viewport-height.
 /// @param softness "Softness" default=0.5 min=0 max=1 : How gradually weak ones fade.
-/// @param tensor "Curvature tensor" from=curvature_tensor : xx, xy and yy in camera axes, in 1/viewport-height.
+/// @param tensor "Curvature tensor" from=curvature_tensor : xx, xy and yy in camera axes, in
+///   1/viewport-height.
 /// @param normal from=normal hidden
 /// @param view from=view hidden
 /// @param camera_from_world from=camera_from_world hidden
@@ -23,7 +26,8 @@ import chiaro::shape;
 /// @param viewport from=viewport hidden
 /// @return line "Line" : 1 on a line, 0 elsewhere.
 /// @unit
-/// @error fast 1 : where a line is drawn or not, which follows triangles and creases more closely; no pass is needed
+/// @error fast 1 : where a line is drawn or not, which follows triangles and creases more closely;
+///   no pass is needed
 /// @source DeCarlo et al. 2003
 fn inner_contour_suggestive(
     width: f32,
@@ -39,7 +43,8 @@ fn inner_contour_suggestive(
     let n = camera_from_world * normal;
     let h = tensor_safe(tensor);
     let square = dot(n.xy, n.xy);
-    // The curvature in the direction in which the surface leaves the line of sight; it is 0 along these lines.
+    // The curvature in the direction in which the surface leaves the line of sight; it is 0 along
+    // these lines.
     let radial = (h.x * n.x * n.x + 2.0 * h.y * n.x * n.y + h.z * n.y * n.y) / max(square, 1e-6);
     let change = vec2f(dpdx(radial), dpdy(radial));
     // Whether a row further is up or down in the picture.
@@ -55,17 +60,20 @@ fn inner_contour_suggestive(
     return line_covers(distance, pixels) * strength * seen_well(dot(normal, view));
 }
 
-fn inner_contour_valleys(limit: f32, softness: f32, tensor: vec3f, normal: vec3f, view: vec3f) -> f32 {
+fn inner_contour_valleys(limit: f32, softness: f32, tensor: vec3f, normal: vec3f,
+    view: vec3f) -> f32 {
     let least = principal_curvatures(tensor_safe(tensor)).y;
     return faded_in(-least, limit, softness) * seen_well(dot(normal, view));
 }
 
-fn inner_contour_ridges(limit: f32, softness: f32, tensor: vec3f, normal: vec3f, view: vec3f) -> f32 {
+fn inner_contour_ridges(limit: f32, softness: f32, tensor: vec3f, normal: vec3f,
+    view: vec3f) -> f32 {
     let greatest = principal_curvatures(tensor_safe(tensor)).x;
     return faded_in(greatest, limit, softness) * seen_well(dot(normal, view));
 }
 
-/// 0 below the limit and 1 above it, over as much of the limit as is soft and never less than a pixel.
+/// 0 below the limit and 1 above it, over as much of the limit as is soft and never less than a
+/// pixel.
 fn faded_in(x: f32, limit: f32, softness: f32) -> f32 {
     let at = max(bounded(limit), 0.0);
     let width = edge_width(footprint_of(x), min(at, 1e9) * factor_of(softness, true));

@@ -5,8 +5,8 @@ import chiaro::shape;
 
 /// Outer contour
 ///
-/// The line where the surface turns out of sight, of the same width everywhere: ink around round forms. It is drawn on the
-/// surface itself, so edges that are sharp have none.
+/// The line where the surface turns out of sight, of the same width everywhere: ink around round
+/// forms. It is drawn on the surface itself, so edges that are sharp have none.
 ///
 /// @param width "Width" default=4 min=0 max=40 : In thousandths of the picture's height.
 /// @param normal "Normal" from=normal : World space; any length but 0.

@@ -4,13 +4,14 @@ import chiaro::curvature;
 
 /// Relief
 ///
-/// What the surface does at a place, in two numbers for a Tone map or for ramps: its shape (pit, valley, saddle, ridge or
-/// bump) and how strongly it has it.
+/// What the surface does at a place, in two numbers for a Tone map or for ramps: its shape (pit,
+/// valley, saddle, ridge or bump) and how strongly it has it.
 ///
-/// @param tensor "Curvature tensor" from=curvature_tensor : xx, xy and yy in camera axes, in 1/viewport-height.
+/// @param tensor "Curvature tensor" from=curvature_tensor : xx, xy and yy in camera axes, in
+///   1/viewport-height.
 /// @param slope "Slope" default=0.05 min=0 max=1 : How soon relief counts as strong.
-/// @error fast 0.1 : of the curvatures, where the surface is smooth, of triangles of a pixel or so, and not seen edge-on;
-///   large triangles and creases show, and no pass is needed
+/// @error fast 0.1 : of the curvatures, where the surface is smooth, of triangles of a pixel or so,
+///   and not seen edge-on; large triangles and creases show, and no pass is needed
 /// @source Koenderink and van Doorn 1992; Kindlmann et al. 2003; Vergne et al. 2008
 fn relief(tensor: vec3f, slope: f32) -> Relief {
     let k = principal_curvatures(tensor_safe(tensor));

@@ -2,8 +2,9 @@ import chiaro::numeric;
 
 /// Smooth normal
 ///
-/// The surface's normal without its fine detail, as if it had been sanded down: for broad, calm shading of busy models, or
-/// to hold detail against. Nothing is mixed across outlines or from one object to another.
+/// The surface's normal without its fine detail, as if it had been sanded down: for broad, calm
+/// shading of busy models, or to hold detail against. Nothing is mixed across outlines or from one
+/// object to another.
 ///
 /// @choice scale "Scale" default=medium fine="Fine" small="Small" medium="Medium" large="Large" :
 ///   Over how much of the picture's height it is smoothed: 1/570, 1/250, 1/125 or 1/60.

@@ -4,8 +4,9 @@ import chiaro::total;
 
 /// Cells
 ///
-/// Space in pieces with straight borders, each with a number of its own: panes of glass, scales, tiles, cracks. A Threshold
-/// of the border draws the seams, a Ramp of the number gives every piece its color.
+/// Space in pieces with straight borders, each with a number of its own: panes of glass, scales,
+/// tiles, cracks. A Threshold of the border draws the seams, a Ramp of the number gives every piece
+/// its color.
 ///
 /// @param position "Position" from=position_object : Where among the cells.
 /// @param scale "Scale" default=5 : How many cells there are along one unit of the position.

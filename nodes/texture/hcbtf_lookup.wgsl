@@ -3,33 +3,37 @@ import chiaro::hcbtf;
 
 /// HCBTF
 ///
-/// A hand-painted surface that changes with the light and with the eye: for each direction of both it shows what was
-/// painted for them, blended between the nearest paintings.
+/// A hand-painted surface that changes with the light and with the eye: for each direction of both
+/// it shows what was painted for them, blended between the nearest paintings.
 ///
 /// @param sheet "HCBTF" widget=path : An .hcbtf file.
-/// @param light "Light" wire : The light that the painting answers to. For several lights use a lookup for each, or let
-///   Dominant light choose one, which keeps strokes whole.
+/// @param light "Light" wire : The light that the painting answers to. For several lights use a
+///   lookup for each, or let Dominant light choose one, which keeps strokes whole.
 /// @param uv "UV" from=uv : Where on the tile, which repeats; u to the right, v up.
 /// @param scale "Scale" default=1,1 : How often the tile repeats.
-/// @param unlit "Below the horizon" default=0,0,0,1 : The colour where the light stands below the surface.
-/// @param normal "Normal" from=normal : World space; a bumped one tilts the painting's directions with it.
-/// @choice lookup "Lookup" default=smooth smooth="Smooth" texels="Crisp texels" :
-///   Smooth blends directions and texels and does not shimmer at a distance; Crisp texels blends directions alone and
-///   keeps each texel a square.
+/// @param unlit "Below the horizon" default=0,0,0,1 : The color where the light stands below the
+///   surface.
+/// @param normal "Normal" from=normal : World space; a bumped one tilts the painting's directions
+///   with it.
+/// @choice lookup "Lookup" default=smooth smooth="Smooth" texels="Crisp texels" : Smooth blends
+///   directions and texels and does not shimmer at a distance; Crisp texels blends directions alone
+///   and keeps each texel a square.
 /// @choice encoding "Encoding" default=color color="Color" data="Data" :
 ///   Color for what is seen; Data takes numbers as they are.
-/// @choice storage "Storage" default=quick quick="Quick" compact="Compact" blocks="Blocks" :
-///   Quick needs the fewest reads; Compact keeps every tile that differs once, with a palette where that is smaller, and
-///   looks the same with a fraction of the memory; Blocks compresses them to a byte a texel (BC7), which is off by a few of
-///   255, where the GPU can. `chiaro hcbtf info` tells what each takes.
+/// @choice storage "Storage" default=quick quick="Quick" compact="Compact" blocks="Blocks" : Quick
+///   needs the fewest reads; Compact keeps every tile that differs once, with a palette where that
+///   is smaller, and looks the same with a fraction of the memory; Blocks compresses them to a byte
+///   a texel (BC7), which is off by a few of 255, where the GPU can. `chiaro hcbtf info` tells what
+///   each takes.
 /// @param view from=view hidden
 /// @param tangent from=tangent hidden
 /// @param bitangent from=bitangent hidden
 /// @return color "Color" : Straight RGBA.
-/// @error balanced 5e-3 : colour of opaque paint where neighbouring paintings have nothing in common, from the GPU's
-///   eight-bit weights; 1e-3 where they are alike; edges of transparent paint may be tinted
-/// @error fast 0.55 : colour where paintings of neighbouring views differ, for the nearest view alone is read; the mean over
-///   smooth paintings is 0.017
+/// @error balanced 5e-3 : color of opaque paint where neighbouring paintings have nothing in
+///   common, from the GPU's eight-bit weights; 1e-3 where they are alike; edges of transparent
+///   paint may be tinted
+/// @error fast 0.55 : color where paintings of neighbouring views differ, for the nearest view
+///   alone is read; the mean over smooth paintings is 0.017
 /// @source thesis 10.3, A.3
 fn hcbtf_lookup_smooth(
     sheet: texture_2d_array<f32>,
@@ -48,12 +52,14 @@ fn hcbtf_lookup_smooth(
     let place = bounded_vec2(uv * scale);
     let level = hcbtf_level(place, grid);
     let above = hcbtf_horizon(light.direction, frame);
-    let lights = hcbtf_around(hcbtf_place(hcbtf_local(light.direction, frame), grid.light), grid.light);
+    let lights = hcbtf_around(hcbtf_place(hcbtf_local(light.direction, frame), grid.light),
+        grid.light);
     let views = hcbtf_views(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
     let finer = i32(level);
     var sum = hcbtf_sixteen_at(sheet, place, grid, finer, lights, views);
     if level > f32(finer) {
-        sum = mix(sum, hcbtf_sixteen_at(sheet, place, grid, finer + 1, lights, views), level - f32(finer));
+        sum = mix(sum, hcbtf_sixteen_at(sheet, place, grid, finer + 1, lights, views), level
+            - f32(finer));
     }
     return hcbtf_finished(hcbtf_straight(sum), above, unlit, grid);
 }
@@ -80,7 +86,8 @@ fn hcbtf_lookup_smooth_balanced(
     let finer = i32(level);
     var color = hcbtf_taps_at(sheet, sheet_sampler, place, grid, finer, lights, views);
     if level > f32(finer) {
-        color = mix(color, hcbtf_taps_at(sheet, sheet_sampler, place, grid, finer + 1, lights, views), level - f32(finer));
+        color = mix(color, hcbtf_taps_at(sheet, sheet_sampler, place, grid, finer + 1, lights,
+            views), level - f32(finer));
     }
     return hcbtf_finished(color, above, unlit, grid);
 }
@@ -123,9 +130,11 @@ fn hcbtf_lookup_texels(
     let grid = hcbtf_grid(sheet);
     let frame = world_from_tangent(tangent, bitangent, normal);
     let above = hcbtf_horizon(light.direction, frame);
-    let lights = hcbtf_around(hcbtf_place(hcbtf_local(light.direction, frame), grid.light), grid.light);
+    let lights = hcbtf_around(hcbtf_place(hcbtf_local(light.direction, frame), grid.light),
+        grid.light);
     let views = hcbtf_views(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
-    return hcbtf_finished(hcbtf_straight(hcbtf_crisp(sheet, uv * scale, grid, lights, views)), above, unlit, grid);
+    return hcbtf_finished(hcbtf_straight(hcbtf_crisp(sheet, uv * scale, grid, lights, views)),
+        above, unlit, grid);
 }
 
 fn hcbtf_lookup_texels_balanced(
@@ -145,7 +154,8 @@ fn hcbtf_lookup_texels_balanced(
     let above = hcbtf_horizon(light.direction, frame);
     let lights = hcbtf_place(hcbtf_local(light.direction, frame), grid.light);
     let views = hcbtf_views(hcbtf_place(hcbtf_local(view, frame), grid.view), grid.view);
-    return hcbtf_finished(hcbtf_crisp_taps(sheet, sheet_sampler, uv * scale, grid, lights, views), above, unlit, grid);
+    return hcbtf_finished(hcbtf_crisp_taps(sheet, sheet_sampler, uv * scale, grid, lights, views),
+        above, unlit, grid);
 }
 
 fn hcbtf_lookup_texels_fast(

@@ -9,12 +9,14 @@ import chiaro::total;
 /// @param uv "UV" from=uv : Where in the picture; u to the right, v up.
 /// @param scale "Scale" default=1,1 : How often the picture repeats; negative numbers mirror it.
 /// @param offset "Offset" default=0,0 : Moves the picture, in pictures.
-/// @choice wrap "Wrap" default=repeat repeat="Repeat" clamp="Clamp" mirror="Mirror" : What is beyond the picture's edges.
+/// @choice wrap "Wrap" default=repeat repeat="Repeat" clamp="Clamp" mirror="Mirror" : What is
+///   beyond the picture's edges.
 /// @choice filter "Filter" default=linear linear="Linear" nearest="Nearest" :
 ///   Linear is smooth; Nearest keeps the squares of pixel art.
-/// @choice encoding "Encoding" default=color color="Color" data="Data" :
-///   Color for what is seen; Data for normal maps, heights and masks, whose numbers are taken as they are.
-fn image(image: texture_2d<f32>, image_sampler: sampler, uv: vec2f, scale: vec2f, offset: vec2f) -> ImageSample {
+/// @choice encoding "Encoding" default=color color="Color" data="Data" : Color for what is seen;
+///   Data for normal maps, heights and masks, whose numbers are taken as they are.
+fn image(image: texture_2d<f32>, image_sampler: sampler, uv: vec2f, scale: vec2f,
+    offset: vec2f) -> ImageSample {
     let place = bounded_vec2(uv * scale + offset);
     let color = textureSample(image, image_sampler, vec2f(place.x, 1.0 - place.y));
     return ImageSample(color, color.w);

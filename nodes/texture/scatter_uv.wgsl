@@ -4,13 +4,15 @@ import chiaro::total;
 
 /// Scatter UV
 ///
-/// Hides that a tile repeats (texture bombing): the surface is divided into cells, and each shows the tile from another
-/// place on. Take a lookup or a picture at A, one at B and one at C, mix B into A by Mix B, and C into both by Mix C.
+/// Hides that a tile repeats (texture bombing): the surface is divided into cells, and each shows
+/// the tile from another place on. Take a lookup or a picture at A, one at B and one at C, mix B
+/// into A by Mix B, and C into both by Mix C.
 ///
 /// @param uv "UV" from=uv : Where on the tile, which repeats.
-/// @param cells "Cells" default=1 min=0 : How many there are along one unit; cells smaller than a tile cut it up.
-/// @param sharpness "Sharpness" default=0.5 min=0 max=1 : 0 blends from the middle of a cell to the next; 1 cuts cells
-///   out, with an edge as wide as a pixel.
+/// @param cells "Cells" default=1 min=0 : How many there are along one unit; cells smaller than a
+///   tile cut it up.
+/// @param sharpness "Sharpness" default=0.5 min=0 max=1 : 0 blends from the middle of a cell to the
+///   next; 1 cuts cells out, with an edge as wide as a pixel.
 /// @param seed "Seed" default=0 : Another number, other places.
 /// @source Heitz and Neyret 2018 (the lattice of triangles)
 fn scatter_uv(uv: vec2f, cells: f32, sharpness: f32, seed: i32) -> ScatteredUv {
@@ -30,11 +32,13 @@ fn scatter_uv(uv: vec2f, cells: f32, sharpness: f32, seed: i32) -> ScatteredUv {
     );
     // What is not near at all counts nothing: a corner changes its place there.
     let width = clamp(0.5 * (1.0 - bounded(sharpness)), clamp(1.5 * max(w.x, w.y), 1e-4, 0.5), 0.5);
-    let counts = clamp(1.0 + (near - max(near.x, max(near.y, near.z))) / width, vec3f(0.0), vec3f(1.0));
+    let counts = clamp(1.0 + (near - max(near.x, max(near.y, near.z))) / width, vec3f(0.0),
+        vec3f(1.0));
     let first = scatter_place(cell + select(vec2i(0), vec2i(1), is_upper), seed);
     let right = scatter_place(cell + vec2i(1, 0), seed);
     let above = scatter_place(cell + vec2i(0, 1), seed);
-    // Corners have three colours, so that no two of a triangle have the same; A, B and C each keep to one.
+    // Corners have three colors, so that no two of a triangle have the same; A, B and C each keep
+    // to one.
     let color = ((cell.x - cell.y) % 3 + 3) % 3;
     var a = first;
     var b = right;

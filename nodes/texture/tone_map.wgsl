@@ -3,9 +3,9 @@ import chiaro::total;
 
 /// Tone map
 ///
-/// A tone ramp with a second dimension, painted as a picture: the tone goes from left (dark) to right (light), the detail
-/// from below (none) up. Detail by distance makes far things flatter, by focus it guides the eye, by a highlight's
-/// tone it turns plastic into metal.
+/// A tone ramp with a second dimension, painted as a picture: the tone goes from left (dark) to
+/// right (light), the detail from below (none) up. Detail by distance makes far things flatter, by
+/// focus it guides the eye, by a highlight's tone it turns plastic into metal.
 ///
 /// @param image "Image" widget=path : PNG, JPEG, HDR or EXR.
 /// @param tone "Tone" default=0.5 min=0 max=1 : From a Profile.

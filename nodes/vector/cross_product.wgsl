@@ -2,7 +2,8 @@ import chiaro::total;
 
 /// Cross product
 ///
-/// A vector at right angles to two others, by the right-hand rule. Where these are parallel it is 0.
+/// A vector at right angles to two others, by the right-hand rule. Where these are parallel it is
+/// 0.
 ///
 /// @param a "A" default=1,0,0 : The one.
 /// @param b "B" default=0,1,0 : The other.

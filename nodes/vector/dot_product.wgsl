@@ -2,7 +2,8 @@ import chiaro::total;
 
 /// Dot product
 ///
-/// How much two directions agree: 1 the same, 0 at right angles, -1 opposite. For longer vectors times their lengths.
+/// How much two directions agree: 1 the same, 0 at right angles, -1 opposite. For longer vectors
+/// times their lengths.
 ///
 /// @param a "A" default=0,0,0 : The one.
 /// @param b "B" default=0,0,0 : The other.

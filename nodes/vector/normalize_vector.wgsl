@@ -2,7 +2,8 @@ import chiaro::numeric;
 
 /// Normalize
 ///
-/// A vector's direction alone: its length becomes 1. A vector without length, or one too long to measure, becomes 0.
+/// A vector's direction alone: its length becomes 1. A vector without length, or one too long to
+/// measure, becomes 0.
 ///
 /// @param vector "Vector" default=0,0,1 : Any vector.
 /// @return direction "Direction" : Unit, or 0.

@@ -3,8 +3,8 @@ import chiaro::total;
 
 /// Project vector
 ///
-/// Splits a vector into what goes along another one and what goes across it. Across a normal lies what is left on the
-/// surface.
+/// Splits a vector into what goes along another one and what goes across it. Across a normal lies
+/// what is left on the surface.
 ///
 /// @param vector "Vector" default=0,0,0 : What is split.
 /// @param onto "Onto" from=normal : Any length; without one, nothing goes along it.

@@ -3,7 +3,8 @@ import chiaro::total;
 
 /// Reflect
 ///
-/// A vector that comes in and bounces off a surface. For the view direction, which points out, take Mirrored view.
+/// A vector that comes in and bounces off a surface. For the view direction, which points out, take
+/// Mirrored view.
 ///
 /// @param vector "Vector" default=0,0,-1 : Toward the surface.
 /// @param normal "Normal" from=normal : Any length; without one, the vector goes on as it is.

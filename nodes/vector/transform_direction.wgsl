@@ -2,10 +2,11 @@ import chiaro::total;
 
 /// Transform direction
 ///
-/// The same direction, told in other axes: the world's or the camera's (x to the right, y up, z toward the viewer).
+/// The same direction, told in other axes: the world's or the camera's (x to the right, y up, z
+/// toward the viewer).
 ///
-/// @choice spaces "Spaces" default=camera_of_world camera_of_world="World to camera" world_of_camera="Camera to world" :
-///   From which axes to which.
+/// @choice spaces "Spaces" default=camera_of_world camera_of_world="World to camera"
+///   world_of_camera="Camera to world" : From which axes to which.
 /// @param direction "Direction" from=normal : Any direction; its length stays.
 /// @param camera_from_world from=camera_from_world hidden
 /// @return direction "Direction" : In the other axes.

@@ -1,5 +1,5 @@
-// The angle between two directions without inverse trigonometry: acos loses half the digits near 0 and near pi and is
-// NaN where rounding makes a dot product exceed 1.
+// The angle between two directions without inverse trigonometry: acos loses half the digits near 0
+// and near pi and is NaN where rounding makes a dot product exceed 1.
 import chiaro::types;
 import chiaro::numeric;
 
@@ -35,19 +35,23 @@ fn atan2_positive(y: f32, x: f32) -> f32 {
     let is_wide = t > 0.41421356;
     let r = select(t, (small - large) / (small + large), is_wide);
     let r2 = r * r;
-    let series = r * (1.0 + r2 * (-0.333333333333333333 + r2 * (0.2 + r2 * (-0.142857142857142857 + r2 * (0.111111111111111111 + r2 * (-0.0909090909090909091
-        + r2 * (0.0769230769230769231 + r2 * (-0.0666666666666666667 + r2 * 0.0588235294117647059))))))));
+    let series = r * (1.0 + r2 * (-0.333333333333333333
+        + r2 * (0.2 + r2 * (-0.142857142857142857
+        + r2 * (0.111111111111111111 + r2 * (-0.0909090909090909091
+        + r2 * (0.0769230769230769231 + r2 * (-0.0666666666666666667
+            + r2 * 0.0588235294117647059))))))));
     let a = select(series, series + 0.785398163397448310, is_wide);
     return select(a, HALF_PI - a, y > x);
 }
 
-/// u - shift, clamped to [0, pi], for |shift| <= pi (BADF eq. 8 and math.md D3).
+/// u - shift, clamped to [0, pi], for |shift| <= pi (BADF eq. 8 and docs/math.md D3).
 fn angle_shifted(u: Angle, shift: f32) -> Angle {
     return angle_turned(u, sin_cos_quarter(0.5 * clamp(shift, -PI, PI)));
 }
 
-/// How far u changes over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient needs no inverse
-/// trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
+/// How far u changes over one pixel, in radians: |grad u|, at most 0.5. With half-angles the
+/// gradient needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform
+/// control flow.
 fn angle_footprint(u: Angle) -> f32 {
     let half = vec2f(u.half_sin, u.half_cos);
     let dx = dpdx(half);
@@ -57,7 +61,8 @@ fn angle_footprint(u: Angle) -> f32 {
     return min(finite_or(w, 0.5), 0.5);
 }
 
-/// [`angle_between`] vectors that are unit but for rounding: half of each chord, which is not put to scale again.
+/// [`angle_between`] vectors that are unit but for rounding: half of each chord, which is not put
+/// to scale again.
 fn angle_of_units(d: vec3f, l: vec3f) -> Angle {
     return Angle(0.5 * length(d - l), 0.5 * length(d + l));
 }

@@ -1,5 +1,6 @@
-// Edges and stripes averaged over a pixel (math.md 2.4). Every footprint is the length of the screen-space gradient,
-// taken before any branch; where it is 0, as on a swatch or at a single sample, edges are hard and inclusive.
+// Edges and stripes averaged over a pixel (docs/math.md 2.4). Every footprint is the length of the
+// screen-space gradient, taken before any branch; where it is 0, as on a swatch or at a single
+// sample, edges are hard and inclusive.
 import chiaro::numeric;
 import chiaro::total;
 
@@ -9,15 +10,16 @@ fn footprint_of(x: f32) -> f32 {
     return bounded(sqrt(dot(d, d)));
 }
 
-/// How far each of a point's coordinates changes over one pixel, finite. Call it in uniform control flow.
+/// How far each of a point's coordinates changes over one pixel, finite. Call it in uniform control
+/// flow.
 fn footprint_of_vec2(v: vec2f) -> vec2f {
     let dx = dpdx(v);
     let dy = dpdy(v);
     return bounded_vec2(sqrt(dx * dx + dy * dy));
 }
 
-/// How far a point moves over one pixel: the longer one of its two derivatives, finite. Call it in uniform control
-/// flow.
+/// How far a point moves over one pixel: the longer one of its two derivatives, finite. Call it in
+/// uniform control flow.
 fn footprint_of_vec3(v: vec3f) -> f32 {
     let dx = dpdx(v);
     let dy = dpdy(v);
@@ -38,24 +40,27 @@ fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
     return clamp(0.5 + bounded(d / w), 0.0, 1.0);
 }
 
-/// The stairs floor(x) from 0 to `count` - 1, averaged over a footprint of `w`; x in [0, count], count at least 2.
+/// The stairs floor(x) from 0 to `count` - 1, averaged over a footprint of `w`; x in [0, count],
+/// count at least 2.
 fn stairs_filtered(x: f32, count: f32, w: f32) -> f32 {
     if w <= 1.0 {
         // At most one edge lies in the footprint: the nearest.
         let edge = clamp(round(x), 1.0, count - 1.0);
         return edge - 1.0 + step_filtered(x, edge, w);
     }
-    // Beyond a million stairs to the pixel the average does not change any more, and digits would be lost.
+    // Beyond a million stairs to the pixel the average does not change any more, and digits would
+    // be lost.
     let half = 0.5 * min(w, 1e3 * count);
     return (stairs_integral(x + half, count) - stairs_integral(x - half, count)) / (2.0 * half);
 }
 
-/// A number from 0 to 1 in so many flat steps (at least 2), the first 0 and the last 1, seen through a footprint of `w`;
-/// `softness` is how much of a step its edge takes.
+/// A number from 0 to 1 in so many flat steps (at least 2), the first 0 and the last 1, seen
+/// through a footprint of `w`; `softness` is how much of a step its edge takes.
 fn stepped_tone(value: f32, w: f32, count: i32, softness: f32) -> f32 {
     let n = f32(clamp(count, 2, 1024));
     let width = edge_width(n * w, min(softness, 1.0));
-    return clamp(stairs_filtered(n * clamp(bounded(value), 0.0, 1.0), n, width) / (n - 1.0), 0.0, 1.0);
+    return clamp(stairs_filtered(n * clamp(bounded(value), 0.0, 1.0), n, width) / (n - 1.0), 0.0,
+        1.0);
 }
 
 /// The integral of the stairs from 0 to x; they are 0 below 0 and `count` - 1 above `count`.
@@ -80,7 +85,8 @@ fn square_wave_filtered(x: f32, w: f32) -> f32 {
     return (triangle_wave(turn + 0.5 * width) - triangle_wave(turn - 0.5 * width)) / width;
 }
 
-/// A chessboard of unit squares, 1 on the square at the origin and 0 on its neighbours, averaged over a footprint.
+/// A chessboard of unit squares, 1 on the square at the origin and 0 on its neighbours, averaged
+/// over a footprint.
 fn checker_filtered(p: vec2f, w: vec2f) -> f32 {
     return 0.5 + 0.5 * square_wave_filtered(p.x, w.x) * square_wave_filtered(p.y, w.y);
 }
@@ -91,8 +97,8 @@ fn triangle_wave(x: f32) -> f32 {
     return 1.0 - abs(turn - 1.0);
 }
 
-/// How far a finite x changes over one pixel, by the sum of both derivatives: too wide on diagonals by as much as the
-/// square root of 2. Call it in uniform control flow.
+/// How far a finite x changes over one pixel, by the sum of both derivatives: too wide on diagonals
+/// by as much as the square root of 2. Call it in uniform control flow.
 fn footprint_by_sum(x: f32) -> f32 {
     return min(abs(dpdx(x)) + abs(dpdy(x)), 1e30);
 }

@@ -1,10 +1,12 @@
-// Laying a layer over what is below (BADF eq. 2; decision D8): the layer's colour is straight, the stack below is
-// premultiplied, opacity 0 changes nothing in any mode, and what is opaque stays opaque.
+// Laying a layer over what is below (BADF eq. 2; decision D8): the layer's color is straight, the
+// stack below is premultiplied, opacity 0 changes nothing in any mode, and what is opaque stays
+// opaque.
 import chiaro::types;
 
-/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0, 1] when `clamped`.
-/// At opacity 0 it is `below` exactly, whatever that is.
-fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clamped: bool) -> Composite {
+/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0,
+/// 1] when `clamped`. At opacity 0 it is `below` exactly, whatever that is.
+fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
+    clamped: bool) -> Composite {
     if opacity <= 0.0 {
         return below;
     }

@@ -1,4 +1,5 @@
-// Strokes from a picture, laid on one another in an order that is the same everywhere, so that no cell has a seam.
+// Strokes from a picture, laid on one another in an order that is the same everywhere, so that no
+// cell has a seam.
 import chiaro::numeric;
 import chiaro::total;
 import chiaro::noise;
@@ -33,7 +34,8 @@ fn brush_of(aspect: f32, size: f32, scatter: f32, turn: f32, seed: i32, is_dark:
 }
 
 /// Premultiplied paint of a picture laid on a place, of which so much of all strokes are there.
-fn brushed(image: texture_2d<f32>, image_sampler: sampler, at: Spaced, ink: f32, style: Brush) -> vec4f {
+fn brushed(image: texture_2d<f32>, image_sampler: sampler, at: Spaced, ink: f32,
+    style: Brush) -> vec4f {
     let dx = dpdx(at.place);
     let dy = dpdy(at.place);
     let level = octave_of(sqrt(area_square(at.stretch)));
@@ -47,11 +49,13 @@ fn brushed(image: texture_2d<f32>, image_sampler: sampler, at: Spaced, ink: f32,
     for (var octave = 0; octave < 2; octave++) {
         let amount = ink * select(1.0 - f, fine, octave == 1);
         let scale = power_of_two(i32(zoom) + octave);
-        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0)) / vec2f(style.aspect, 1.0);
+        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0))
+            / vec2f(style.aspect, 1.0);
         let corner = vec2i(floor(p));
         let phase = ((corner % vec2i(3)) + vec2i(3)) % vec2i(3);
         for (var i = 0; i < 9; i++) {
-            // One of nine cells around is of each kind; kinds lie on one another in the same order everywhere.
+            // One of nine cells around is of each kind; kinds lie on one another in the same order
+            // everywhere.
             let cell = corner + (vec2i(i % 3, i / 3) - phase + vec2i(4)) % vec2i(3) - vec2i(1);
             let turning = cell + vec2i(i32(style.seed & 31u), 7 * (i32(zoom) + octave));
             let late = 0.96875 * blue_part(tile[blue_index(turning)], turning);
@@ -87,7 +91,8 @@ fn bristles_laid(at: Spaced, ink: f32, style: Brush) -> vec2f {
     for (var octave = 0; octave < 2; octave++) {
         let amount = ink * select(1.0 - f, fine, octave == 1);
         let scale = power_of_two(i32(zoom) + octave);
-        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0)) / vec2f(style.aspect, 1.0);
+        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0))
+            / vec2f(style.aspect, 1.0);
         let corner = vec2i(floor(p));
         let phase = ((corner % vec2i(3)) + vec2i(3)) % vec2i(3);
         for (var i = 0; i < 9; i++) {
@@ -121,8 +126,8 @@ fn bristle(row: f32, seed: u32) -> vec3f {
     return mix(a, b, t * t * (3.0 - 2.0 * t));
 }
 
-/// A stroke of a stiff brush at a place in it: how light its paint lies, and how much of it covers. `width` is a pixel's
-/// share of the stroke's width.
+/// A stroke of a stiff brush at a place in it: how light its paint lies, and how much of it covers.
+/// `width` is a pixel's share of the stroke's width.
 fn bristles(uv: vec2f, width: f32, seed: u32) -> vec2f {
     let across = 2.0 * uv.y - 1.0;
     let own = unit_of_hash(lattice_hash(vec3i(0, 1, 0), seed));
@@ -156,7 +161,8 @@ fn brush_stroke(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> B
     let chance = unit_of_hash(lattice_hash(vec3i(cell, zoom), style.seed));
     let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
     let turn = sin_cos_of(style.turn * (chance.z - 0.5));
-    let way = select(-1.0, 1.0, unit_of_hash(lattice_hash(vec3i(cell, zoom), style.seed + 1u)).x < 0.5);
+    let way = select(-1.0, 1.0, unit_of_hash(lattice_hash(vec3i(cell, zoom), style.seed
+        + 1u)).x < 0.5);
     let stroke = Brushstroke(vec2f(0.5), turn, way, 0.0);
     let uv = 0.5 + brush_turned(offset * vec2f(style.aspect, 1.0), stroke, style);
     // The picture's outermost 64th fades, so that no stroke is cut off.

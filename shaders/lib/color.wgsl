@@ -1,28 +1,32 @@
-// Colour arithmetic on straight RGB numbers; total, also for colours below 0 and above 1.
+// Color arithmetic on straight RGB numbers; total, also for colors below 0 and above 1.
 import chiaro::numeric;
 import chiaro::total;
 
-/// sRGB-coded to linear light (IEC 61966-2-1, the exact curve); a negative number is decoded by its size.
+/// sRGB-coded to linear light (IEC 61966-2-1, the exact curve); a negative number is decoded by its
+/// size.
 fn linear_of_srgb(coded: f32) -> f32 {
     let size = abs(bounded(coded));
     let value = select(powered((size + 0.055) / 1.055, 2.4), size / 12.92, size <= 0.04045);
     return select(value, -value, coded < 0.0);
 }
 
-/// Linear light to sRGB-coded (IEC 61966-2-1, the exact curve); a negative number is coded by its size.
+/// Linear light to sRGB-coded (IEC 61966-2-1, the exact curve); a negative number is coded by its
+/// size.
 fn srgb_of_linear(light: f32) -> f32 {
     let size = abs(bounded(light));
     let value = select(1.055 * powered(size, 1.0 / 2.4) - 0.055, size * 12.92, size <= 0.0031308);
     return bounded(select(value, -value, light < 0.0));
 }
 
-/// The colour whose largest component is 1 and smallest 0, for a hue in turns; red at 0, green at 1/3, blue at 2/3.
+/// The color whose largest component is 1 and smallest 0, for a hue in turns; red at 0, green at
+/// 1/3, blue at 2/3.
 fn rgb_of_hue(hue: f32) -> vec3f {
     let places = vec3f(hue) + vec3f(0.0, 0.666666666666666667, 0.333333333333333333);
     return clamp(abs(6.0 * (places - floor(places)) - 3.0) - 1.0, vec3f(0.0), vec3f(1.0));
 }
 
-/// The hue of a colour in turns, in [0, 1]; 0 for grey. `chroma` is its largest component less its smallest.
+/// The hue of a color in turns, in [0, 1]; 0 for grey. `chroma` is its largest component less its
+/// smallest.
 fn hue_of_rgb(rgb: vec3f, chroma: f32) -> f32 {
     let largest = max(max(rgb.x, rgb.y), rgb.z);
     var sextant = 4.0 + divided(rgb.x - rgb.y, chroma);
@@ -36,8 +40,8 @@ fn hue_of_rgb(rgb: vec3f, chroma: f32) -> f32 {
     return select(hue, hue + 1.0, hue < 0.0);
 }
 
-/// Turns the hue (by turns) and scales saturation and value, as HSV counts them. Saturation ends where a component
-/// reaches 0, unless one was below it before.
+/// Turns the hue (by turns) and scales saturation and value, as HSV counts them. Saturation ends
+/// where a component reaches 0, unless one was below it before.
 fn hsv_adjusted(rgb: vec3f, hue: f32, saturation: f32, value: f32) -> vec3f {
     let c = clamp(rgb, vec3f(-1e15), vec3f(1e15));
     let largest = max(max(c.x, c.y), c.z);
@@ -52,7 +56,8 @@ fn hard_light(a: f32, b: f32) -> f32 {
     return select(1.0 - 2.0 * (1.0 - a) * (1.0 - b), 2.0 * a * b, b <= 0.5);
 }
 
-/// Darkens or lightens a by b without ever reaching black or white (W3C Compositing and Blending 1).
+/// Darkens or lightens a by b without ever reaching black or white (W3C Compositing and Blending
+/// 1).
 fn soft_light(a: f32, b: f32) -> f32 {
     if b <= 0.5 {
         return a - (1.0 - 2.0 * b) * a * (1.0 - a);
@@ -61,9 +66,10 @@ fn soft_light(a: f32, b: f32) -> f32 {
     return a + (2.0 * b - 1.0) * (curved - a);
 }
 
-/// From the colour a to the blended numbers by a factor in [0, 1]; a keeps its alpha.
+/// From the color a to the blended numbers by a factor in [0, 1]; a keeps its alpha.
 fn color_mixed(a: vec4f, blended: vec3f, factor: f32) -> vec4f {
-    return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(blended), factor_of(factor, true)), bounded(a.w));
+    return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(blended), factor_of(factor, true)),
+        bounded(a.w));
 }
 
 /// Each component from 0 to 1.
@@ -73,20 +79,23 @@ fn within_unit(rgb: vec3f) -> vec3f {
 
 /// a brightened toward white as b nears it (W3C Compositing and Blending 1); both from 0 to 1.
 fn dodged(a: f32, b: f32) -> f32 {
-    return select(select(min(1.0, a / max(1.0 - b, SMALLEST_NORMAL)), 1.0, b >= 1.0), 0.0, a <= 0.0);
+    return select(select(min(1.0, a / max(1.0 - b, SMALLEST_NORMAL)), 1.0, b >= 1.0), 0.0,
+        a <= 0.0);
 }
 
 /// a darkened toward black as b nears it (W3C Compositing and Blending 1); both from 0 to 1.
 fn burned(a: f32, b: f32) -> f32 {
-    return select(select(1.0 - min(1.0, (1.0 - a) / max(b, SMALLEST_NORMAL)), 0.0, b <= 0.0), 1.0, a >= 1.0);
+    return select(select(1.0 - min(1.0, (1.0 - a) / max(b, SMALLEST_NORMAL)), 0.0, b <= 0.0), 1.0,
+        a >= 1.0);
 }
 
-/// How light a colour counts in the non-separable modes (W3C Compositing and Blending 1).
+/// How light a color counts in the non-separable modes (W3C Compositing and Blending 1).
 fn lightness_of(rgb: vec3f) -> f32 {
     return dot(rgb, vec3f(0.3, 0.59, 0.11));
 }
 
-/// `rgb` as light as `other`, drawn toward its grey where a component would leave [0, 1] (SetLum, ClipColor).
+/// `rgb` as light as `other`, drawn toward its grey where a component would leave [0, 1] (SetLum,
+/// ClipColor).
 fn lit_as(rgb: vec3f, other: vec3f) -> vec3f {
     let light = lightness_of(other);
     let moved = rgb + (light - lightness_of(rgb));
@@ -100,12 +109,14 @@ fn lit_as(rgb: vec3f, other: vec3f) -> vec3f {
     return light + (clipped - light) * lowered;
 }
 
-/// `rgb` with the spread between its largest and smallest component that `other` has (SetSat); grey is black then.
+/// `rgb` with the spread between its largest and smallest component that `other` has (SetSat); grey
+/// is black then.
 fn saturated_as(rgb: vec3f, other: vec3f) -> vec3f {
     let least = min(min(rgb.x, rgb.y), rgb.z);
     let spread = max(max(rgb.x, rgb.y), rgb.z) - least;
     let wanted = max(max(other.x, other.y), other.z) - min(min(other.x, other.y), other.z);
-    return select(vec3f(0.0), (rgb - least) * (wanted / max(spread, SMALLEST_NORMAL)), spread > 0.0);
+    return select(vec3f(0.0), (rgb - least) * (wanted / max(spread, SMALLEST_NORMAL)),
+        spread > 0.0);
 }
 
 /// The cube root, with the sign of x.
@@ -114,7 +125,8 @@ fn cube_root(x: f32) -> f32 {
     return select(root, -root, x < 0.0);
 }
 
-/// Lightness, green to red and blue to yellow of a linear sRGB colour (Ottosson 2020): what eyes judge as even steps.
+/// Lightness, green to red and blue to yellow of a linear sRGB color (Ottosson 2020): what eyes
+/// judge as even steps.
 fn oklab_of_linear(rgb: vec3f) -> vec3f {
     let c = clamp(bounded_vec3(rgb), vec3f(-1e9), vec3f(1e9));
     let l = cube_root(dot(c, vec3f(0.4122214708, 0.5363325363, 0.0514459929)));
@@ -141,9 +153,10 @@ fn linear_of_oklab(lab: vec3f) -> vec3f {
     );
 }
 
-/// [`oklab_of_linear`] of an sRGB-coded colour.
+/// [`oklab_of_linear`] of an sRGB-coded color.
 fn oklab_of_srgb(coded: vec3f) -> vec3f {
-    return oklab_of_linear(vec3f(linear_of_srgb(coded.x), linear_of_srgb(coded.y), linear_of_srgb(coded.z)));
+    return oklab_of_linear(vec3f(linear_of_srgb(coded.x), linear_of_srgb(coded.y),
+        linear_of_srgb(coded.z)));
 }
 
 /// Back from [`oklab_of_srgb`].
@@ -152,38 +165,43 @@ fn srgb_of_oklab(lab: vec3f) -> vec3f {
     return vec3f(srgb_of_linear(light.x), srgb_of_linear(light.y), srgb_of_linear(light.z));
 }
 
-/// Between two colours as on screen, evenly to the eye; t from 0 to 1.
+/// Between two colors as on screen, evenly to the eye; t from 0 to 1.
 fn mixed_in_oklab(a: vec4f, b: vec4f, t: f32) -> vec4f {
     let lab = mixed_vec3(oklab_of_srgb(a.xyz), oklab_of_srgb(b.xyz), t);
     return ends_kept(a, b, t, srgb_of_oklab(lab));
 }
 
-/// Between two colours as on screen, as lights mix; t from 0 to 1.
+/// Between two colors as on screen, as lights mix; t from 0 to 1.
 fn mixed_in_light(a: vec4f, b: vec4f, t: f32) -> vec4f {
     let light = vec3f(
         mixed(linear_of_srgb(a.x), linear_of_srgb(b.x), t),
         mixed(linear_of_srgb(a.y), linear_of_srgb(b.y), t),
         mixed(linear_of_srgb(a.z), linear_of_srgb(b.z), t),
     );
-    return ends_kept(a, b, t, vec3f(srgb_of_linear(light.x), srgb_of_linear(light.y), srgb_of_linear(light.z)));
+    return ends_kept(a, b, t, vec3f(srgb_of_linear(light.x), srgb_of_linear(light.y),
+        srgb_of_linear(light.z)));
 }
 
-/// Between two colours as on screen by lightness, chroma and hue of Oklab, the shorter way around; t from 0 to 1.
+/// Between two colors as on screen by lightness, chroma and hue of Oklab, the shorter way around;
+/// t from 0 to 1.
 fn mixed_by_hue(a: vec4f, b: vec4f, t: f32) -> vec4f {
     let start = oklab_of_srgb(a.xyz);
     let goal = oklab_of_srgb(b.xyz);
     let chroma = vec2f(length_of(vec3f(start.yz, 0.0)), length_of(vec3f(goal.yz, 0.0)));
     // Grey has no hue; it takes the other's.
-    let one = angle_of_point(select(start.z, goal.z, chroma.x < 1e-3), select(start.y, goal.y, chroma.x < 1e-3));
-    let other = angle_of_point(select(goal.z, start.z, chroma.y < 1e-3), select(goal.y, start.y, chroma.y < 1e-3));
+    let one = angle_of_point(select(start.z, goal.z, chroma.x < 1e-3),
+        select(start.y, goal.y, chroma.x < 1e-3));
+    let other = angle_of_point(select(goal.z, start.z, chroma.y < 1e-3),
+        select(goal.y, start.y, chroma.y < 1e-3));
     let apart = other - one;
     let way = apart - 2.0 * PI * round(apart / (2.0 * PI));
     let turned = sin_cos_of(one + t * way);
     let size = mixed(chroma.x, chroma.y, t);
-    return ends_kept(a, b, t, srgb_of_oklab(vec3f(mixed(start.x, goal.x, t), size * turned.y, size * turned.x)));
+    return ends_kept(a, b, t, srgb_of_oklab(vec3f(mixed(start.x, goal.x, t), size * turned.y,
+        size * turned.x)));
 }
 
-/// Between two colours by hue, saturation and value, the shorter way around; t from 0 to 1.
+/// Between two colors by hue, saturation and value, the shorter way around; t from 0 to 1.
 fn mixed_in_hsv(a: vec4f, b: vec4f, t: f32) -> vec4f {
     let start = hsv_of_rgb(bounded_vec3(a.xyz));
     let goal = hsv_of_rgb(bounded_vec3(b.xyz));
@@ -204,7 +222,8 @@ fn hsv_of_rgb(rgb: vec3f) -> vec3f {
     return vec3f(hue_of_rgb(rgb, chroma), divided(chroma, most), most);
 }
 
-/// The mixed colour with its alpha; exactly a and b at the ends, which going to another space and back would round.
+/// The mixed color with its alpha; exactly a and b at the ends, which going to another space and
+/// back would round.
 fn ends_kept(a: vec4f, b: vec4f, t: f32, rgb: vec3f) -> vec4f {
     let mixed_color = vec4f(bounded_vec3(rgb), mixed(a.w, b.w, t));
     return select(select(mixed_color, bounded_vec4(b), t >= 1.0), bounded_vec4(a), t <= 0.0);

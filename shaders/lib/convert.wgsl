@@ -18,8 +18,8 @@ fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
-/// transparency is not lost.
+/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
+/// light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -37,7 +37,8 @@ fn int_of(x: f32) -> i32 {
     return i32(round(clamp(finite_or(x, 0.0), -16777216.0, 16777216.0)));
 }
 
-/// Linear light encoded for display by the sRGB curve (IEC 61966-2-1); negative light is black, alpha stays.
+/// Linear light encoded for display by the sRGB curve (IEC 61966-2-1); negative light is black,
+/// alpha stays.
 fn display_from_linear(color: Color) -> Color {
     let c = max(color.xyz, vec3f(0.0));
     let low = 12.92 * c;
@@ -45,7 +46,7 @@ fn display_from_linear(color: Color) -> Color {
     return vec4f(select(high, low, c <= vec3f(0.0031308)), color.w);
 }
 
-/// Display colours decoded to linear light by the sRGB curve (IEC 61966-2-1); alpha stays.
+/// Display colors decoded to linear light by the sRGB curve (IEC 61966-2-1); alpha stays.
 fn linear_from_display(color: Color) -> Color {
     let c = max(color.xyz, vec3f(0.0));
     let low = c / 12.92;

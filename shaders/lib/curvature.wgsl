@@ -1,4 +1,5 @@
-// Concave to convex (BADF eq. 7, 8) as a logistic, because (e^2x - 1) / (e^2x + 1) is inf / inf from x = 45 on (D6).
+// Concave to convex (BADF eq. 7, 8) as a logistic, because (e^2x - 1) / (e^2x + 1) is inf / inf
+// from x = 45 on (D6).
 import chiaro::types;
 import chiaro::numeric;
 import chiaro::total;
@@ -17,7 +18,8 @@ fn curvature_signed(kappa: f32, slope: f32) -> f32 {
     if magnitude < 0.0625 {
         // 1 - z cancels for small a; the series does not.
         let a2 = a * a;
-        return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2 * 0.0539682539682539683)));
+        return a * (1.0 - a2 * (0.333333333333333333
+            - a2 * (0.133333333333333333 - a2 * 0.0539682539682539683)));
     }
     let z = exp2_stable(-2.0 * LOG2_E * magnitude);
     let t = (1.0 - z) / (1.0 + z);
@@ -34,18 +36,18 @@ fn curvature_signed_balanced(kappa: f32, slope: f32) -> f32 {
     return 1.0 - 2.0 / (1.0 + exp2(2.0 * LOG2_E * curvature_argument(kappa, slope)));
 }
 
-/// [`curvature_signed`] as a fraction: Lambert's continued fraction of tanh down to the fifth power, ended where it
-/// would leave [-1, 1].
+/// [`curvature_signed`] as a fraction: Lambert's continued fraction of tanh down to the fifth
+/// power, ended where it would leave [-1, 1].
 fn curvature_signed_fast(kappa: f32, slope: f32) -> f32 {
     let a = clamp(curvature_argument(kappa, slope), -3.647, 3.647);
     let y = a * a;
     return clamp(a * (945.0 + y * (105.0 + y)) / (945.0 + y * (420.0 + y * 15.0)), -1.0, 1.0);
 }
 
-/// kappa from how the normal changes between the pixels of a quad (math.md 3), in 1/viewport-height: half the
-/// divergence of n.xy / n.z, for a normal and a position in camera axes. `perspective` is 1 or 0; `scale` is half of
-/// the viewport's height over what it spans at depth 1 (at every depth without perspective). Call it in uniform control
-/// flow.
+/// kappa from how the normal changes between the pixels of a quad (docs/math.md 3), in
+/// 1/viewport-height: half the divergence of n.xy / n.z, for a normal and a position in camera
+/// axes. `perspective` is 1 or 0; `scale` is half of the viewport's height over what it spans at
+/// depth 1 (at every depth without perspective). Call it in uniform control flow.
 fn curvature_on_screen(normal: vec3f, position: vec3f, perspective: f32, scale: f32) -> f32 {
     // As in the curvature pass, rims do not all become convex.
     let slope = normal.xy / max(normal.z, 0.2);
@@ -57,8 +59,8 @@ fn curvature_on_screen(normal: vec3f, position: vec3f, perspective: f32, scale: 
     return kappa_safe(divergence / scale);
 }
 
-/// The view-centred curvature tensor (xx, xy, yy) from how the normal changes between the pixels of a quad, as
-/// [`curvature_on_screen`] takes its trace. Call it in uniform control flow.
+/// The view-centred curvature tensor (xx, xy, yy) from how the normal changes between the pixels of
+/// a quad, as [`curvature_on_screen`] takes its trace. Call it in uniform control flow.
 fn tensor_on_screen(normal: vec3f, position: vec3f, perspective: f32, scale: f32) -> vec3f {
     let slope = normal.xy / max(normal.z, 0.2);
     let place = position.xy / mix(1.0, max(-position.z, 1e-20), perspective);

@@ -1,5 +1,6 @@
-// Free curves and colour ramps. Whoever fills a Curve or a Ramp sorts its points and keeps them finite; these functions
-// are total all the same: count is at most 16, and points in the same place make a step.
+// Free curves and color ramps. Whoever fills a Curve or a Ramp sorts its points and keeps them
+// finite; these functions are total all the same: count is at most 16, and points in the same place
+// make a step.
 import chiaro::types;
 import chiaro::numeric;
 import chiaro::total;
@@ -10,7 +11,8 @@ const INTERPOLATION_LINEAR: u32 = 0u;
 const INTERPOLATION_SMOOTH: u32 = 1u;
 const INTERPOLATION_STEPPED: u32 = 2u;
 
-/// The curve's y at x; the steps of a stepped curve are averaged over a footprint of `w`. 0 for a curve without points.
+/// The curve's y at x; the steps of a stepped curve are averaged over a footprint of `w`. 0 for a
+/// curve without points.
 fn curve_at(curve: Curve, x: f32, w: f32) -> f32 {
     let count = min(curve.count, 16u);
     if count == 0u {
@@ -36,19 +38,21 @@ fn curve_at(curve: Curve, x: f32, w: f32) -> f32 {
     let b = points[at + 1u];
     let t = clamp(divided(x - a.x, b.x - a.x), 0.0, 1.0);
     if curve.interpolation == INTERPOLATION_SMOOTH {
-        return bounded(hermite(vec4f(a.y), vec4f(b.y), (b.x - a.x) * vec4f(a.z), (b.x - a.x) * vec4f(b.z), t).x);
+        return bounded(hermite(vec4f(a.y), vec4f(b.y), (b.x - a.x) * vec4f(a.z),
+            (b.x - a.x) * vec4f(b.z), t).x);
     }
     return mixed(a.y, b.y, t);
 }
 
-/// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of t.
+/// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
+/// t.
 fn hermite(a: vec4f, b: vec4f, from_a: vec4f, to_b: vec4f, t: f32) -> vec4f {
     let d = b - a;
     return a + t * (from_a + t * (3.0 * d - 2.0 * from_a - to_b + t * (from_a + to_b - 2.0 * d)));
 }
 
-/// The ramp's colour at x; the steps of a stepped ramp are averaged over a footprint of `w`. Transparent black for a
-/// ramp without stops.
+/// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
+/// Transparent black for a ramp without stops.
 fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
     let count = min(ramp.count, 16u);
     if count == 0u {
@@ -82,23 +86,29 @@ fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
     var to_b = vec4f(0.0);
     if at > 0u {
         let before = places[(at - 1u) / 4u][(at - 1u) % 4u];
-        from_a = ramp_slope(colors[at] - colors[at - 1u], place - before, colors[after] - colors[at], span);
+        from_a = ramp_slope(colors[at] - colors[at - 1u], place - before, colors[after]
+            - colors[at], span);
     }
     if after + 1u < count {
         let next = places[(after + 1u) / 4u][(after + 1u) % 4u] - (place + span);
-        to_b = ramp_slope(colors[after] - colors[at], span, colors[after + 1u] - colors[after], next);
+        to_b = ramp_slope(colors[after] - colors[at], span, colors[after + 1u] - colors[after],
+            next);
     }
     return bounded_vec4(hermite(colors[at], colors[after], span * from_a, span * to_b, t));
 }
 
-/// The slope at a stop that keeps a cubic between its neighbours' values (Fritsch and Butland 1984): the weighted
-/// harmonic mean of the slopes before and after, 0 where these differ in sign.
+/// The slope at a stop that keeps a cubic between its neighbours' values (Fritsch and Butland
+/// 1984): the weighted harmonic mean of the slopes before and after, 0 where these differ in sign.
 fn ramp_slope(rise_before: vec4f, span_before: f32, rise_after: vec4f, span_after: f32) -> vec4f {
     return vec4f(
-        harmonic_slope(divided(rise_before.x, span_before), span_before, divided(rise_after.x, span_after), span_after),
-        harmonic_slope(divided(rise_before.y, span_before), span_before, divided(rise_after.y, span_after), span_after),
-        harmonic_slope(divided(rise_before.z, span_before), span_before, divided(rise_after.z, span_after), span_after),
-        harmonic_slope(divided(rise_before.w, span_before), span_before, divided(rise_after.w, span_after), span_after),
+        harmonic_slope(divided(rise_before.x, span_before), span_before,
+            divided(rise_after.x, span_after), span_after),
+        harmonic_slope(divided(rise_before.y, span_before), span_before,
+            divided(rise_after.y, span_after), span_after),
+        harmonic_slope(divided(rise_before.z, span_before), span_before,
+            divided(rise_after.z, span_after), span_after),
+        harmonic_slope(divided(rise_before.w, span_before), span_before,
+            divided(rise_after.w, span_after), span_after),
     );
 }
 
@@ -112,7 +122,7 @@ fn harmonic_slope(before: f32, span_before: f32, after: f32, span_after: f32) ->
     return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
-/// Where on a ramp x lies: between which two colours, and how far along.
+/// Where on a ramp x lies: between which two colors, and how far along.
 struct RampPlace {
     before: vec4f,
     after: vec4f,
@@ -135,11 +145,13 @@ fn ramp_place(ramp: Ramp, x: f32) -> RampPlace {
     let after = min(at + 1u, count - 1u);
     let place = places[at / 4u][at % 4u];
     let t = clamp(divided(x - place, places[after / 4u][after % 4u] - place), 0.0, 1.0);
-    return RampPlace(colors[at], colors[after], select(t, eased(t, 0.0, 1.0), ramp.interpolation == INTERPOLATION_SMOOTH));
+    return RampPlace(colors[at], colors[after],
+        select(t, eased(t, 0.0, 1.0), ramp.interpolation == INTERPOLATION_SMOOTH));
 }
 
-/// The colours of a palette, the stops' of a ramp, that are nearest to a colour in Oklab: the nearest alone, or blended there
-/// with those that are up to `softness` farther. Black for one without colours.
+/// The colors of a palette, the stops' of a ramp, that are nearest to a color in Oklab: the
+/// nearest alone, or blended there with those that are up to `softness` farther. Black for one
+/// without colors.
 fn palette_blend(palette: Ramp, rgb: vec3f, softness: f32) -> vec3f {
     let count = min(palette.count, 16u);
     var colors = palette.colors;
@@ -160,7 +172,7 @@ fn palette_blend(palette: Ramp, rgb: vec3f, softness: f32) -> vec3f {
     for (var i = 0u; i < count; i++) {
         let lab = oklab_of_srgb(colors[i].xyz);
         let near = clamp(1.0 - (length_of(lab - wanted) - nearest) / softness, 0.0, 1.0);
-        // Squared, so that colours come and go without a kink.
+        // Squared, so that colors come and go without a kink.
         sum += near * near * lab;
         total += near * near;
     }

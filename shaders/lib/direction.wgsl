@@ -1,5 +1,6 @@
-// Directions bent within two axes, as highlights are shaped by hand (Anjyo and Hiramitsu 2003): translation, directional
-// scaling, splitting and squaring, and places around a direction in polar coordinates (Pacanowski et al. 2008).
+// Directions bent within two axes, as highlights are shaped by hand (Anjyo and Hiramitsu 2003):
+// translation, directional scaling, splitting and squaring, and places around a direction in polar
+// coordinates (Pacanowski et al. 2008).
 import chiaro::types;
 import chiaro::numeric;
 import chiaro::total;
@@ -46,8 +47,8 @@ fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
     return mat3x3f(x, cross(z, x), z);
 }
 
-/// How far a star reaches at `turn`, in turns from its first ray: 1 at its rays, `inner` between them, along straight
-/// lines; `round` goes from there to a circle.
+/// How far a star reaches at `turn`, in turns from its first ray: 1 at its rays, `inner` between
+/// them, along straight lines; `round` goes from there to a circle.
 fn star_reach(turn: f32, rays: f32, inner: f32, round: f32) -> f32 {
     let half_sector = PI / rays;
     let sector = abs(turn * rays - floor(turn * rays + 0.5));

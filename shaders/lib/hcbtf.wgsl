@@ -1,16 +1,20 @@
-// Looking up hand-painted 6D textures (thesis 10.3; layout as math.md 6, thesis A.3, one layer of the texture a view).
+// Looking up hand-painted 6D textures (thesis 10.3; layout as docs/math.md 6, thesis A.3, one layer
+// of the texture a view).
 //
-// A layer holds one view. Every texel of the tile is a small block of its lights, thetas along x and phis along y, with
-// the last phi again above the first and the first again below the last, so that one bilinear tap blends four lights.
-// Smaller levels of the tile, where there are any, stand to the right of it, each below the one before. The last layer's
-// first two texels tell the grid. Where views share layers, the texels after those tell which layer each view has.
+// A layer holds one view. Every texel of the tile is a small block of its lights, thetas along x
+// and phis along y, with the last phi again above the first and the first again below the last, so
+// that one bilinear tap blends four lights. Smaller levels of the tile, where there are any, stand
+// to the right of it, each below the one before. The last layer's first two texels tell the grid.
+// Where views share layers, the texels after those tell which layer each view has.
 //
-// The compact storage is a row of words instead, a texel each: after those two, where the record of each sample's tile
-// begins; in a record, for each level, where its texels begin and where its palette does, or 0; then palettes, a colour
-// a word, and texels, a colour or four indices a word. It is the same to every function below that is given the grid.
+// The compact storage is a row of words instead, a texel each: after those two, where the record of
+// each sample's tile begins; in a record, for each level, where its texels begin and where its
+// palette does, or 0; then palettes, a color a word, and texels, a color or four indices a word.
+// It is the same to every function below that is given the grid.
 //
-// The block storage is a row of compressed blocks of four by four texels: two whose first texels tell the grid, one for
-// each sample whose first texel tells where the blocks of its tile begin, and the tiles, their levels one after the other.
+// The block storage is a row of compressed blocks of four by four texels: two whose first texels
+// tell the grid, one for each sample whose first texel tells where the blocks of its tile begin,
+// and the tiles, their levels one after the other.
 import chiaro::types;
 import chiaro::numeric;
 import chiaro::total;
@@ -28,7 +32,7 @@ struct HcbtfGrid {
     view: vec2i,
     /// Whether smaller levels are there.
     has_levels: bool,
-    /// Whether colours are to be decoded to linear light after the blend.
+    /// Whether colors are to be decoded to linear light after the blend.
     is_decoded: bool,
     /// Whether views share layers.
     is_shared: bool,
@@ -38,7 +42,8 @@ struct HcbtfGrid {
     has_blocks: bool,
 }
 
-/// A direction among those of a grid: the two rings and the two steps around it, with the weight of the second of each.
+/// A direction among those of a grid: the two rings and the two steps around it, with the weight of
+/// the second of each.
 struct HcbtfPlace {
     theta: vec2i,
     phi: vec2i,
@@ -55,7 +60,8 @@ fn hcbtf_grid(sheet: texture_2d_array<f32>) -> HcbtfGrid {
     let last = i32(textureNumLayers(sheet)) - 1;
     let first = vec4i(round(255.0 * textureLoad(sheet, vec2i(0, 0), last, 0)));
     let has_blocks = (first.w & 16) != 0;
-    let second = vec4i(round(255.0 * textureLoad(sheet, vec2i(select(1, 4, has_blocks), 0), last, 0)));
+    let second = vec4i(round(255.0 * textureLoad(sheet, vec2i(select(1, 4, has_blocks), 0), last,
+        0)));
     let size = vec2i(first.x + 256 * (first.z % 16), first.y + 256 * (first.z / 16));
     let flags = (vec4i(first.w) & vec4i(1, 2, 4, 8)) != vec4i(0);
     return HcbtfGrid(size, second.xy, second.zw, flags.x, flags.y, flags.z, flags.w, has_blocks);
@@ -66,8 +72,9 @@ fn hcbtf_local(direction: vec3f, frame: mat3x3f) -> vec3f {
     return normalize_or(normalize_or(direction, frame[2]) * frame, vec3f(0.0, 0.0, 1.0));
 }
 
-/// Rings and steps as numbers between them: theta in [0, rings - 1], phi in [0, steps). Below the horizon counts as on
-/// it, straight down too. Straight up and down there is no phi, and 0 is taken; all samples of the first ring are the same.
+/// Rings and steps as numbers between them: theta in [0, rings - 1], phi in [0, steps). Below the
+/// horizon counts as on it, straight down too. Straight up and down there is no phi, and 0 is
+/// taken; all samples of the first ring are the same.
 fn hcbtf_place(local: vec3f, directions: vec2i) -> vec2f {
     let across = length_of(vec3f(local.xy, 0.0));
     // The GPU's own atan2 may be off by a thousandth.
@@ -78,7 +85,8 @@ fn hcbtf_place(local: vec3f, directions: vec2i) -> vec2f {
     let turned = select(phi, phi + steps, phi < 0.0);
     let rings = f32(directions.x - 1);
     // Rounding may reach the last step from below; that is the first.
-    return vec2f(clamp(theta * 0.636619772367581343 * rings, 0.0, rings), select(turned, 0.0, turned >= steps));
+    return vec2f(clamp(theta * 0.636619772367581343 * rings, 0.0, rings),
+        select(turned, 0.0, turned >= steps));
 }
 
 /// The samples around a place and how much the second of each pair counts.
@@ -140,33 +148,41 @@ fn hcbtf_texel(uv: vec2f, size: vec2i) -> vec2i {
     return min(vec2i(inside * vec2f(size)), size - 1);
 }
 
-/// Where the block of a texel's lights begins, in texels of the layer, for a level that begins at `origin`.
+/// Where the block of a texel's lights begins, in texels of the layer, for a level that begins at
+/// `origin`.
 fn hcbtf_block(texel: vec2i, light: vec2i, origin: vec2i) -> vec2i {
     return origin + texel * vec2i(light.x, light.y + 2);
 }
 
-/// Adds a straight colour with a weight, so that what is transparent does not tint.
+/// Adds a straight color with a weight, so that what is transparent does not tint.
 fn hcbtf_add(sum: vec4f, color: vec4f, weight: f32) -> vec4f {
     return sum + vec4f(color.xyz * color.w, color.w) * weight;
 }
 
-/// A straight colour from such a sum; transparent black where nothing was painted.
+/// A straight color from such a sum; transparent black where nothing was painted.
 fn hcbtf_straight(sum: vec4f) -> vec4f {
-    return select(vec4f(0.0), vec4f(clamp(sum.xyz / max(sum.w, 1e-20), vec3f(0.0), vec3f(1.0)), min(sum.w, 1.0)), sum.w > 0.0);
+    return select(vec4f(0.0), vec4f(clamp(sum.xyz / max(sum.w, 1e-20), vec3f(0.0), vec3f(1.0)),
+        min(sum.w, 1.0)), sum.w > 0.0);
 }
 
 /// Four lights of one view at one texel, loaded and blended; premultiplied.
-fn hcbtf_lights(sheet: texture_2d_array<f32>, block: vec2i, layer: i32, light: HcbtfPlace) -> vec4f {
+fn hcbtf_lights(sheet: texture_2d_array<f32>, block: vec2i, layer: i32,
+    light: HcbtfPlace) -> vec4f {
     let w = light.weight;
     var sum = vec4f(0.0);
-    sum = hcbtf_add(sum, textureLoad(sheet, block + vec2i(light.theta.x, light.phi.x + 1), layer, 0), (1.0 - w.x) * (1.0 - w.y));
-    sum = hcbtf_add(sum, textureLoad(sheet, block + vec2i(light.theta.y, light.phi.x + 1), layer, 0), w.x * (1.0 - w.y));
-    sum = hcbtf_add(sum, textureLoad(sheet, block + vec2i(light.theta.x, light.phi.y + 1), layer, 0), (1.0 - w.x) * w.y);
-    return hcbtf_add(sum, textureLoad(sheet, block + vec2i(light.theta.y, light.phi.y + 1), layer, 0), w.x * w.y);
+    sum = hcbtf_add(sum, textureLoad(sheet, block + vec2i(light.theta.x, light.phi.x + 1), layer,
+        0), (1.0 - w.x) * (1.0 - w.y));
+    sum = hcbtf_add(sum, textureLoad(sheet, block + vec2i(light.theta.y, light.phi.x + 1), layer,
+        0), w.x * (1.0 - w.y));
+    sum = hcbtf_add(sum, textureLoad(sheet, block + vec2i(light.theta.x, light.phi.y + 1), layer,
+        0), (1.0 - w.x) * w.y);
+    return hcbtf_add(sum, textureLoad(sheet, block + vec2i(light.theta.y, light.phi.y + 1), layer,
+        0), w.x * w.y);
 }
 
 /// All sixteen samples around a light and a view at one texel; premultiplied.
-fn hcbtf_sixteen(sheet: texture_2d_array<f32>, block: vec2i, light: HcbtfPlace, views: HcbtfViews) -> vec4f {
+fn hcbtf_sixteen(sheet: texture_2d_array<f32>, block: vec2i, light: HcbtfPlace,
+    views: HcbtfViews) -> vec4f {
     return views.weight.x * hcbtf_lights(sheet, block, views.layer.x, light)
         + views.weight.y * hcbtf_lights(sheet, block, views.layer.y, light)
         + views.weight.z * hcbtf_lights(sheet, block, views.layer.z, light)
@@ -174,13 +190,16 @@ fn hcbtf_sixteen(sheet: texture_2d_array<f32>, block: vec2i, light: HcbtfPlace, 
 }
 
 /// Four lights of one view at one texel by one bilinear tap; straight.
-fn hcbtf_tap(sheet: texture_2d_array<f32>, sheet_sampler: sampler, block: vec2i, layer: i32, light: vec2f) -> vec4f {
+fn hcbtf_tap(sheet: texture_2d_array<f32>, sheet_sampler: sampler, block: vec2i, layer: i32,
+    light: vec2f) -> vec4f {
     let at = vec2f(block) + light + vec2f(0.5, 1.5);
-    return textureSampleLevel(sheet, sheet_sampler, at / vec2f(textureDimensions(sheet)), layer, 0.0);
+    return textureSampleLevel(sheet, sheet_sampler, at / vec2f(textureDimensions(sheet)), layer,
+        0.0);
 }
 
 /// The same for the four views around one.
-fn hcbtf_taps(sheet: texture_2d_array<f32>, sheet_sampler: sampler, block: vec2i, light: vec2f, views: HcbtfViews) -> vec4f {
+fn hcbtf_taps(sheet: texture_2d_array<f32>, sheet_sampler: sampler, block: vec2i, light: vec2f,
+    views: HcbtfViews) -> vec4f {
     return views.weight.x * hcbtf_tap(sheet, sheet_sampler, block, views.layer.x, light)
         + views.weight.y * hcbtf_tap(sheet, sheet_sampler, block, views.layer.y, light)
         + views.weight.z * hcbtf_tap(sheet, sheet_sampler, block, views.layer.z, light)
@@ -227,14 +246,16 @@ fn hcbtf_texels(uv: vec2f, grid: HcbtfGrid, level: i32) -> HcbtfTexels {
     for (var i = 0; i < level; i++) {
         before += hcbtf_blocks_of(size);
         // The first smaller level stands beside the tile, the next ones below each other.
-        origin = vec2i(grid.size.x * grid.light.x, select(origin.y + size.y * (grid.light.y + 2), 0, i == 0));
+        origin = vec2i(grid.size.x * grid.light.x,
+            select(origin.y + size.y * (grid.light.y + 2), 0, i == 0));
         size = max(size / 2, vec2i(1));
     }
     let p = bounded_vec2(vec2f(uv.x, -uv.y));
     let place = (p - floor(p)) * vec2f(size) - 0.5;
     let low = vec2i(floor(place));
     let first = (low + size) % size;
-    return HcbtfTexels(vec4i(first, (first + 1) % size), place - floor(place), origin, size.x, level, before);
+    return HcbtfTexels(vec4i(first, (first + 1) % size), place - floor(place), origin, size.x,
+        level, before);
 }
 
 /// The one texel at a texture coordinate, as if it were between texels.
@@ -249,10 +270,12 @@ fn hcbtf_word(sheet: texture_2d_array<f32>, index: i32) -> vec4f {
     return textureLoad(sheet, vec2i(index & 2047, (index >> 11u) & 2047), last - (index >> 22u), 0);
 }
 
-/// A texel of a block of the block storage: 512 blocks a row, 512 rows a layer, the last layer first.
+/// A texel of a block of the block storage: 512 blocks a row, 512 rows a layer, the last layer
+/// first.
 fn hcbtf_block_texel(sheet: texture_2d_array<f32>, index: i32, texel: vec2i) -> vec4f {
     let last = i32(textureNumLayers(sheet)) - 1;
-    return textureLoad(sheet, 4 * vec2i(index & 511, (index >> 9u) & 511) + texel, last - (index >> 18u), 0);
+    return textureLoad(sheet, 4 * vec2i(index & 511, (index >> 9u) & 511) + texel, last
+        - (index >> 18u), 0);
 }
 
 /// Blocks along a row of texels.
@@ -265,22 +288,26 @@ fn hcbtf_blocks_of(size: vec2i) -> i32 {
     return hcbtf_blocks_along(size.x) * hcbtf_blocks_along(size.y);
 }
 
-/// Where the texels of a sample's tile begin and where its palette does, 0 for none; compact storage. In blocks there are no
-/// palettes, and `before` of them are those of the levels before.
-fn hcbtf_piece(sheet: texture_2d_array<f32>, grid: HcbtfGrid, view: i32, light: i32, level: i32, before: i32) -> vec2i {
+/// Where the texels of a sample's tile begin and where its palette does, 0 for none; compact
+/// storage. In blocks there are no palettes, and `before` of them are those of the levels before.
+fn hcbtf_piece(sheet: texture_2d_array<f32>, grid: HcbtfGrid, view: i32, light: i32, level: i32,
+    before: i32) -> vec2i {
     let sample = 2 + view * grid.light.x * grid.light.y + light;
     if grid.has_blocks {
         return vec2i(hcbtf_number(hcbtf_block_texel(sheet, sample, vec2i(0))) + before, 0);
     }
     let record = hcbtf_number(hcbtf_word(sheet, sample)) + 2 * level;
-    return vec2i(hcbtf_number(hcbtf_word(sheet, record)), hcbtf_number(hcbtf_word(sheet, record + 1)));
+    return vec2i(hcbtf_number(hcbtf_word(sheet, record)),
+        hcbtf_number(hcbtf_word(sheet, record + 1)));
 }
 
 /// A texel of such a tile, whose rows have `width`; straight.
-fn hcbtf_piece_texel(sheet: texture_2d_array<f32>, grid: HcbtfGrid, piece: vec2i, at: vec2i, width: i32) -> vec4f {
+fn hcbtf_piece_texel(sheet: texture_2d_array<f32>, grid: HcbtfGrid, piece: vec2i, at: vec2i,
+    width: i32) -> vec4f {
     if grid.has_blocks {
         let block = at >> vec2u(2u);
-        return hcbtf_block_texel(sheet, piece.x + block.y * hcbtf_blocks_along(width) + block.x, at & vec2i(3));
+        return hcbtf_block_texel(sheet, piece.x + block.y * hcbtf_blocks_along(width) + block.x,
+            at & vec2i(3));
     }
     let index = width * at.y + at.x;
     if piece.y == 0 {
@@ -291,16 +318,20 @@ fn hcbtf_piece_texel(sheet: texture_2d_array<f32>, grid: HcbtfGrid, piece: vec2i
 }
 
 /// Four texels of such a tile, blended; premultiplied. Those that do not count are not read.
-fn hcbtf_piece_blend(sheet: texture_2d_array<f32>, grid: HcbtfGrid, piece: vec2i, texels: HcbtfTexels) -> vec4f {
+fn hcbtf_piece_blend(sheet: texture_2d_array<f32>, grid: HcbtfGrid, piece: vec2i,
+    texels: HcbtfTexels) -> vec4f {
     let w = texels.weight;
     let at = texels.at;
     let width = texels.width;
-    var sum = hcbtf_add(vec4f(0.0), hcbtf_piece_texel(sheet, grid, piece, at.xy, width), (1.0 - w.x) * (1.0 - w.y));
+    var sum = hcbtf_add(vec4f(0.0), hcbtf_piece_texel(sheet, grid, piece, at.xy, width),
+        (1.0 - w.x) * (1.0 - w.y));
     if w.x > 0.0 {
-        sum = hcbtf_add(sum, hcbtf_piece_texel(sheet, grid, piece, at.zy, width), w.x * (1.0 - w.y));
+        sum = hcbtf_add(sum, hcbtf_piece_texel(sheet, grid, piece, at.zy, width),
+            w.x * (1.0 - w.y));
     }
     if w.y > 0.0 {
-        sum = hcbtf_add(sum, hcbtf_piece_texel(sheet, grid, piece, at.xw, width), (1.0 - w.x) * w.y);
+        sum = hcbtf_add(sum, hcbtf_piece_texel(sheet, grid, piece, at.xw, width),
+            (1.0 - w.x) * w.y);
     }
     if w.x > 0.0 && w.y > 0.0 {
         sum = hcbtf_add(sum, hcbtf_piece_texel(sheet, grid, piece, at.zw, width), w.x * w.y);
@@ -308,8 +339,10 @@ fn hcbtf_piece_blend(sheet: texture_2d_array<f32>, grid: HcbtfGrid, piece: vec2i
     return sum;
 }
 
-/// All samples that count around a light and a view, of the compact storage or of blocks; premultiplied.
-fn hcbtf_compact(sheet: texture_2d_array<f32>, grid: HcbtfGrid, texels: HcbtfTexels, light: HcbtfPlace, views: HcbtfViews) -> vec4f {
+/// All samples that count around a light and a view, of the compact storage or of blocks;
+/// premultiplied.
+fn hcbtf_compact(sheet: texture_2d_array<f32>, grid: HcbtfGrid, texels: HcbtfTexels,
+    light: HcbtfPlace, views: HcbtfViews) -> vec4f {
     let steps = grid.light.y;
     let theta = vec4i(light.theta.x, light.theta.y, light.theta.x, light.theta.y);
     let lights = theta * steps + vec4i(light.phi.x, light.phi.x, light.phi.y, light.phi.y);
@@ -319,7 +352,8 @@ fn hcbtf_compact(sheet: texture_2d_array<f32>, grid: HcbtfGrid, texels: HcbtfTex
     for (var i = 0; i < 16; i++) {
         let weight = views.weight[i >> 2u] * weights[i & 3];
         if weight > 0.0 {
-            let piece = hcbtf_piece(sheet, grid, views.layer[i >> 2u], lights[i & 3], texels.level, texels.before);
+            let piece = hcbtf_piece(sheet, grid, views.layer[i >> 2u], lights[i & 3], texels.level,
+                texels.before);
             sum += weight * hcbtf_piece_blend(sheet, grid, piece, texels);
         }
     }
@@ -332,7 +366,8 @@ fn hcbtf_one_view(near: vec2i, grid: HcbtfGrid) -> HcbtfViews {
 }
 
 /// All sixteen samples, each bilinear between the texels of one level; premultiplied.
-fn hcbtf_sixteen_at(sheet: texture_2d_array<f32>, uv: vec2f, grid: HcbtfGrid, level: i32, light: HcbtfPlace, view: HcbtfViews) -> vec4f {
+fn hcbtf_sixteen_at(sheet: texture_2d_array<f32>, uv: vec2f, grid: HcbtfGrid, level: i32,
+    light: HcbtfPlace, view: HcbtfViews) -> vec4f {
     let texels = hcbtf_texels(uv, grid, level);
     if grid.is_compact {
         return hcbtf_compact(sheet, grid, texels, light, view);
@@ -347,68 +382,82 @@ fn hcbtf_sixteen_at(sheet: texture_2d_array<f32>, uv: vec2f, grid: HcbtfGrid, le
 }
 
 /// The same by a bilinear tap for each view and texel; straight.
-fn hcbtf_taps_at(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f, grid: HcbtfGrid, level: i32, light: vec2f, view: HcbtfViews) -> vec4f {
+fn hcbtf_taps_at(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f, grid: HcbtfGrid,
+    level: i32, light: vec2f, view: HcbtfViews) -> vec4f {
     let texels = hcbtf_texels(uv, grid, level);
     if grid.is_compact {
-        return hcbtf_straight(hcbtf_compact(sheet, grid, texels, hcbtf_around(light, grid.light), view));
+        return hcbtf_straight(hcbtf_compact(sheet, grid, texels, hcbtf_around(light, grid.light),
+            view));
     }
     let views = hcbtf_stored(sheet, grid, view);
     let w = texels.weight;
     let blocks = hcbtf_blocks(texels, grid.light);
-    return (1.0 - w.x) * (1.0 - w.y) * hcbtf_taps(sheet, sheet_sampler, blocks.left_top, light, views)
+    return (1.0 - w.x) * (1.0 - w.y) * hcbtf_taps(sheet, sheet_sampler, blocks.left_top, light,
+        views)
         + w.x * (1.0 - w.y) * hcbtf_taps(sheet, sheet_sampler, blocks.right_top, light, views)
         + (1.0 - w.x) * w.y * hcbtf_taps(sheet, sheet_sampler, blocks.left_bottom, light, views)
         + w.x * w.y * hcbtf_taps(sheet, sheet_sampler, blocks.right_bottom, light, views);
 }
 
 /// The same for the nearest view alone; straight.
-fn hcbtf_tap_at(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f, grid: HcbtfGrid, level: i32, light: vec2f, near: vec2i) -> vec4f {
+fn hcbtf_tap_at(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f, grid: HcbtfGrid,
+    level: i32, light: vec2f, near: vec2i) -> vec4f {
     let texels = hcbtf_texels(uv, grid, level);
     if grid.is_compact {
         let view = hcbtf_one_view(near, grid);
-        return hcbtf_straight(hcbtf_compact(sheet, grid, texels, hcbtf_around(light, grid.light), view));
+        return hcbtf_straight(hcbtf_compact(sheet, grid, texels, hcbtf_around(light, grid.light),
+            view));
     }
     let layer = hcbtf_layer(sheet, grid, near.x * grid.view.y + near.y);
     let w = texels.weight;
     let blocks = hcbtf_blocks(texels, grid.light);
-    return (1.0 - w.x) * (1.0 - w.y) * hcbtf_tap(sheet, sheet_sampler, blocks.left_top, layer, light)
+    return (1.0 - w.x) * (1.0 - w.y) * hcbtf_tap(sheet, sheet_sampler, blocks.left_top, layer,
+        light)
         + w.x * (1.0 - w.y) * hcbtf_tap(sheet, sheet_sampler, blocks.right_top, layer, light)
         + (1.0 - w.x) * w.y * hcbtf_tap(sheet, sheet_sampler, blocks.left_bottom, layer, light)
         + w.x * w.y * hcbtf_tap(sheet, sheet_sampler, blocks.right_bottom, layer, light);
 }
 
 /// All sixteen samples at the texel of a texture coordinate; premultiplied.
-fn hcbtf_crisp(sheet: texture_2d_array<f32>, uv: vec2f, grid: HcbtfGrid, light: HcbtfPlace, views: HcbtfViews) -> vec4f {
+fn hcbtf_crisp(sheet: texture_2d_array<f32>, uv: vec2f, grid: HcbtfGrid, light: HcbtfPlace,
+    views: HcbtfViews) -> vec4f {
     let texel = hcbtf_crisp_texel(uv, grid);
     if grid.is_compact {
         return hcbtf_compact(sheet, grid, texel, light, views);
     }
-    return hcbtf_sixteen(sheet, hcbtf_block(texel.at.xy, grid.light, vec2i(0)), light, hcbtf_stored(sheet, grid, views));
+    return hcbtf_sixteen(sheet, hcbtf_block(texel.at.xy, grid.light, vec2i(0)), light,
+        hcbtf_stored(sheet, grid, views));
 }
 
 /// The same by a bilinear tap for each view; straight.
-fn hcbtf_crisp_taps(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f, grid: HcbtfGrid, light: vec2f, views: HcbtfViews) -> vec4f {
+fn hcbtf_crisp_taps(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f,
+    grid: HcbtfGrid, light: vec2f, views: HcbtfViews) -> vec4f {
     let texel = hcbtf_crisp_texel(uv, grid);
     if grid.is_compact {
-        return hcbtf_straight(hcbtf_compact(sheet, grid, texel, hcbtf_around(light, grid.light), views));
+        return hcbtf_straight(hcbtf_compact(sheet, grid, texel, hcbtf_around(light, grid.light),
+            views));
     }
     let block = hcbtf_block(texel.at.xy, grid.light, vec2i(0));
     return hcbtf_taps(sheet, sheet_sampler, block, light, hcbtf_stored(sheet, grid, views));
 }
 
 /// The same by one bilinear tap of the nearest view; straight.
-fn hcbtf_crisp_tap(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f, grid: HcbtfGrid, light: vec2f, near: vec2i) -> vec4f {
+fn hcbtf_crisp_tap(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f, grid: HcbtfGrid,
+    light: vec2f, near: vec2i) -> vec4f {
     let texel = hcbtf_crisp_texel(uv, grid);
     if grid.is_compact {
         let view = hcbtf_one_view(near, grid);
-        return hcbtf_straight(hcbtf_compact(sheet, grid, texel, hcbtf_around(light, grid.light), view));
+        return hcbtf_straight(hcbtf_compact(sheet, grid, texel, hcbtf_around(light, grid.light),
+            view));
     }
     let block = hcbtf_block(texel.at.xy, grid.light, vec2i(0));
-    return hcbtf_tap(sheet, sheet_sampler, block, hcbtf_layer(sheet, grid, near.x * grid.view.y + near.y), light);
+    return hcbtf_tap(sheet, sheet_sampler, block,
+        hcbtf_layer(sheet, grid, near.x * grid.view.y + near.y), light);
 }
 
 /// The nearest sample at the texel of a texture coordinate, as it was painted; straight.
-fn hcbtf_painted(sheet: texture_2d_array<f32>, uv: vec2f, grid: HcbtfGrid, light: vec2i, near: vec2i) -> vec4f {
+fn hcbtf_painted(sheet: texture_2d_array<f32>, uv: vec2f, grid: HcbtfGrid, light: vec2i,
+    near: vec2i) -> vec4f {
     let texel = hcbtf_texel(uv, grid.size);
     let view = near.x * grid.view.y + near.y;
     if grid.is_compact {
@@ -419,7 +468,8 @@ fn hcbtf_painted(sheet: texture_2d_array<f32>, uv: vec2f, grid: HcbtfGrid, light
     return textureLoad(sheet, at, hcbtf_layer(sheet, grid, view), 0);
 }
 
-/// How many times smaller, as a power of two, the tile is seen than it is painted. Call it in uniform control flow.
+/// How many times smaller, as a power of two, the tile is seen than it is painted. Call it in
+/// uniform control flow.
 fn hcbtf_level(uv: vec2f, grid: HcbtfGrid) -> f32 {
     let dx = bounded_vec2(dpdx(uv) * vec2f(grid.size));
     let dy = bounded_vec2(dpdy(uv) * vec2f(grid.size));
@@ -429,14 +479,15 @@ fn hcbtf_level(uv: vec2f, grid: HcbtfGrid) -> f32 {
     return select(0.0, min(0.5 * log2(widest), last), grid.has_levels);
 }
 
-/// How much of a light just above the horizon arrives: all of it, and nothing below, with an edge as wide as a pixel.
-/// Call it in uniform control flow.
+/// How much of a light just above the horizon arrives: all of it, and nothing below, with an edge
+/// as wide as a pixel. Call it in uniform control flow.
 fn hcbtf_horizon(light: vec3f, frame: mat3x3f) -> f32 {
     let height = dot(normalize_or(light, frame[2]), frame[2]);
     return step_filtered(height, 0.0, footprint_of(height));
 }
 
-/// The colour of a straight blend: below the horizon replaced, decoded where the look is in linear light.
+/// The color of a straight blend: below the horizon replaced, decoded where the look is in linear
+/// light.
 fn hcbtf_finished(lit: vec4f, above: f32, unlit: vec4f, grid: HcbtfGrid) -> vec4f {
     let painted = select(lit, linear_from_display(lit), grid.is_decoded);
     return mix(bounded_vec4(unlit), painted, above);

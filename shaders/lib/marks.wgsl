@@ -1,10 +1,11 @@
-// Marks that keep their size on the picture: strokes and dots on places that are anchored to surfaces. Where a place is
-// enlarged, marks of the next finer octave grow between those that are there; so every mark stays where it is, as in art maps
-// (Klein et al. 2000) and tonal art maps (Praun et al. 2001). The same octaves serve tone: darker adds whole marks and never
-// takes one away.
+// Marks that keep their size on the picture: strokes and dots on places that are anchored to
+// surfaces. Where a place is enlarged, marks of the next finer octave grow between those that are
+// there; so every mark stays where it is, as in art maps (Klein et al. 2000) and tonal art maps
+// (Praun et al. 2001). The same octaves serve tone: darker adds whole marks and never takes one
+// away.
 //
-// A place comes with its stretch: products xx, xy and yy of how fast its coordinates change along the picture, per
-// picture height.
+// A place comes with its stretch: products xx, xy and yy of how fast its coordinates change along
+// the picture, per picture height.
 import chiaro::types;
 import chiaro::numeric;
 import chiaro::total;
@@ -33,11 +34,13 @@ fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Marke
     return Marked(bounded_vec2(turned), clamp(vec3f(dot(x, x), dot(x, y), dot(y, y)), -most, most));
 }
 
-/// How fast a coordinate with the gradient `g` changes along the picture, on a surface that is seen from `view`: the way
-/// along the picture is drawn out on the surface. Vectors are unit but for g. At rims it is drawn out up to eight times.
+/// How fast a coordinate with the gradient `g` changes along the picture, on a surface that is seen
+/// from `view`: the way along the picture is drawn out on the surface. Vectors are unit but for g.
+/// At rims it is drawn out up to eight times.
 fn gradient_on_picture(g: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     let facing = dot(normal, view);
-    return g - normal * (dot(g, view) / select(min(facing, -0.125), max(facing, 0.125), facing >= 0.0));
+    return g - normal * (dot(g, view) / select(min(facing, -0.125), max(facing, 0.125),
+        facing >= 0.0));
 }
 
 /// A place across an axis of the object.
@@ -95,7 +98,8 @@ fn place_on_surface(
     return mark_place_of(bounded_vec2(place), x, y, angle);
 }
 
-/// A place in spacings of marks: as many to the picture's height as `count` where it is not stretched.
+/// A place in spacings of marks: as many to the picture's height as `count` where it is not
+/// stretched.
 struct Spaced {
     place: vec2f,
     stretch: vec3f,
@@ -112,15 +116,16 @@ fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> Spaced {
     return Spaced(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
 }
 
-/// How much faster than the picture a place's area grows, squared. A place that is drawn out more than eight times counts as
-/// drawn out by eight: it grows not at all where a surface turns edge-on to it, and marks along that line would be
-/// infinitely fine.
+/// How much faster than the picture a place's area grows, squared. A place that is drawn out more
+/// than eight times counts as drawn out by eight: it grows not at all where a surface turns edge-on
+/// to it, and marks along that line would be infinitely fine.
 fn area_square(stretch: vec3f) -> f32 {
     let sum = stretch.x + stretch.z;
     return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
-/// log2 of how many times finer than a place's own units marks must lie, for a squared stretch; within +-16.
+/// log2 of how many times finer than a place's own units marks must lie, for a squared stretch;
+/// within +-16.
 fn octave_of(square: f32) -> f32 {
     return clamp(-0.5 * LOG2_E * log_stable(clamp(square, 1e-30, 1e30)), -16.0, 16.0);
 }
@@ -150,7 +155,8 @@ struct Stroke {
     profile: f32,
 }
 
-/// The stroke of a line at x, in one octave. The line is named by an odd number and the octave it first lies in.
+/// The stroke of a line at x, in one octave. The line is named by an odd number and the octave it
+/// first lies in.
 fn stroke_at(line: vec2i, x: f32, zoom: i32, style: Strokes) -> Stroke {
     let own = unit_of_hash(lattice_hash(vec3i(line, 1 << 20u), style.seed));
     if style.length <= 0.0 {
@@ -158,7 +164,8 @@ fn stroke_at(line: vec2i, x: f32, zoom: i32, style: Strokes) -> Stroke {
     }
     let along = clamp(x * power_of_two(zoom) / style.length, -1e6, 1e6) + own.x;
     let index = floor(along);
-    let chance = unit_of_hash(lattice_hash(vec3i(line, i32(index)), style.seed + bitcast<u32>(zoom)));
+    let chance = unit_of_hash(lattice_hash(vec3i(line, i32(index)), style.seed
+        + bitcast<u32>(zoom)));
     let from_end = min(along - index, 1.0 - (along - index));
     let slope = clamp(from_end / max(0.5 * style.taper, 1e-6), 0.0, 1.0);
     return Stroke(chance.x, slope * (2.0 - slope));
@@ -177,10 +184,12 @@ fn stroke_between(line: vec2i, x: f32, level: f32, style: Strokes) -> Stroke {
 fn stray_at(place: vec2f, zoom: i32, seed: u32) -> f32 {
     // Slowly along a stroke, and neighbours not alike.
     let p = place * power_of_two(zoom);
-    return (value_noise(vec3f(0.11 * p.x, 0.45 * p.y, 0.5), seed) - 0.5) * 2.0 * power_of_two(-zoom);
+    return (value_noise(vec3f(0.11 * p.x, 0.45 * p.y, 0.5), seed) - 0.5) * 2.0
+        * power_of_two(-zoom);
 }
 
-/// How much of a footprint of `w` a band covers that reaches `half` to both sides of a place t away.
+/// How much of a footprint of `w` a band covers that reaches `half` to both sides of a place t
+/// away.
 fn band_filtered(t: f32, half: f32, w: f32) -> f32 {
     if w < 1e-30 {
         return select(0.0, 1.0, abs(t) <= half && half > 0.0);
@@ -188,8 +197,8 @@ fn band_filtered(t: f32, half: f32, w: f32) -> f32 {
     return clamp((clamp(t + 0.5 * w, -half, half) - clamp(t - 0.5 * w, -half, half)) / w, 0.0, 1.0);
 }
 
-/// The ink of one direction of strokes. `place` is along and across, in spacings at `level` 0; `w` is the footprint of
-/// the second. On average it is `ink` times the width, but for tapers.
+/// The ink of one direction of strokes. `place` is along and across, in spacings at `level` 0; `w`
+/// is the footprint of the second. On average it is `ink` times the width, but for tapers.
 fn hatched(place: vec2f, w: f32, level: f32, ink: f32, style: Strokes) -> f32 {
     if !(ink > 0.0) {
         return 0.0;
@@ -197,7 +206,8 @@ fn hatched(place: vec2f, w: f32, level: f32, ink: f32, style: Strokes) -> f32 {
     let number = powered(ink, 1.0 - style.pressure);
     let width = style.width * powered(ink, style.pressure);
     let zoom = floor(level);
-    let stray = mix(stray_at(place, i32(zoom), style.seed), stray_at(place, i32(zoom) + 1, style.seed), level - zoom);
+    let stray = mix(stray_at(place, i32(zoom), style.seed),
+        stray_at(place, i32(zoom) + 1, style.seed), level - zoom);
     let across = place.y + style.wobble * stray;
     // Every whole number of an octave has its stroke; between them those of the next octave grow.
     let density = clamp(level + LOG2_E * log_stable(max(number, 1e-9)), -40.0, 17.0);
@@ -220,7 +230,8 @@ fn hatched(place: vec2f, w: f32, level: f32, ink: f32, style: Strokes) -> f32 {
     return mix(max(a, b), mean, eased(footprint, 0.75, 1.5));
 }
 
-/// The name of a whole place's line in an octave: an odd number and the octave that it first lies in. 0 lies in all.
+/// The name of a whole place's line in an octave: an odd number and the octave that it first lies
+/// in. 0 lies in all.
 fn line_of(whole: i32, octave: i32) -> vec2i {
     let power = select(whole & -whole, 1, whole == 0);
     // log2 of a power of two, by its bits.
@@ -228,8 +239,8 @@ fn line_of(whole: i32, octave: i32) -> vec2i {
     return select(vec2i(whole / power, octave - octaves), vec2i(0), whole == 0);
 }
 
-/// The ink of strokes in up to four directions, each `cross` further: the first take the light tones, and the others come
-/// in one after the other.
+/// The ink of strokes in up to four directions, each `cross` further: the first take the light
+/// tones, and the others come in one after the other.
 fn cross_hatched(at: Spaced, ink: f32, layers: i32, cross: f32, style: Strokes) -> f32 {
     let x = dpdx(at.place);
     let y = dpdy(at.place);
@@ -243,8 +254,10 @@ fn cross_hatched(at: Spaced, ink: f32, layers: i32, cross: f32, style: Strokes) 
             let across = vec2f(-turn.x, turn.y);
             let w = bounded(length(vec2f(dot(across, x), dot(across, y))));
             let s = at.stretch;
-            // As with areas, a place that hardly changes across the strokes counts as one that is drawn out eight times.
-            let square = dot(vec3f(across.x * across.x, 2.0 * across.x * across.y, across.y * across.y), s);
+            // As with areas, a place that hardly changes across the strokes counts as one that is
+            // drawn out eight times.
+            let square = dot(vec3f(across.x * across.x, 2.0 * across.x * across.y,
+                across.y * across.y), s);
             let level = octave_of(max(square, (s.x + s.z) / 65.0));
             let place = vec2f(dot(along, at.place), dot(across, at.place));
             var own = style;
@@ -272,7 +285,8 @@ fn picture_square(offset: vec2f, stretch: vec3f) -> f32 {
     return max(square, 0.0) / area;
 }
 
-/// The ink of one octave's dots, of which so many of all are drawn; `stretch` is that of a unit of the octave.
+/// The ink of one octave's dots, of which so many of all are drawn; `stretch` is that of a unit of
+/// the octave.
 fn dots_of_octave(place: vec2f, zoom: i32, ink: f32, stretch: vec3f, w: f32, style: Dots) -> f32 {
     let p = clamp(place * power_of_two(zoom), vec2f(-4194304.0), vec2f(4194304.0));
     let corner = floor(p);
@@ -312,9 +326,11 @@ fn stippled(at: Spaced, ink: f32, style: Dots) -> f32 {
     let coarse_cells = exp2_stable(-2.0 * f);
     let coarse = 1.0 - f;
     let fine = (1.0 - coarse * coarse_cells) / (4.0 * coarse_cells);
-    var dots = dots_of_octave(at.place, i32(zoom), amount * coarse, s * exp2_stable(2.0 * zoom), w, style);
+    var dots = dots_of_octave(at.place, i32(zoom), amount * coarse, s * exp2_stable(2.0 * zoom), w,
+        style);
     if fine > 0.0 {
-        let finer = dots_of_octave(at.place, i32(zoom) + 1, amount * fine, s * exp2_stable(2.0 * zoom + 2.0), w, style);
+        let finer = dots_of_octave(at.place, i32(zoom) + 1, amount * fine,
+            s * exp2_stable(2.0 * zoom + 2.0), w, style);
         dots = max(dots, finer);
     }
     // Dots finer than a pixel are their average.

@@ -1,5 +1,5 @@
-// Reflectance models of realistic rendering, to stand beside drawn ones. Each gives what a white surface under a light of
-// intensity 1 sends to the eye, times pi: the cosine for a matt one.
+// Reflectance models of realistic rendering, to stand beside drawn ones. Each gives what a white
+// surface under a light of intensity 1 sends to the eye, times pi: the cosine for a matt one.
 import chiaro::types;
 import chiaro::numeric;
 import chiaro::total;
@@ -11,8 +11,8 @@ struct Reflection {
     n_v: f32,
     n_h: f32,
     v_h: f32,
-    /// The square of the sine between the normal and the half-vector: near a highlight's middle a cosine has no digits
-    /// left to tell how far it is.
+    /// The square of the sine between the normal and the half-vector: near a highlight's middle a
+    /// cosine has no digits left to tell how far it is.
     sine2: f32,
 }
 
@@ -30,7 +30,8 @@ fn sine_squared(a: vec3f, b: vec3f) -> f32 {
     return min(dot(across, across), 1.0);
 }
 
-/// A cosine to a power, 0 where it is negative; by the square of its sine where that has more digits.
+/// A cosine to a power, 0 where it is negative; by the square of its sine where that has more
+/// digits.
 fn cosine_power(cosine: f32, sine2: f32, exponent: f32) -> f32 {
     if cosine < 0.7 {
         return powered(max(cosine, 0.0), exponent);
@@ -44,7 +45,8 @@ fn half_of(light: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     return normalize_or(select(normal, half, dot(half, half) > 1e-12), normal);
 }
 
-/// The width of a highlight from an artist's roughness: its square, at least 0.001 so that a mirror's is seen.
+/// The width of a highlight from an artist's roughness: its square, at least 0.001 so that a
+/// mirror's is seen.
 fn width_of_roughness(roughness: f32) -> f32 {
     let r = clamp(bounded(roughness), 0.0, 1.0);
     return max(r * r, 0.001);
@@ -62,8 +64,8 @@ fn exponent_of_width(width: f32) -> f32 {
     return max(2.0 / (width * width) - 2.0, 0.0);
 }
 
-/// Cook and Torrance's model with the GGX distribution and Smith's height-correlated shadowing (Walter et al. 2007,
-/// Heitz 2014).
+/// Cook and Torrance's model with the GGX distribution and Smith's height-correlated shadowing
+/// (Walter et al. 2007, Heitz 2014).
 fn ggx(r: Reflection, width: f32, at_normal: f32) -> f32 {
     if r.n_l <= 0.0 || r.n_v <= 0.0 {
         return 0.0;
@@ -77,7 +79,8 @@ fn ggx(r: Reflection, width: f32, at_normal: f32) -> f32 {
     return min(distribution * visibility * schlick(at_normal, r.v_h) * r.n_l, 1e6);
 }
 
-/// Oren and Nayar's rough matt surface (1994, their qualitative model), for a deviation of slopes in radians.
+/// Oren and Nayar's rough matt surface (1994, their qualitative model), for a deviation of slopes
+/// in radians.
 fn oren_nayar(light: vec3f, normal: vec3f, view: vec3f, sigma: f32) -> f32 {
     let n_l = dot(normal, light);
     let n_v = dot(normal, view);
@@ -87,15 +90,17 @@ fn oren_nayar(light: vec3f, normal: vec3f, view: vec3f, sigma: f32) -> f32 {
     let s2 = sigma * sigma;
     let a = 1.0 - 0.5 * s2 / (s2 + 0.33);
     let b = 0.45 * s2 / (s2 + 0.09);
-    // The cosine of the turn between both, times both sines; then sin of the larger angle over cos of the smaller one is
-    // what is left, without any angle.
+    // The cosine of the turn between both, times both sines; then sin of the larger angle over cos
+    // of the smaller one is what is left, without any angle.
     let across = dot(light, view) - n_l * n_v;
     let larger = max(max(n_l, n_v), 1e-3);
     return n_l * (a + b * max(across, 0.0) / larger);
 }
 
-/// Ward's anisotropic highlight (1992, in the form of Walter 2005) with a width along each of two axes.
-fn ward(light: vec3f, normal: vec3f, view: vec3f, x_axis: vec3f, y_axis: vec3f, widths: vec2f) -> f32 {
+/// Ward's anisotropic highlight (1992, in the form of Walter 2005) with a width along each of two
+/// axes.
+fn ward(light: vec3f, normal: vec3f, view: vec3f, x_axis: vec3f, y_axis: vec3f,
+    widths: vec2f) -> f32 {
     let n_l = dot(normal, light);
     let n_v = dot(normal, view);
     if n_l <= 0.0 || n_v <= 0.0 {
@@ -108,8 +113,8 @@ fn ward(light: vec3f, normal: vec3f, view: vec3f, x_axis: vec3f, y_axis: vec3f, 
     return min(n_l * lobe / (4.0 * widths.x * widths.y * sqrt(max(n_l * n_v, 1e-6))), 1e6);
 }
 
-/// What a thin film reflects of one wavelength: 0 where both its faces cancel, 1 where they add up. `path` is the
-/// difference of both ways, in the wavelength's unit.
+/// What a thin film reflects of one wavelength: 0 where both its faces cancel, 1 where they add up.
+/// `path` is the difference of both ways, in the wavelength's unit.
 fn interference(path: f32, wavelength: f32) -> f32 {
     let half = sin_cos_of(PI * path / wavelength);
     // One face turns the wave over, so a film of no thickness is black.

@@ -1,5 +1,5 @@
-// Noise over three-dimensional points, from integer hashes: the same on every machine, without the sine that graphics
-// cards round each in their own way. All of it lies in [0, 1].
+// Noise over three-dimensional points, from integer hashes: the same on every machine, without the
+// sine that graphics cards round each in their own way. All of it lies in [0, 1].
 import chiaro::numeric;
 import chiaro::total;
 
@@ -8,12 +8,13 @@ const NOISE_PERLIN: u32 = 1u;
 const NOISE_SIMPLEX: u32 = 2u;
 const NOISE_WORLEY: u32 = 3u;
 
-// Half of what brings simplex noise to [-1, 1], from the greatest sum that any choice of gradients gives; and the
-// average of Worley noise. Both measured in f64.
+// Half of what brings simplex noise to [-1, 1], from the greatest sum that any choice of gradients
+// gives; and the average of Worley noise. Both measured in f64.
 const SIMPLEX_SCALE: f32 = 38.4553;
 const WORLEY_MEAN: f32 = 0.5205;
 
-/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its upper bits are the best.
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 fn hash_pcg3d(seed: vec3u) -> vec3u {
     var v = seed * 1664525u + 1013904223u;
     v.x += v.y * v.z;
@@ -36,7 +37,8 @@ fn lattice_hash(cell: vec3i, seed: u32) -> vec3u {
     return hash_pcg3d(bitcast<vec3u>(cell) + seed * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u));
 }
 
-/// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin 2002).
+/// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
+/// 2002).
 fn gradient_dot(hash: vec3u, d: vec3f) -> f32 {
     let axis = (hash.x >> 8u) % 3u;
     let a = select(d.x, d.y, axis == 0u);
@@ -73,13 +75,15 @@ fn perlin_noise(p: vec3f, seed: u32) -> f32 {
     for (var i = 0; i < 8; i++) {
         let at = vec3i(i & 1, (i >> 1u) & 1, i >> 2u);
         let weight = select(1.0 - f, f, at == vec3i(1));
-        sum += weight.x * weight.y * weight.z * gradient_dot(lattice_hash(cell + at, seed), d - vec3f(at));
+        sum += weight.x * weight.y * weight.z * gradient_dot(lattice_hash(cell + at, seed), d
+            - vec3f(at));
     }
     // The twelve gradients reach 1.0364 at most.
     return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
-/// Gradient noise on a lattice of tetrahedra (Perlin 2001), with fewer visible axes than the cube's.
+/// Gradient noise on a lattice of tetrahedra (Perlin 2001), with fewer visible axes than the
+/// cube's.
 fn simplex_noise(p: vec3f, seed: u32) -> f32 {
     let corner = floor(p + (p.x + p.y + p.z) / 3.0);
     let d = p - corner + (corner.x + corner.y + corner.z) / 6.0;
@@ -127,7 +131,8 @@ struct Cell {
     distance: f32,
 }
 
-/// No point of a cell that is no neighbour is nearer than this: points keep a quarter of a cell from their cell's sides.
+/// No point of a cell that is no neighbour is nearer than this: points keep a quarter of a cell
+/// from their cell's sides.
 const CELL_REACH: f32 = 1.25;
 /// Averages of border and distance, measured in f64.
 const CELL_BORDER_MEAN: f32 = 0.1301;
@@ -135,8 +140,9 @@ const CELL_DISTANCE_MEAN: f32 = 0.491;
 
 /// The cell around the nearest of one point per lattice cell, each in the middle half of its own.
 ///
-/// The border is that between the two nearest points as far as it is certain: a point that was not looked at is at least
-/// 1.25 away, so no border of its is nearer than (1.25 - distance) / 2, and what is farther counts as that far.
+/// The border is that between the two nearest points as far as it is certain: a point that was not
+/// looked at is at least 1.25 away, so no border of its is nearer than (1.25 - distance) / 2, and
+/// what is farther counts as that far.
 fn nearest_cell(p: vec3f, seed: u32) -> Cell {
     let corner = floor(p);
     let d = p - corner;
@@ -156,14 +162,16 @@ fn nearest_cell(p: vec3f, seed: u32) -> Cell {
     var border = max(0.5 * (CELL_REACH - distance), 0.0);
     for (var i = 0; i < 27; i++) {
         let at = vec3i(i % 3 - 1, (i / 3) % 3 - 1, i / 9 - 1);
-        let apart = vec3f(at) + 0.25 + 0.5 * unit_of_hash(lattice_hash(cell + at, seed)) - d - nearest;
+        let apart = vec3f(at) + 0.25 + 0.5 * unit_of_hash(lattice_hash(cell + at, seed)) - d
+            - nearest;
         let between = length(apart);
         // Points are half a cell apart at least; what is nearer is the cell's own.
         if between > 0.25 {
             border = min(border, dot(nearest + 0.5 * apart, apart) / between);
         }
     }
-    // Another hash than the point's place, or the number would tell where in its cell the point lies.
+    // Another hash than the point's place, or the number would tell where in its cell the point
+    // lies.
     return Cell(max(border, 0.0), unit_of_hash(hash_pcg3d(hash)).x, distance);
 }
 
@@ -185,9 +193,9 @@ fn noise_octave(kind: u32, p: vec3f, seed: u32) -> f32 {
     }
 }
 
-/// 1 to 8 octaves, each twice as fine as the one before and `roughness` times as strong, weighed so that the sum stays
-/// in [0, 1]. An octave finer than the footprint `w` of p fades to its average, so that distance does not make it
-/// flicker.
+/// 1 to 8 octaves, each twice as fine as the one before and `roughness` times as strong, weighed so
+/// that the sum stays in [0, 1]. An octave finer than the footprint `w` of p fades to its average,
+/// so that distance does not make it flicker.
 fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w: f32) -> f32 {
     let mean = select(0.5, WORLEY_MEAN, kind == NOISE_WORLEY);
     let gain = clamp(bounded(roughness), 0.0, 1.0);
@@ -199,9 +207,10 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
         let visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         var octave = mean;
         if visible > 0.0 {
-            // Each octave from elsewhere, so that their lattices do not meet at the origin. Beyond 2^22 a float has no
-            // digits left for what lies between lattice points.
-            let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0), vec3f(4194304.0));
+            // Each octave from elsewhere, so that their lattices do not meet at the origin. Beyond
+            // 2^22 a float has no digits left for what lies between lattice points.
+            let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0),
+                vec3f(4194304.0));
             octave = mix(mean, noise_octave(kind, place, bitcast<u32>(seed) + u32(i)), visible);
         }
         sum += strength * octave;
@@ -215,12 +224,15 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
 /// How weak an octave must be beside those before it to be left out by [`fractal_noise_short`].
 const LEAST_OCTAVE: f32 = 0.075;
 
-/// [`fractal_noise`] without the octaves from the first one on that has less than 0.075 of the strength of all before
-/// it; they count as their average. With the usual roughness of 1/2 three octaves are left.
-fn fractal_noise_short(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w: f32) -> f32 {
+/// [`fractal_noise`] without the octaves from the first one on that has less than 0.075 of the
+/// strength of all before it; they count as their average. With the usual roughness of 1/2 three
+/// octaves are left.
+fn fractal_noise_short(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32,
+    w: f32) -> f32 {
     let mean = select(0.5, WORLEY_MEAN, kind == NOISE_WORLEY);
     let gain = clamp(bounded(roughness), 0.0, 1.0);
-    // How many octaves to run is known before the first, because not every GPU skips what a branch leaves out.
+    // How many octaves to run is known before the first, because not every GPU skips what a branch
+    // leaves out.
     var kept = 0;
     var kept_total = 0.0;
     var total = 0.0;
@@ -232,5 +244,6 @@ fn fractal_noise_short(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: 
         total += strength;
         strength *= gain;
     }
-    return clamp(mix(mean, fractal_noise(kind, p, kept, roughness, seed, w), kept_total / total), 0.0, 1.0);
+    return clamp(mix(mean, fractal_noise(kind, p, kept, roughness, seed, w), kept_total / total),
+        0.0, 1.0);
 }

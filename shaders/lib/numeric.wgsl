@@ -1,14 +1,16 @@
 // Arithmetic that gives a documented, finite result for every input.
 //
-// WGSL promises little of exp2, log2, sin, cos and division; where an angle or a profile must be exact, what stands
-// here is built from sums and products alone, which every implementation rounds correctly.
+// WGSL promises little of exp2, log2, sin, cos and division; where an angle or a profile must be
+// exact, what stands here is built from sums and products alone, which every implementation rounds
+// correctly.
 
 const PI: f32 = 3.14159265358979323846;
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
 
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN never happens.
+/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
 }
@@ -28,8 +30,9 @@ fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
 
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a NaN. Scaled by the
-/// largest component first, so that neither tiny nor huge vectors under- or overflow.
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if !(largest > 1e-30 && largest < 1e30) {
@@ -44,13 +47,15 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     return scaled * (1.0 / sqrt(square));
 }
 
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of two. 0 below -149,
-/// the largest finite number above 128.
+/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
+/// two. 0 below -149, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
     let clamped = clamp(x, -150.0, 127.999992);
     let whole = round(clamped);
     let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667 + f * (0.0416666666666666667 + f * (0.00833333333333333333 + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
+    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
+        + f * (0.0416666666666666667 + f * (0.00833333333333333333
+        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
     // Two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
@@ -61,7 +66,8 @@ fn power_of_two(n: i32) -> f32 {
     return bitcast<f32>(u32(n + 127) << 23u);
 }
 
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative error below 1e-7).
+/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
+/// error below 1e-7).
 fn log_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
@@ -70,7 +76,8 @@ fn log_stable(x: f32) -> f32 {
     let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
+        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
     return f32(exponent) * LN_2 + series;
 }
 
@@ -86,17 +93,24 @@ fn log1p_negative(y: f32) -> f32 {
 fn log1p_negative_small(y: f32) -> f32 {
     let z = y / (2.0 - y);
     let z2 = z * z;
-    return -2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+    return -2.0 * z * (1.0 + z2 * (0.333333333333333333
+        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
 }
 
-/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows 4.9e-4.
+/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
+/// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64 to see sines by 1e-11,
-    // and end where they err downward: a profile whose cut-off is pi is 0 there, in f64 too.
+    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
+    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
+    // there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
-    let s = h * (1.0 + h2 * (-0.166666666666666667 + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413 + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
-    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667 + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016 + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
+    let s = h * (1.0 + h2 * (-0.166666666666666667
+        + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413
+        + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
+    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667
+        + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016
+        + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
     let c = 1.0 - one_minus_c;
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
@@ -108,25 +122,28 @@ fn sin_cos_half(x: f32, left: f32) -> vec2f {
     return select(half.yx, half, x <= left);
 }
 
-/// pi - x for x up to pi, with the digits of pi that an f32 does not hold; 0 where x is the f32 next to pi.
+/// pi - x for x up to pi, with the digits of pi that an f32 does not hold; 0 where x is the f32
+/// next to pi.
 fn left_to_pi(x: f32) -> f32 {
-    // pi in two parts. The first is an f32, so that f64 reads the same one; the maximum keeps compilers
-    // from making one constant of both.
+    // pi in two parts. The first is an f32, so that f64 reads the same one; the maximum keeps
+    // compilers from making one constant of both.
     let coarse = max(3.1415927410125732421875 - x, 0.0);
     return max(coarse - 8.742278012618954e-8, 0.0);
 }
 
-/// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a quarter turn.
+/// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a
+/// quarter turn.
 fn sin_cos(x: f32) -> vec2f {
     let turns = round(x * 0.318309886183790672);
     // Cody and Waite: pi in three parts, so that the reduced angle keeps its digits.
-    let r = ((x - turns * 3.140625) - turns * 0.0009670257568359375) - turns * 6.27832957300962643e-7;
+    let r = ((x - turns * 3.140625) - turns * 0.0009670257568359375)
+        - turns * 6.27832957300962643e-7;
     let sign = 1.0 - 2.0 * abs(turns - 2.0 * trunc(turns * 0.5));
     return sign * sin_cos_quarter(clamp(r, -HALF_PI, HALF_PI));
 }
 
-/// [`normalize_or`] for a third of its price: a vector shorter than 1e-15 or longer than 1e18 counts as having no
-/// direction.
+/// [`normalize_or`] for a third of its price: a vector shorter than 1e-15 or longer than 1e18
+/// counts as having no direction.
 fn normalize_quick(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     // False for NaN; what is left out never reaches the result.
@@ -134,12 +151,14 @@ fn normalize_quick(v: vec3f, otherwise: vec3f) -> vec3f {
     return select(otherwise, v * inverseSqrt(select(1.0, square, is_usable)), is_usable);
 }
 
-/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9 beside rounding), exact
-/// at 0.
+/// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
+/// beside rounding), exact at 0.
 fn sin_cos_quick(x: f32) -> vec2f {
     let y = x * x;
-    let s = x * (1.0 + y * (-0.16666666 + y * (0.0083332425 + y * (-0.0001982274 + y * 2.6347564e-6))));
-    let c = 1.0 + y * (-0.5 + y * (0.04166666 + y * (-0.0013888652 + y * (2.4774579e-5 - y * 2.6297516e-7))));
+    let s = x * (1.0 + y * (-0.16666666 + y * (0.0083332425
+        + y * (-0.0001982274 + y * 2.6347564e-6))));
+    let c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (2.4774579e-5 - y * 2.6297516e-7))));
     return vec2f(s, c);
 }
 
@@ -151,8 +170,10 @@ fn sin_cos_short(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the hardware's; -100 at 1.
+/// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
+/// hardware's; -100 at 1.
 fn log2_one_minus(y: f32) -> f32 {
-    let series = -y * LOG2_E * (1.0 + y * (0.5 + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
+    let series = -y * LOG2_E * (1.0 + y * (0.5
+        + y * (0.333333333333333333 + y * (0.25 + y * 0.2))));
     return select(log2(max(1.0 - y, 7.8886091e-31)), series, y < 0.0625);
 }

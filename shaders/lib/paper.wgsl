@@ -4,15 +4,17 @@ import chiaro::total;
 import chiaro::noise;
 import chiaro::marks;
 
-/// How much ink the tooth of paper takes: it catches more on its heights and less in its hollows, most at middle tones, and
-/// nothing is caught of no ink (Kalnins et al. 2002). `height` is from 0 to 1, `tooth` from 0 (smooth paper) to 1.
+/// How much ink the tooth of paper takes: it catches more on its heights and less in its hollows,
+/// most at middle tones, and nothing is caught of no ink (Kalnins et al. 2002). `height` is from 0
+/// to 1, `tooth` from 0 (smooth paper) to 1.
 fn caught_ink(ink: f32, height: f32, tooth: f32) -> f32 {
     let amount = clamp(bounded(ink), 0.0, 1.0);
     let rough = clamp(bounded(tooth), 0.0, 1.0);
     return clamp(amount + 8.0 * rough * (height - 0.5) * amount * (1.0 - amount), 0.0, 1.0);
 }
 
-/// The height of paper, from 0 to 1 and 1/2 on average. Where an octave fades into the next, both are seen.
+/// The height of paper, from 0 to 1 and 1/2 on average. Where an octave fades into the next, both
+/// are seen.
 fn paper_height(at: Spaced, fiber: f32, seed: u32) -> f32 {
     let x = dpdx(at.place);
     let y = dpdy(at.place);
@@ -37,7 +39,8 @@ fn paper_octave(place: vec2f, zoom: i32, w: f32, fiber: f32, seed: u32) -> f32 {
     let own = seed + 7u * bitcast<u32>(zoom);
     let grain = perlin_noise(vec3f(p, 0.5), own) - 0.5;
     // Long in no direction, and finer: the felt that the sheet was pressed on.
-    let q = clamp(2.7 * vec2f(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y), vec2f(-4194304.0), vec2f(4194304.0));
+    let q = clamp(2.7 * vec2f(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y), vec2f(-4194304.0),
+        vec2f(4194304.0));
     let felt = perlin_noise(vec3f(q, 0.5), own + 1u) - 0.5;
     let coarse_seen = 1.0 - eased(w * scale, 0.5, 1.0);
     let felt_seen = 1.0 - eased(2.7 * w * scale, 0.5, 1.0);

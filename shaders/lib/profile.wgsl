@@ -1,11 +1,11 @@
-// The profile alpha(u) of BADF eq. 5 in the form of math.md 2.3: no inverse trigonometry, no cancellation, and an
-// exponent that may grow without bound.
+// The profile alpha(u) of BADF eq. 5 in the form of docs/math.md 2.3: no inverse trigonometry, no
+// cancellation, and an exponent that may grow without bound.
 import chiaro::types;
 import chiaro::numeric;
 import chiaro::angle;
 
-/// What a profile needs of its offset, fall-off and cut-off; made once, in f64 wherever they are known before the
-/// fragment.
+/// What a profile needs of its offset, fall-off and cut-off; made once, in f64 wherever they are
+/// known before the fragment.
 struct ProfileShape {
     /// cos(tau/2) and sin(tau/2).
     half_cos_offset: f32,
@@ -27,8 +27,9 @@ const PROFILE_SOFT: u32 = 0u;
 const PROFILE_STEP: u32 = 1u;
 const PROFILE_AMBIENT: u32 = 2u;
 
-/// Sanitises offset, fall-off and cut-off (D2) and makes the shape (BADF eq. 10, 11; math.md 2.1 to 2.3). An offset
-/// within 1e-5 of pi is ambient: pi has no exact f32, and people write 3.14159.
+/// Sanitises offset, fall-off and cut-off (D2) and makes the shape (BADF eq. 10, 11; docs/math.md
+/// 2.1 to 2.3). An offset within 1e-5 of pi is ambient: pi has no exact f32, and people write
+/// 3.14159.
 fn profile_shape(offset: f32, falloff: f32, cutoff: f32) -> ProfileShape {
     let tau = clamp(offset, 0.0, PI);
     let zero_at = clamp(cutoff, tau, PI);
@@ -54,7 +55,8 @@ fn profile_shape(offset: f32, falloff: f32, cutoff: f32) -> ProfileShape {
 }
 
 /// gamma(f, c) of BADF eq. 11 by half-angles: 1 exactly at f = c, also at the corner f = c = pi
-/// (D5). `f_left` and `c_left` are pi - f and pi - c, with digits of their own where they are small.
+/// (D5). `f_left` and `c_left` are pi - f and pi - c, with digits of their own where they are
+/// small.
 fn profile_exponent(f: f32, c: f32, f_left: f32, c_left: f32) -> f32 {
     let half_c = sin_cos_half(c, c_left);
     let half_f = sin_cos_half(f, f_left);
@@ -70,7 +72,8 @@ fn profile_exponent(f: f32, c: f32, f_left: f32, c_left: f32) -> f32 {
     return (sum * sum + difference * difference) / (sin_f * sin_f);
 }
 
-/// Mean and standard deviation of -eta' over [0, c], by the trapezoid rule on eta: how wide the soft edge looks.
+/// Mean and standard deviation of -eta' over [0, c], by the trapezoid rule on eta: how wide the
+/// soft edge looks.
 fn profile_edge(shape: ProfileShape, c: f32) -> ProfileShape {
     let steps = 64;
     let h = c / f32(steps);
@@ -84,7 +87,8 @@ fn profile_edge(shape: ProfileShape, c: f32) -> ProfileShape {
         moment += x * eta;
     }
     var result = shape;
-    // By parts: the mean of -eta' is the area under eta, the mean square twice the area under x eta.
+    // By parts: the mean of -eta' is the area under eta, the mean square twice the area under x
+    // eta.
     result.edge_mean = area * h;
     result.edge_deviation = sqrt(max(2.0 * moment * h - area * area * h * h, 0.0));
     return result;
@@ -118,15 +122,16 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
     return clamp(exp2_stable(exponent * LOG2_E * log_base), 0.0, 1.0);
 }
 
-/// alpha averaged over a footprint of `w` radians (math.md 2.4): the hard step where w is 0, a ramp of the gradient's
-/// width where the edge is narrower than a pixel, three-point Gauss quadrature where it is narrow, the point value
-/// where it is wide.
+/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
+/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
+/// quadrature where it is narrow, the point value where it is wide.
 fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let point = profile_point(u, shape);
     if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
         return point;
     }
-    // No footprint is above 0.5, so that this is not even compiled for an edge that is known to be softer.
+    // No footprint is above 0.5, so that this is not even compiled for an edge that is known to be
+    // softer.
     if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
         let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
         return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
@@ -140,8 +145,8 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
-/// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the exponent would amplify
-/// their errors.
+/// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the
+/// exponent would amplify their errors.
 fn profile_power_quick(q: f32, exponent: f32) -> f32 {
     let y = min(q * q, 1.0);
     let power = exp2(max(exponent * log2_one_minus(y), -126.0));
@@ -161,8 +166,8 @@ fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     return select(profile_power_quick(s * shape.scale, shape.exponent), 1.0, s <= 0.0);
 }
 
-/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive step where the
-/// footprint is 0.
+/// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
+/// step where the footprint is 0.
 fn profile_ramp_quick(s: f32, w: f32, shape: ProfileShape) -> f32 {
     let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
     // 2 asin(s) by its series: the ramp is narrow.
@@ -171,8 +176,8 @@ fn profile_ramp_quick(s: f32, w: f32, shape: ProfileShape) -> f32 {
     return select(ramp, select(0.0, 1.0, s <= 4e-7), w <= 0.0);
 }
 
-/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer points are found by
-/// turning the middle one.
+/// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
+/// points are found by turning the middle one.
 fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     if shape.kind == PROFILE_AMBIENT {
         return 1.0;
@@ -193,8 +198,8 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
-/// alpha at u, with a ramp in place of edges that are narrower than a pixel, and no other filter. Call it in uniform
-/// control flow.
+/// alpha at u, with a ramp in place of edges that are narrower than a pixel, and no other filter.
+/// Call it in uniform control flow.
 fn profile_ramped(u: Angle, shape: ProfileShape) -> f32 {
     let s = profile_place(u, shape).x;
     let w = min(finite_or(2.0 * (abs(dpdx(s)) + abs(dpdy(s))), 0.5), 0.5);

@@ -1,19 +1,20 @@
-// Where things are seen in the picture, and what is laid over the picture itself: half-tones and dither. A picture's
-// height is the unit, so that a picture of any resolution has the same dots.
+// Where things are seen in the picture, and what is laid over the picture itself: half-tones and
+// dither. A picture's height is the unit, so that a picture of any resolution has the same dots.
 import chiaro::numeric;
 import chiaro::total;
 import chiaro::antialias;
 import chiaro::noise;
 
-/// How large a unit of the scene is seen at a depth, in picture heights. `perspective` is 1 or 0; `scale` is what clip
-/// space multiplies heights by: at depth 1, or at every depth without perspective.
+/// How large a unit of the scene is seen at a depth, in picture heights. `perspective` is 1 or 0;
+/// `scale` is what clip space multiplies heights by: at depth 1, or at every depth without
+/// perspective.
 fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
     // Clip space is 2 high.
     return bounded(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective));
 }
 
-/// Where a point in camera axes is seen from the picture's middle, x to the right and y down, and how large a unit of the
-/// scene is seen there; in picture heights.
+/// Where a point in camera axes is seen from the picture's middle, x to the right and y down, and
+/// how large a unit of the scene is seen there; in picture heights.
 fn anchor_on_screen(origin: vec3f, perspective: f32, scale: f32) -> vec3f {
     let size = size_on_screen(-origin.z, perspective, scale);
     return bounded_vec3(vec3f(origin.x * size, -origin.y * size, size));
@@ -35,12 +36,13 @@ fn turned_by(p: vec2f, angle: f32) -> vec2f {
 fn screen_cells(place: vec2f, viewport: vec2f, lines: f32, angle: f32) -> vec2f {
     // Beyond 2^22 a float has no halves.
     let most = vec2f(4194304.0);
-    let upright = bounded_vec2(bounded_vec2(place) * (max(bounded(lines), 0.0) / max(viewport.y, 1.0)));
+    let upright = bounded_vec2(bounded_vec2(place)
+        * (max(bounded(lines), 0.0) / max(viewport.y, 1.0)));
     return clamp(turned_by(clamp(upright, -most, most), angle), -most, most);
 }
 
-/// 1 within half a `share` of every whole number, 0 elsewhere, averaged over a footprint of `w`: lines that cover `share` of
-/// all, from 0 to 1. Without a footprint their edges are inclusive.
+/// 1 within half a `share` of every whole number, 0 elsewhere, averaged over a footprint of `w`:
+/// lines that cover `share` of all, from 0 to 1. Without a footprint their edges are inclusive.
 fn lines_filtered(x: f32, share: f32, w: f32) -> f32 {
     let t = x - round(x);
     if w < 1e-30 {
@@ -48,7 +50,8 @@ fn lines_filtered(x: f32, share: f32, w: f32) -> f32 {
     }
     // Beyond a thousand lines to the pixel the average does not change any more.
     let half = 0.5 * min(w, 1e3);
-    return clamp((lines_integral(t + half, share) - lines_integral(t - half, share)) / (2.0 * half), 0.0, 1.0);
+    return clamp((lines_integral(t + half, share) - lines_integral(t - half, share)) / (2.0 * half),
+        0.0, 1.0);
 }
 
 /// The integral of lines from 0 to x.
@@ -57,16 +60,17 @@ fn lines_integral(x: f32, share: f32) -> f32 {
     return whole * share + clamp(x - whole, -0.5 * share, 0.5 * share);
 }
 
-/// The radius of disks around whole places that together cover `share` of the plane: beyond pi/4 they overlap, and at 1
-/// they reach the middle between four.
+/// The radius of disks around whole places that together cover `share` of the plane: beyond pi/4
+/// they overlap, and at 1 they reach the middle between four.
 fn dot_radius(share: f32) -> f32 {
     let t = clamp(share, 0.0, 1.0);
     let quarter = 0.785398163397448310;
     if t <= quarter {
         return sqrt(t * 0.318309886183790672);
     }
-    // A disk of radius 1/(2 cos a) leaves its cell between the angles -a and a of each side, and covers
-    // (pi - 4 a) / (4 cos^2 a) + tan a of it. Both ends of a are known by series; two steps of Newton join them.
+    // A disk of radius 1/(2 cos a) leaves its cell between the angles -a and a of each side, and
+    // covers (pi - 4 a) / (4 cos^2 a) + tan a of it. Both ends of a are known by series; two steps
+    // of Newton join them.
     let s = min((t - quarter) / (1.0 - quarter), 1.0);
     var a = mix(0.52272320087706337 * sqrt(s), quarter - 0.32756818878101679 * sqrt(1.0 - s), s);
     for (var i = 0; i < 2; i++) {
@@ -75,18 +79,20 @@ fn dot_radius(share: f32) -> f32 {
         let square = 1.0 / (turn.y * turn.y);
         let sector = 0.25 * PI - a;
         let slope = 2.0 * sector * square * tangent;
-        a = clamp(a - select(0.0, (sector * square + tangent - t) / slope, slope > 1e-3), 0.0, quarter);
+        a = clamp(a - select(0.0, (sector * square + tangent - t) / slope, slope > 1e-3), 0.0,
+            quarter);
     }
     return 0.5 / sin_cos_quarter(a).y;
 }
 
-/// How much of a footprint of `w` a disk of radius r covers whose middle is d away. Its average is the disk's own area,
-/// however small the disk; without a footprint its edge is inclusive.
+/// How much of a footprint of `w` a disk of radius r covers whose middle is d away. Its average is
+/// the disk's own area, however small the disk; without a footprint its edge is inclusive.
 fn disk_filtered(d: f32, r: f32, w: f32) -> f32 {
     if w < 1e-30 {
         return select(0.0, 1.0, d <= r && r > 0.0);
     }
-    // A ramp as wide as a pixel adds pi w^2/12 to a disk's area. A disk too small to take that back is a fainter one.
+    // A ramp as wide as a pixel adds pi w^2/12 to a disk's area. A disk too small to take that back
+    // is a fainter one.
     let square = r * r;
     let least = w * w / 3.0;
     let inner = sqrt(max(square, least) - 0.25 * least);
@@ -97,7 +103,8 @@ fn disk_filtered(d: f32, r: f32, w: f32) -> f32 {
 fn ink_of_dots(cell: vec2f, share: f32, w: f32) -> f32 {
     let width = min(w, 1.0);
     var ink = disk_filtered(length(cell - round(cell)), dot_radius(share), width);
-    // What dark dots leave free is a star; where it is not much larger than a pixel, a disk as large stands for it.
+    // What dark dots leave free is a star; where it is not much larger than a pixel, a disk as
+    // large stands for it.
     let hole = sqrt(max(1.0 - share, 0.0) * 0.318309886183790672);
     let is_star = eased(width, 0.3 * hole, 0.9 * hole) * eased(share, 0.5, 0.7);
     if is_star > 0.0 {
@@ -112,7 +119,8 @@ fn ink_of_dots(cell: vec2f, share: f32, w: f32) -> f32 {
 fn ink_of_crosses(cell: vec2f, share: f32, w: vec2f) -> f32 {
     // Two families leave (1 - a)^2 of the plane free.
     let each = share / (1.0 + sqrt(max(1.0 - share, 0.0)));
-    let free = (1.0 - lines_filtered(cell.x, each, w.x)) * (1.0 - lines_filtered(cell.y, each, w.y));
+    let free = (1.0 - lines_filtered(cell.x, each, w.x))
+        * (1.0 - lines_filtered(cell.y, each, w.y));
     return 1.0 - free;
 }
 
@@ -138,8 +146,8 @@ fn random_threshold(cell: vec2i) -> f32 {
     return unit_of_hash(lattice_hash(vec3i(cell, 0), 77u)).x;
 }
 
-/// A tone as one of `levels` flat ones from 0 to 1. Within `spread` of the way from one to the next the threshold decides
-/// which; where it is spread over all of the way, the average is the tone.
+/// A tone as one of `levels` flat ones from 0 to 1. Within `spread` of the way from one to the next
+/// the threshold decides which; where it is spread over all of the way, the average is the tone.
 fn dithered(tone: f32, levels: i32, spread: f32, threshold: f32) -> f32 {
     let steps = f32(clamp(levels, 2, 256) - 1);
     let x = clamp(bounded(tone), 0.0, 1.0) * steps;

@@ -1,12 +1,13 @@
-// Shape that is shown by bending light: exaggerated shading (Rusinkiewicz et al. 2006), light warping and radiance
-// scaling (Vergne et al. 2009, 2010), and contours.
+// Shape that is shown by bending light: exaggerated shading (Rusinkiewicz et al. 2006), light
+// warping and radiance scaling (Vergne et al. 2009, 2010), and contours.
 import chiaro::types;
 import chiaro::numeric;
 import chiaro::total;
 import chiaro::curvature;
 
-/// What a finer normal tells beyond the coarser one: -1 where it turns from the light, 1 where it turns toward it. The
-/// light lies at the coarser one's horizon, so that detail is lit as well as can be, however the light falls there.
+/// What a finer normal tells beyond the coarser one: -1 where it turns from the light, 1 where it
+/// turns toward it. The light lies at the coarser one's horizon, so that detail is lit as well as
+/// can be, however the light falls there.
 fn detail_lit(finer: vec3f, coarser: vec3f, light: vec3f, contrast: f32) -> f32 {
     let across = light - dot(light, coarser) * coarser;
     // Straight under the light there is no direction along the surface; there it fades.
@@ -27,9 +28,10 @@ fn warped_place(tensor: vec3f, place: vec2f, amount: f32, slope: f32) -> vec2f {
     return 0.5 * (most + least) * place + 0.5 * (most - least) * turned;
 }
 
-/// The light's direction as light warping has it: seen from a point opposite the normal, its place on the plane beyond is
-/// drawn nearer along convex directions and away along concave ones.
-fn warped_light(light: vec3f, n: vec3f, view: vec3f, camera_from_world: mat3x3f, tensor: vec3f, amount: f32, slope: f32) -> vec3f {
+/// The light's direction as light warping has it: seen from a point opposite the normal, its place
+/// on the plane beyond is drawn nearer along convex directions and away along concave ones.
+fn warped_light(light: vec3f, n: vec3f, view: vec3f, camera_from_world: mat3x3f, tensor: vec3f,
+    amount: f32, slope: f32) -> vec3f {
     // The picture's axes, at right angles to the line of sight, and then tilted as the surface is.
     let right = vec3f(1.0, 0.0, 0.0) * camera_from_world;
     let x = normalize_or(right - dot(right, view) * view, vec3f(1.0, 0.0, 0.0));
@@ -43,7 +45,8 @@ fn warped_light(light: vec3f, n: vec3f, view: vec3f, camera_from_world: mat3x3f,
     return normalize_or(2.0 * q.x * along_x + 2.0 * q.y * along_y + (1.0 - square) * n, light);
 }
 
-/// A tone from 0 to 1 scaled by e^curved where it is dark and by e^-curved where it is light; at `turning` it stays.
+/// A tone from 0 to 1 scaled by e^curved where it is dark and by e^-curved where it is light; at
+/// `turning` it stays.
 fn radiance_scaled(tone: f32, curved: f32, turning: f32) -> f32 {
     let e = exponential_of(curved);
     let dark = turning * (1.0 - tone);
@@ -56,7 +59,8 @@ fn line_covers(distance: f32, width: f32) -> f32 {
     return clamp(width + 0.5 - distance, 0.0, min(width, 1.0));
 }
 
-/// 0 at the outline, where curvature on the screen has no bound and no digits, 1 where the surface is seen well.
+/// 0 at the outline, where curvature on the screen has no bound and no digits, 1 where the surface
+/// is seen well.
 fn seen_well(facing: f32) -> f32 {
     return eased(facing, 0.05, 0.3);
 }

@@ -1,14 +1,15 @@
-// A hierarchy of ever smoother normals, as exaggerated shading wants it (Rusinkiewicz et al. 2006), by wavelets with
-// holes: each level blurs the one before it by 1 2 1 in both directions, with steps twice as far apart. So level k has
-// seen a Gaussian that is sqrt((4^k - 1) / 1.5) steps of 1/800 of the picture's height wide, for nine reads a level
-// however wide it is.
+// A hierarchy of ever smoother normals, as exaggerated shading wants it (Rusinkiewicz et al. 2006),
+// by wavelets with holes: each level blurs the one before it by 1 2 1 in both directions, with
+// steps twice as far apart. So level k has seen a Gaussian that is sqrt((4^k - 1) / 1.5) steps of
+// 1/800 of the picture's height wide, for nine reads a level however wide it is.
 import chiaro::curvature_map;
 
-/// The normal at a pixel, smoothed from neighbours `step` steps of 1/800 of the picture's height away, in xyz; the
-/// object in w.
+/// The normal at a pixel, smoothed from neighbours `step` steps of 1/800 of the picture's height
+/// away, in xyz; the object in w.
 ///
-/// Two opposite neighbours count for as much as the lesser of them does. So what one side lacks, at an outline or where
-/// something else lies in front, does not bend the normal toward the other side.
+/// Two opposite neighbours count for as much as the lesser of them does. So what one side lacks, at
+/// an outline or where something else lies in front, does not bend the normal toward the other
+/// side.
 fn smoothed_at(pixel: vec2i, step: i32) -> vec4f {
     var at = pixel;
     var center = texel(at);
@@ -34,8 +35,8 @@ fn smoothed_at(pixel: vec2i, step: i32) -> vec4f {
     return vec4f(select(center.normal, sum / max(size, 1e-6), size > 1e-6), object);
 }
 
-/// The normals at both sides of a pixel, with their weight; the pixel's own where one does not count. `offset` in
-/// pixels, y up.
+/// The normals at both sides of a pixel, with their weight; the pixel's own where one does not
+/// count. `offset` in pixels, y up.
 fn pair_of(center: Texel, at: vec2i, offset: vec2i, weight: f32) -> vec3f {
     let up = select(-1, 1, curvature.rows_up > 0.5);
     let by = vec2i(offset.x, up * offset.y);

@@ -2,9 +2,9 @@
 import chiaro::numeric;
 import chiaro::total;
 
-/// Unit tangent, bitangent and normal as columns: a mesh's tangent and bitangent stood upright on a normal (Gram and
-/// Schmidt), with the handedness of the mesh. Where the tangent is missing or lies along the normal, another one takes
-/// its place.
+/// Unit tangent, bitangent and normal as columns: a mesh's tangent and bitangent stood upright on a
+/// normal (Gram and Schmidt), with the handedness of the mesh. Where the tangent is missing or lies
+/// along the normal, another one takes its place.
 fn world_from_tangent(tangent: vec3f, bitangent: vec3f, normal: vec3f) -> mat3x3f {
     let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
     let t = normalize_or(tangent, vec3f(0.0));
@@ -12,7 +12,8 @@ fn world_from_tangent(tangent: vec3f, bitangent: vec3f, normal: vec3f) -> mat3x3
     // Leaning by less than this the tangent has no direction beside the normal but rounding's.
     let is_usable = dot(leaning, leaning) > 1e-8;
     let rough = normalize_or(select(any_orthogonal(n), leaning, is_usable), vec3f(1.0, 0.0, 0.0));
-    // Once more: where tangent and normal are close, what is left of the one still leans along the other.
+    // Once more: where tangent and normal are close, what is left of the one still leans along the
+    // other.
     let upright = normalize_or(rough - dot(rough, n) * n, vec3f(1.0, 0.0, 0.0));
     let b = cross(n, upright);
     return mat3x3f(upright, select(b, -b, dot(b, bitangent) < 0.0), n);
@@ -25,9 +26,10 @@ fn any_orthogonal(n: vec3f) -> vec3f {
     return vec3f(1.0 + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x);
 }
 
-/// A normal map's vector (x along u, y along v, z outward) as a world-space normal. A z that is not positive, which no
-/// proper map has, counts as nearly flat on the surface.
-fn mapped_normal(vector: vec3f, strength: f32, normal: vec3f, tangent: vec3f, bitangent: vec3f) -> vec3f {
+/// A normal map's vector (x along u, y along v, z outward) as a world-space normal. A z that is not
+/// positive, which no proper map has, counts as nearly flat on the surface.
+fn mapped_normal(vector: vec3f, strength: f32, normal: vec3f, tangent: vec3f,
+    bitangent: vec3f) -> vec3f {
     if strength == 0.0 {
         return bounded_vec3(normal);
     }
@@ -38,9 +40,10 @@ fn mapped_normal(vector: vec3f, strength: f32, normal: vec3f, tangent: vec3f, bi
     return normalize_or(frame * local, frame[2]);
 }
 
-/// The normal of a surface that is raised by a height (Mikkelsen 2010): `along_x` and `along_y` hold how position (xyz)
-/// and height (w) change from pixel to pixel. Where position does not change, or the surface is seen edge-on, the
-/// normal stays as it is. Slopes end at 10, which is 84 degrees, so that silhouettes do not sparkle.
+/// The normal of a surface that is raised by a height (Mikkelsen 2010): `along_x` and `along_y`
+/// hold how position (xyz) and height (w) change from pixel to pixel. Where position does not
+/// change, or the surface is seen edge-on, the normal stays as it is. Slopes end at 10, which is 84
+/// degrees, so that silhouettes do not sparkle.
 fn bumped_normal(along_x: vec4f, along_y: vec4f, normal: vec3f) -> vec3f {
     let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
     let x = bounded_vec4(along_x);
@@ -65,9 +68,9 @@ fn bumped_normal(along_x: vec4f, along_y: vec4f, normal: vec3f) -> vec3f {
     return normalize_or(n - limited, n);
 }
 
-/// Where a LitSphere picture, whose painted ball has this radius in texture coordinates, shows the normal `n` as seen
-/// along `v` (both unit, in camera axes; v toward the eye). Normals that point away fall on the rim. The
-/// result's second number goes down.
+/// Where a LitSphere picture, whose painted ball has this radius in texture coordinates, shows the
+/// normal `n` as seen along `v` (both unit, in camera axes; v toward the eye). Normals that point
+/// away fall on the rim. The result's second number goes down.
 fn litsphere_place(n: vec3f, v: vec3f, radius: f32) -> vec2f {
     let right = normalize_or(vec3f(v.z, 0.0, -v.x), vec3f(1.0, 0.0, 0.0));
     let up = cross(v, right);

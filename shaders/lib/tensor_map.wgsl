@@ -1,5 +1,6 @@
-// The whole of what the curvature pass finds the trace of: how the slope n.xy / n.z changes along both axes of the
-// picture, which is the view-centred curvature tensor (Vergne et al. 2008). Neighbours count as they do there.
+// The whole of what the curvature pass finds the trace of: how the slope n.xy / n.z changes along
+// both axes of the picture, which is the view-centred curvature tensor (Vergne et al. 2008).
+// Neighbours count as they do there.
 import chiaro::curvature_map;
 
 /// The difference of slopes to a neighbour for each step, weighted, and the weight.
@@ -45,12 +46,15 @@ fn tensor_at(pixel: vec2i) -> vec3f {
         let weight = WEIGHTS[k - 1] * distance * distance;
         right += slope_change(center, here, at + vec2i(reach, 0), vec2f(distance, 0.0), weight);
         left += slope_change(center, here, at - vec2i(reach, 0), vec2f(-distance, 0.0), weight);
-        above += slope_change(center, here, at + vec2i(0, up * reach), vec2f(0.0, distance), weight);
-        below += slope_change(center, here, at - vec2i(0, up * reach), vec2f(0.0, -distance), weight);
+        above += slope_change(center, here, at + vec2i(0, up * reach), vec2f(0.0, distance),
+            weight);
+        below += slope_change(center, here, at - vec2i(0, up * reach), vec2f(0.0, -distance),
+            weight);
     }
     let along_x = slope_derivative(right, left);
     let along_y = slope_derivative(above, below);
     // A surface's own is symmetric; interpolated normals are not quite.
-    let tensor = vec3f(along_x.x, 0.5 * (along_x.y + along_y.x), along_y.y) * curvature.viewport_height;
+    let tensor = vec3f(along_x.x, 0.5 * (along_x.y + along_y.x), along_y.y)
+        * curvature.viewport_height;
     return clamp(tensor, vec3f(-MOST), vec3f(MOST));
 }

@@ -1,11 +1,13 @@
-// The arithmetic of the maths nodes: a finite result for every input. What would be NaN is 0, what would be infinite
-// or too large is the largest number of its sign, and a number below the smallest normal one divides as 0.
+// The arithmetic of the maths nodes: a finite result for every input. What would be NaN is 0, what
+// would be infinite or too large is the largest number of its sign, and a number below the smallest
+// normal one divides as 0.
 import chiaro::numeric;
 import chiaro::angle;
 
 const SMALLEST_NORMAL: f32 = 1.17549435e-38;
 
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it is infinite.
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 fn bounded(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     let magnitude = bits & 0x7fffffffu;
@@ -43,15 +45,17 @@ fn modulo_floored(x: f32, y: f32) -> f32 {
         return 0.0;
     }
     let turned = select(-x, x, y > 0.0);
-    // Rounding may put what is left just outside of its range, and far outside where x / y has no digits left.
+    // Rounding may put what is left just outside of its range, and far outside where x / y has no
+    // digits left.
     let left = bounded(turned - size * floor(bounded(turned / size)));
     let wrapped = select(left, left + size, left < 0.0);
     let inside = select(0.0, wrapped, wrapped >= 0.0 && wrapped < size);
     return select(-inside, inside, y > 0.0);
 }
 
-/// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and keeps its sign with
-/// any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division by 0 is; 0^0 is 1.
+/// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and
+/// keeps its sign with any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division
+/// by 0 is; 0^0 is 1.
 fn powered(base: f32, exponent: f32) -> f32 {
     let b = bounded(base);
     let e = bounded(exponent);
@@ -84,7 +88,8 @@ fn exponential_of(x: f32) -> f32 {
     return exp2_stable(bounded(x * LOG2_E));
 }
 
-/// ln(x); 0 and everything below count as 1.2e-38, the smallest normal number, whose logarithm is -87.34.
+/// ln(x); 0 and everything below count as 1.2e-38, the smallest normal number, whose logarithm is
+/// -87.34.
 fn logarithm_of(x: f32) -> f32 {
     return log_stable(max(bounded(x), SMALLEST_NORMAL));
 }
@@ -110,7 +115,8 @@ fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
     return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0 below, 1 from there on.
+/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
+/// below, 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -119,13 +125,16 @@ fn place_between(x: f32, low: f32, high: f32) -> f32 {
     return bounded((x - low) / bounded(span));
 }
 
-/// x moved from one range to another, kept within the new one when `clamped`; an empty first range makes a step.
-fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32, clamped: bool) -> f32 {
+/// x moved from one range to another, kept within the new one when `clamped`; an empty first range
+/// makes a step.
+fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
+    clamped: bool) -> f32 {
     let place = place_between(bounded(x), bounded(from_low), bounded(from_high));
     return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step where they are equal.
+/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
+/// where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -146,7 +155,8 @@ fn length_of(v: vec3f) -> f32 {
     return bounded(largest * length(w / largest));
 }
 
-/// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the result lies in [-1, 1].
+/// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the
+/// result lies in [-1, 1].
 fn sin_cos_of(x: f32) -> vec2f {
     return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
 }

@@ -1,5 +1,5 @@
-// The types that wires carry beside numbers and vectors. Their names are read from signatures: an alias says what
-// the numbers mean, and the compiler converts where the meaning differs.
+// The types that wires carry beside numbers and vectors. Their names are read from signatures: an
+// alias says what the numbers mean, and the compiler converts where the meaning differs.
 
 /// Straight RGBA.
 alias Color = vec4f;
@@ -7,7 +7,8 @@ alias Color = vec4f;
 /// Premultiplied RGBA: the stack of layers below, as blends pass it on.
 alias Composite = vec4f;
 
-/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and near pi.
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
     /// sin(u/2), 0 or more.
     half_sin: f32,
@@ -27,17 +28,20 @@ struct Light {
     intensity: f32,
 }
 
-/// A free function of one number, drawn through points; flat outside of them. It lies in uniform buffers as it is.
+/// A free function of one number, drawn through points; flat outside of them. It lies in uniform
+/// buffers as it is.
 struct Curve {
     /// x, y and slope (dy/dx, used by the smooth interpolation) of each point, in increasing x.
     points: array<vec4f, 16>,
     /// How many of the points count.
     count: u32,
-    /// 0 straight, 1 smooth (cubic, with the slopes), 2 stepped: each point's y holds until the next point.
+    /// 0 straight, 1 smooth (cubic, with the slopes), 2 stepped: each point's y holds until the
+    /// next point.
     interpolation: u32,
 }
 
-/// A colour along one number, the same outside of its stops as at the nearest one. It lies in uniform buffers as it is.
+/// A color along one number, the same outside of its stops as at the nearest one. It lies in
+/// uniform buffers as it is.
 struct Ramp {
     /// Straight RGBA of each stop.
     colors: array<vec4f, 16>,
@@ -45,6 +49,7 @@ struct Ramp {
     places: array<vec4f, 4>,
     /// How many of the stops count.
     count: u32,
-    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each colour holds until the next stop.
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     interpolation: u32,
 }

@@ -1,4 +1,5 @@
-// Curvature in every detail: from the neighbours one, two and three steps away, by a derivative of a Gaussian.
+// Curvature in every detail: from the neighbours one, two and three steps away, by a derivative of
+// a Gaussian.
 import chiaro::curvature_map;
 
 @vertex

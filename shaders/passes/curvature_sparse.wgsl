@@ -1,5 +1,5 @@
-// Curvature at half the price: from the four neighbours two steps away alone, which is the middle of what the exact pass
-// takes in. One step away would be no cheaper, noisier and farther from it.
+// Curvature at half the price: from the four neighbours two steps away alone, which is the middle
+// of what the exact pass takes in. One step away would be no cheaper, noisier and farther from it.
 import chiaro::curvature_map;
 
 @vertex

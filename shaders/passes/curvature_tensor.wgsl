@@ -1,4 +1,5 @@
-// Curvature by direction: its own number along, across and between the axes of the picture, from twelve neighbours.
+// Curvature by direction: its own number along, across and between the axes of the picture, from
+// twelve neighbours.
 import chiaro::tensor_map;
 
 @vertex

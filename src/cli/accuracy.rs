@@ -1,4 +1,5 @@
-//! `chiaro accuracy`: how far every node and every example look is from the truth, and where it is farthest.
+//! `chiaro accuracy`: how far every node and every example look is from the truth, and where it is
+//! farthest.
 
 use std::path::PathBuf;
 
@@ -7,7 +8,9 @@ use super::target::{OutputPath, outputs};
 use crate::diag::Diagnostic;
 use crate::library::Library;
 use chiaro_laboratory::accuracy::Progress;
-use chiaro_laboratory::accuracy::sweep::{AccuracyReport, Effort, LookEffort, StabilityEffort, Survey, search, survey};
+use chiaro_laboratory::accuracy::sweep::{
+    AccuracyReport, Effort, LookEffort, StabilityEffort, Survey, search, survey,
+};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -15,7 +18,8 @@ Examples:
   chiaro accuracy --nodes profile parametrization
   chiaro accuracy --quick --json > accuracy.json
 
-The truth is the exact tier in f64, fed with what the GPU holds. Exit code 1 where a bound is broken.";
+The truth is the exact tier in f64, fed with what the GPU holds. Exit code 1 where a bound is \
+broken.";
 
 /// What `chiaro accuracy` is given.
 #[derive(Debug, clap::Args)]
@@ -33,8 +37,9 @@ pub(super) struct Arguments {
     /// Fewer samples, views and frames, and no search for worse inputs
     #[arg(short, long)]
     quick: bool,
-    /// Each look at 4096 pixels too, where the rows in the middle are compared: twenty seconds a look; with software Vulkan,
-    /// which keeps memory of each shader, sixty looks take many gigabytes
+    /// Each look at 4096 pixels too, where the rows in the middle are compared: twenty seconds a
+    /// look; with software Vulkan, which keeps memory of each shader, sixty looks take many
+    /// gigabytes
     #[arg(long)]
     large: bool,
     /// A folder to write the worst inputs into, which a test then holds
@@ -79,7 +84,12 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     if let Some(path) = &arguments.output {
         let path = path.as_ref();
         report.write(path, &command, &mut outputs)?;
-        output.message(&format!("{}: {} cases, {} looks", path.display(), report.nodes.len(), report.looks.len()));
+        output.message(&format!(
+            "{}: {} cases, {} looks",
+            path.display(),
+            report.nodes.len(),
+            report.looks.len()
+        ));
     }
     if let Some(folder) = &arguments.worst {
         let folder = folder.as_ref();

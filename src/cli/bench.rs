@@ -10,7 +10,9 @@ use crate::diag::Diagnostic;
 use crate::document::{OutputKind, Outputs};
 use crate::frame::{Assets, PlanOptions, open};
 use chiaro_laboratory::accuracy::error::VISIBLE;
-use chiaro_laboratory::accuracy::{BenchOptions, Measure, MeasuredNodes, Progress, Report, Subject, bench, plot};
+use chiaro_laboratory::accuracy::{
+    BenchOptions, Measure, MeasuredNodes, Progress, Report, Subject, bench, plot,
+};
 use chiaro_render::{Gpu, Renderer, block_on};
 
 const EXAMPLES: &str = "\
@@ -20,8 +22,10 @@ Examples:
   chiaro bench look.json --no-truth --every-node
   chiaro bench look.json --plot look.svg --json > look-bench.json
 
-Times are GPU timestamps where the adapter has them, of variants that are drawn in turns: medians with 95% confidence
-intervals. A node's time is what it adds to the look. Errors are against the reference's picture in f64.";
+Times are GPU timestamps where the adapter has them, of variants that are drawn in turns: medians \
+with 95% confidence
+intervals. A node's time is what it adds to the look. Errors are against the reference's picture \
+in f64.";
 
 /// What `chiaro bench` is given.
 #[derive(Debug, clap::Args)]
@@ -50,7 +54,8 @@ pub(super) struct Arguments {
     /// Do not compare with the reference, which takes seconds
     #[arg(long)]
     no_truth: bool,
-    /// Which error the verdict and the plot are about: max (of any pixel), p99.9 (one pixel in a thousand exceeds it) or rms
+    /// Which error the verdict and the plot are about: max (of any pixel), p99.9 (one pixel in a
+    /// thousand exceeds it) or rms
     #[arg(long, default_value = "p99.9")]
     measure: Measure,
     /// An SVG to write: error against time, with the front that nothing beats
@@ -69,8 +74,11 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     check_nodes_folder(arguments.nodes.as_deref())?;
-    let read =
-        [Some(arguments.document.as_path()), arguments.mesh.as_deref().map(Path::new), arguments.nodes.as_deref()];
+    let read = [
+        Some(arguments.document.as_path()),
+        arguments.mesh.as_deref().map(Path::new),
+        arguments.nodes.as_deref(),
+    ];
     let mut outputs = outputs(arguments.force, read.into_iter().flatten());
     if let Some(path) = &arguments.plot {
         outputs.check(path.as_ref(), OutputKind::DRAWING).map_err(|problem| vec![problem])?;
@@ -84,7 +92,11 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let gpu = block_on(Gpu::headless()).map_err(|error| vec![error.into()])?;
     let mut renderer = Renderer::new(gpu);
     let options = BenchOptions {
-        plan: PlanOptions { size: arguments.size.0, samples: arguments.samples, time: arguments.time },
+        plan: PlanOptions {
+            size: arguments.size.0,
+            samples: arguments.samples,
+            time: arguments.time,
+        },
         rounds: arguments.rounds as usize,
         nodes: if arguments.every_node { MeasuredNodes::Every } else { MeasuredNodes::Tiered },
         truth: !arguments.no_truth,
@@ -98,7 +110,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let report = report?;
     if let Some(path) = &arguments.plot {
         let title = setup.looks.first().map_or("", |look| look.look.name.as_str());
-        write_plot(path.as_ref(), &report, title, arguments.measure, &mut outputs).map_err(|problem| vec![problem])?;
+        write_plot(path.as_ref(), &report, title, arguments.measure, &mut outputs)
+            .map_err(|problem| vec![problem])?;
         output.message(&format!("{}: error against time", path.as_ref().display()));
     }
     if arguments.json {

@@ -23,7 +23,8 @@ Examples:
   chiaro check examples/            every look and scene in a folder and below
   chiaro check scene.json --json    a list of objects, for a script or an editor
 
-Each problem has a severity, a code that stays the same between versions, a place (file, line, column, JSON path,
+Each problem has a severity, a code that stays the same between versions, a place (file, line, \
+column, JSON path,
 node, port), and help. The exit code is 1 where there is an error; warnings alone give 0.";
 
 /// What `chiaro check` is given.
@@ -66,10 +67,13 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<bool, Vec<Di
 }
 
 fn summary(files: usize, problems: &[Diagnostic]) -> String {
-    let of = |severity: Severity| problems.iter().filter(|problem| problem.severity == severity).count();
-    let kinds = [(Severity::Error, "error"), (Severity::Warning, "warning"), (Severity::Note, "note")];
+    let of =
+        |severity: Severity| problems.iter().filter(|problem| problem.severity == severity).count();
+    let kinds =
+        [(Severity::Error, "error"), (Severity::Warning, "warning"), (Severity::Note, "note")];
     let found = kinds.map(|(severity, word)| (of(severity) as u64, word));
-    let told: Vec<String> = found.iter().filter(|(n, _)| *n > 0).map(|(n, word)| count(*n, word)).collect();
+    let told: Vec<String> =
+        found.iter().filter(|(n, _)| *n > 0).map(|(n, word)| count(*n, word)).collect();
     let told = if told.is_empty() { "nothing is wrong".to_owned() } else { told.join(", ") };
     format!("{} checked: {told}", count(files as u64, "document"))
 }
@@ -86,7 +90,8 @@ struct Checker<'a> {
 }
 
 impl Checker<'_> {
-    /// Looks and scenes in a folder and below; other JSON files are left alone, broken ones are not.
+    /// Looks and scenes in a folder and below; other JSON files are left alone, broken ones are
+    /// not.
     fn folder(&mut self, folder: &Path, found: &mut Vec<PathBuf>) {
         // Deep enough for any project.
         const MAX_DEPTH: usize = 16;
@@ -100,17 +105,21 @@ impl Checker<'_> {
             self.problems.push(problem.in_file(path.display().to_string()));
         }
         if walked.is_cut {
-            let message =
-                format!("only {} files and folders in it are looked at: not all is checked", files::MAX_ENTRIES);
+            let message = format!(
+                "only {} files and folders in it are looked at: not all is checked",
+                files::MAX_ENTRIES
+            );
             let problem = Diagnostic::warning("too-many-files", message);
             let hint = "check the folders in it one by one";
             self.problems.push(problem.in_file(folder.display().to_string()).hint(hint));
         }
         let is_json = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "json");
-        found.extend(walked.files.into_iter().filter(|path| is_json(path) && may_be_document(path)));
+        found
+            .extend(walked.files.into_iter().filter(|path| is_json(path) && may_be_document(path)));
         found[before..].sort();
         if found.len() == before {
-            let problem = Diagnostic::warning("no-documents", "there is no look and no scene in this folder");
+            let problem =
+                Diagnostic::warning("no-documents", "there is no look and no scene in this folder");
             self.problems.push(problem.in_file(folder.display().to_string()));
         }
     }
@@ -121,8 +130,8 @@ impl Checker<'_> {
             return known.clone();
         }
         let library = library_for(document, self.nodes);
-        // A broken node file is an error of the nodes that use it, which the compiler tells, and of the project as a whole;
-        // to a look that does without it, it is a warning.
+        // A broken node file is an error of the nodes that use it, which the compiler tells, and of
+        // the project as a whole; to a look that does without it, it is a warning.
         let severity = if self.is_project { Severity::Error } else { Severity::Warning };
         let aside = |problem: &Diagnostic| Diagnostic { severity, ..problem.clone() };
         self.problems.extend(library.problems.iter().map(aside));
@@ -154,7 +163,9 @@ impl Checker<'_> {
                     Ok(compiled) => {
                         let too_deep = too_deep(&compiled);
                         found.extend(compiled.warnings);
-                        found.extend(too_deep.map(|message| Diagnostic::warning("deep-shader", message).hint(SHORTEN)));
+                        found.extend(too_deep.map(|message| {
+                            Diagnostic::warning("deep-shader", message).hint(SHORTEN)
+                        }));
                     }
                     Err(problems) => found.extend(problems),
                 }
@@ -188,7 +199,9 @@ impl Checker<'_> {
         let file = path.display().to_string();
         found.extend(of_setup.into_iter().filter(|problem| {
             let place = problem.place.file.as_deref();
-            place.is_none() || place == Some(&file) || !looks.keys().any(|look| place == folder.join(look).to_str())
+            place.is_none()
+                || place == Some(&file)
+                || !looks.keys().any(|look| place == folder.join(look).to_str())
         }));
         loaded.source.locate_all(&mut found);
         self.problems.extend(found);
@@ -196,14 +209,19 @@ impl Checker<'_> {
 }
 
 /// Codes of what follows from something that could not be read.
-const FOLLOWS: [&str; 5] = ["no-output", "unwired", "unknown-node", "unknown-target", "unknown-light"];
+const FOLLOWS: [&str; 5] =
+    ["no-output", "unwired", "unknown-node", "unknown-target", "unknown-light"];
 
 /// Whether a JSON file in a folder is one of ours, or broken, which is worth telling.
 fn may_be_document(path: &Path) -> bool {
     let Ok(text) = crate::document::read_text(path) else { return true };
     match serde_json::from_str::<serde_json::Value>(&text) {
         // What lies beside the images of an exported HCBTF is neither look nor scene.
-        Ok(serde_json::Value::Object(fields)) if fields.get("chiaro").is_some_and(|kind| kind == "hcbtf") => false,
+        Ok(serde_json::Value::Object(fields))
+            if fields.get("chiaro").is_some_and(|kind| kind == "hcbtf") =>
+        {
+            false
+        }
         Ok(serde_json::Value::Object(fields)) => ["chiaro", "nodes", "objects"]
             .iter()
             .any(|field| fields.get(*field).is_some_and(|value| !value.is_object())),
@@ -212,10 +230,17 @@ fn may_be_document(path: &Path) -> bool {
     }
 }
 
-fn missing_images(typed: &crate::compile::TypedGraph, folder: &Path, assets: &mut Assets, found: &mut Vec<Diagnostic>) {
+fn missing_images(
+    typed: &crate::compile::TypedGraph,
+    folder: &Path,
+    assets: &mut Assets,
+    found: &mut Vec<Diagnostic>,
+) {
     for node in &typed.nodes {
         for (input, port) in node.inputs.iter().zip(&node.def.inputs) {
-            let Some(TypedSource::Param(_, Value::Text(name))) = input.as_ref().map(|input| &input.source) else {
+            let Some(TypedSource::Param(_, Value::Text(name))) =
+                input.as_ref().map(|input| &input.source)
+            else {
                 continue;
             };
             if !port.ty.is_texture() || name.is_empty() {

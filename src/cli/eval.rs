@@ -12,7 +12,9 @@ use crate::diag::Diagnostic;
 use crate::document::{Look, Node, Tier, Value};
 use crate::frame::{Assets, eval_batches};
 use crate::ids::{NodePath, PortName};
-use crate::library::{CUSTOM_CODE, CUSTOM_KIND, GroupPorts, Library, Output as Port, Type, load_node};
+use crate::library::{
+    CUSTOM_CODE, CUSTOM_KIND, GroupPorts, Library, Output as Port, Type, load_node,
+};
 use chiaro_render::{Gpu, Renderer, block_on};
 
 const HELP: &str = r#"Examples:
@@ -25,7 +27,7 @@ SAMPLES.json is a list of objects; every field may be left out:
   normal, tangent, view (surface to eye), position    world space, 3 numbers, unit or not
   mirrored      true where texture coordinates are mirrored
   camera        three rows: right, up, toward the viewer
-  uv, time, color (vertex colour)
+  uv, time, color (vertex color)
   kappa         a number; also "inf", "-inf", "nan"
   pixel         the place in the picture from its upper left corner, in picture heights
   anchor        where the object's origin is seen from the picture's middle (x right, y down), and how
@@ -84,17 +86,22 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         setup.source.locate_all(&mut problems);
         problems
     };
-    let (_, warnings) = check(&setup.look, &library, options.root.as_ref()).map_err(|mut problems| {
-        if let Some(root) = &options.root {
-            problems.iter_mut().for_each(|problem| list_outputs(problem, root, &setup.look, &library));
-        }
-        located(problems)
-    })?;
+    let (_, warnings) =
+        check(&setup.look, &library, options.root.as_ref()).map_err(|mut problems| {
+            if let Some(root) = &options.root {
+                problems
+                    .iter_mut()
+                    .for_each(|problem| list_outputs(problem, root, &setup.look, &library));
+            }
+            located(problems)
+        })?;
     output.diagnostics(&located(warnings));
     let file = samples::name(&arguments.at);
-    let batches =
-        eval_batches(&setup, &library, &samples, &options, &mut Assets::default()).map_err(|mut problems| {
-            let of_sample = |p: &&mut Diagnostic| p.place.json_path.as_ref().is_some_and(|path| path.starts_with('['));
+    let batches = eval_batches(&setup, &library, &samples, &options, &mut Assets::default())
+        .map_err(|mut problems| {
+            let of_sample = |p: &&mut Diagnostic| {
+                p.place.json_path.as_ref().is_some_and(|path| path.starts_with('['))
+            };
             for problem in problems.iter_mut().filter(of_sample) {
                 problem.place.file = Some(file.clone());
             }
@@ -116,11 +123,17 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
 }
 
 /// Where `--output` names what there is not, and nothing is like it: says what could be named.
-fn list_outputs(problem: &mut Diagnostic, root: &(NodePath, PortName), look: &Look, library: &Library) {
+fn list_outputs(
+    problem: &mut Diagnostic,
+    root: &(NodePath, PortName),
+    look: &Look,
+    library: &Library,
+) {
     const MOST: usize = 20;
     let (path, _) = root;
     let is_of_node = problem.code == "unknown-port" && problem.place.node.as_ref() == Some(path);
-    let is_of_root = problem.code == "unknown-node" && problem.message.contains(&format!("`{path}`"));
+    let is_of_root =
+        problem.code == "unknown-node" && problem.message.contains(&format!("`{path}`"));
     if !problem.hints.is_empty() || !(is_of_node || is_of_root) {
         return;
     }
@@ -134,8 +147,14 @@ fn list_outputs(problem: &mut Diagnostic, root: &(NodePath, PortName), look: &Lo
         outputs.retain(|output| output.starts_with(&of_node));
         // Of a node in a group.
         let typed = outputs.is_empty().then(|| check(look, library, None).ok()).flatten();
-        let inner = typed.iter().flat_map(|(typed, _)| &typed.nodes).find(|node| node.path == *path);
-        outputs.extend(inner.iter().flat_map(|node| &node.def.outputs).map(|port| format!("{path}.{}", port.name)));
+        let inner =
+            typed.iter().flat_map(|(typed, _)| &typed.nodes).find(|node| node.path == *path);
+        outputs.extend(
+            inner
+                .iter()
+                .flat_map(|node| &node.def.outputs)
+                .map(|port| format!("{path}.{}", port.name)),
+        );
     }
     if outputs.is_empty() {
         return;
@@ -152,14 +171,20 @@ fn output_names(node: &Node, look: &Look, library: &Library) -> Vec<String> {
     if let Some(def) = library.nodes.get(&node.kind) {
         return ports(&def.outputs);
     }
-    let own = look.definitions.iter().find(|(id, _)| id.as_str() == node.kind).map(|(_, definition)| definition);
+    let own = look
+        .definitions
+        .iter()
+        .find(|(id, _)| id.as_str() == node.kind)
+        .map(|(_, definition)| definition);
     let group = own.or_else(|| library.groups.get(&node.kind).map(|group| &group.definition));
     if let Some(definition) = group {
         return ports(&GroupPorts::of(definition, &look.definitions, library).outputs);
     }
     match node.values.get(CUSTOM_CODE) {
         Some(Value::Text(code)) if node.kind == CUSTOM_KIND => {
-            load_node("code.wgsl", code, Some(CUSTOM_KIND)).map(|def| ports(&def.outputs)).unwrap_or_default()
+            load_node("code.wgsl", code, Some(CUSTOM_KIND))
+                .map(|def| ports(&def.outputs))
+                .unwrap_or_default()
         }
         _ => Vec::new(),
     }
@@ -173,7 +198,8 @@ fn json_lines(answers: &[Json]) -> String {
 
 /// As many of the four numbers as the type has; an angle in radians.
 fn numbers_of(ty: &Type, value: [f32; 4]) -> Vec<Json> {
-    // An f32 goes through its shortest decimal, so that what is printed is what was computed and no more.
+    // An f32 goes through its shortest decimal, so that what is printed is what was computed and no
+    // more.
     let number = |x: f32| {
         let shortest: f64 = x.to_string().parse().unwrap_or(f64::from(x));
         if shortest.is_finite() { json!(shortest) } else { json!(x.to_string()) }

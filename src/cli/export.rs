@@ -17,8 +17,10 @@ Examples:
   chiaro export look.json --to wgsl,spirv,hlsl -o shaders/
   chiaro export look.json --to all -o shaders/
 
-Languages: wgsl, glsl-es300, glsl-330, glsl-450, hlsl, msl, spirv. Beside the shaders lies a JSON file with
-uniforms, bindings, attributes, passes, exposed parameters and how they become uniforms. HLSL and MSL are unverified: no
+Languages: wgsl, glsl-es300, glsl-330, glsl-450, hlsl, msl, spirv. Beside the shaders lies a JSON \
+file with
+uniforms, bindings, attributes, passes, exposed parameters and how they become uniforms. HLSL and \
+MSL are unverified: no
 compiler for them runs in Chiaro's tests, and their files say so.";
 
 /// What `chiaro export` is given.
@@ -47,7 +49,8 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let languages = export::languages(arguments.to.iter().map(String::as_str))?;
     if arguments.output.is_none() && languages.iter().any(|language| language.slug != "wgsl") {
-        let problem = Diagnostic::error("bad-argument", "only WGSL is printed; other languages are files");
+        let problem =
+            Diagnostic::error("bad-argument", "only WGSL is printed; other languages are files");
         return Err(vec![problem.hint("name a folder for them: -o shaders/")]);
     }
     let folder = arguments.output.as_ref().map(AsRef::as_ref);
@@ -62,17 +65,26 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         setup.source.locate_all(&mut problems);
         problems
     };
-    let stem = arguments.look.file_stem().map_or_else(|| "look".to_owned(), |stem| stem.to_string_lossy().into_owned());
-    let exported = export::export(&setup.look, &library, &stem, &languages, &setup.folder).map_err(located)?;
+    let stem = arguments
+        .look
+        .file_stem()
+        .map_or_else(|| "look".to_owned(), |stem| stem.to_string_lossy().into_owned());
+    let exported =
+        export::export(&setup.look, &library, &stem, &languages, &setup.folder).map_err(located)?;
     output.diagnostics(&located(exported.warnings));
     let Some(folder) = folder else {
         let own = format!("{stem}.wgsl");
         let shown = exported.files.iter().find(|file| file.name == own);
-        output.result(String::from_utf8_lossy(shown.map_or(&[][..], |file| &file.bytes)).trim_end());
+        output
+            .result(String::from_utf8_lossy(shown.map_or(&[][..], |file| &file.bytes)).trim_end());
         let is_other = |file: &&export::File| file.name != own && file.name.ends_with(".wgsl");
-        let others: Vec<_> = exported.files.iter().filter(is_other).map(|file| file.name.as_str()).collect();
+        let others: Vec<_> =
+            exported.files.iter().filter(is_other).map(|file| file.name.as_str()).collect();
         if !others.is_empty() {
-            output.message(&format!("it works together with {}; -o writes all files", others.join(", ")));
+            output.message(&format!(
+                "it works together with {}; -o writes all files",
+                others.join(", ")
+            ));
         }
         return Ok(());
     };
@@ -94,15 +106,20 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     Ok(())
 }
 
-/// Refuses what is no folder, or is called like a file of some language: nobody looks for shaders in a folder `rim.wgsl`.
+/// Refuses what is no folder, or is called like a file of some language: nobody looks for shaders
+/// in a folder `rim.wgsl`.
 fn check_folder(path: &Path) -> Result<(), Diagnostic> {
-    const ENDINGS: [&str; 12] =
-        ["wgsl", "glsl", "vert", "frag", "hlsl", "msl", "metal", "spv", "spirv", "json", "png", "ktx2"];
+    const ENDINGS: [&str; 12] = [
+        "wgsl", "glsl", "vert", "frag", "hlsl", "msl", "metal", "spv", "spirv", "json", "png",
+        "ktx2",
+    ];
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
     let is_like_file = ending.is_some_and(|ending| ENDINGS.contains(&ending.as_str()));
     if path.is_file() || (is_like_file && !path.is_dir()) {
-        let message = format!("-o names a folder, and `{}` is a file or is called like one", path.display());
-        let hint = "name a folder, as -o shaders/: an export is several files, named after the look";
+        let message =
+            format!("-o names a folder, and `{}` is a file or is called like one", path.display());
+        let hint =
+            "name a folder, as -o shaders/: an export is several files, named after the look";
         return Err(Diagnostic::error("bad-argument", message).hint(hint));
     }
     Ok(())

@@ -13,7 +13,9 @@ use super::target::{OutputPath, check_document, outputs};
 use crate::diag::Diagnostic;
 use crate::document::{Document, Look, OutputKind, Outputs};
 use crate::frame::{Assets, DEFAULT_MESH, Setup, SetupLook, default_setup, image_bytes, open};
-use chiaro_laboratory::fit::{FitOptions, Fitted, Keep, Report, Target, fit_layers, fit_look, picture_of};
+use chiaro_laboratory::fit::{
+    FitOptions, Fitted, Keep, Report, Target, fit_layers, fit_look, picture_of,
+};
 use chiaro_scene::hcbtf::Progress;
 
 const EXAMPLES: &str = "\
@@ -24,10 +26,15 @@ Examples:
   chiaro fit --layers 2 --target painted.png --mesh bunny.obj -o new.json
   chiaro fit look.json --target painted.png --camera orbit=30,15 --dry-run --json
 
-The target is painted over the picture that `chiaro render` makes, at the same size, with the same mesh and camera. Where it is
-transparent nothing is wished; alpha is how much a pixel counts. Lights, profiles and colours are turned until the look shows
-what was painted; its nodes and wires stay. --keep and --keep-rest are Keep and Keep the rest of the window's Paint light. With --layers it gets light layers in their place: as many as help, at most so many.
-Pixels at the outline of an object are left out, for a smooth picture has mixed them with what is behind.";
+The target is painted over the picture that `chiaro render` makes, at the same size, with the same \
+mesh and camera. Where it is
+transparent nothing is wished; alpha is how much a pixel counts. Lights, profiles and colors are \
+turned until the look shows
+what was painted; its nodes and wires stay. --keep and --keep-rest are Keep and Keep the rest of \
+the window's Paint light. With --layers it gets light layers in their place: as many as help, at \
+most so many.
+Pixels at the outline of an object are left out, for a smooth picture has mixed them with what is \
+behind.";
 
 /// What `chiaro fit` is given.
 #[derive(Debug, clap::Args)]
@@ -48,8 +55,8 @@ pub(super) struct Arguments {
     /// What of the look stays as it is, separated by commas
     #[arg(long, value_enum, value_delimiter = ',', conflicts_with = "layers")]
     keep: Vec<Kept>,
-    /// How far what is not painted stays as it is, in percent: at 0 only what is painted counts (the
-    /// window begins with 50)
+    /// How far what is not painted stays as it is, in percent: at 0 only what is painted counts
+    /// (the window begins with 50)
     #[arg(long, value_name = "PERCENT", default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..=100))]
     keep_rest: u8,
     /// From how many beginnings a look is turned, its own first, from 1 to 100
@@ -70,7 +77,8 @@ pub(super) struct Arguments {
     /// Replace another look that is there, or a picture that Chiaro did not make
     #[arg(long)]
     force: bool,
-    /// A PNG of where it misses: black where it does not, over red to white where by a tenth and more
+    /// A PNG of where it misses: black where it does not, over red to white where by a tenth and
+    /// more
     #[arg(long)]
     misses: Option<OutputPath>,
     /// Tell what would come of it, and write no look
@@ -91,9 +99,9 @@ enum Kept {
     Lights,
     /// Offsets, fall-offs and cut-offs
     Profiles,
-    /// All colours
+    /// All colors
     Colors,
-    /// The colour of the base
+    /// The color of the base
     Base,
 }
 
@@ -132,7 +140,9 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     };
     let progress = telling();
     let fitted = match arguments.layers {
-        Some(layers) => fit_layers(&setup, 0, &library, &target, layers.into(), &options, &progress),
+        Some(layers) => {
+            fit_layers(&setup, 0, &library, &target, layers.into(), &options, &progress)
+        }
         None => fit_look(&setup, 0, &library, &target, &options, &progress),
     };
     output.end_progress();
@@ -142,7 +152,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         let png = picture_of(target.size, &fitted.misses).to_png().map_err(one)?;
         outputs.add(path.as_ref(), OutputKind::PICTURE, &png).map_err(one)?;
     }
-    let written = (!arguments.dry_run).then(|| add(arguments, &fitted, &mut outputs)).transpose()?;
+    let written =
+        (!arguments.dry_run).then(|| add(arguments, &fitted, &mut outputs)).transpose()?;
     outputs.commit().map_err(one)?;
     if arguments.json {
         let file = written.map(|path| path.display().to_string());
@@ -182,10 +193,14 @@ const NOTHING: &str = r##"{"chiaro": "look", "version": 1,
     "nodes": [{"id": "base", "kind": "base", "values": {"color": "#808080"}}, {"id": "output", "kind": "output"}],
     "wires": [{"from": "base.below", "to": "output.color"}]}"##;
 
-/// What is written, refused where it would take the place of what is read or of another document. The look itself is
-/// changed, unless there is a place for it.
+/// What is written, refused where it would take the place of what is read or of another document.
+/// The look itself is changed, unless there is a place for it.
 fn planned(arguments: &Arguments) -> Result<Outputs, Diagnostic> {
-    let read = [Some(arguments.target.as_path()), arguments.mesh.as_deref().map(Path::new), arguments.nodes.as_deref()];
+    let read = [
+        Some(arguments.target.as_path()),
+        arguments.mesh.as_deref().map(Path::new),
+        arguments.nodes.as_deref(),
+    ];
     let mut outputs = outputs(arguments.force, read.into_iter().flatten());
     arguments.look.iter().for_each(|look| outputs.changes(look));
     if let Some(path) = arguments.misses.as_ref().map(AsRef::as_ref) {
@@ -196,7 +211,11 @@ fn planned(arguments: &Arguments) -> Result<Outputs, Diagnostic> {
     Ok(outputs)
 }
 
-fn add(arguments: &Arguments, fitted: &Fitted, outputs: &mut Outputs) -> Result<PathBuf, Vec<Diagnostic>> {
+fn add(
+    arguments: &Arguments,
+    fitted: &Fitted,
+    outputs: &mut Outputs,
+) -> Result<PathBuf, Vec<Diagnostic>> {
     let output = arguments.output.as_ref().map(|path| path.as_ref().to_path_buf());
     let path = output.or_else(|| arguments.look.clone()).unwrap_or_default();
     let text = match &arguments.look {
@@ -230,7 +249,8 @@ fn told(report: &Report) -> String {
     )];
     lines.extend(report.rest.map(|rest| format!("  the rest moved by {}", steps(rest))));
     lines.extend(report.changed.iter().map(|change| {
-        let from = if change.from.is_empty() { String::new() } else { format!(", was {}", change.from) };
+        let from =
+            if change.from.is_empty() { String::new() } else { format!(", was {}", change.from) };
         format!("  {} {}: {}{from}", change.what, change.place, change.to)
     }));
     if report.changed.is_empty() {

@@ -19,9 +19,11 @@ Examples:
 
 A folder's gallery.json says what is shown and in which order:
   {\"title\": \"...\", \"about\": \"...\", \"sections\": [{\"title\": \"...\", \"entries\": [\"look.json\"]}]}
-An entry may say more: {\"file\": \"look.json\", \"mesh\": \"shape:knot\", \"backdrop\": \"#f2ead8\"}, and \"name\",
+An entry may say more: \
+{\"file\": \"look.json\", \"mesh\": \"shape:knot\", \"backdrop\": \"#f2ead8\"}, and \"name\",
 \"camera\", \"turn_lights\" and \"time\", as chiaro render takes them.
-Its paths are from its folder. Without one everything in the folder is, with a section for each folder in it.
+Its paths are from its folder. Without one everything in the folder is, with a section for each \
+folder in it.
 A look's paragraph is its `about`. A document that cannot be shown is left out and told of.";
 
 /// What `chiaro gallery` is given.
@@ -39,7 +41,8 @@ pub(super) struct Arguments {
     /// Samples a pixel: 1, or 4 for smooth edges
     #[arg(long, default_value_t = 4, value_parser = parse_samples)]
     samples: u32,
-    /// How often each tier is drawn to measure its time, up to 10000; 0 measures neither times nor errors
+    /// How often each tier is drawn to measure its time, up to 10000; 0 measures neither times nor
+    /// errors
     #[arg(short, long, default_value_t = 7, value_parser = parse_rounds)]
     rounds: u32,
     /// A mesh or an own shape (shape:creature) in place of the documents' own
@@ -63,12 +66,18 @@ fn parse_rounds(text: &str) -> Result<u32, String> {
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     check_nodes_folder(arguments.nodes.as_deref())?;
-    let list = if arguments.documents.is_empty() { list::examples()? } else { list::list(&arguments.documents)? };
+    let list = if arguments.documents.is_empty() {
+        list::examples()?
+    } else {
+        list::list(&arguments.documents)?
+    };
     let folder = arguments.output.as_ref();
     let shown = list.sections.iter().flat_map(|section| &section.shown);
     let mut outputs = outputs(arguments.force, shown.map(|shown| &shown.file));
-    let own = arguments.mesh.as_deref().map(Path::new).into_iter().chain(arguments.nodes.as_deref());
-    own.chain(arguments.documents.iter().map(PathBuf::as_path)).for_each(|path| outputs.reads(path));
+    let own =
+        arguments.mesh.as_deref().map(Path::new).into_iter().chain(arguments.nodes.as_deref());
+    own.chain(arguments.documents.iter().map(PathBuf::as_path))
+        .for_each(|path| outputs.reads(path));
     check(&list, folder, &outputs)?;
     let gpu = block_on(Gpu::headless()).map_err(|error| vec![error.into()])?;
     let options = Options {
@@ -83,7 +92,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         output.progress("drawing", done, total);
         true
     };
-    let made = build(&list, folder, &mut outputs, &gpu, &find, &options, &mut Progress::new(&mut told));
+    let made =
+        build(&list, folder, &mut outputs, &gpu, &find, &options, &mut Progress::new(&mut told));
     output.end_progress();
     let made = made?;
     let problems = once(made.problems);

@@ -16,15 +16,19 @@ pub(super) fn is_interrupted() -> bool {
 
 /// From now on Ctrl-C (and a polite request to end) removes unfinished files and ends the program.
 ///
-/// Files are written beside their final place and then renamed, so what is there is whole at any moment; without this
-/// the unfinished one would stay behind.
-#[expect(clippy::disallowed_methods, reason = "nothing is left to be saved, and main waits for the GPU")]
+/// Files are written beside their final place and then renamed, so what is there is whole at any
+/// moment; without this the unfinished one would stay behind.
+#[expect(
+    clippy::disallowed_methods,
+    reason = "nothing is left to be saved, and main waits for the GPU"
+)]
 pub(super) fn clean_up_on_interrupt() {
     let handler = || {
         IS_INTERRUPTED.store(true, Ordering::SeqCst);
         remove_unfinished();
         std::process::exit(INTERRUPTED.into());
     };
-    // It fails where a handler is set already, which a program that embeds us may have done: then it is theirs.
+    // It fails where a handler is set already, which a program that embeds us may have done: then
+    // it is theirs.
     let _ = ctrlc::set_handler(handler);
 }

@@ -1,7 +1,8 @@
 //! The command line: one file a subcommand.
 //!
-//! Results go to standard output, messages to standard error. Exit codes: 0 done; 1 a document, an asset or the GPU is
-//! at fault, and a diagnostic says how; 2 the command line is; 130 ended by Ctrl-C, with no file half written.
+//! Results go to standard output, messages to standard error. Exit codes: 0 done; 1 a document, an
+//! asset or the GPU is at fault, and a diagnostic says how; 2 the command line is; 130 ended by
+//! Ctrl-C, with no file half written.
 
 use chiaro_compiler::{catalog, compile, document, files, library};
 use chiaro_language::{clock, diag, figures, ids, interp, milestones};
@@ -67,9 +68,11 @@ Examples:
   chiaro check examples/
   chiaro export rim.json --to glsl-450 -o shaders/
 
-Results go to standard output, messages to standard error. What a command reads is never written over, and files that
+Results go to standard output, messages to standard error. What a command reads is never written \
+over, and files that
 Chiaro did not make are replaced with --force only.
-Exit codes: 0 done; 1 something in a document, an asset or the GPU is at fault (a message says what);
+Exit codes: 0 done; 1 something in a document, an asset or the GPU is at fault (a message says \
+what);
 2 the command line is wrong; 130 ended by Ctrl-C, with no file half written.";
 
 #[derive(Debug, Subcommand)]
@@ -79,8 +82,8 @@ enum Command {
     Edit {
         /// A look or a scene
         files: Vec<PathBuf>,
-        /// The mesh to see it on: a file (OBJ, PLY, STL, glTF, GLB) or an own shape (shape:knot); one that lies on its
-        /// back is stood up by Options, "Z is up"
+        /// The mesh to see it on: a file (OBJ, PLY, STL, glTF, GLB) or an own shape (shape:knot);
+        /// one that lies on its back is stood up by Options, "Z is up"
         #[arg(short, long)]
         mesh: Option<String>,
     },
@@ -103,7 +106,7 @@ enum Command {
     /// Pick the cheapest tiers under a stated error, or the most accurate within a stated time
     #[cfg(feature = "gpu")]
     Tune(tune::Arguments),
-    /// Turn a look's lights, profiles and colours until it shows what was painted on its picture
+    /// Turn a look's lights, profiles and colors until it shows what was painted on its picture
     Fit(fit::Arguments),
     /// Tell the value on every wire at one pixel, f32 beside f64
     Probe(probe::Arguments),
@@ -115,7 +118,8 @@ enum Command {
     Gallery(gallery::Arguments),
     /// Write a look as shaders for other programs
     Export(export::Arguments),
-    /// Tell what a hand-painted 6D texture (.hcbtf) holds, make one, exchange its samples with other programs
+    /// Tell what a hand-painted 6D texture (.hcbtf) holds, make one, exchange its samples with
+    /// other programs
     Hcbtf(hcbtf::Arguments),
     /// Put Chiaro and its file types into the desktop's menu, or take them out
     Desktop(desktop::Arguments),
@@ -126,7 +130,8 @@ Examples:
   chiaro edit
   chiaro edit examples/looks/figure1-layers.json";
 
-/// Codes of diagnostics about the command line itself, which are told as the argument parser's own are.
+/// Codes of diagnostics about the command line itself, which are told as the argument parser's own
+/// are.
 const USAGE: [&str; 2] = ["bad-argument", "unknown-language"];
 
 /// What `main` does after the command line was read.
@@ -163,10 +168,16 @@ pub fn run() -> Outcome {
         }
     };
     let command = match arguments {
-        Arguments { command: Some(Command::Edit { files, mesh }), .. } => return Outcome::Edit { files, mesh },
+        Arguments { command: Some(Command::Edit { files, mesh }), .. } => {
+            return Outcome::Edit { files, mesh };
+        }
         Arguments { command: Some(command), .. } => command,
-        Arguments { file: Some(word), .. } if is_mistyped(&word) => unknown_subcommand(&word).exit(),
-        Arguments { file, .. } => return Outcome::Edit { files: file.into_iter().collect(), mesh: None },
+        Arguments { file: Some(word), .. } if is_mistyped(&word) => {
+            unknown_subcommand(&word).exit()
+        }
+        Arguments { file, .. } => {
+            return Outcome::Edit { files: file.into_iter().collect(), mesh: None };
+        }
     };
     interrupt::clean_up_on_interrupt();
     threads::with_room(|| carry_out(&command, &output))
@@ -234,9 +245,15 @@ fn unknown_subcommand(word: &Path) -> clap::Error {
     let mut command = Arguments::command();
     let word = word.to_string_lossy();
     let alike = |name: &&str| strsim::damerau_levenshtein(name, &word) <= 2;
-    let near = command.get_subcommands().map(clap::Command::get_name).find(alike).map(str::to_owned);
-    let tip = near.map_or_else(String::new, |near| format!("\n\n  tip: a similar subcommand exists: '{near}'"));
-    command.error(ErrorKind::InvalidSubcommand, format!("unrecognized subcommand or file '{word}'{tip}"))
+    let near =
+        command.get_subcommands().map(clap::Command::get_name).find(alike).map(str::to_owned);
+    let tip = near.map_or_else(String::new, |near| {
+        format!("\n\n  tip: a similar subcommand exists: '{near}'")
+    });
+    command.error(
+        ErrorKind::InvalidSubcommand,
+        format!("unrecognized subcommand or file '{word}'{tip}"),
+    )
 }
 
 #[cfg(test)]
@@ -245,7 +262,9 @@ mod tests {
 
     #[test]
     fn a_file_alone_is_opened_and_a_mistyped_subcommand_is_told() {
-        let read = |words: &[&str]| Arguments::try_parse_from(std::iter::once("chiaro").chain(words.iter().copied()));
+        let read = |words: &[&str]| {
+            Arguments::try_parse_from(std::iter::once("chiaro").chain(words.iter().copied()))
+        };
         let opened = read(&["looks/rim.json"]).unwrap();
         assert!(opened.command.is_none() && opened.file == Some("looks/rim.json".into()));
         assert!(read(&[]).unwrap().file.is_none());
@@ -257,6 +276,9 @@ mod tests {
             assert_eq!(is_mistyped(Path::new(word)), is_mistyped_one, "{word}");
         }
         let told = unknown_subcommand(Path::new("rendr")).to_string();
-        assert!(told.contains("'rendr'") && (cfg!(not(feature = "gpu")) || told.contains("'render'")), "{told}");
+        assert!(
+            told.contains("'rendr'") && (cfg!(not(feature = "gpu")) || told.contains("'render'")),
+            "{told}"
+        );
     }
 }

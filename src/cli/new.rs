@@ -12,7 +12,7 @@ use crate::document::{OutputKind, Outputs};
 const EXAMPLES: &str = "\
 Examples:
   chiaro new rim                      rim.json: five light layers over a base
-  chiaro new flat --template minimal  light and shadow, two colours
+  chiaro new flat --template minimal  light and shadow, two colors
   chiaro new stage --template scene   stage.json, a scene, and stage-look.json, which it wears";
 
 /// What `chiaro new` is given.
@@ -45,7 +45,8 @@ const MINIMAL: &str = include_str!("templates/minimal.json");
 const SCENE: &str = include_str!("templates/scene.json");
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
-    let files = files(arguments.name.as_ref(), arguments.template).map_err(|problem| vec![problem])?;
+    let files =
+        files(arguments.name.as_ref(), arguments.template).map_err(|problem| vec![problem])?;
     // All or none: a scene without its look would be no start.
     let mut outputs = Outputs::new(arguments.force);
     let check = |(path, _): &(PathBuf, String)| outputs.check(path, OutputKind::DOCUMENT).err();
@@ -55,7 +56,9 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     }
     // What a scene wears is there before it.
     for (path, text) in files.iter().rev() {
-        outputs.add(path, OutputKind::DOCUMENT, text.as_bytes()).map_err(|problem| vec![problem])?;
+        outputs
+            .add(path, OutputKind::DOCUMENT, text.as_bytes())
+            .map_err(|problem| vec![problem])?;
     }
     outputs.commit().map_err(|problem| vec![problem])?;
     files.iter().for_each(|(path, _)| output.result(&path.display().to_string()));
@@ -63,7 +66,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let name = quoted(document);
     let stem = quoted(&document.with_extension(""));
     output.message(&format!(
-        "\nWhat next:\n  chiaro edit {name}\n  chiaro render {name} -o {stem}.png\n  chiaro check {name}\n  chiaro nodes"
+        "\nWhat next:\n  chiaro edit {name}\n  chiaro render {name} -o {stem}.png\n  chiaro check \
+         {name}\n  chiaro nodes"
     ));
     Ok(())
 }
@@ -74,9 +78,8 @@ fn files(name: &Path, template: Template) -> Result<Vec<(PathBuf, String)>, Diag
     let stem = if is_json { name.file_stem() } else { name.file_name() };
     let Some(stem) = stem.and_then(|stem| stem.to_str()).filter(|stem| !stem.is_empty()) else {
         let message = format!("the name cannot be `{}`", name.display());
-        return Err(
-            Diagnostic::error("bad-argument", message).hint("write a name such as rim, or a path such as looks/rim")
-        );
+        return Err(Diagnostic::error("bad-argument", message)
+            .hint("write a name such as rim, or a path such as looks/rim"));
     };
     let path = name.with_file_name(format!("{stem}.json"));
     let title = in_json(&title(stem));
@@ -96,7 +99,9 @@ fn files(name: &Path, template: Template) -> Result<Vec<(PathBuf, String)>, Diag
 fn title(stem: &str) -> String {
     let spaced = stem.replace(['_', '-'], " ");
     let mut characters = spaced.chars();
-    characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
+    characters
+        .next()
+        .map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
 }
 
 /// The inside of a JSON text.
@@ -133,7 +138,10 @@ mod tests {
                 }
             }
         }
-        assert_eq!(files(Path::new("v1.2"), Template::Minimal).unwrap()[0].0, Path::new("v1.2.json"));
+        assert_eq!(
+            files(Path::new("v1.2"), Template::Minimal).unwrap()[0].0,
+            Path::new("v1.2.json")
+        );
         assert!(files(Path::new("/"), Template::Minimal).is_err());
         assert_eq!(title("rim_light-2"), "Rim light 2");
     }

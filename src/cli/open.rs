@@ -8,7 +8,8 @@ use crate::document::{Document, Look, Scene};
 use crate::frame::SetupLook;
 use crate::library::Library;
 
-/// The built-in library with a project's own nodes: those of `nodes`, else of the folder `nodes/` beside the document.
+/// The built-in library with a project's own nodes: those of `nodes`, else of the folder `nodes/`
+/// beside the document.
 pub(super) fn library_for(document: &Path, nodes: Option<&Path>) -> Library {
     let beside = document.parent().unwrap_or(Path::new("")).join("nodes");
     match nodes {
@@ -23,7 +24,8 @@ pub(super) fn check_nodes_folder(nodes: Option<&Path>) -> Result<(), Vec<Diagnos
     match nodes.filter(|folder| !folder.is_dir()) {
         None => Ok(()),
         Some(folder) => {
-            let message = format!("--nodes cannot be `{}`: there is no such folder", folder.display());
+            let message =
+                format!("--nodes cannot be `{}`: there is no such folder", folder.display());
             Err(vec![Diagnostic::error("bad-argument", message)])
         }
     }
@@ -34,10 +36,15 @@ const NAMED: usize = 6;
 
 /// A scene where a look is wanted: which looks it has, as they would be given in its place.
 pub(super) fn not_a_look(path: &Path, scene: Option<&Scene>) -> Diagnostic {
-    let problem = Diagnostic::error("not-a-look", "this is a scene").in_file(path.display().to_string());
+    let problem =
+        Diagnostic::error("not-a-look", "this is a scene").in_file(path.display().to_string());
     let folder = path.parent().unwrap_or(Path::new(""));
     let mut looks: Vec<String> = Vec::new();
-    for look in scene.iter().flat_map(|scene| scene.objects.values()).flat_map(|object| object.looks.values()) {
+    for look in scene
+        .iter()
+        .flat_map(|scene| scene.objects.values())
+        .flat_map(|object| object.looks.values())
+    {
         let look = beside(folder, look);
         if !looks.contains(&look) {
             looks.push(look);
@@ -70,7 +77,8 @@ pub(super) fn open_look(path: &Path, output: &Output) -> Result<SetupLook, Vec<D
         Document::Look(loaded) => loaded,
         Document::Scene(scene) => return Err(vec![not_a_look(path, scene.value.as_ref())]),
     };
-    let Some(look) = loaded.value.clone().filter(|_: &Look| !has_errors(&loaded.diagnostics)) else {
+    let Some(look) = loaded.value.clone().filter(|_: &Look| !has_errors(&loaded.diagnostics))
+    else {
         return Err(loaded.diagnostics);
     };
     output.diagnostics(&loaded.diagnostics);

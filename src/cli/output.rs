@@ -25,7 +25,7 @@ impl Output {
         self.write(|out| writeln!(out, "{text}"));
     }
 
-    /// What the argument parser has to say, in colours where a terminal shows them.
+    /// What the argument parser has to say, in colors where a terminal shows them.
     pub(super) fn help(&self, help: &clap::Error) {
         *self.failed() = help.print().err();
     }
@@ -33,15 +33,19 @@ impl Output {
     /// Sees that every result has been written, at the end of the program.
     ///
     /// # Errors
-    /// `cannot-print`: a disk is full, or whatever else took no more. A reader that has gone away is no error, as with other
-    /// tools.
+    /// `cannot-print`: a disk is full, or whatever else took no more. A reader that has gone away
+    /// is no error, as with other tools.
     pub(super) fn finish(&self) -> Result<(), Diagnostic> {
         self.write(|out| out.flush());
         match self.failed().take() {
             Some(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-                let message = format!("the result could not be written to standard output: {}", reason(&error));
+                let message = format!(
+                    "the result could not be written to standard output: {}",
+                    reason(&error)
+                );
                 let problem = Diagnostic::error("cannot-print", message);
-                Err(problem.hint("what was written is not whole: make room, or write to another place"))
+                Err(problem
+                    .hint("what was written is not whole: make room, or write to another place"))
             }
             _ => Ok(()),
         }

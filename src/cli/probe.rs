@@ -18,8 +18,10 @@ Examples:
   chiaro probe look.json --at 260,180 --size 512x512 --mesh shape:sphere
   chiaro probe scene.json --at 40,60 --time 1.5 --json
 
-The look is run as it is written, nothing folded, by the reference: once with every operation rounded to f32, as a GPU
-computes, and once in f64. Rows are in the order of computing, so the first one marked `!` is where a broken pixel begins.";
+The look is run as it is written, nothing folded, by the reference: once with every operation \
+rounded to f32, as a GPU
+computes, and once in f64. Rows are in the order of computing, so the first one marked `!` is \
+where a broken pixel begins.";
 
 /// What `chiaro probe` is given.
 #[derive(Debug, clap::Args)]
@@ -48,7 +50,9 @@ pub(super) struct Arguments {
 }
 
 fn parse_pixel(text: &str) -> Result<[u32; 2], String> {
-    let sides = text.split_once(',').and_then(|(x, y)| Some([x.trim().parse().ok()?, y.trim().parse().ok()?]));
+    let sides = text
+        .split_once(',')
+        .and_then(|(x, y)| Some([x.trim().parse().ok()?, y.trim().parse().ok()?]));
     sides.ok_or_else(|| "write it as 260,180".to_owned())
 }
 
@@ -61,10 +65,13 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     output.diagnostics(&warnings);
     let options = PlanOptions { size: arguments.size.0, samples: 1, time: arguments.time };
     let plan = Planner::for_truth(assets).plan(&setup, &library, &Live::All, &options)?;
-    let wires = probe_wires(&plan, arguments.at, &Options::default(), &Control::none()).map_err(|one| vec![one])?;
+    let wires = probe_wires(&plan, arguments.at, &Options::default(), &Control::none())
+        .map_err(|one| vec![one])?;
     let Some(wires) = wires else {
         let message = format!("nothing is drawn at {},{}", arguments.at[0], arguments.at[1]);
-        return Err(vec![Diagnostic::error("nothing-there", message).hint("choose a pixel on an object")]);
+        return Err(vec![
+            Diagnostic::error("nothing-there", message).hint("choose a pixel on an object"),
+        ]);
     };
     if arguments.json {
         let rows = wires.iter().map(|wire| {
@@ -79,7 +86,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
 }
 
 fn table(wires: &[WireValue]) -> String {
-    let numbers = |numbers: &[f64]| numbers.iter().map(|x| format!("{x:.7}")).collect::<Vec<_>>().join(" ");
+    let numbers =
+        |numbers: &[f64]| numbers.iter().map(|x| format!("{x:.7}")).collect::<Vec<_>>().join(" ");
     let width = wires.iter().map(|wire| wire.node.to_string().len()).max().unwrap_or(0);
     let lines = wires.iter().map(|wire| {
         let mark = if wire.is_finite() { ' ' } else { '!' };

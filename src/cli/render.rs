@@ -39,29 +39,31 @@ pub(super) struct Arguments {
     /// The PNG to write
     #[arg(short, long)]
     output: OutputPath,
-    /// A mesh (OBJ, PLY, STL, glTF, GLB) or an own shape (shape:creature) in place of the document's; one that lies on
-    /// its back wants --z-up
+    /// A mesh (OBJ, PLY, STL, glTF, GLB) or an own shape (shape:creature) in place of the
+    /// document's; one that lies on its back wants --z-up
     #[arg(short, long)]
     mesh: Option<String>,
     /// Stands up meshes whose z axis points up, as in many scans
     #[arg(long)]
     z_up: bool,
-    /// Width and height in pixels [default: 800x800; 1200x800 of a scene that has a camera of its own,
-    /// or as wide for 800 as that says]
+    /// Width and height in pixels [default: 800x800; 1200x800 of a scene that has a camera of its
+    /// own, or as wide for 800 as that says]
     #[arg(short, long)]
     size: Option<Size>,
     /// Samples a pixel: 1, or 4 for smooth edges
     #[arg(long, default_value_t = 4, value_parser = parse_samples)]
     samples: u32,
-    /// Where the picture is taken from: `orbit=YAW,PITCH` from so many degrees to the right of the front and above it,
-    /// `distance=D` from so far away in scene units, `fov=DEGREES` with so high a view, `ortho=HEIGHT` without perspective and so
-    /// many units high, `eye=X,Y,Z`, `target=X,Y,Z`, `up=X,Y,Z` outright; joined by `;`, taken in order
+    /// Where the picture is taken from: `orbit=YAW,PITCH` from so many degrees to the right of the
+    /// front and above it, `distance=D` from so far away in scene units, `fov=DEGREES` with so high
+    /// a view, `ortho=HEIGHT` without perspective and so many units high, `eye=X,Y,Z`,
+    /// `target=X,Y,Z`, `up=X,Y,Z` outright; joined by `;`, taken in order
     #[arg(short, long)]
     camera: Option<String>,
-    /// Turns the illumination frame, and every light in it: degrees around the vertical axis, or `YAW,PITCH`
+    /// Turns the illumination frame, and every light in it: degrees around the vertical axis, or
+    /// `YAW,PITCH`
     #[arg(long, allow_hyphen_values = true)]
     turn_lights: Option<String>,
-    /// What is behind the objects: `none` for transparent, or a colour such as `#202428`
+    /// What is behind the objects: `none` for transparent, or a color such as `#202428`
     #[arg(long)]
     backdrop: Option<String>,
     /// The time in seconds
@@ -73,8 +75,8 @@ pub(super) struct Arguments {
     /// A folder of a project's own nodes; `nodes/` beside the document is found without it
     #[arg(long)]
     nodes: Option<PathBuf>,
-    /// Who draws: the GPU (or software that stands for one), or the reference in f64, which is slow and exact; without
-    /// this the GPU, or where there is none the reference
+    /// Who draws: the GPU (or software that stands for one), or the reference in f64, which is slow
+    /// and exact; without this the GPU, or where there is none the reference
     #[arg(long, value_enum)]
     on: Option<On>,
     /// Draw as while the look is edited: every value is a uniform, and nothing is folded
@@ -102,8 +104,11 @@ impl FromStr for Size {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let parse = |side: &str| side.trim().parse::<u32>().ok().filter(|side| (1..=32_768).contains(side));
-        let sides = text.split_once(['x', 'X', '×']).and_then(|(width, height)| Some([parse(width)?, parse(height)?]));
+        let parse =
+            |side: &str| side.trim().parse::<u32>().ok().filter(|side| (1..=32_768).contains(side));
+        let sides = text
+            .split_once(['x', 'X', '×'])
+            .and_then(|(width, height)| Some([parse(width)?, parse(height)?]));
         sides.map(Self).ok_or_else(|| "write it as 800x600, each side from 1 to 32768".to_owned())
     }
 }
@@ -121,23 +126,31 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     check_nodes_folder(arguments.nodes.as_deref())?;
     let target = arguments.output.as_ref();
     check_target(target).map_err(one)?;
-    let read =
-        [Some(arguments.document.as_path()), arguments.mesh.as_deref().map(Path::new), arguments.nodes.as_deref()];
+    let read = [
+        Some(arguments.document.as_path()),
+        arguments.mesh.as_deref().map(Path::new),
+        arguments.nodes.as_deref(),
+    ];
     let mut outputs = outputs(arguments.force, read.into_iter().flatten());
     outputs.check(target, OutputKind::PICTURE).map_err(one)?;
     let clock = Clock::start();
     let mut library = library_for(&arguments.document, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
     let mut assets = Assets::default();
-    let (mut setup, mut warnings) = open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?;
+    let (mut setup, mut warnings) =
+        open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?;
     warnings.extend(check_values(&setup, &arguments.document, &library)?);
     if arguments.z_up {
         setup.stand_up();
     }
     if let Some(tier) = arguments.tier {
-        setup.looks.iter_mut().for_each(|worn| tier::run_everywhere(&mut worn.look, &mut library, tier));
+        setup
+            .looks
+            .iter_mut()
+            .for_each(|worn| tier::run_everywhere(&mut worn.look, &mut library, tier));
     }
-    let size = arguments.size.as_ref().map_or_else(|| usual_size(&setup.scene.camera), |size| size.0);
+    let size =
+        arguments.size.as_ref().map_or_else(|| usual_size(&setup.scene.camera), |size| size.0);
     adjust(&mut setup.scene, arguments).map_err(one)?;
     let is_truth = arguments.on == Some(On::Reference);
     let mut planner = if is_truth { Planner::for_truth(assets) } else { Planner::new(assets) };
@@ -147,7 +160,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     milestones::reached("first shaders");
     warnings.extend(planner.warnings);
     output.diagnostics(&warnings);
-    let Drawn { picture, passes, adapter, warnings: of_device } = draw(&plan, arguments.on, output).map_err(one)?;
+    let Drawn { picture, passes, adapter, warnings: of_device } =
+        draw(&plan, arguments.on, output).map_err(one)?;
     output.diagnostics(&of_device);
     warnings.extend(of_device);
     let png = picture.to_png().map_err(one)?;
@@ -166,8 +180,9 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     Ok(())
 }
 
-/// What nobody asked otherwise for: the shape that the camera was placed for. Where it does not say, whoever places a camera
-/// places it for a picture that is wider than high, which a square would cut.
+/// What nobody asked otherwise for: the shape that the camera was placed for. Where it does not
+/// say, whoever places a camera places it for a picture that is wider than high, which a square
+/// would cut.
 fn usual_size(camera: &Camera) -> [u32; 2] {
     const SIDE: f64 = 800.0;
     let unsaid = if *camera == Camera::default() { 1.0 } else { 1.5 };
@@ -198,14 +213,17 @@ fn draw(plan: &FramePlan, on: Option<On>, output: &Output) -> Result<Drawn, Diag
                 return Ok(Drawn { picture, passes, adapter: renderer.gpu().name(), warnings });
             }
             Err(error) if on.is_none() => {
-                output.message(&format!("{error}: drawing on the reference, in software, which takes seconds"));
+                output.message(&format!(
+                    "{error}: drawing on the reference, in software, which takes seconds"
+                ));
             }
             Err(error) => return Err(error.into()),
         }
     }
     #[cfg(not(feature = "gpu"))]
     if on == Some(On::Gpu) {
-        let problem = Diagnostic::error("no-gpu", "this chiaro was built without the `gpu` feature");
+        let problem =
+            Diagnostic::error("no-gpu", "this chiaro was built without the `gpu` feature");
         return Err(problem.hint("leave --on out, or build it with the feature"));
     }
     let told = |share: f64| output.progress("drawing", (1000.0 * share) as u64, 1000);
@@ -219,7 +237,10 @@ fn draw(plan: &FramePlan, on: Option<On>, output: &Output) -> Result<Drawn, Diag
 }
 
 pub(super) fn parse_time(text: &str) -> Result<f64, String> {
-    text.parse().ok().filter(|time: &f64| time.is_finite()).ok_or_else(|| "it is a number of seconds".to_owned())
+    text.parse()
+        .ok()
+        .filter(|time: &f64| time.is_finite())
+        .ok_or_else(|| "it is a number of seconds".to_owned())
 }
 
 /// Whether a file can be written there, asked before the work is done.
@@ -235,15 +256,20 @@ pub(super) fn check_target(path: &Path) -> Result<(), Diagnostic> {
     if !path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png")) {
         let message = "pictures are written as PNG and in no other format";
         let hint = format!("let its name end in .png: -o {}", path.with_extension("png").display());
-        return Err(Diagnostic::error("cannot-write", message).in_file(path.display().to_string()).hint(hint));
+        return Err(Diagnostic::error("cannot-write", message)
+            .in_file(path.display().to_string())
+            .hint(hint));
     }
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let folder =
+        path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     if !folder.is_dir() {
         return Err(problem(format!("there is no folder `{}`", folder.display())));
     }
     // A file without a name, gone as soon as it is closed.
     let tried = tempfile::tempfile_in(folder);
-    tried.map(drop).map_err(|error| problem(format!("nothing can be written into `{}`: {error}", folder.display())))
+    tried.map(drop).map_err(|error| {
+        problem(format!("nothing can be written into `{}`: {error}", folder.display()))
+    })
 }
 
 fn adjust(scene: &mut Scene, arguments: &Arguments) -> Result<(), Diagnostic> {
@@ -256,10 +282,9 @@ fn adjust(scene: &mut Scene, arguments: &Arguments) -> Result<(), Diagnostic> {
     if let Some(text) = &arguments.backdrop {
         scene.backdrop = match text.as_str() {
             "none" => None,
-            color => Some(
-                parse_hex(color)
-                    .ok_or_else(|| bad_argument("--backdrop", color, "`none` or a colour such as #202428"))?,
-            ),
+            color => Some(parse_hex(color).ok_or_else(|| {
+                bad_argument("--backdrop", color, "`none` or a color such as #202428")
+            })?),
         };
     }
     Ok(())
@@ -267,14 +292,17 @@ fn adjust(scene: &mut Scene, arguments: &Arguments) -> Result<(), Diagnostic> {
 
 /// Turns the illumination frame as `--turn-lights` says.
 pub(super) fn turn_lights(scene: &mut Scene, text: &str) -> Result<(), Diagnostic> {
-    frame::turn_lights(scene, text).map_err(|wrong| bad_argument("--turn-lights", &wrong.found, wrong.wanted))
+    frame::turn_lights(scene, text)
+        .map_err(|wrong| bad_argument("--turn-lights", &wrong.found, wrong.wanted))
 }
 
 /// Places the camera as `--camera` says.
 pub(super) fn adjust_camera(scene: &mut Scene, text: &str) -> Result<(), Diagnostic> {
-    frame::place_camera(&mut scene.camera, text).map_err(|wrong| bad_argument("--camera", &wrong.found, wrong.wanted))
+    frame::place_camera(&mut scene.camera, text)
+        .map_err(|wrong| bad_argument("--camera", &wrong.found, wrong.wanted))
 }
 
 fn bad_argument(option: &str, found: &str, wanted: &str) -> Diagnostic {
-    Diagnostic::error("bad-argument", format!("{option} cannot be `{found}`")).hint(format!("write {wanted}"))
+    Diagnostic::error("bad-argument", format!("{option} cannot be `{found}`"))
+        .hint(format!("write {wanted}"))
 }

@@ -1,6 +1,8 @@
-//! The samples of `chiaro eval`: JSON to [`EvalSample`]s, with everything that is wrong told by its place.
+//! The samples of `chiaro eval`: JSON to [`EvalSample`]s, with everything that is wrong told by its
+//! place.
 //!
-//! Read by hand rather than by a derive: a derive stops at the first problem, and cannot say where in the list it is.
+//! Read by hand rather than by a derive: a derive stops at the first problem, and cannot say where
+//! in the list it is.
 
 use std::path::Path;
 
@@ -12,7 +14,8 @@ use crate::document::{Value, read_text};
 use crate::frame::{EvalSample, LightOverride};
 use crate::ids::{ObjectId, PortName};
 
-/// As many problems as are told; a script that writes one mistake ten thousand times is told it often enough.
+/// As many problems as are told; a script that writes one mistake ten thousand times is told it
+/// often enough.
 const MAX_PROBLEMS: usize = 50;
 
 const FIELDS: [&str; 19] = [
@@ -57,16 +60,25 @@ pub(super) fn name(path: &Path) -> String {
 
 fn parse(text: &str, file: &str) -> Result<Vec<EvalSample>, Vec<Diagnostic>> {
     let hint = r#"write a list of objects: [{"normal": [0, 0, 1], "view": [0, 0, 1]}, ...]"#;
-    let no_list = |message: String| Diagnostic::error("bad-samples", message).in_file(file).hint(hint);
+    let no_list =
+        |message: String| Diagnostic::error("bad-samples", message).in_file(file).hint(hint);
     let json: Json = serde_json::from_str(text).map_err(|error| {
-        let at = LineColumn { line: error.line().max(1) as u32, column: error.column().max(1) as u32 };
+        let at =
+            LineColumn { line: error.line().max(1) as u32, column: error.column().max(1) as u32 };
         vec![no_list(format!("this is no JSON: {error}")).at(at)]
     })?;
     let Json::Array(items) = json else {
-        return Err(vec![no_list(format!("expected a list of samples, found {}", describe(&json)))]);
+        return Err(vec![no_list(format!(
+            "expected a list of samples, found {}",
+            describe(&json)
+        ))]);
     };
     let mut reader = Reader { file, problems: Vec::new(), left_out: 0 };
-    let samples = items.iter().enumerate().map(|(index, item)| reader.sample(item, &format!("[{index}]"))).collect();
+    let samples = items
+        .iter()
+        .enumerate()
+        .map(|(index, item)| reader.sample(item, &format!("[{index}]")))
+        .collect();
     if reader.problems.is_empty() {
         return Ok(samples);
     }
@@ -94,7 +106,10 @@ impl Reader<'_> {
 
     fn expected(&mut self, path: &str, wanted: &str, found: &Json, example: &str) {
         let message = format!("expected {wanted}, found {}", describe(found));
-        self.problem(path, Diagnostic::error("bad-sample", message).hint(format!("write {example}")));
+        self.problem(
+            path,
+            Diagnostic::error("bad-sample", message).hint(format!("write {example}")),
+        );
     }
 
     /// The object at `path`, whose fields must be among `known`.
@@ -110,9 +125,10 @@ impl Reader<'_> {
             return None;
         };
         for name in object.keys().filter(|name| !known.contains(&name.as_str())) {
-            let problem = Diagnostic::error("unknown-field", format!("there is no field `{name}` here"))
-                .suggest(name, known.iter().copied())
-                .hint(format!("the fields are {}", known.join(", ")));
+            let problem =
+                Diagnostic::error("unknown-field", format!("there is no field `{name}` here"))
+                    .suggest(name, known.iter().copied())
+                    .hint(format!("the fields are {}", known.join(", ")));
             self.problem(&member(path, name), problem);
         }
         Some(object)
@@ -143,13 +159,17 @@ impl Reader<'_> {
         if let Some(rows) = at("camera").and_then(|(json, path)| self.matrix(json, &path)) {
             sample.camera = rows;
         }
-        if let Some([u, v]) = at("uv").and_then(|(json, path)| self.numbers(json, &path, "[0.5, 0.5]")) {
+        if let Some([u, v]) =
+            at("uv").and_then(|(json, path)| self.numbers(json, &path, "[0.5, 0.5]"))
+        {
             sample.uv = DVec2::new(u, v);
         }
         if let Some(kappa) = at("kappa").and_then(|(json, path)| self.kappa(json, &path)) {
             sample.kappa = kappa;
         }
-        if let Some([x, y]) = at("pixel").and_then(|(json, path)| self.numbers(json, &path, "[0.5, 0.5]")) {
+        if let Some([x, y]) =
+            at("pixel").and_then(|(json, path)| self.numbers(json, &path, "[0.5, 0.5]"))
+        {
             sample.pixel = DVec2::new(x, y);
         }
         if let Some(anchor) = at("anchor").and_then(|(json, path)| self.vector(json, &path)) {
@@ -203,8 +223,14 @@ impl Reader<'_> {
         number
     }
 
-    fn numbers<const N: usize>(&mut self, json: &Json, path: &str, example: &str) -> Option<[f64; N]> {
-        let numbers: Option<Vec<f64>> = json.as_array().and_then(|items| items.iter().map(Json::as_f64).collect());
+    fn numbers<const N: usize>(
+        &mut self,
+        json: &Json,
+        path: &str,
+        example: &str,
+    ) -> Option<[f64; N]> {
+        let numbers: Option<Vec<f64>> =
+            json.as_array().and_then(|items| items.iter().map(Json::as_f64).collect());
         let numbers = numbers.and_then(|numbers| <[f64; N]>::try_from(numbers).ok());
         if numbers.is_none() {
             self.expected(path, &format!("{N} numbers"), json, example);
@@ -251,7 +277,9 @@ impl Reader<'_> {
     fn color(&mut self, json: &Json, path: &str) -> Option<[f64; 4]> {
         match json.as_array().map(Vec::len) {
             Some(4) => self.numbers(json, path, "[1, 1, 1, 1]"),
-            _ => self.numbers::<3>(json, path, "[1, 1, 1] or [1, 1, 1, 1]").map(|[r, g, b]| [r, g, b, 1.0]),
+            _ => self
+                .numbers::<3>(json, path, "[1, 1, 1] or [1, 1, 1, 1]")
+                .map(|[r, g, b]| [r, g, b, 1.0]),
         }
     }
 
@@ -280,39 +308,60 @@ impl Reader<'_> {
         } else {
             return Some(DQuat::from_mat3(&matrix).normalize());
         };
-        self.problem(path, Diagnostic::error("bad-sample", message).hint(format!("write {example}")));
+        self.problem(
+            path,
+            Diagnostic::error("bad-sample", message).hint(format!("write {example}")),
+        );
         None
     }
 
     fn lights(&mut self, json: &Json, path: &str, sample: &mut EvalSample) {
         let example = r#"{"key": {"direction": [0, 1, 1]}}"#;
-        let Some(lights) = json.as_object() else { return self.expected(path, "an object", json, example) };
+        let Some(lights) = json.as_object() else {
+            return self.expected(path, "an object", json, example);
+        };
         for (id, light) in lights {
             let path = member(path, id);
-            let Some(fields) = self.object(light, &path, &LIGHT_FIELDS, r#"{"direction": [0, 1, 1]}"#) else {
+            let Some(fields) =
+                self.object(light, &path, &LIGHT_FIELDS, r#"{"direction": [0, 1, 1]}"#)
+            else {
                 continue;
             };
             let mut set = LightOverride::default();
-            let vectors =
-                [("direction", &mut set.direction), ("position", &mut set.position), ("color", &mut set.color)];
+            let vectors = [
+                ("direction", &mut set.direction),
+                ("position", &mut set.position),
+                ("color", &mut set.color),
+            ];
             for (name, slot) in vectors {
                 *slot = fields.get(name).and_then(|json| self.vector(json, &member(&path, name)));
             }
-            set.intensity = fields.get("intensity").and_then(|json| self.number(json, &member(&path, "intensity")));
+            set.intensity = fields
+                .get("intensity")
+                .and_then(|json| self.number(json, &member(&path, "intensity")));
             if set.direction == Some(DVec3::ZERO) {
-                let problem = Diagnostic::error("bad-sample", "a direction of length 0 leads nowhere");
-                self.problem(&member(&path, "direction"), problem.hint("write a vector of any length but 0"));
+                let problem =
+                    Diagnostic::error("bad-sample", "a direction of length 0 leads nowhere");
+                self.problem(
+                    &member(&path, "direction"),
+                    problem.hint("write a vector of any length but 0"),
+                );
             }
             if set.intensity.is_some_and(|intensity| intensity < 0.0) {
                 let problem = Diagnostic::error("bad-sample", "an intensity is 0 or more");
-                self.problem(&member(&path, "intensity"), problem.hint("write 0 for a light that is out"));
+                self.problem(
+                    &member(&path, "intensity"),
+                    problem.hint("write 0 for a light that is out"),
+                );
             }
             sample.lights.insert(id.as_str().into(), set);
         }
     }
 
     fn values(&mut self, json: &Json, path: &str, sample: &mut EvalSample) {
-        let Some(values) = json.as_object() else { return self.expected(path, "an object", json, r#"{"width": 0.5}"#) };
+        let Some(values) = json.as_object() else {
+            return self.expected(path, "an object", json, r#"{"width": 0.5}"#);
+        };
         for (name, json) in values {
             match serde_json::from_value::<Value>(json.clone()) {
                 Ok(value) => drop(sample.values.insert(PortName::from(name.as_str()), value)),
@@ -329,7 +378,8 @@ impl Reader<'_> {
 
 /// The path of a member: `.key`, or `["key"]` where the key is no plain word.
 fn member(path: &str, key: &str) -> String {
-    let is_plain = !key.is_empty() && key.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '-');
+    let is_plain =
+        !key.is_empty() && key.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '-');
     if is_plain { format!("{path}.{key}") } else { format!("{path}[{}]", Json::from(key)) }
 }
 
@@ -340,7 +390,9 @@ fn describe(json: &Json) -> String {
         Json::Number(x) => x.to_string(),
         Json::String(text) if text.len() <= 40 => format!("the text {}", Json::from(text.as_str())),
         Json::String(_) => "a text".to_owned(),
-        Json::Array(items) if items.iter().all(Json::is_number) => format!("{} numbers", items.len()),
+        Json::Array(items) if items.iter().all(Json::is_number) => {
+            format!("{} numbers", items.len())
+        }
         Json::Array(items) => format!("a list of {}", items.len()),
         Json::Object(_) => "an object".to_owned(),
     }
@@ -375,7 +427,10 @@ mod tests {
         // The matrix takes z to x: a quarter turn around y.
         assert!((sample.frame * DVec3::Z - DVec3::X).length() < 1e-12);
         assert_eq!(sample.lights["key"].direction, Some(DVec3::new(0.0, 2.0, 0.0)));
-        assert_eq!((sample.lights["key"].intensity, sample.lights["b"].position), (Some(0.5), Some(DVec3::ONE)));
+        assert_eq!(
+            (sample.lights["key"].intensity, sample.lights["b"].position),
+            (Some(0.5), Some(DVec3::ONE))
+        );
         assert_eq!(sample.values.len(), 4);
         assert_eq!(samples[1], EvalSample::default());
         assert!(parse(r#"[{"kappa": "nan"}]"#, "").unwrap()[0].kappa.is_nan());
@@ -389,13 +444,14 @@ mod tests {
             r#"[{"normal": [0, 1]}, {}, {"nromal": [0, 0, 1], "lights": {"key": {"direction": "up", "colour": [1, 1, 1]}}},
                 3, {"kappa": "much", "frame": [[1, 0, 0], [0, 1, 0], [0, 0, -1]], "camera": [[1, 0, 0], [0, 1], [0, 0, 1]]}]"#,
         );
-        let paths: Vec<&str> = found.iter().filter_map(|problem| problem.place.json_path.as_deref()).collect();
+        let paths: Vec<&str> =
+            found.iter().filter_map(|problem| problem.place.json_path.as_deref()).collect();
         assert_eq!(
             paths,
             [
                 "[0].normal",
                 "[2].nromal",
-                "[2].lights.key.colour",
+                "[2].lights.key.color",
                 "[2].lights.key.direction",
                 "[3]",
                 "[4].camera[1]",
@@ -404,7 +460,8 @@ mod tests {
             ]
         );
         assert!(
-            found.iter().all(|problem| problem.place.file.as_deref() == Some("s.json") && !problem.hints.is_empty())
+            found.iter().all(|problem| problem.place.file.as_deref() == Some("s.json")
+                && !problem.hints.is_empty())
         );
         assert!(found[1].hints[0].contains("`normal`") && found[2].hints[0].contains("`color`"));
         assert!(found[7].message.contains("mirrors"));

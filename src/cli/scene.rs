@@ -22,7 +22,8 @@ pub(super) fn looks(scene: &Scene, folder: &Path) -> BTreeMap<String, Loaded<Loo
     looks
 }
 
-/// What is wrong with the values that objects set: those that their looks cannot take, or do not expose.
+/// What is wrong with the values that objects set: those that their looks cannot take, or do not
+/// expose.
 pub(super) fn value_problems(
     scene: &Scene,
     looks: &BTreeMap<String, Loaded<Look>>,
@@ -41,15 +42,24 @@ pub(super) fn value_problems(
     found
 }
 
-/// Tells what [`value_problems`] finds in a scene that was opened to be drawn, in objects that are seen.
+/// Tells what [`value_problems`] finds in a scene that was opened to be drawn, in objects that are
+/// seen.
 ///
 /// # Errors
 /// Everything found, where there is an error: the picture would not be what the scene says.
-pub(super) fn check_values(setup: &Setup, file: &Path, library: &Library) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
+pub(super) fn check_values(
+    setup: &Setup,
+    file: &Path,
+    library: &Library,
+) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
     let Some(source) = &setup.source else { return Ok(Vec::new()) };
     // Emptied and not taken out, so that places in the file stay what they are.
     let mut scene = setup.scene.clone();
-    scene.objects.values_mut().filter(|object| !object.visible).for_each(|object| object.values.clear());
+    scene
+        .objects
+        .values_mut()
+        .filter(|object| !object.visible)
+        .for_each(|object| object.values.clear());
     if scene.objects.values().all(|object| object.values.is_empty()) {
         return Ok(Vec::new());
     }
@@ -60,16 +70,27 @@ pub(super) fn check_values(setup: &Setup, file: &Path, library: &Library) -> Res
 }
 
 /// Values that an object sets and that its look cannot take.
-fn wrong_values(scene: &Scene, look_name: &str, look: Option<&Look>, library: &Library) -> Vec<Diagnostic> {
+fn wrong_values(
+    scene: &Scene,
+    look_name: &str,
+    look: Option<&Look>,
+    library: &Library,
+) -> Vec<Diagnostic> {
     let mut found = Vec::new();
-    let Some((look, (typed, _))) = look.and_then(|look| Some((look, check_look(look, library, None).ok()?))) else {
+    let Some((look, (typed, _))) =
+        look.and_then(|look| Some((look, check_look(look, library, None).ok()?)))
+    else {
         return found;
     };
     let wears = |object: &Object| object.looks.values().any(|name| name == look_name);
-    for (index, (_, object)) in scene.objects.iter().enumerate().filter(|(_, (_, object))| wears(object)) {
+    for (index, (_, object)) in
+        scene.objects.iter().enumerate().filter(|(_, (_, object))| wears(object))
+    {
         for (name, value) in &object.values {
             let problem = check_exposed_value(look, &typed, name.as_str(), value);
-            found.extend(problem.map(|problem| problem.json_path(format!("objects[{index}].values.{name}"))));
+            found.extend(
+                problem.map(|problem| problem.json_path(format!("objects[{index}].values.{name}"))),
+            );
         }
     }
     found
@@ -80,7 +101,8 @@ fn unknown_values(scene: &Scene, looks: &BTreeMap<String, Loaded<Look>>) -> Vec<
     let mut found = Vec::new();
     for (index, (id, object)) in scene.objects.iter().enumerate() {
         let worn = object.looks.values().filter_map(|look| looks.get(look)?.value.as_ref());
-        let known: Vec<&str> = worn.flat_map(|look| &look.exposed).map(|exposed| exposed.name.as_str()).collect();
+        let known: Vec<&str> =
+            worn.flat_map(|look| &look.exposed).map(|exposed| exposed.name.as_str()).collect();
         for name in object.values.keys().filter(|name| !known.contains(&name.as_str())) {
             let message = format!("object `{id}` sets `{name}`, which none of its looks exposes");
             let problem = Diagnostic::warning("unknown-parameter", message)

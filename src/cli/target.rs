@@ -7,8 +7,8 @@ use crate::diag::Diagnostic;
 use crate::document::{OutputKind, Outputs};
 use crate::frame::{Assets, Setup};
 
-/// A file or a folder that a command writes. Every argument that names one is of this type, and is written through
-/// [`Outputs`] alone; tests/outputs.rs finds them by it.
+/// A file or a folder that a command writes. Every argument that names one is of this type, and is
+/// written through [`Outputs`] alone; tests/outputs.rs finds them by it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OutputPath(PathBuf);
 
@@ -24,8 +24,12 @@ impl AsRef<Path> for OutputPath {
     }
 }
 
-/// The outputs of a command that reads these files and folders; what is no path, such as `shape:knot`, is no matter.
-pub(super) fn outputs<P: AsRef<Path>>(is_forced: bool, inputs: impl IntoIterator<Item = P>) -> Outputs {
+/// The outputs of a command that reads these files and folders; what is no path, such as
+/// `shape:knot`, is no matter.
+pub(super) fn outputs<P: AsRef<Path>>(
+    is_forced: bool,
+    inputs: impl IntoIterator<Item = P>,
+) -> Outputs {
     let mut outputs = Outputs::new(is_forced);
     inputs.into_iter().for_each(|path| outputs.reads(path.as_ref()));
     outputs
@@ -42,6 +46,9 @@ pub(super) fn reads_all(outputs: &mut Outputs, document: &Path, setup: &Setup, a
 }
 
 /// Refuses to write over another document than the one that is changed, and over what is read.
-pub(super) fn check_document(outputs: &Outputs, written: Option<&OutputPath>) -> Result<(), Diagnostic> {
+pub(super) fn check_document(
+    outputs: &Outputs,
+    written: Option<&OutputPath>,
+) -> Result<(), Diagnostic> {
     written.map_or(Ok(()), |path| outputs.check(path.as_ref(), OutputKind::DOCUMENT))
 }

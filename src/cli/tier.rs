@@ -15,12 +15,18 @@ pub(super) fn parse(text: &str) -> Result<Tier, String> {
     }
 }
 
-/// Asks every node for a tier, also those that say their own, and those inside groups, the library's as well.
+/// Asks every node for a tier, also those that say their own, and those inside groups, the
+/// library's as well.
 pub(super) fn run_everywhere(look: &mut Look, library: &mut Library, tier: Tier) {
     look.set_every_tier(tier);
     for group in library.groups.values_mut() {
         if group.definition.graph.nodes.values().any(|node| node.tier.is_some()) {
-            Arc::make_mut(group).definition.graph.nodes.values_mut().for_each(|node| node.tier = None);
+            Arc::make_mut(group)
+                .definition
+                .graph
+                .nodes
+                .values_mut()
+                .for_each(|node| node.tier = None);
         }
     }
 }

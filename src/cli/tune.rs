@@ -1,4 +1,5 @@
-//! `chiaro tune`: the cheapest tiers under an error, or the most accurate within a time, written into the look.
+//! `chiaro tune`: the cheapest tiers under an error, or the most accurate within a time, written
+//! into the look.
 
 use std::path::{Path, PathBuf};
 
@@ -21,11 +22,14 @@ Examples:
   chiaro tune look.json --max-time 4 --size 1920x1080
   chiaro tune look.json --max-error 1/255 --dry-run --json
 
-Errors are against the reference in f64, over views, turns of the lights and times that are spread evenly; times are GPU
+Errors are against the reference in f64, over views, turns of the lights and times that are spread \
+evenly; times are GPU
 timestamps of this machine. Tiers that are not faster beyond the noise stay exact, and are listed.
 
-What --max-error bounds is --measure: by default p99.9, so that in every view at most one pixel in a thousand is farther from
-the truth; max bounds every pixel, which the exact tier itself may miss where f32 decides at a crease or a silhouette.";
+What --max-error bounds is --measure: by default p99.9, so that in every view at most one pixel in \
+a thousand is farther from
+the truth; max bounds every pixel, which the exact tier itself may miss where f32 decides at a \
+crease or a silhouette.";
 
 /// What `chiaro tune` is given.
 #[derive(Debug, clap::Args)]
@@ -34,13 +38,15 @@ the truth; max bounds every pixel, which the exact tier itself may miss where f3
 pub(super) struct Arguments {
     /// A look; its tiers are written back into it
     look: PathBuf,
-    /// The largest error of a channel, by the measure, from 0 to 1: a number or a fraction such as 1/255
+    /// The largest error of a channel, by the measure, from 0 to 1: a number or a fraction such as
+    /// 1/255
     #[arg(long, value_parser = parse_error)]
     max_error: Option<f64>,
     /// The longest time of a frame, in milliseconds
     #[arg(long, value_parser = parse_milliseconds)]
     max_time: Option<f64>,
-    /// Which error is meant: p99.9, which one pixel in a thousand of a view may exceed; max, which none may; or rms
+    /// Which error is meant: p99.9, which one pixel in a thousand of a view may exceed; max, which
+    /// none may; or rms
     #[arg(long, default_value = "p99.9")]
     measure: Measure,
     /// The mesh that the look is tuned on; several may be given, and all must be within the error
@@ -78,7 +84,9 @@ pub(super) struct Arguments {
 fn parse_error(text: &str) -> Result<f64, String> {
     let number = |text: &str| text.trim().parse::<f64>().ok();
     let value = match text.split_once('/') {
-        Some((above, below)) => number(above).zip(number(below)).map(|(above, below)| above / below),
+        Some((above, below)) => {
+            number(above).zip(number(below)).map(|(above, below)| above / below)
+        }
         None => number(text),
     };
     value
@@ -92,7 +100,10 @@ fn parse_milliseconds(text: &str) -> Result<f64, String> {
 }
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
-    let mut outputs = outputs(arguments.force, arguments.mesh.iter().map(Path::new).chain(arguments.nodes.as_deref()));
+    let mut outputs = outputs(
+        arguments.force,
+        arguments.mesh.iter().map(Path::new).chain(arguments.nodes.as_deref()),
+    );
     outputs.changes(&arguments.look);
     let written = arguments.output.as_ref().filter(|_| !arguments.dry_run);
     check_document(&outputs, written).map_err(|problem| vec![problem])?;
@@ -141,13 +152,15 @@ fn missed(tuned: &Tuned, meshes: &[String]) -> Diagnostic {
     let problem = |message: String| Diagnostic::error("goal-missed", message);
     if !tuned.is_exact_beyond() {
         let problem = problem("no choice of tiers reaches what was asked for".to_owned());
-        return problem.hint("the report says what was reached; allow more, or make the look cheaper");
+        return problem
+            .hint("the report says what was reached; allow more, or make the look cheaper");
     }
     let (worst, measure, side) = (&tuned.worst_exact, tuned.measure, tuned.worst_exact.side);
     let [x, y] = worst.pixel;
     let mesh = meshes.get(worst.setup).map(|mesh| format!(" on {mesh}")).unwrap_or_default();
     let message = format!(
-        "the exact tier itself is beyond what was asked for: {} is {:.2e}; the worst pixel, off by {:.2e}, is {x},{y} of \
+        "the exact tier itself is beyond what was asked for: {} is {:.2e}; the worst pixel, off by \
+         {:.2e}, is {x},{y} of \
          {side}x{side}{mesh}: {}",
         measure.meaning(),
         measure.of(&tuned.error_exact),
@@ -157,11 +170,13 @@ fn missed(tuned: &Tuned, meshes: &[String]) -> Diagnostic {
     let figures = &tuned.error_exact;
     let hint = if measure == Measure::Max {
         format!(
-            "{} of {} pixels are off by more than 1/255; --measure p99.9 leaves out single pixels, or allow more",
+            "{} of {} pixels are off by more than 1/255; --measure p99.9 leaves out single pixels, \
+             or allow more",
             figures.visible, figures.pixels
         )
     } else {
-        "f32 cannot do better: allow more, or soften what is steep there, a fall-off or a slope".to_owned()
+        "f32 cannot do better: allow more, or soften what is steep there, a fall-off or a slope"
+            .to_owned()
     };
     problem(message).hint(hint)
 }
@@ -176,7 +191,9 @@ fn setups(arguments: &Arguments, output: &Output) -> Result<Vec<Setup>, Vec<Diag
     let mut setups = Vec::new();
     if let Document::Scene(_) = Document::load(&arguments.look) {
         let problem = Diagnostic::error("bad-argument", "this is a scene; tiers belong to looks");
-        return Err(vec![problem.in_file(arguments.look.display().to_string()).hint("tune each of its looks")]);
+        return Err(vec![
+            problem.in_file(arguments.look.display().to_string()).hint("tune each of its looks"),
+        ]);
     }
     for mesh in meshes {
         let (setup, warnings) = open(&arguments.look, mesh, &mut assets)?;
@@ -187,7 +204,12 @@ fn setups(arguments: &Arguments, output: &Output) -> Result<Vec<Setup>, Vec<Diag
 }
 
 /// Writes the look with the tiers that were chosen and the report of how.
-fn write(arguments: &Arguments, tuned: &Tuned, target: &Path, outputs: &mut Outputs) -> Result<(), Vec<Diagnostic>> {
+fn write(
+    arguments: &Arguments,
+    tuned: &Tuned,
+    target: &Path,
+    outputs: &mut Outputs,
+) -> Result<(), Vec<Diagnostic>> {
     let loaded = Look::load(&arguments.look);
     let Some(mut look) = loaded.value else { return Err(loaded.diagnostics) };
     for (node, tier) in tuned.tiers() {
@@ -205,7 +227,10 @@ fn report(tuned: &Tuned) -> String {
     let [x, y] = tuned.worst.pixel;
     if tuned.worst.error > 0.0 {
         let (side, station) = (tuned.worst.side, tuned.worst.station.told());
-        lines.push(format!("  the worst pixel, off by {:.1e}: {x},{y} of {side}x{side}, {station}", tuned.worst.error));
+        lines.push(format!(
+            "  the worst pixel, off by {:.1e}: {x},{y} of {side}x{side}, {station}",
+            tuned.worst.error
+        ));
     }
     for (index, candidate) in tuned.candidates.iter().enumerate() {
         let better = tuned.candidates.iter().find(|other| is_beaten(candidate, other));

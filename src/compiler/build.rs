@@ -14,8 +14,13 @@ fn main() {
         let doc = format!("/// The path and the text of every file under `{folder}/`.");
         let _ = writeln!(generated, "{doc}\npub static {name}: &[(&str, &str)] = &[");
         for file in files {
-            let short = file.strip_prefix(&root).expect("below the root").to_string_lossy().replace('\\', "/");
-            let _ = writeln!(generated, "    ({short:?}, include_str!({:?})),", file.to_string_lossy());
+            let short = file
+                .strip_prefix(&root)
+                .expect("below the root")
+                .to_string_lossy()
+                .replace('\\', "/");
+            let _ =
+                writeln!(generated, "    ({short:?}, include_str!({:?})),", file.to_string_lossy());
         }
         generated.push_str("];\n");
     }

@@ -1,7 +1,9 @@
-//! The examples that every Chiaro brings along: looks, scenes and HCBTFs, as files that are named wherever they lie.
+//! The examples that every Chiaro brings along: looks, scenes and HCBTFs, as files that are named
+//! wherever they lie.
 //!
-//! `example:hcbtf/arch.json` is `examples/hcbtf/arch.json` of the source. Such a name may stand wherever a path may, behind
-//! any folder, so that what names one can be saved anywhere; the meshes of examples are the program's own shapes.
+//! `example:hcbtf/arch.json` is `examples/hcbtf/arch.json` of the source. Such a name may stand
+//! wherever a path may, behind any folder, so that what names one can be saved anywhere; the meshes
+//! of examples are the program's own shapes.
 
 use std::path::{Component, Path};
 
@@ -172,7 +174,8 @@ pub fn file(path: &Path) -> Option<&'static [u8]> {
     FILES.iter().find(|(known, _)| *known == name).map(|(_, bytes)| *bytes)
 }
 
-/// The text of the look or scene that a path means, if it means one. What it names has names that hold in any folder.
+/// The text of the look or scene that a path means, if it means one. What it names has names that
+/// hold in any folder.
 pub fn text(path: &Path) -> Option<String> {
     let text = std::str::from_utf8(file(path)?).ok()?;
     let mut text = text.to_owned();
@@ -192,11 +195,13 @@ fn name(path: &Path) -> Option<String> {
     let mut parts: Option<Vec<&str>> = None;
     for component in path.components() {
         match (component, &mut parts) {
-            (Component::Normal(part), parts) => match (part.to_str()?.strip_prefix(PREFIX), parts) {
-                (Some(first), parts) => *parts = Some(vec![first]),
-                (None, Some(parts)) => parts.push(part.to_str()?),
-                (None, None) => {}
-            },
+            (Component::Normal(part), parts) => {
+                match (part.to_str()?.strip_prefix(PREFIX), parts) {
+                    (Some(first), parts) => *parts = Some(vec![first]),
+                    (None, Some(parts)) => parts.push(part.to_str()?),
+                    (None, None) => {}
+                }
+            }
             (Component::ParentDir, Some(parts)) => drop(parts.pop()),
             _ => {}
         }
@@ -218,7 +223,11 @@ mod tests {
             for entry in std::fs::read_dir(root.join(folder)).unwrap() {
                 let name = format!("{folder}/{}", entry.unwrap().file_name().to_str().unwrap());
                 let path = Path::new("somewhere/else").join(format!("{PREFIX}{name}"));
-                assert_eq!(file(&path).unwrap(), std::fs::read(root.join(&name)).unwrap(), "{name}");
+                assert_eq!(
+                    file(&path).unwrap(),
+                    std::fs::read(root.join(&name)).unwrap(),
+                    "{name}"
+                );
                 found.insert(name);
             }
         }
@@ -230,7 +239,10 @@ mod tests {
         let city = Path::new("/a/example:scenes/../hcbtf/city.json");
         let text = text(city).unwrap();
         assert!(text.contains("\"example:hcbtf/city.hcbtf\"") && !text.contains("\"city.hcbtf\""));
-        assert!(file(Path::new("examples/hcbtf/city.json")).is_none() && file(Path::new("example:city")).is_none());
+        assert!(
+            file(Path::new("examples/hcbtf/city.json")).is_none()
+                && file(Path::new("example:city")).is_none()
+        );
         for name in documents() {
             let text = super::text(Path::new(&format!("{PREFIX}{name}"))).unwrap();
             assert!(!text.contains("\"../"), "{name}");

@@ -1,9 +1,10 @@
 //! Files and folders that somebody else names: the one way by which they are read.
 //!
-//! A document, or a folder that came with it, may name anything: a pipe that never ends, a device that gives zeros for
-//! ever, a sparse file of a terabyte, a link to the root of the disk. So a file is read only where it is a plain one,
-//! and only up to a bound that the caller knows; a folder is walked through a bounded number of entries, and no folder
-//! twice. What the user names on the command line may also be a pipe (`chiaro check <(jq ...)`).
+//! A document, or a folder that came with it, may name anything: a pipe that never ends, a device
+//! that gives zeros for ever, a sparse file of a terabyte, a link to the root of the disk. So a
+//! file is read only where it is a plain one, and only up to a bound that the caller knows; a
+//! folder is walked through a bounded number of entries, and no folder twice. What the user names
+//! on the command line may also be a pipe (`chiaro check <(jq ...)`).
 
 use std::collections::{HashSet, VecDeque};
 use std::fs::{self, File, Metadata};
@@ -92,8 +93,9 @@ pub struct Walked {
 
 /// All files in a folder and in those below that `enters` lets in, at most `depth` folders deep.
 ///
-/// Links to folders are followed where they lead to one that was not seen and that does not hold the walked folder
-/// itself, after all folders that are there in person; so nothing is found twice, and no link leads round in a ring.
+/// Links to folders are followed where they lead to one that was not seen and that does not hold
+/// the walked folder itself, after all folders that are there in person; so nothing is found twice,
+/// and no link leads round in a ring.
 pub fn walk(folder: &Path, depth: usize, enters: &dyn Fn(&Path) -> bool) -> Walked {
     let mut walked = Walked::default();
     let Some(root) = place(folder, &mut walked) else { return walked };
@@ -132,7 +134,10 @@ pub fn walk(folder: &Path, depth: usize, enters: &dyn Fn(&Path) -> bool) -> Walk
 
 /// Where a folder really is.
 fn place(folder: &Path, walked: &mut Walked) -> Option<PathBuf> {
-    folder.canonicalize().map_err(|error| walked.unreadable.push((folder.to_path_buf(), error))).ok()
+    folder
+        .canonicalize()
+        .map_err(|error| walked.unreadable.push((folder.to_path_buf(), error)))
+        .ok()
 }
 
 /// What is in a folder, by name, as long as entries are `left`; and whether each is a link.
@@ -157,8 +162,8 @@ fn entries(folder: &Path, left: &mut usize, walked: &mut Walked) -> Vec<(PathBuf
     found
 }
 
-/// Whether bytes are text in UTF-16, which other programs write where they say "Unicode": by the mark at the beginning,
-/// or by every other of the first bytes being 0.
+/// Whether bytes are text in UTF-16, which other programs write where they say "Unicode": by the
+/// mark at the beginning, or by every other of the first bytes being 0.
 pub fn is_utf16(bytes: &[u8]) -> bool {
     let is_ascii = |byte: u8| byte.is_ascii_graphic() || byte.is_ascii_whitespace();
     match *bytes {
@@ -208,14 +213,22 @@ mod tests {
         for file in ["nodes/z", "nodes/b/y", "nodes/b/c/x", "shared/w"] {
             fs::write(folder.path().join(file), "").unwrap();
         }
-        // To a folder that is there, to one elsewhere (twice), to itself, upwards, to the root of the disk, to nothing.
-        for (link, target) in [("a", "b"), ("b/up", ".."), ("b/c/top", "/"), ("self", "."), ("none", "nowhere")] {
+        // To a folder that is there, to one elsewhere (twice), to itself, upwards, to the root of
+        // the disk, to nothing.
+        for (link, target) in
+            [("a", "b"), ("b/up", ".."), ("b/c/top", "/"), ("self", "."), ("none", "nowhere")]
+        {
             symlink(target, root.join(link)).unwrap();
         }
-        ["d", "e"].iter().for_each(|link| symlink(folder.path().join("shared"), root.join(link)).unwrap());
+        ["d", "e"]
+            .iter()
+            .for_each(|link| symlink(folder.path().join("shared"), root.join(link)).unwrap());
         let walked = walk(&root, 8, &|_| true);
         let short = |path: &PathBuf| path.strip_prefix(&root).unwrap().display().to_string();
-        assert_eq!(walked.files.iter().map(short).collect::<Vec<_>>(), ["none", "z", "b/y", "b/c/x", "d/w"]);
+        assert_eq!(
+            walked.files.iter().map(short).collect::<Vec<_>>(),
+            ["none", "z", "b/y", "b/c/x", "d/w"]
+        );
         assert_eq!(walked.folders.iter().map(short).collect::<Vec<_>>(), ["", "b", "b/c", "d"]);
         assert!(!walked.is_cut && walked.unreadable.is_empty(), "{walked:?}");
         let flat = walk(&root, 0, &|_| true);
@@ -228,8 +241,12 @@ mod tests {
     fn utf_16_is_known_with_and_without_a_mark() {
         let units = |text: &str| text.encode_utf16().collect::<Vec<_>>();
         for text in ["v 1 2 3", "\u{feff}{ \"a\": 1 }"] {
-            assert!(is_utf16(&units(text).iter().flat_map(|unit| unit.to_le_bytes()).collect::<Vec<_>>()));
-            assert!(is_utf16(&units(text).iter().flat_map(|unit| unit.to_be_bytes()).collect::<Vec<_>>()));
+            assert!(is_utf16(
+                &units(text).iter().flat_map(|unit| unit.to_le_bytes()).collect::<Vec<_>>()
+            ));
+            assert!(is_utf16(
+                &units(text).iter().flat_map(|unit| unit.to_be_bytes()).collect::<Vec<_>>()
+            ));
             assert!(!is_utf16(text.as_bytes()));
         }
         assert!(!is_utf16(b"") && !is_utf16(&[0; 84]) && !is_utf16(b"glTF\x02\0\0\0"));

@@ -1,4 +1,5 @@
-//! The generated WGSL: coloured, with the lines of the selected nodes marked; a click on a line selects its node.
+//! The generated WGSL: colored, with the lines of the selected nodes marked; a click on a line
+//! selects its node.
 
 use eframe::egui;
 use std::ops::Range;
@@ -26,7 +27,10 @@ impl Code {
         self.sync(session.baked());
         let mut commands = Vec::new();
         let Some(shader) = self.shader.clone() else {
-            ui.label(RichText::new("The shader appears here once the look compiles").color(theme::of(ui).dim));
+            ui.label(
+                RichText::new("The shader appears here once the look compiles")
+                    .color(theme::of(ui).dim),
+            );
             return commands;
         };
         self.head(ui, &shader, &mut commands);
@@ -43,7 +47,9 @@ impl Code {
         }
         area.show_rows(ui, row, self.lines.len(), |ui, rows| {
             for line in rows {
-                if let Some(node) = self.show_line(ui, &shader, line, row, marked.binary_search(&line).is_ok()) {
+                if let Some(node) =
+                    self.show_line(ui, &shader, line, row, marked.binary_search(&line).is_ok())
+                {
                     commands.push(Command::Show(crate::ids::NodePath::root(node)));
                 }
             }
@@ -79,10 +85,17 @@ impl Code {
             let what = format!("{} lines", self.lines.len());
             ui.label(RichText::new(what).color(theme::of(ui).dim));
             if !shader.removed.is_empty() {
-                let removed: Vec<String> =
-                    shader.removed.iter().take(20).map(|r| format!("{}: {}", r.path, r.reason)).collect();
-                ui.label(RichText::new(format!("{} left out", shader.removed.len())).color(theme::of(ui).dim))
-                    .on_hover_text(removed.join("\n"));
+                let removed: Vec<String> = shader
+                    .removed
+                    .iter()
+                    .take(20)
+                    .map(|r| format!("{}: {}", r.path, r.reason))
+                    .collect();
+                ui.label(
+                    RichText::new(format!("{} left out", shader.removed.len()))
+                        .color(theme::of(ui).dim),
+                )
+                .on_hover_text(removed.join("\n"));
             }
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 if ui.button("Copy").on_hover_text("Copies the whole shader").clicked() {
@@ -94,7 +107,9 @@ impl Code {
 
     /// The lines that came from the selected nodes.
     fn marked_lines(&self, shader: &CompiledShader, selected: &[NodeId]) -> Vec<usize> {
-        let line_of = |offset: usize| self.lines.partition_point(|line| line.start <= offset).saturating_sub(1);
+        let line_of = |offset: usize| {
+            self.lines.partition_point(|line| line.start <= offset).saturating_sub(1)
+        };
         let mut marked = Vec::new();
         for id in selected {
             let path = NodePath::root(id.clone());
@@ -114,7 +129,9 @@ impl Code {
         is_marked: bool,
     ) -> Option<NodeId> {
         let range = self.lines[line].clone();
-        let galley = ui.fonts_mut(|fonts| fonts.layout_job(job(line + 1, &shader.wgsl[range.clone()], theme::of(ui))));
+        let galley = ui.fonts_mut(|fonts| {
+            fonts.layout_job(job(line + 1, &shader.wgsl[range.clone()], theme::of(ui)))
+        });
         let width = galley.size().x.max(ui.available_width());
         let (rect, response) = ui.allocate_exact_size(vec2(width, height), Sense::click());
         let node = || range.clone().find_map(|offset| shader.spans.node_at(offset));
@@ -168,12 +185,13 @@ const KEYWORDS: &[&str] = &[
     "diagnostic",
 ];
 
-/// A line with its number, coloured.
+/// A line with its number, colored.
 fn job(number: usize, line: &str, colors: &Colors) -> LayoutJob {
     let font = FontId::monospace(12.0);
     let mut job = LayoutJob::default();
-    let mut add =
-        |text: &str, color| job.append(text, 0.0, TextFormat { font_id: font.clone(), color, ..TextFormat::default() });
+    let mut add = |text: &str, color| {
+        job.append(text, 0.0, TextFormat { font_id: font.clone(), color, ..TextFormat::default() })
+    };
     add(&format!("{number:>4}  "), colors.code.comment.gamma_multiply(0.7));
     for (text, word) in pieces(line) {
         add(text, color(word, colors));
@@ -198,7 +216,9 @@ fn pieces(line: &str) -> Vec<(&str, Word)> {
             let more = |c: char| is_word(c) || is_number && c == '.';
             from + rest[from..].find(|c| !more(c)).unwrap_or(rest.len() - from)
         } else {
-            rest.find(|c| is_word(c) || c == '@' || c == '/').filter(|&at| at > 0).unwrap_or(first.len_utf8())
+            rest.find(|c| is_word(c) || c == '@' || c == '/')
+                .filter(|&at| at > 0)
+                .unwrap_or(first.len_utf8())
         };
         let (word, after) = rest.split_at(length);
         pieces.push((word, kind(word, first, after)));
@@ -209,7 +229,8 @@ fn pieces(line: &str) -> Vec<(&str, Word)> {
 
 fn kind(word: &str, first: char, after: &str) -> Word {
     const TYPES: &[&str] = &[
-        "f32", "i32", "u32", "bool", "vec2f", "vec3f", "vec4f", "mat3x3f", "mat4x4f", "array", "vec2", "vec3", "vec4",
+        "f32", "i32", "u32", "bool", "vec2f", "vec3f", "vec4f", "mat3x3f", "mat4x4f", "array",
+        "vec2", "vec3", "vec4",
     ];
     if first == '@' {
         Word::Attribute
@@ -245,13 +266,20 @@ mod tests {
 
     #[test]
     fn pieces_make_up_the_line() {
-        for line in
-            ["let x = vec3f(1.0, 2e-3, y_1); // done", "@fragment fn main() -> vec4f {", "a/b", "ä + 光", "/", ""]
-        {
+        for line in [
+            "let x = vec3f(1.0, 2e-3, y_1); // done",
+            "@fragment fn main() -> vec4f {",
+            "a/b",
+            "ä + 光",
+            "/",
+            "",
+        ] {
             let joined: String = pieces(line).iter().map(|(text, _)| *text).collect();
             assert_eq!(joined, line);
         }
-        let of = |line: &'static str, word: &str| pieces(line).iter().find(|(text, _)| *text == word).unwrap().1;
+        let of = |line: &'static str, word: &str| {
+            pieces(line).iter().find(|(text, _)| *text == word).unwrap().1
+        };
         assert_eq!(of("let x = 1.0;", "let"), Word::Keyword);
         assert_eq!(of("let x = 1.0;", "1.0"), Word::Number);
         assert_eq!(of("profile(a)", "profile"), Word::Function);

@@ -1,4 +1,5 @@
-//! What panels ask for. They change nothing themselves: [`App`](super::App) applies commands, in one place.
+//! What panels ask for. They change nothing themselves: [`App`](super::App) applies commands, in
+//! one place.
 
 use eframe::egui;
 use std::path::PathBuf;
@@ -49,7 +50,8 @@ pub(crate) enum Command {
     SaveAs,
     /// Saves to this file.
     SaveTo(PathBuf),
-    /// Shows the look on the mesh of this file, or on the own shape that `shape:` names; asks for a file where there is none.
+    /// Shows the look on the mesh of this file, or on the own shape that `shape:` names; asks for a
+    /// file where there is none.
     ShowOn(Option<PathBuf>),
     /// Whether the mesh's z axis points up, and not y.
     StandUp(bool),
@@ -65,7 +67,8 @@ pub(crate) enum Command {
     Act(Action),
     /// Writes a picture to a file; asks for one where there is none.
     Export(Export, Option<PathBuf>),
-    /// Writes the look as shaders of a language, or of all, into a folder; asks for one where there is none.
+    /// Writes the look as shaders of a language, or of all, into a folder; asks for one where there
+    /// is none.
     ExportLook(&'static str, Option<PathBuf>),
     /// Copies the picture to the clipboard.
     CopyPicture,
@@ -90,7 +93,8 @@ pub(crate) enum Command {
     OpenExample(usize),
     /// Copies text to the clipboard.
     Copy(String),
-    /// Sets values at this direction key from now on: a set and a key of it; at none, at the one that weighs most.
+    /// Sets values at this direction key from now on: a set and a key of it; at none, at the one
+    /// that weighs most.
     SelectKey(Option<(usize, usize)>),
     /// Moves the playhead, in seconds.
     SetTime(f64),

@@ -1,5 +1,5 @@
-//! Compiling a look in the background: the live shader (every value a uniform, for editing) and the baked one (values
-//! folded, for a look at rest and for the code panel).
+//! Compiling a look in the background: the live shader (every value a uniform, for editing) and the
+//! baked one (values folded, for a look at rest and for the code panel).
 
 use std::collections::HashSet;
 use std::path::PathBuf;
@@ -23,7 +23,8 @@ pub(crate) struct Request {
     pub(crate) document: u64,
     /// Its revision.
     pub(crate) revision: u64,
-    /// Which structure it has; other values with the same structure are shown by the same live shader.
+    /// Which structure it has; other values with the same structure are shown by the same live
+    /// shader.
     pub(crate) structure: u64,
     /// The values that were edited, which stay live however long the look is.
     pub(crate) touched: Arc<HashSet<(NodePath, PortName)>>,
@@ -75,7 +76,10 @@ pub(crate) fn start(wake: impl Fn() + Send + 'static, crashes: CrashLog) -> Comp
 }
 
 fn compile(request: &Request) -> Result<Shaders, Vec<Diagnostic>> {
-    let shown = request.wire.as_ref().map(|(wire, ty)| wire.of(&request.look, &request.library, ty.as_ref()));
+    let shown = request
+        .wire
+        .as_ref()
+        .map(|(wire, ty)| wire.of(&request.look, &request.library, ty.as_ref()));
     let (look, root) = match &shown {
         Some((look, root)) => (look, Some(root)),
         None => (&*request.look, None),

@@ -1,5 +1,5 @@
-//! The system's file dialogs, which wait on a thread of their own. Where the system has none to show, the window asks for
-//! a path itself.
+//! The system's file dialogs, which wait on a thread of their own. Where the system has none to
+//! show, the window asks for a path itself.
 
 use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
@@ -50,8 +50,8 @@ pub(crate) const IMAGES: [&str; 5] = ["png", "jpg", "jpeg", "exr", "hdr"];
 /// The ending of HCBTFs.
 pub(crate) const PAINTING: &str = "hcbtf";
 
-/// A dialog that is over before anybody could have seen it, in seconds, was none: there is no portal and no program that
-/// shows one.
+/// A dialog that is over before anybody could have seen it, in seconds, was none: there is no
+/// portal and no program that shows one.
 const UNSEEN: f64 = 0.35;
 
 impl Purpose {
@@ -63,7 +63,8 @@ impl Purpose {
             Self::SaveScene => ("Chiaro scene", &["json"]),
             Self::SavePainting | Self::BakeLook => ("HCBTF", &[PAINTING]),
             Self::Mesh | Self::AddMesh | Self::ObjectMesh => ("Mesh", &MESHES),
-            Self::ImportPainting(Import { form, .. }) | Self::ExportPainting(form, _) => match form {
+            Self::ImportPainting(Import { form, .. }) | Self::ExportPainting(form, _) => match form
+            {
                 Form::Folder => ("Folder", &[]),
                 Form::Contact | Form::Sheet => ("PNG", &["png"]),
                 Form::Ktx2 => ("KTX2", &["ktx2"]),
@@ -140,7 +141,12 @@ pub(crate) struct Dialogs {
 impl Dialogs {
     /// `wake` is called from another thread when a file was chosen.
     pub(crate) fn new(wake: impl Fn() + Send + Sync + 'static) -> Self {
-        Self { answers: Arc::default(), wake: Arc::new(wake), way: Way::System, prepared: VecDeque::new() }
+        Self {
+            answers: Arc::default(),
+            wake: Arc::new(wake),
+            way: Way::System,
+            prepared: VecDeque::new(),
+        }
     }
 
     /// Asks for a file, beginning in the folder of `near`.
@@ -163,7 +169,9 @@ impl Dialogs {
             dialog = dialog.add_filter(kind, endings);
         }
         // A folder that is only suggested is not there yet: its own folder is.
-        if let Some(folder) = suggested.ancestors().skip(usize::from(!purpose.is_folder())).find(|path| path.is_dir()) {
+        if let Some(folder) =
+            suggested.ancestors().skip(usize::from(!purpose.is_folder())).find(|path| path.is_dir())
+        {
             dialog = dialog.set_directory(folder);
         }
         let name = suggested.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -190,27 +198,35 @@ impl Dialogs {
         (self.wake)();
     }
 
-    /// What became of dialogs since the last call. Once there was none to show, the system is not asked again.
+    /// What became of dialogs since the last call. Once there was none to show, the system is not
+    /// asked again.
     pub(crate) fn answers(&mut self) -> Vec<Answer> {
-        let answers = std::mem::take(&mut *self.answers.lock().unwrap_or_else(PoisonError::into_inner));
-        if self.way == Way::System && answers.iter().any(|answer| matches!(answer, Answer::NoDialog(..))) {
+        let answers =
+            std::mem::take(&mut *self.answers.lock().unwrap_or_else(PoisonError::into_inner));
+        if self.way == Way::System
+            && answers.iter().any(|answer| matches!(answer, Answer::NoDialog(..)))
+        {
             self.way = Way::Window;
         }
         answers
     }
 }
 
-/// Where a dialog begins: beside `near`, under its name where a file is written; at `near` where a folder is asked for.
+/// Where a dialog begins: beside `near`, under its name where a file is written; at `near` where a
+/// folder is asked for.
 fn suggested(purpose: Purpose, near: Option<&Path>) -> PathBuf {
     if purpose.is_folder() {
         return near.and_then(|near| std::path::absolute(near).ok()).unwrap_or_default();
     }
-    let folder = near.and_then(Path::parent).filter(|folder| folder.is_dir()).map(Path::to_path_buf);
+    let folder =
+        near.and_then(Path::parent).filter(|folder| folder.is_dir()).map(Path::to_path_buf);
     let folder = folder.or_else(|| std::env::current_dir().ok()).unwrap_or_default();
     if !purpose.writes() {
         return folder.join("");
     }
-    let name = near.and_then(Path::file_name).map_or_else(|| "look.json".into(), std::borrow::ToOwned::to_owned);
+    let name = near
+        .and_then(Path::file_name)
+        .map_or_else(|| "look.json".into(), std::borrow::ToOwned::to_owned);
     let (_, endings) = purpose.files();
     folder.join(Path::new(&name).with_extension(endings[0]))
 }

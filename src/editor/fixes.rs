@@ -1,4 +1,5 @@
-//! What one click does about a problem, where one edit is enough: offered on the node and in the list of problems.
+//! What one click does about a problem, where one edit is enough: offered on the node and in the
+//! list of problems.
 
 use super::catalog::{CODE, CUSTOM_CODE, Kind, Port};
 use super::session::Session;
@@ -91,26 +92,45 @@ impl<'a> Spot<'a> {
         self.graph.wire_into(&self.node_id, self.port.as_ref()?)
     }
 
-    fn set(&self, port: &str, value: Value, label: impl Into<String>, help: impl Into<String>) -> Fix {
+    fn set(
+        &self,
+        port: &str,
+        value: Value,
+        label: impl Into<String>,
+        help: impl Into<String>,
+    ) -> Fix {
         let (graph, id) = (self.id.clone(), self.node_id.clone());
         Fix::new(label, help, Edit::SetValue { graph, id, port: port.into(), value, index: None })
     }
 
     fn remove(&self, help: &str) -> Fix {
-        Fix::new("Remove this one", help, Edit::RemoveNode { graph: self.id.clone(), id: self.node_id.clone() })
+        Fix::new(
+            "Remove this one",
+            help,
+            Edit::RemoveNode { graph: self.id.clone(), id: self.node_id.clone() },
+        )
     }
 
     fn known_kinds(&self) -> Vec<Fix> {
         let known = self.session.catalog.all().map(|kind| kind.id.as_str());
         let fix = |near: &str| {
             let label = self.session.catalog.get(near).map_or(near, |kind| &kind.label);
-            let edit = Edit::SetKind { graph: self.id.clone(), id: self.node_id.clone(), kind: near.to_owned() };
-            Fix::new(format!("Make it {label}"), format!("Changes the kind to `{near}`; values and wires stay"), edit)
+            let edit = Edit::SetKind {
+                graph: self.id.clone(),
+                id: self.node_id.clone(),
+                kind: near.to_owned(),
+            };
+            Fix::new(
+                format!("Make it {label}"),
+                format!("Changes the kind to `{near}`; values and wires stay"),
+                edit,
+            )
         };
         nearest(&self.node.kind, known).into_iter().map(fix).collect()
     }
 
-    /// A value, a wire from or a wire into a port that there is not: the nearest that there is, or else away with it.
+    /// A value, a wire from or a wire into a port that there is not: the nearest that there is, or
+    /// else away with it.
     fn known_port(&self) -> Option<Fix> {
         let (kind, port) = (self.kind()?, self.port.as_ref()?);
         let (graph, id) = (self.id.clone(), self.node_id.clone());
@@ -119,24 +139,34 @@ impl<'a> Spot<'a> {
             nearest(port.as_str(), names).first().map(|name| PortName::from(*name))
         };
         if let Some(value) = self.node.values.get(port) {
-            let clear = Edit::ClearValue { graph: graph.clone(), id: id.clone(), port: port.clone() };
+            let clear =
+                Edit::ClearValue { graph: graph.clone(), id: id.clone(), port: port.clone() };
             let free = near(&kind.inputs).filter(|near| !self.node.values.contains_key(near));
             return Some(match free {
                 Some(near) => {
                     let label = format!("Use {near}");
-                    let set = Edit::SetValue { graph, id, port: near, value: value.clone(), index: None };
+                    let set =
+                        Edit::SetValue { graph, id, port: near, value: value.clone(), index: None };
                     Fix::new(
                         label,
                         "Gives the value to the input of the nearest name",
                         Edit::Group { edits: vec![clear, set] },
                     )
                 }
-                None => Fix::new("Remove the value", "The node has nothing of a name like this", clear),
+                None => {
+                    Fix::new("Remove the value", "The node has nothing of a name like this", clear)
+                }
             });
         }
         let (old, is_input) = match self.wire_into() {
             Some(wire) => (wire, true),
-            None => (self.graph.wires.iter().find(|w| w.from.node == self.node_id && w.from.port == *port)?, false),
+            None => (
+                self.graph
+                    .wires
+                    .iter()
+                    .find(|w| w.from.node == self.node_id && w.from.port == *port)?,
+                false,
+            ),
         };
         let remove = Edit::RemoveWire { graph: graph.clone(), wire: old.clone() };
         let near = near(if is_input { &kind.inputs } else { &kind.outputs });
@@ -174,12 +204,26 @@ impl<'a> Spot<'a> {
         let (mut edits, from, label, help) = match loose {
             Some(id) => {
                 let title = self.session.title(&id);
-                (Vec::new(), id, format!("Wire {title}"), format!("Wires {title}, which feeds nothing yet"))
+                (
+                    Vec::new(),
+                    id,
+                    format!("Wire {title}"),
+                    format!("Wires {title}, which feeds nothing yet"),
+                )
             }
             None => {
-                let label = self.session.catalog.get(kind).map_or(kind.to_owned(), |kind| kind.label.to_string());
+                let label = self
+                    .session
+                    .catalog
+                    .get(kind)
+                    .map_or(kind.to_owned(), |kind| kind.label.to_string());
                 let (id, edits) = self.new_node(kind);
-                (edits, id, format!("Add {label}"), format!("Adds a {label} node and wires it here"))
+                (
+                    edits,
+                    id,
+                    format!("Add {label}"),
+                    format!("Adds a {label} node and wires it here"),
+                )
             }
         };
         let to = Endpoint { node: self.node_id.clone(), port: port.clone() };
@@ -191,14 +235,15 @@ impl<'a> Spot<'a> {
     fn new_node(&self, kind: &str) -> (NodeId, Vec<Edit>) {
         let id = NodeId::new(make_slug(kind, |slug| self.graph.nodes.contains_key(slug)));
         let [x, y] = self.node.position;
-        let mut node = Node { kind: kind.to_owned(), position: [x - 260.0, y + 60.0], ..Node::default() };
+        let mut node =
+            Node { kind: kind.to_owned(), position: [x - 260.0, y + 60.0], ..Node::default() };
         if let ("light", Some(light)) = (kind, self.session.look().lights.keys().next()) {
             node.values.insert("light".into(), Value::Text(light.to_string()));
         }
         (id.clone(), vec![Edit::AddNode { graph: self.id.clone(), id, node, index: None }])
     }
 
-    /// The last node that makes a stack or a colour which nothing takes.
+    /// The last node that makes a stack or a color which nothing takes.
     fn loose_end(&self) -> Option<NodeId> {
         loose_end(self.session, self.graph, &self.node_id)
     }
@@ -220,21 +265,35 @@ impl<'a> Spot<'a> {
         let port = self.input()?;
         let Value::Text(word) = self.node.values.get(&port.name)? else { return None };
         let words = port.options.iter().map(|(word, _)| word.as_str());
-        let Some(near) = nearest(word, words).first().map(|word| (*word).to_owned()) else { return self.use_default() };
-        let label = port.options.iter().find(|(known, _)| *known == near).map_or(&near, |(_, label)| label).clone();
+        let Some(near) = nearest(word, words).first().map(|word| (*word).to_owned()) else {
+            return self.use_default();
+        };
+        let label = port
+            .options
+            .iter()
+            .find(|(known, _)| *known == near)
+            .map_or(&near, |(_, label)| label)
+            .clone();
         let name = port.name.to_string();
-        Some(self.set(&name, Value::Text(near), format!("Use {label}"), "Takes the nearest word that it knows"))
+        Some(self.set(
+            &name,
+            Value::Text(near),
+            format!("Use {label}"),
+            "Takes the nearest word that it knows",
+        ))
     }
 
     fn known_lights(&self) -> Vec<Fix> {
-        let port = self.kind().and_then(|kind| kind.inputs.iter().find(|port| port.ty == Type::LightName));
+        let port =
+            self.kind().and_then(|kind| kind.inputs.iter().find(|port| port.ty == Type::LightName));
         let Some(port) = port else { return Vec::new() };
         let lights = &self.session.look().lights;
         let wrong = match self.node.values.get(&port.name) {
             Some(Value::Text(id)) => id.as_str(),
             _ => "",
         };
-        let near = nearest(wrong, lights.keys().map(AsRef::as_ref)).first().map(|id| (*id).to_owned());
+        let near =
+            nearest(wrong, lights.keys().map(AsRef::as_ref)).first().map(|id| (*id).to_owned());
         let is_near = |id: &LightId| near.as_deref() == Some(id.as_ref());
         let (nearest, others): (Vec<_>, Vec<_>) = lights.iter().partition(|(id, _)| is_near(id));
         let fixes: Vec<Fix> = nearest
@@ -244,7 +303,12 @@ impl<'a> Spot<'a> {
             .map(|(id, light)| {
                 let name = if light.name.is_empty() { id.as_ref() } else { light.name.as_str() };
                 let value = Value::Text(id.to_string());
-                self.set(port.name.as_str(), value, format!("Use {name}"), "Names a light that the look has")
+                self.set(
+                    port.name.as_str(),
+                    value,
+                    format!("Use {name}"),
+                    "Names a light that the look has",
+                )
             })
             .collect();
         if !fixes.is_empty() {
@@ -259,31 +323,42 @@ impl<'a> Spot<'a> {
 
     fn unwire(&self) -> Option<Fix> {
         let edit = Edit::RemoveWire { graph: self.id.clone(), wire: self.wire_into()?.clone() };
-        Some(Fix::new("Remove the wire", "Takes the wire away, so that the input has its own value", edit))
+        Some(Fix::new(
+            "Remove the wire",
+            "Takes the wire away, so that the input has its own value",
+            edit,
+        ))
     }
 
     fn use_default(&self) -> Option<Fix> {
         let has = |port: &PortName| self.node.values.contains_key(port) && port.as_str() != CODE;
         let port = self.port.clone().filter(has)?;
         let edit = Edit::ClearValue { graph: self.id.clone(), id: self.node_id.clone(), port };
-        Some(Fix::new("Use the default", "Takes the value away, so that the input has its default", edit))
+        Some(Fix::new(
+            "Use the default",
+            "Takes the value away, so that the input has its default",
+            edit,
+        ))
     }
 }
 
-/// The last node that makes a stack or a colour which nothing takes.
+/// The last node that makes a stack or a color which nothing takes.
 fn loose_end(session: &Session, graph: &Graph, except: &NodeId) -> Option<NodeId> {
-    let is_loose = |id: &NodeId| id != except && !graph.wires.iter().any(|wire| wire.from.node == *id);
+    let is_loose =
+        |id: &NodeId| id != except && !graph.wires.iter().any(|wire| wire.from.node == *id);
     let makes = |node: &Node, wanted: &Type| {
         let kind = session.catalog.of(node);
         kind.and_then(|kind| kind.outputs.first()).is_some_and(|output| output.ty == *wanted)
     };
-    let of = |wanted: &Type| graph.nodes.iter().rev().find(|(id, node)| is_loose(id) && makes(node, wanted));
-    // Bottom-most last: a Base that nothing takes is no finished stack, unless there is nothing else.
-    let stack = graph
-        .nodes
-        .iter()
-        .rev()
-        .find(|(id, node)| is_loose(id) && makes(node, &Type::Composite) && node.kind != "base");
+    let of = |wanted: &Type| {
+        graph.nodes.iter().rev().find(|(id, node)| is_loose(id) && makes(node, wanted))
+    };
+    // Bottom-most last: a Base that nothing takes is no finished stack, unless there is nothing
+    // else.
+    let stack =
+        graph.nodes.iter().rev().find(|(id, node)| {
+            is_loose(id) && makes(node, &Type::Composite) && node.kind != "base"
+        });
     stack.or_else(|| of(&Type::Color)).or_else(|| of(&Type::Composite)).map(|(id, _)| id.clone())
 }
 
@@ -291,12 +366,21 @@ fn add_output(session: &Session) -> Fix {
     let graph = &session.look().graph;
     let id = NodeId::new(make_slug("output", |slug| graph.nodes.contains_key(slug)));
     let from = loose_end(session, graph, &id);
-    let place = from.as_ref().and_then(|id| graph.nodes.get(id)).map_or([0.0; 2], |node| node.position);
-    let node = Node { kind: "output".to_owned(), position: [place[0] + 260.0, place[1]], ..Node::default() };
+    let place =
+        from.as_ref().and_then(|id| graph.nodes.get(id)).map_or([0.0; 2], |node| node.position);
+    let node = Node {
+        kind: "output".to_owned(),
+        position: [place[0] + 260.0, place[1]],
+        ..Node::default()
+    };
     let mut edits = vec![Edit::AddNode { graph: GraphId::Look, id: id.clone(), node, index: None }];
     edits.extend(from.map(|from| {
         let wire = Wire { from: Endpoint::new(from, ""), to: Endpoint::new(id, "color") };
         Edit::AddWire { graph: GraphId::Look, wire, index: None }
     }));
-    Fix::new("Add an Output", "Adds an Output node, wired to what feeds nothing yet", Edit::Group { edits })
+    Fix::new(
+        "Add an Output",
+        "Adds an Output node, wired to what feeds nothing yet",
+        Edit::Group { edits },
+    )
 }

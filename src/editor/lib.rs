@@ -1,7 +1,8 @@
 //! The editor: node canvas, viewport, inspector, generated WGSL. The only egui code.
 //!
-//! A [`Session`] holds the open look with its past and asks a thread for shaders; panels read it and return commands;
-//! [`App`] applies those in one place. The canvas owns no graph: it reads the document and draws what is in view.
+//! A [`Session`] holds the open look with its past and asks a thread for shaders; panels read it
+//! and return commands; [`App`] applies those in one place. The canvas owns no graph: it reads the
+//! document and draws what is in view.
 
 use chiaro_compiler::{catalog, compile, document, examples, library};
 use chiaro_laboratory::{accuracy, fit};
@@ -89,7 +90,8 @@ pub fn options() -> eframe::NativeOptions {
         milestones::reached("adapter");
         crate::render::device_descriptor(adapter)
     });
-    let mut options = eframe::NativeOptions { viewport, renderer: eframe::Renderer::Wgpu, ..Default::default() };
+    let mut options =
+        eframe::NativeOptions { viewport, renderer: eframe::Renderer::Wgpu, ..Default::default() };
     options.wgpu_options.wgpu_setup = setup.into();
     options
 }
@@ -99,8 +101,8 @@ fn icon() -> egui::IconData {
     eframe::icon_data::from_png_bytes(include_bytes!("icon.png")).unwrap_or_default()
 }
 
-/// Begins what the first picture needs of the processor, beside the window's and the device's beginning: nodes are read,
-/// and an own shape is made, once for all who ask.
+/// Begins what the first picture needs of the processor, beside the window's and the device's
+/// beginning: nodes are read, and an own shape is made, once for all who ask.
 fn warm_up(mesh: Option<&str>) {
     drop(worker::start("library", || {
         Library::built_in();
@@ -111,8 +113,8 @@ fn warm_up(mesh: Option<&str>) {
     }
 }
 
-/// Opens the window with the first of `files`, or a new look, on `mesh` (a path, or `shape:` and a name), and returns
-/// when it is closed.
+/// Opens the window with the first of `files`, or a new look, on `mesh` (a path, or `shape:` and a
+/// name), and returns when it is closed.
 ///
 /// # Errors
 /// Why there can be no window.
@@ -141,7 +143,8 @@ pub fn run(files: &[PathBuf], mesh: Option<&str>) -> Result<(), Box<Diagnostic>>
     };
     eframe::run_native("chiaro", options(), Box::new(create)).map_err(|error| {
         let problem = Diagnostic::error("no-window", format!("no window could be opened: {error}"));
-        let hint = "without a display, `chiaro render` makes pictures; on Linux DISPLAY or WAYLAND_DISPLAY names one";
+        let hint = "without a display, `chiaro render` makes pictures; on Linux DISPLAY or \
+                    WAYLAND_DISPLAY names one";
         Box::new(problem.hint(hint))
     })
 }

@@ -1,5 +1,5 @@
-//! Lights of the look and of the scene around it: listed alike, and changed alike. Only which document an edit goes to
-//! differs, and that keys move the look's.
+//! Lights of the look and of the scene around it: listed alike, and changed alike. Only which
+//! document an edit goes to differs, and that keys move the look's.
 
 use eframe::egui;
 use indexmap::IndexMap;
@@ -106,7 +106,8 @@ impl<'s> Lamp<'s> {
         Target::Light { light: self.id.clone(), field: field.to_owned() }
     }
 
-    /// The edit from one state of it to another: what is keyed is set at its key, all else in the light.
+    /// The edit from one state of it to another: what is keyed is set at its key, all else in the
+    /// light.
     pub(crate) fn changed(&self, session: &Session, old: &Light, new: &Light) -> Change {
         if self.owner == Owner::Scene {
             return self.set(new.clone());
@@ -144,15 +145,20 @@ impl<'s> Lamp<'s> {
         if !light.name.is_empty() {
             light.name += " copy";
         }
-        let base = self.id.as_str().trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('_');
+        let base =
+            self.id.as_str().trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('_');
         let base = if base.is_empty() { self.id.as_str() } else { base };
         let index = session.lights_of(self.owner).and_then(|lights| lights.get_index_of(self.id));
         self.owner.add(session.free_light(self.owner, base), light, index.map(|index| index + 1))
     }
 
-    /// Lets a scene's light stand in place of another light of the looks. `None` for what a look has.
+    /// Lets a scene's light stand in place of another light of the looks. `None` for what a look
+    /// has.
     pub(crate) fn stand_in_for(&self, session: &Session, id: &LightId) -> Option<Change> {
-        let index = session.lights_of(Owner::Scene).filter(|_| self.owner == Owner::Scene)?.get_index_of(self.id);
+        let index = session
+            .lights_of(Owner::Scene)
+            .filter(|_| self.owner == Owner::Scene)?
+            .get_index_of(self.id);
         let edits = vec![
             SceneEdit::AddLight { id: id.clone(), light: self.light.clone(), index },
             SceneEdit::RemoveLight { id: self.id.clone() },
@@ -182,8 +188,8 @@ impl Session {
         LightId::new(make_slug(base, |slug| lights.is_some_and(|lights| lights.contains_key(slug))))
     }
 
-    /// The edit by which the light of the look has a value where it is looked at: at a key of the look, or else in the
-    /// document whose light it is.
+    /// The edit by which the light of the look has a value where it is looked at: at a key of the
+    /// look, or else in the document whose light it is.
     pub(crate) fn set_light_at(&self, id: &LightId, field: &str, value: Value) -> Change {
         let target = Target::Light { light: id.clone(), field: field.to_owned() };
         match self.light_of_scene(id).filter(|_| self.keyed_by(&target) == KeyedBy::Nothing) {
@@ -196,7 +202,8 @@ impl Session {
         }
     }
 
-    /// What a light of the scene can stand in for: the lights of the open look and of all others in it, by id.
+    /// What a light of the scene can stand in for: the lights of the open look and of all others in
+    /// it, by id.
     pub(crate) fn lights_of_looks(&self) -> IndexMap<LightId, Shared> {
         let mut found: IndexMap<LightId, Shared> = IndexMap::new();
         let mut count = |look: &Look| {
@@ -206,7 +213,10 @@ impl Session {
             }
         };
         count(self.look());
-        self.stage().into_iter().flat_map(|stage| stage.staged().other_looks()).for_each(|look| count(&look.look));
+        self.stage()
+            .into_iter()
+            .flat_map(|stage| stage.staged().other_looks())
+            .for_each(|look| count(&look.look));
         found
     }
 }

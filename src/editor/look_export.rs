@@ -1,5 +1,6 @@
-//! The look as shaders that leave the window, for every language that `chiaro export` writes, by the same code. Compiling
-//! for seven languages takes a moment, so a thread does it and no hand waits.
+//! The look as shaders that leave the window, for every language that `chiaro export` writes, by
+//! the same code. Compiling for seven languages takes a moment, so a thread does it and no hand
+//! waits.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -72,7 +73,8 @@ impl LookExports {
 
     fn add(&self, job: Job) {
         // Nothing that waits is dropped.
-        self.worker.request(|waiting| waiting.unwrap_or_default().into_iter().chain([job]).collect());
+        self.worker
+            .request(|waiting| waiting.unwrap_or_default().into_iter().chain([job]).collect());
     }
 
     pub(crate) fn answers(&self) -> impl Iterator<Item = Done> + use<> {
@@ -88,9 +90,11 @@ impl LookExports {
     }
 }
 
-/// What the names of the look's files begin with, as `chiaro export` has it: the name of its own file.
+/// What the names of the look's files begin with, as `chiaro export` has it: the name of its own
+/// file.
 fn stem(session: &Session) -> String {
-    let of_file = session.path().and_then(Path::file_stem).map(|stem| stem.to_string_lossy().into_owned());
+    let of_file =
+        session.path().and_then(Path::file_stem).map(|stem| stem.to_string_lossy().into_owned());
     of_file.unwrap_or_else(|| stem_of(&session.look().name))
 }
 
@@ -120,12 +124,16 @@ fn job(session: &Session, language: &'static str, to: Destination) -> Job {
 
 fn run(job: &Job) -> Done {
     let exported = export::languages([job.language]).and_then(|languages| {
-        Ok((export::export(&job.look, &job.library, &job.stem, &languages, &job.folder)?, languages))
+        Ok((
+            export::export(&job.look, &job.library, &job.stem, &languages, &job.folder)?,
+            languages,
+        ))
     });
     let done = exported.and_then(|(exported, languages)| match &job.to {
         Destination::Folder(folder) => {
             let told = write(&exported, folder, job)?;
-            let unverified = export::unverified(&languages).map(|told| format!(" · {told}")).unwrap_or_default();
+            let unverified =
+                export::unverified(&languages).map(|told| format!(" · {told}")).unwrap_or_default();
             Ok(Done::Told(told + &unverified))
         }
         Destination::Clipboard(ending) => copy(&exported, ending, job),
@@ -133,8 +141,9 @@ fn run(job: &Job) -> Done {
     done.unwrap_or_else(|problems| Done::Told(told(&problems)))
 }
 
-/// Writes the files. Where they would take a document's place they go into a folder of their own, rather than nowhere:
-/// whoever takes the look's own folder, where dialogs begin, has made no mistake.
+/// Writes the files. Where they would take a document's place they go into a folder of their own,
+/// rather than nowhere: whoever takes the look's own folder, where dialogs begin, has made no
+/// mistake.
 fn write(exported: &Export, folder: &Path, job: &Job) -> Result<String, Vec<Diagnostic>> {
     let mut outputs = Outputs::new(false);
     job.path.iter().for_each(|path| outputs.reads(path));
@@ -149,17 +158,21 @@ fn write(exported: &Export, folder: &Path, job: &Job) -> Result<String, Vec<Diag
 }
 
 fn copy(exported: &Export, ending: &str, job: &Job) -> Result<Done, Vec<Diagnostic>> {
-    // The look's own module is called as the look is: `rim.es300.frag`, and `rim.normals.es300.frag` that of a pass.
+    // The look's own module is called as the look is: `rim.es300.frag`, and
+    // `rim.normals.es300.frag` that of a pass.
     let own = format!("{}{ending}", job.stem);
     let file = exported.files.iter().find(|file| file.name == own);
-    let text = file.and_then(|file| Some((String::from_utf8(file.bytes.clone()).ok()?, &file.name)));
+    let text =
+        file.and_then(|file| Some((String::from_utf8(file.bytes.clone()).ok()?, &file.name)));
     let Some((text, name)) = text else {
         return Err(vec![
-            Diagnostic::error("no-text", "this language is no text to copy").hint("Export writes it to a file"),
+            Diagnostic::error("no-text", "this language is no text to copy")
+                .hint("Export writes it to a file"),
         ]);
     };
-    let is_of_pass =
-        |file: &export::File| file.name != own && file.name.ends_with(ending) && !file.name.contains(".prepare.");
+    let is_of_pass = |file: &export::File| {
+        file.name != own && file.name.ends_with(ending) && !file.name.contains(".prepare.")
+    };
     let more = if exported.files.iter().any(is_of_pass) {
         ". It reads what other passes draw: Export writes those too"
     } else {
@@ -170,7 +183,8 @@ fn copy(exported: &Export, ending: &str, job: &Job) -> Result<Done, Vec<Diagnost
 
 /// The first of what is wrong, with the node and port that it is at and what to do.
 fn told(problems: &[Diagnostic]) -> String {
-    let Some(first) = problems.iter().find(|problem| problem.is_error()).or(problems.first()) else {
+    let Some(first) = problems.iter().find(|problem| problem.is_error()).or(problems.first())
+    else {
         return "Nothing was exported".to_owned();
     };
     let place = match (&first.place.node, &first.place.port) {
@@ -199,14 +213,16 @@ mod tests {
 
     #[test]
     fn what_is_wrong_is_told_with_its_place_and_what_to_do() {
-        let mut problem = Diagnostic::error("no-input", "nothing is wired here").hint("wire something");
+        let mut problem =
+            Diagnostic::error("no-input", "nothing is wired here").hint("wire something");
         problem.place.node = Some(crate::ids::NodePath::root("rim".into()));
         problem.place.port = Some("normal".into());
         let warning = Diagnostic::warning("odd", "odd");
         let told = told(&[warning, problem]);
         assert_eq!(
             told,
-            "Not exported: nothing is wired here (node rim, input normal); wire something; and 1 more, which Problems \
+            "Not exported: nothing is wired here (node rim, input normal); wire something; and 1 \
+             more, which Problems \
              lists"
         );
     }

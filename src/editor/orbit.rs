@@ -16,7 +16,8 @@ const DISTANCE: std::ops::RangeInclusive<f64> = 0.2..=200.0;
 /// What is framed takes so much of the picture's height, or of its width.
 const FRAMED: f64 = 0.86;
 
-/// A camera on a sphere around a target, the illumination frame, and the mesh that the look is judged on.
+/// A camera on a sphere around a target, the illumination frame, and the mesh that the look is
+/// judged on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Orbit {
     /// Around the vertical axis, in radians.
@@ -31,8 +32,8 @@ pub struct Orbit {
     pub target: DVec3,
     /// The vertical field of view, in radians.
     pub fov: f64,
-    /// The width over the height of the picture that a scene's camera was placed for, until it is shown in one that may
-    /// be narrower; 0 for any.
+    /// The width over the height of the picture that a scene's camera was placed for, until it is
+    /// shown in one that may be narrower; 0 for any.
     pub placed_for: f64,
     /// Perspective, or parallel lines.
     pub projection: Projection,
@@ -127,11 +128,13 @@ impl Orbit {
         serde_json::to_value(Kept::of(self)).unwrap_or_default()
     }
 
-    /// Takes everything but the mesh from what [`to_json`](Self::to_json) wrote; what cannot be looked from changes
-    /// nothing.
+    /// Takes everything but the mesh from what [`to_json`](Self::to_json) wrote; what cannot be
+    /// looked from changes nothing.
     pub(crate) fn recall(&mut self, kept: &Value) {
         // A list would do for serde, as members in their order.
-        let Some(kept) = Some(kept).filter(|kept| kept.is_object()).and_then(|kept| Kept::deserialize(kept).ok())
+        let Some(kept) = Some(kept)
+            .filter(|kept| kept.is_object())
+            .and_then(|kept| Kept::deserialize(kept).ok())
         else {
             return;
         };
@@ -180,8 +183,8 @@ impl Orbit {
         }
     }
 
-    /// Widens a view that was placed for a wider picture than one of so many times its height in width, so that as much is
-    /// seen in width. A picture without room leaves it as it is.
+    /// Widens a view that was placed for a wider picture than one of so many times its height in
+    /// width, so that as much is seen in width. A picture without room leaves it as it is.
     pub(crate) fn fit_into(&mut self, aspect: f64) {
         if !(aspect > 0.0 && aspect.is_finite()) {
             return;
@@ -204,15 +207,19 @@ impl Orbit {
         self.placed_for = camera.aspect;
         self.fov = match camera.projection {
             Projection::Perspective => camera.fov.clamp(Camera::FOV[0], Camera::FOV[1]),
-            Projection::Orthographic => 2.0 * (0.5 * camera.height.max(1e-6) / self.distance).atan(),
+            Projection::Orthographic => {
+                2.0 * (0.5 * camera.height.max(1e-6) / self.distance).atan()
+            }
         };
         let to_turntable = self.upright.inverse();
-        let (backward, right) = (to_turntable * view.backward, to_turntable * view.rotation().row(0));
+        let (backward, right) =
+            (to_turntable * view.backward, to_turntable * view.rotation().row(0));
         self.pitch = backward.y.clamp(-1.0, 1.0).asin();
         self.yaw = (-right.z).atan2(right.x).rem_euclid(2.0 * PI);
     }
 
-    /// Brings a sphere into view, whole, in a picture of so many times its height in width; the direction stays.
+    /// Brings a sphere into view, whole, in a picture of so many times its height in width; the
+    /// direction stays.
     pub fn frame(&mut self, center: DVec3, radius: f64, aspect: f64) {
         let radius = if radius.is_finite() { radius.max(1e-3) } else { 1.0 };
         let half = (0.5 * self.fov).tan() * aspect.clamp(0.05, 1.0) * FRAMED;
@@ -223,8 +230,8 @@ impl Orbit {
         };
     }
 
-    /// The height of the picture, in scene units, at the target: the same in either projection, so that the object
-    /// stays as large when that changes.
+    /// The height of the picture, in scene units, at the target: the same in either projection, so
+    /// that the object stays as large when that changes.
     pub fn height(&self) -> f64 {
         2.0 * self.distance * (self.fov / 2.0).tan()
     }
@@ -245,11 +252,13 @@ impl Orbit {
     /// Brings the eye nearer (`factor` below 1) or farther.
     pub fn dolly(&mut self, factor: f64) {
         // A scene may be larger, or smaller.
-        let (least, most) = (DISTANCE.start().min(self.distance), DISTANCE.end().max(self.distance));
+        let (least, most) =
+            (DISTANCE.start().min(self.distance), DISTANCE.end().max(self.distance));
         self.distance = (self.distance * factor).clamp(least, most);
     }
 
-    /// Turns the illumination frame as a ball under the pointer, by a drag in parts of the picture's height.
+    /// Turns the illumination frame as a ball under the pointer, by a drag in parts of the
+    /// picture's height.
     pub fn turn_lights(&mut self, dx: f64, dy: f64) {
         let (right, up) = self.right_and_up();
         let axis = up * dx + right * dy;
@@ -294,7 +303,8 @@ impl Orbit {
         mesh.clone_into(&mut self.mesh);
     }
 
-    /// Looks down at a flat square that lies in the middle: the way in which a painted surface is judged.
+    /// Looks down at a flat square that lies in the middle: the way in which a painted surface is
+    /// judged.
     pub(crate) fn look_at_a_sheet(&mut self) {
         PLANE.clone_into(&mut self.mesh);
         self.z_is_up = true;
@@ -322,7 +332,10 @@ mod tests {
         let mut orbit = Orbit::default();
         orbit.turn_lights(0.5, 0.0);
         let light = orbit.illumination * DVec3::Z;
-        assert!((light - DVec3::X).length() < 1e-12, "a light in front is to the right now: {light}");
+        assert!(
+            (light - DVec3::X).length() < 1e-12,
+            "a light in front is to the right now: {light}"
+        );
         let mut orbit = Orbit::default();
         orbit.turn_lights(0.0, 0.5);
         let light = orbit.illumination * DVec3::Z;
@@ -331,7 +344,8 @@ mod tests {
 
     #[test]
     fn a_view_is_remembered_and_nonsense_is_not() {
-        let mut orbit = Orbit { z_is_up: true, backdrop: Some([0.1, 0.2, 0.3, 1.0]), ..Orbit::default() };
+        let mut orbit =
+            Orbit { z_is_up: true, backdrop: Some([0.1, 0.2, 0.3, 1.0]), ..Orbit::default() };
         orbit.orbit(0.3, 0.1);
         orbit.turn_lights(0.2, 0.4);
         orbit.dolly(0.5);
@@ -363,7 +377,12 @@ mod tests {
                 cameras.push(Camera { eye, up, target: [0.5, 0.0, 0.0], ..Camera::default() });
             }
         }
-        cameras.push(Camera { projection: Projection::Orthographic, height: 5.4, eye: [0.0, 0.0, 12.0], ..cameras[0] });
+        cameras.push(Camera {
+            projection: Projection::Orthographic,
+            height: 5.4,
+            eye: [0.0, 0.0, 12.0],
+            ..cameras[0]
+        });
         cameras.extend(Camera::FOV.map(|fov| Camera { fov, ..cameras[1] }));
         cameras.push(Camera { aspect: 2.0, ..cameras[1] });
         cameras.push(Camera { aspect: 2.0, ..cameras[cameras.len() - 2] });
@@ -373,9 +392,12 @@ mod tests {
             let mut fitted = orbit.clone();
             fitted.fit_into(1.5);
             for orbit in [&orbit, &fitted] {
-                let [wanted, found] =
-                    [camera, orbit.camera()].map(|camera| View::new(&camera, [300, 200], DVec3::ZERO, 2.0));
-                assert!(wanted.clip_from_world.abs_diff_eq(found.clip_from_world, 1e-9), "{camera:?}");
+                let [wanted, found] = [camera, orbit.camera()]
+                    .map(|camera| View::new(&camera, [300, 200], DVec3::ZERO, 2.0));
+                assert!(
+                    wanted.clip_from_world.abs_diff_eq(found.clip_from_world, 1e-9),
+                    "{camera:?}"
+                );
             }
         }
     }
@@ -392,7 +414,9 @@ mod tests {
             let highest = (0..900).map(|step| {
                 let angle = f64::from(step) * 1e-3 * PI;
                 view.clip_from_world
-                    .project_point3(center + radius * (up * angle.sin() + orbit.direction() * angle.cos()))
+                    .project_point3(
+                        center + radius * (up * angle.sin() + orbit.direction() * angle.cos()),
+                    )
                     .y
             });
             let highest = highest.fold(0.0, f64::max);

@@ -1,11 +1,12 @@
-//! Asks for a file by its path, in the window itself: for systems that show no file dialog, and for who would rather type.
+//! Asks for a file by its path, in the window itself: for systems that show no file dialog, and for
+//! who would rather type.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use eframe::egui::{
-    Button, Context, Frame, Id, Key, Margin, Modal, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo,
-    text::CCursor, text::CCursorRange,
+    Button, Context, Frame, Id, Key, Margin, Modal, RichText, Role, ScrollArea, TextEdit, Ui,
+    WidgetInfo, text::CCursor, text::CCursorRange,
 };
 
 use super::confirm;
@@ -63,7 +64,8 @@ impl PathField {
             ui.heading(title(self.purpose));
             if self.stands_in {
                 ui.label(
-                    RichText::new("This system shows no file dialog, so type the path here.").color(theme::of(ui).dim),
+                    RichText::new("This system shows no file dialog, so type the path here.")
+                        .color(theme::of(ui).dim),
                 );
             }
             let confirms = confirm::enters(ui);
@@ -105,8 +107,9 @@ impl PathField {
 
     /// The field itself; whether Enter was pressed in it.
     fn field(&mut self, ui: &mut Ui) -> bool {
-        let edit =
-            TextEdit::singleline(&mut self.text).desired_width(f32::INFINITY).font(eframe::egui::TextStyle::Monospace);
+        let edit = TextEdit::singleline(&mut self.text)
+            .desired_width(f32::INFINITY)
+            .font(eframe::egui::TextStyle::Monospace);
         let response = ui.add(edit);
         response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, "Path"));
         if std::mem::take(&mut self.is_new) {
@@ -128,10 +131,12 @@ impl PathField {
         let mut taken = None;
         ui.spacing_mut().item_spacing.y = 1.0;
         let height = ui.spacing().interact_size.y;
-        let area = ScrollArea::vertical().max_height(ROWS * height).min_scrolled_height(ROWS * height);
+        let area =
+            ScrollArea::vertical().max_height(ROWS * height).min_scrolled_height(ROWS * height);
         area.auto_shrink([false, false]).show_rows(ui, height, entries.len(), |ui, rows| {
             for entry in &entries[rows] {
-                let name = if entry.is_folder { format!("{}/", entry.name) } else { entry.name.clone() };
+                let name =
+                    if entry.is_folder { format!("{}/", entry.name) } else { entry.name.clone() };
                 let color = if entry.is_folder { theme::of(ui).accent } else { theme::of(ui).text };
                 if ui.add(Button::new(RichText::new(name).color(color)).frame(false)).clicked() {
                     taken = Some((entry.name.clone(), entry.is_folder));
@@ -157,7 +162,11 @@ impl PathField {
 
     fn path(&self) -> PathBuf {
         let path = expand(self.text.trim(), std::env::var_os("HOME"));
-        if self.text.trim().ends_with(std::path::is_separator) { path } else { self.purpose.complete(path) }
+        if self.text.trim().ends_with(std::path::is_separator) {
+            path
+        } else {
+            self.purpose.complete(path)
+        }
     }
 }
 
@@ -189,11 +198,14 @@ fn expand(text: &str, home: Option<OsString>) -> PathBuf {
 }
 
 fn verdict(purpose: Purpose, path: &Path) -> Verdict {
-    let has_folder = path.parent().is_some_and(|folder| folder.as_os_str().is_empty() || folder.is_dir());
+    let has_folder =
+        path.parent().is_some_and(|folder| folder.as_os_str().is_empty() || folder.is_dir());
     match purpose.writes() {
         _ if path.as_os_str().is_empty() => Verdict::Bad("Type a path"),
         _ if purpose.is_folder() && path.is_file() => Verdict::Bad("This is a file, and no folder"),
-        _ if purpose.is_folder() && !has_folder => Verdict::Bad("There is no folder to make this one in"),
+        _ if purpose.is_folder() && !has_folder => {
+            Verdict::Bad("There is no folder to make this one in")
+        }
         _ if purpose.is_folder() => Verdict::Good,
         _ if path.is_dir() => Verdict::Folder,
         false if path.is_file() => Verdict::Good,
@@ -213,12 +225,17 @@ fn split(text: &str) -> (&str, &str) {
 /// What of a folder begins as what is typed, or all of it where nothing does; folders first.
 fn entries(purpose: Purpose, text: &str) -> Vec<Entry> {
     let (folder, typed) = split(text);
-    let folder = if folder.is_empty() { PathBuf::from(".") } else { expand(folder, std::env::var_os("HOME")) };
+    let folder = if folder.is_empty() {
+        PathBuf::from(".")
+    } else {
+        expand(folder, std::env::var_os("HOME"))
+    };
     let typed = typed.to_lowercase();
     let (_, endings) = purpose.files();
     let begins = |name: &str| name.to_lowercase().starts_with(&typed);
     let fits = |name: &str, is_folder: bool| {
-        let ending = Path::new(name).extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+        let ending =
+            Path::new(name).extension().and_then(|ending| ending.to_str()).unwrap_or_default();
         let is_hidden = name.starts_with('.') && !typed.starts_with('.');
         !is_hidden && (is_folder || endings.contains(&ending.to_lowercase().as_str()))
     };
@@ -256,7 +273,11 @@ mod tests {
             (Purpose::Shaders("all"), "inner", Verdict::Good),
             (Purpose::Shaders("all"), "inner/", Verdict::Good),
             (Purpose::Shaders("all"), "new", Verdict::Good),
-            (Purpose::Shaders("all"), "no/new", Verdict::Bad("There is no folder to make this one in")),
+            (
+                Purpose::Shaders("all"),
+                "no/new",
+                Verdict::Bad("There is no folder to make this one in"),
+            ),
             (Purpose::Shaders("all"), "a.json", Verdict::Bad("This is a file, and no folder")),
         ] {
             assert_eq!(verdict(purpose, &path(name)), expected, "{name}");
@@ -277,8 +298,16 @@ mod tests {
         };
         assert_eq!(names(Purpose::Open, "ri"), ["rinks", "rim.json", "Rind.json"]);
         assert_eq!(names(Purpose::Reference, "rim"), ["rim.png"]);
-        assert_eq!(names(Purpose::Save, "new").len(), 4, "what is new is seen beside what is there");
-        assert_eq!(names(Purpose::Open, "").len(), 4, "a folder is listed whole, but for what is hidden");
+        assert_eq!(
+            names(Purpose::Save, "new").len(),
+            4,
+            "what is new is seen beside what is there"
+        );
+        assert_eq!(
+            names(Purpose::Open, "").len(),
+            4,
+            "a folder is listed whole, but for what is hidden"
+        );
         assert_eq!(names(Purpose::Open, "."), [".hidden.json"]);
     }
 

@@ -1,5 +1,6 @@
-//! The picture in the viewport: planned and drawn on a thread of its own, on the window's device, so that neither a
-//! slow GPU nor a shader being built holds up a hand. The newest wish wins; what was drawn last stays until then.
+//! The picture in the viewport: planned and drawn on a thread of its own, on the window's device,
+//! so that neither a slow GPU nor a shader being built holds up a hand. The newest wish wins; what
+//! was drawn last stays until then.
 
 use std::path::PathBuf;
 use std::sync::{Arc, Weak};
@@ -31,7 +32,8 @@ struct Subject {
 impl Subject {
     fn of(session: &Session) -> Self {
         // A scene has meshes of its own.
-        let mesh = if session.stage().is_some() { String::new() } else { session.view.mesh.clone() };
+        let mesh =
+            if session.stage().is_some() { String::new() } else { session.view.mesh.clone() };
         Self { document: session.document_number(), mesh }
     }
 }
@@ -92,7 +94,11 @@ struct Ready {
 
 impl Ready {
     fn of(showing: &Showing, still: &Still) -> Self {
-        Self { shader: showing.shader.clone(), library: still.library.clone(), mesh: still.orbit.mesh.clone() }
+        Self {
+            shader: showing.shader.clone(),
+            library: still.library.clone(),
+            mesh: still.orbit.mesh.clone(),
+        }
     }
 
     fn is(&self, other: &Self) -> bool {
@@ -102,8 +108,8 @@ impl Ready {
     }
 }
 
-/// How long a frame waits for the picture of its own edit to be handed to the GPU. With everything ready that takes a
-/// few milliseconds; a software GPU draws on the same cores, and takes its time.
+/// How long a frame waits for the picture of its own edit to be handed to the GPU. With everything
+/// ready that takes a few milliseconds; a software GPU draws on the same cores, and takes its time.
 const HURRY: Duration = Duration::from_millis(60);
 /// After so many frames whose picture came too late, waiting is given up for a while.
 const MOST_LATE: u32 = 4;
@@ -170,7 +176,8 @@ pub(crate) struct Picture {
     pace: Pace,
     /// What the last picture was drawn with.
     ready: Option<Ready>,
-    /// Whether all that is asked for needs only to be drawn: nothing is to be built, and no mesh to be read.
+    /// Whether all that is asked for needs only to be drawn: nothing is to be built, and no mesh to
+    /// be read.
     is_quick: bool,
     /// The longest that a frame waits.
     pub(crate) patience: Duration,
@@ -194,7 +201,11 @@ pub(crate) struct Picture {
 impl Picture {
     /// A picture on the window's device. `wake` is called from another thread when there is a new
     /// one; what goes on is noted in `crashes`.
-    pub(crate) fn new(state: RenderState, crashes: CrashLog, wake: impl Fn() + Send + 'static) -> Self {
+    pub(crate) fn new(
+        state: RenderState,
+        crashes: CrashLog,
+        wake: impl Fn() + Send + 'static,
+    ) -> Self {
         let gpu = Gpu::new(state.device.clone(), state.queue.clone(), state.adapter.get_info());
         // Lights are edited: a look is not compiled anew when one goes out.
         let planner = Planner::default().culling(Cull::Objects);
@@ -227,8 +238,9 @@ impl Picture {
         &self.gpu
     }
 
-    /// Asks for a picture of `size` pixels if anything changed, and returns the newest there is. While a hand is at work
-    /// the picture may be coarser, if frames come too slowly otherwise; `dt` is how long the last one took, in seconds.
+    /// Asks for a picture of `size` pixels if anything changed, and returns the newest there is.
+    /// While a hand is at work the picture may be coarser, if frames come too slowly otherwise;
+    /// `dt` is how long the last one took, in seconds.
     pub(crate) fn update(
         &mut self,
         session: &mut Session,
@@ -243,9 +255,10 @@ impl Picture {
         self.texture
     }
 
-    /// Asks for what an edit of this very frame changes, and waits until it is handed to the GPU, where that needs
-    /// only to be drawn. The GPU does what it is given in order, so that this frame shows the picture already: it need
-    /// not be finished, only be handed over before the frame is.
+    /// Asks for what an edit of this very frame changes, and waits until it is handed to the GPU,
+    /// where that needs only to be drawn. The GPU does what it is given in order, so that this
+    /// frame shows the picture already: it need not be finished, only be handed over before the
+    /// frame is.
     pub(crate) fn hurry(&mut self, session: &mut Session) {
         self.pace.has_wished |= self.ask(session);
         if !self.worker.is_busy() {
@@ -274,7 +287,9 @@ impl Picture {
     }
 
     fn ask(&mut self, session: &mut Session) -> bool {
-        let size = self.size.map(|side| if side > 0 { side.div_ceil(self.pace.coarseness).max(1) } else { 0 });
+        let size = self
+            .size
+            .map(|side| if side > 0 { side.div_ceil(self.pace.coarseness).max(1) } else { 0 });
         let wished = Some(Wished {
             picture: session.picture(),
             orbit: session.view.clone(),
@@ -295,7 +310,14 @@ impl Picture {
             self.is_quick = is_ready && (self.is_quick || !self.worker.is_busy());
             let first_of = (!is_ready).then(|| session.shown_file());
             let (subject, tells_effects) = (Subject::of(session), self.tells_effects);
-            self.worker.request(|_| Wish { subject, showing, still, size, tells_effects, first_of });
+            self.worker.request(|_| Wish {
+                subject,
+                showing,
+                still,
+                size,
+                tells_effects,
+                first_of,
+            });
             return true;
         }
         false
@@ -325,14 +347,16 @@ impl Picture {
         self.texture.is_some()
     }
 
-    /// What is missing for the first picture of what is open, while the one that is there shows something else.
+    /// What is missing for the first picture of what is open, while the one that is there shows
+    /// something else.
     pub(crate) fn awaited(&self, session: &Session) -> Option<Awaited> {
         let subject = Subject::of(session);
         let shown = self.shown.as_ref().filter(|shown| **shown != subject && self.is_there())?;
         if session.is_compiling() {
             return Some(Awaited::Shader);
         }
-        // One that is drawn and not taken yet is awaited, too: a sign that goes and comes again would flicker.
+        // One that is drawn and not taken yet is awaited, too: a sign that goes and comes again
+        // would flicker.
         if self.worker.owes() {
             return Some(Awaited::Picture);
         }
@@ -354,8 +378,13 @@ impl Picture {
         let filter = wgpu::FilterMode::Linear;
         let mut renderer = self.state.renderer.write();
         match self.texture {
-            Some(id) => renderer.update_egui_texture_from_wgpu_texture(&self.state.device, view, filter, id),
-            None => self.texture = Some(renderer.register_native_texture(&self.state.device, view, filter)),
+            Some(id) => {
+                renderer.update_egui_texture_from_wgpu_texture(&self.state.device, view, filter, id)
+            }
+            None => {
+                self.texture =
+                    Some(renderer.register_native_texture(&self.state.device, view, filter))
+            }
         }
     }
 }
@@ -384,9 +413,18 @@ impl Artist {
             Ok(effects) => {
                 let problems = std::mem::take(&mut self.planner.warnings);
                 let ready = Some(Ready::of(&wish.showing, &wish.still));
-                Drawn { subject, texture: self.renderer.picture_view(), ready, problems, effects, unfinished }
+                Drawn {
+                    subject,
+                    texture: self.renderer.picture_view(),
+                    ready,
+                    problems,
+                    effects,
+                    unfinished,
+                }
             }
-            Err(problems) => Drawn { subject, texture: None, ready: None, problems, effects: None, unfinished },
+            Err(problems) => {
+                Drawn { subject, texture: None, ready: None, problems, effects: None, unfinished }
+            }
         }
     }
 
@@ -399,21 +437,20 @@ impl Artist {
         unfinished
     }
 
-    /// Draws, and tells the effects where they are wanted and the look is at rest: of a look that is being edited
-    /// nothing is left out, which would only flicker.
+    /// Draws, and tells the effects where they are wanted and the look is at rest: of a look that
+    /// is being edited nothing is left out, which would only flicker.
     fn try_draw(&mut self, wish: &Wish) -> Result<Option<Vec<Effect>>, Vec<Diagnostic>> {
         let showing = &wish.showing;
         if !self.library.as_ref().is_some_and(|library| Arc::ptr_eq(library, &wish.still.library)) {
-            self.planner = Planner::new(std::mem::take(&mut self.planner.assets)).culling(Cull::Objects);
+            self.planner =
+                Planner::new(std::mem::take(&mut self.planner.assets)).culling(Cull::Objects);
             (self.library, self.provided) = (Some(wish.still.library.clone()), None);
         }
         let (mut setup, notes) = wish.still.setup(&mut self.planner.assets)?;
         setup.edited = Some(0);
-        if !self
-            .provided
-            .as_ref()
-            .is_some_and(|(shader, look)| Arc::ptr_eq(shader, &showing.shader) && same_keys(look, &showing.look))
-        {
+        if !self.provided.as_ref().is_some_and(|(shader, look)| {
+            Arc::ptr_eq(shader, &showing.shader) && same_keys(look, &showing.look)
+        }) {
             self.planner.provide(&showing.look, &showing.live, showing.shader.clone());
             self.provided = Some((showing.shader.clone(), showing.look.clone()));
         }
@@ -425,11 +462,16 @@ impl Artist {
         let mut effects = is_told.then(|| effects(&plan, self.renderer.done()));
         block_on(self.renderer.draw(&plan)).map_err(|error| vec![error.into()])?;
         if milestones::are_told() {
-            self.renderer.gpu().queue.on_submitted_work_done(|| milestones::reached("first picture"));
+            self.renderer
+                .gpu()
+                .queue
+                .on_submitted_work_done(|| milestones::reached("first picture"));
         }
         if let Some(effects) = &mut effects {
-            // Once more with a clock, everything anew: what was drawn just now may have been little, or the first time.
-            let times = block_on(self.renderer.measure(&plan)).map_err(|error| vec![error.into()])?;
+            // Once more with a clock, everything anew: what was drawn just now may have been
+            // little, or the first time.
+            let times =
+                block_on(self.renderer.measure(&plan)).map_err(|error| vec![error.into()])?;
             set_times(effects, &times);
         }
         Ok(effects)

@@ -1,4 +1,5 @@
-//! A look as people read it: what its nodes, their inputs and its lights are called, what they have, and what it exposes.
+//! A look as people read it: what its nodes, their inputs and its lights are called, what they
+//! have, and what it exposes.
 
 use super::catalog::{Catalog, Port};
 use super::keying::field_port;
@@ -26,7 +27,7 @@ pub(crate) struct Parameter {
     pub(crate) port: Port,
     /// What the look itself has there.
     pub(crate) value: Option<Value>,
-    /// What the numbers of a colour mean.
+    /// What the numbers of a color mean.
     pub(crate) space: ColorSpace,
 }
 
@@ -72,14 +73,19 @@ impl<'a> Reading<'a> {
             Target::Input { node, port: name } => {
                 let owner = self.node_at(node).map(|found| {
                     let kind = self.catalog.of(found).map(|kind| kind.label.to_string());
-                    if found.name.is_empty() { kind.unwrap_or_default() } else { found.name.clone() }
+                    if found.name.is_empty() {
+                        kind.unwrap_or_default()
+                    } else {
+                        found.name.clone()
+                    }
                 });
                 let name = port.map_or_else(|| name.to_string(), |port| port.label.to_string());
                 [owner.unwrap_or_else(|| node.to_string()), name]
             }
-            Target::Light { light, field } => {
-                [self.light_name(light), port.map_or_else(|| field.clone(), |port| port.label.to_string())]
-            }
+            Target::Light { light, field } => [
+                self.light_name(light),
+                port.map_or_else(|| field.clone(), |port| port.label.to_string()),
+            ],
         }
     }
 
@@ -115,7 +121,12 @@ impl<'a> Reading<'a> {
             if port.ty == Type::LightName {
                 // A choice like any other, of this look's lights.
                 port.ty = Type::Choice;
-                port.options = self.look.lights.keys().map(|id| (id.to_string(), self.light_name(id))).collect();
+                port.options = self
+                    .look
+                    .lights
+                    .keys()
+                    .map(|id| (id.to_string(), self.light_name(id)))
+                    .collect();
             }
             let [owner, what] = self.names_of(&exposed.target);
             let mut help = format!("{owner}: {what}, exposed as \"{}\"", exposed.name);
@@ -125,8 +136,13 @@ impl<'a> Reading<'a> {
             if self.look.time_keys.iter().any(|track| track.target == exposed.target) {
                 help += "\nThe look keys it in time, which goes over what is set here";
             }
-            let label = if exposed.label.is_empty() { spoken(exposed.name.as_str()) } else { exposed.label.clone() };
-            let (name, value, space) = (exposed.name.clone(), self.own_value(&exposed.target), self.look.color_space);
+            let label = if exposed.label.is_empty() {
+                spoken(exposed.name.as_str())
+            } else {
+                exposed.label.clone()
+            };
+            let (name, value, space) =
+                (exposed.name.clone(), self.own_value(&exposed.target), self.look.color_space);
             Some(Parameter { name, label, help, port, value, space })
         };
         self.look.exposed.iter().filter_map(parameter).collect()
@@ -169,8 +185,14 @@ mod tests {
         let found = Reading { look: &look, catalog: &catalog, library }.parameters();
         let labels: Vec<&str> = found.iter().map(|parameter| parameter.label.as_str()).collect();
         assert_eq!(labels, ["Rim cutoff", "By", "The sun"]);
-        assert!(found[0].port.unit == "rad" && matches!(found[0].value, Some(Value::Number(_))), "its default");
-        assert_eq!(found[1].port.options, [("key".into(), "Sun".into()), ("back".into(), "back".into())]);
+        assert!(
+            found[0].port.unit == "rad" && matches!(found[0].value, Some(Value::Number(_))),
+            "its default"
+        );
+        assert_eq!(
+            found[1].port.options,
+            [("key".into(), "Sun".into()), ("back".into(), "back".into())]
+        );
         assert!(
             found[2].help.contains("goes over") && found[2].help.starts_with("Sun: Intensity"),
             "{}",

@@ -1,5 +1,5 @@
-//! What the window remembers from one time to the next. A setting that cannot be understood has its default, and what
-//! this version does not know stays in the file.
+//! What the window remembers from one time to the next. A setting that cannot be understood has its
+//! default, and what this version does not know stays in the file.
 
 use std::path::{Path, PathBuf};
 
@@ -34,7 +34,7 @@ pub enum Theme {
 pub struct Settings {
     /// Looks, scenes and paintings that were open, the newest first.
     pub recent: Vec<PathBuf>,
-    /// Colours.
+    /// Colors.
     pub theme: Theme,
     /// How large everything is: 1 is as the system says.
     pub scale: f32,
@@ -69,7 +69,9 @@ impl Settings {
     }
 
     fn read(text: &str) -> Self {
-        let Ok(Value::Object(mut members)) = serde_json::from_str(text) else { return Self::default() };
+        let Ok(Value::Object(mut members)) = serde_json::from_str(text) else {
+            return Self::default();
+        };
         let mut take = |name: &str| members.remove(name).unwrap_or_default();
         let recent = take("recent").as_array().map_or_else(Vec::new, |paths| {
             let files = paths.iter().filter_map(Value::as_str).map(PathBuf::from);
@@ -113,8 +115,9 @@ impl Settings {
         write_atomic(path, self.to_text().as_bytes())
     }
 
-    /// Changes the settings in a file: what another window has changed meanwhile stays. Returns them as they are then.
-    /// Where they cannot be saved the change holds for this window, over what it knew: no work of anybody's is lost.
+    /// Changes the settings in a file: what another window has changed meanwhile stays. Returns
+    /// them as they are then. Where they cannot be saved the change holds for this window, over
+    /// what it knew: no work of anybody's is lost.
     pub fn change(path: &Path, known: &Self, change: impl FnOnce(&mut Self)) -> Self {
         let before = if path.exists() { Self::load(path) } else { known.clone() };
         let mut settings = before.clone();
@@ -188,7 +191,8 @@ mod tests {
         }
         settings.opened(Path::new("/a/25.json"));
         assert_eq!(settings.recent.len(), MAX_RECENT);
-        let first: Vec<_> = settings.recent.iter().take(3).map(|path| path.to_str().unwrap()).collect();
+        let first: Vec<_> =
+            settings.recent.iter().take(3).map(|path| path.to_str().unwrap()).collect();
         assert_eq!(first, ["/a/25.json", "/a/29.json", "/a/28.json"]);
     }
 
@@ -197,16 +201,25 @@ mod tests {
         let mut settings = Settings::default();
         settings.opened(Path::new("example:hcbtf/pencil.hcbtf"));
         assert_eq!(settings, Settings::default());
-        let before = Settings::read(r#"{"recent": ["/home/me/example:hcbtf/pencil.hcbtf", "/a.json"]}"#);
-        assert_eq!(before.recent, [PathBuf::from("/a.json")], "what was remembered once is forgotten");
+        let before =
+            Settings::read(r#"{"recent": ["/home/me/example:hcbtf/pencil.hcbtf", "/a.json"]}"#);
+        assert_eq!(
+            before.recent,
+            [PathBuf::from("/a.json")],
+            "what was remembered once is forgotten"
+        );
     }
 
     #[test]
     fn damage_costs_only_what_is_damaged() {
-        for text in ["", "[]", "{", "null", "{\"recent\": 5, \"theme\": 7, \"scale\": \"x\", \"mesh\": []}"] {
+        for text in
+            ["", "[]", "{", "null", "{\"recent\": 5, \"theme\": 7, \"scale\": \"x\", \"mesh\": []}"]
+        {
             assert_eq!(Settings::read(text), Settings::default(), "{text}");
         }
-        let settings = Settings::read(r#"{"recent": ["/a", 3, "/b"], "theme": "mauve", "scale": 900, "mine": 1}"#);
+        let settings = Settings::read(
+            r#"{"recent": ["/a", 3, "/b"], "theme": "mauve", "scale": 900, "mine": 1}"#,
+        );
         assert_eq!(settings.recent, [PathBuf::from("/a"), PathBuf::from("/b")]);
         assert_eq!((settings.theme, settings.scale), (Theme::Dark, 1.0));
         assert!(settings.to_text().contains("\"mine\": 1"), "what others remember stays");

@@ -1,5 +1,5 @@
-//! The sheet of all shortcuts, and the command palette: both list what is in the table of shortcuts. The palette finds
-//! nodes of the open graph too, however many there are.
+//! The sheet of all shortcuts, and the command palette: both list what is in the table of
+//! shortcuts. The palette finds nodes of the open graph too, however many there are.
 
 use eframe::egui;
 use eframe::egui::{Align2, Key, Modifiers, RichText, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
@@ -33,7 +33,9 @@ impl Sheet {
     pub(crate) fn open(&mut self, action: Action) {
         self.shown = match (action, &self.shown) {
             (Action::Commands, Some(Shown::Commands { .. })) => None,
-            (Action::Commands, _) => Some(Shown::Commands { query: String::new(), index: 0, is_new: true }),
+            (Action::Commands, _) => {
+                Some(Shown::Commands { query: String::new(), index: 0, is_new: true })
+            }
             (_, Some(Shown::Shortcuts { .. })) => None,
             _ => Some(Shown::Shortcuts { is_new: true }),
         };
@@ -62,7 +64,9 @@ impl Sheet {
         let response = area.show(ui.ctx(), |ui| {
             egui::Frame::popup(ui.style()).show(ui, |ui| match shown {
                 Shown::Shortcuts { .. } => show_shortcuts(ui, screen.height() - 180.0),
-                Shown::Commands { query, index, is_new } => chosen = show_commands(ui, session, query, index, is_new),
+                Shown::Commands { query, index, is_new } => {
+                    chosen = show_commands(ui, session, query, index, is_new)
+                }
             });
         });
         let is_outside = ui.input(|input| {
@@ -163,9 +167,13 @@ fn show_commands(
         *index = index.saturating_sub(1);
     }
     let enter = key(ui, Key::Enter);
-    let edit = TextEdit::singleline(query).hint_text("Find a command or a node").desired_width(f32::INFINITY);
+    let edit = TextEdit::singleline(query)
+        .hint_text("Find a command or a node")
+        .desired_width(f32::INFINITY);
     let response = ui.add(edit.id(egui::Id::unique("command query")));
-    response.widget_info(|| WidgetInfo::labeled(egui::Role::SearchInput, true, "Find a command or a node"));
+    response.widget_info(|| {
+        WidgetInfo::labeled(egui::Role::SearchInput, true, "Find a command or a node")
+    });
     if std::mem::replace(is_new, false) {
         response.request_focus();
     }
@@ -176,25 +184,30 @@ fn show_commands(
     *index = (*index).min(entries.len().saturating_sub(1));
     let mut chosen = enter.then_some(*index);
     ui.spacing_mut().item_spacing.y = 0.0;
-    ScrollArea::vertical().max_height(ROW * 14.0).min_scrolled_height(ROW * 14.0).auto_shrink([false, true]).show(
-        ui,
-        |ui| {
+    ScrollArea::vertical()
+        .max_height(ROW * 14.0)
+        .min_scrolled_height(ROW * 14.0)
+        .auto_shrink([false, true])
+        .show(ui, |ui| {
             for (place, entry) in entries.iter().enumerate() {
                 if show_entry(ui, entry, place == *index) {
                     chosen = Some(place);
                 }
             }
             if entries.is_empty() {
-                ui.label(RichText::new("Neither a command nor a node of that name").color(theme::of(ui).dim));
+                ui.label(
+                    RichText::new("Neither a command nor a node of that name")
+                        .color(theme::of(ui).dim),
+                );
             }
-        },
-    );
+        });
     chosen.and_then(|place| entries.into_iter().nth(place)).map(|entry| entry.command)
 }
 
 /// Whether it was clicked.
 fn show_entry(ui: &mut Ui, entry: &Entry, is_current: bool) -> bool {
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), egui::Sense::click());
+    let (rect, response) =
+        ui.allocate_exact_size(vec2(ui.available_width(), ROW), egui::Sense::click());
     response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, &entry.name));
     let colors = theme::of(ui);
     if is_current || response.hovered() {
@@ -202,7 +215,8 @@ fn show_entry(ui: &mut Ui, entry: &Entry, is_current: bool) -> bool {
         ui.painter().rect_filled(rect, 4.0, fill);
     }
     let font = egui::FontId::proportional(theme::TEXT_SIZE);
-    let text = |at, align, text: &str, color| ui.painter().text(at, align, text, font.clone(), color);
+    let text =
+        |at, align, text: &str, color| ui.painter().text(at, align, text, font.clone(), color);
     text(rect.left_center() + vec2(8.0, 0.0), Align2::LEFT_CENTER, &entry.label, colors.text);
     text(rect.right_center() - vec2(8.0, 0.0), Align2::RIGHT_CENTER, &entry.aside, colors.dim);
     response.clicked()
@@ -222,7 +236,11 @@ fn entries(session: &Session, query: &str) -> Vec<Entry> {
         aside: format!("node {id}"),
         command: Command::Reveal(id.clone()),
     };
-    found(query).into_iter().map(command).chain(found_nodes(session, query).into_iter().map(node)).collect()
+    found(query)
+        .into_iter()
+        .map(command)
+        .chain(found_nodes(session, query).into_iter().map(node))
+        .collect()
 }
 
 /// Commands whose label has all words of the query, those that begin with the first one first.
@@ -235,12 +253,14 @@ fn found(query: &str) -> Vec<&'static Shortcut> {
     };
     let mut found: Vec<&Shortcut> =
         shortcuts::ALL.iter().filter(|row| row.action != Action::Commands).filter(fits).collect();
-    found.sort_by_key(|row| !words.first().is_some_and(|word| row.label.to_lowercase().starts_with(word)));
+    found.sort_by_key(|row| {
+        !words.first().is_some_and(|word| row.label.to_lowercase().starts_with(word))
+    });
     found
 }
 
-/// Nodes of the open graph whose title or id has all words of the query, with their titles; those that are called just
-/// that first.
+/// Nodes of the open graph whose title or id has all words of the query, with their titles; those
+/// that are called just that first.
 fn found_nodes<'s>(session: &'s Session, query: &str) -> Vec<(&'s NodeId, String)> {
     let query = query.trim().to_lowercase();
     if query.is_empty() {
@@ -249,7 +269,11 @@ fn found_nodes<'s>(session: &'s Session, query: &str) -> Vec<(&'s NodeId, String
     let words: Vec<&str> = query.split_whitespace().collect();
     let named = session.graph().nodes.iter().filter_map(|(id, node)| {
         let kind = || session.catalog.of(node).map(|kind| kind.label.to_string());
-        let title = if node.name.is_empty() { kind().unwrap_or_else(|| id.to_string()) } else { node.name.clone() };
+        let title = if node.name.is_empty() {
+            kind().unwrap_or_else(|| id.to_string())
+        } else {
+            node.name.clone()
+        };
         let text = format!("{title} {id}").to_lowercase();
         words.iter().all(|word| text.contains(word)).then_some((id, title))
     });
@@ -272,8 +296,14 @@ mod tests {
 
     #[test]
     fn nodes_are_found_by_title_and_id() {
-        let session = Session::new(std::sync::Arc::new(crate::library::Library::built_in().clone()), || {});
-        let titles = |query| found_nodes(&session, query).into_iter().map(|(id, _)| id.to_string()).collect::<Vec<_>>();
+        let session =
+            Session::new(std::sync::Arc::new(crate::library::Library::built_in().clone()), || {});
+        let titles = |query| {
+            found_nodes(&session, query)
+                .into_iter()
+                .map(|(id, _)| id.to_string())
+                .collect::<Vec<_>>()
+        };
         assert!(titles("").is_empty(), "nobody asked for any");
         assert_eq!(titles("Diff"), ["diffuse"]);
         assert_eq!(titles("out"), ["output"]);

@@ -1,5 +1,6 @@
-//! Every key of the window in one table: what it does, what it is called, where it works. The canvas takes its keys from
-//! here, and the sheet of shortcuts, menus and the command palette list what is here.
+//! Every key of the window in one table: what it does, what it is called, where it works. The
+//! canvas takes its keys from here, and the sheet of shortcuts, menus and the command palette list
+//! what is here.
 
 use std::borrow::Cow;
 use std::sync::LazyLock;
@@ -169,7 +170,12 @@ pub(crate) struct Shortcut {
     pub(crate) place: Place,
 }
 
-const fn row(action: Action, label: &'static str, keys: &'static [(Modifiers, Key)], place: Place) -> Shortcut {
+const fn row(
+    action: Action,
+    label: &'static str,
+    keys: &'static [(Modifiers, Key)],
+    place: Place,
+) -> Shortcut {
     Shortcut { action, label: Cow::Borrowed(label), keys, place }
 }
 
@@ -183,7 +189,8 @@ use Action as A;
 use Place::{Graph, Painting, Window};
 use Way::{Down, Left, Right, Up};
 
-/// All of them. What needs more modifiers stands before what needs fewer, as the first that fits takes a key.
+/// All of them. What needs more modifiers stands before what needs fewer, as the first that fits
+/// takes a key.
 pub(crate) static ALL: LazyLock<Vec<Shortcut>> = LazyLock::new(|| {
     let fixed = |rows: &'static [Shortcut]| rows.iter().cloned();
     fixed(BEFORE_LANGUAGES).chain(language_rows()).chain(fixed(AFTER_LANGUAGES)).collect()
@@ -191,16 +198,19 @@ pub(crate) static ALL: LazyLock<Vec<Shortcut>> = LazyLock::new(|| {
 
 /// What copies and exports the look in each language.
 fn language_rows() -> impl Iterator<Item = Shortcut> {
-    let without_key = |action, label| Shortcut { action, label: Cow::Owned(label), keys: &[], place: Window };
+    let without_key =
+        |action, label| Shortcut { action, label: Cow::Owned(label), keys: &[], place: Window };
     let copies = export::LANGUAGES.into_iter().flat_map(move |language| {
         language.texts.iter().map(move |TextFile { ending, content }| {
             let label = format!("Copy the {content} as {}", language.short_label);
             without_key(A::CopyShader(language.slug, ending), label)
         })
     });
-    let all = row(A::Export(export::ALL), "Export to all languages...", &[(CTRL_SHIFT, Key::E)], Window);
+    let all =
+        row(A::Export(export::ALL), "Export to all languages...", &[(CTRL_SHIFT, Key::E)], Window);
     let exports = export::LANGUAGES.into_iter().map(move |language| {
-        let api = if language.api.is_empty() { String::new() } else { format!(", for {}", language.api) };
+        let api =
+            if language.api.is_empty() { String::new() } else { format!(", for {}", language.api) };
         without_key(A::Export(language.slug), format!("Export to {}{api}...", language.short_label))
     });
     copies.chain([all]).chain(exports)
@@ -386,8 +396,13 @@ impl Shortcut {
 }
 
 fn key_text(modifiers: Modifiers, key: Key) -> String {
-    let names = [(modifiers.command || modifiers.ctrl, "Ctrl+"), (modifiers.shift, "Shift+"), (modifiers.alt, "Alt+")];
-    let mut text: String = names.into_iter().filter(|(is_on, _)| *is_on).map(|(_, name)| name).collect();
+    let names = [
+        (modifiers.command || modifiers.ctrl, "Ctrl+"),
+        (modifiers.shift, "Shift+"),
+        (modifiers.alt, "Alt+"),
+    ];
+    let mut text: String =
+        names.into_iter().filter(|(is_on, _)| *is_on).map(|(_, name)| name).collect();
     text += match key {
         Key::ArrowLeft => "Left",
         Key::ArrowRight => "Right",
@@ -408,13 +423,15 @@ pub(crate) fn of(action: Action) -> Option<&'static Shortcut> {
     ALL.iter().find(|row| row.action == action)
 }
 
-/// Takes the keys of a place that were pressed. Copy, cut and paste come as events of their own, and Tab must be taken
-/// earlier than here, before it moves the focus.
+/// Takes the keys of a place that were pressed. Copy, cut and paste come as events of their own,
+/// and Tab must be taken earlier than here, before it moves the focus.
 pub(crate) fn pressed(ui: &egui::Ui, place: Place) -> Vec<Action> {
     let rows = ALL.iter().filter(|row| row.place == place);
     let rows = rows.filter(|row| !matches!(row.action, A::Copy | A::Cut | A::Paste));
     // Nothing is pressed in most frames.
-    if !ui.input(|input| input.events.iter().any(|event| matches!(event, egui::Event::Key { pressed: true, .. }))) {
+    if !ui.input(|input| {
+        input.events.iter().any(|event| matches!(event, egui::Event::Key { pressed: true, .. }))
+    }) {
         return Vec::new();
     }
     rows.filter(|row| row.keys.iter().any(|&key| take(ui, key))).map(|row| row.action).collect()
@@ -464,7 +481,8 @@ pub(crate) fn is_dialog_open(ctx: &egui::Context) -> bool {
     owner(ctx) == KeyboardOwner::Dialog
 }
 
-/// Takes a key with just these modifiers, which egui's own way would not ask for: to it Shift+D is D too.
+/// Takes a key with just these modifiers, which egui's own way would not ask for: to it Shift+D is
+/// D too.
 pub(crate) fn take(ui: &egui::Ui, (wanted, wanted_key): (Modifiers, Key)) -> bool {
     ui.input_mut(|input| {
         let count = input.events.len();
@@ -500,10 +518,19 @@ mod tests {
     fn every_language_can_be_exported_and_all_but_binary_ones_copied() {
         for language in export::LANGUAGES {
             let row = of(A::Export(language.slug)).unwrap_or_else(|| panic!("{}", language.slug));
-            let name = language.label.trim_end_matches(|c: char| c.is_ascii_digit() || ".- ".contains(c));
-            assert!(row.label.contains(name.split(',').next().unwrap()), "{} for {}", row.label, language.label);
+            let name =
+                language.label.trim_end_matches(|c: char| c.is_ascii_digit() || ".- ".contains(c));
+            assert!(
+                row.label.contains(name.split(',').next().unwrap()),
+                "{} for {}",
+                row.label,
+                language.label
+            );
             // A row says of no API that the language's own note denies it.
-            let denied = language.note.split_once("not for ").map(|(_, rest)| rest.split([':', ',']).next().unwrap());
+            let denied = language
+                .note
+                .split_once("not for ")
+                .map(|(_, rest)| rest.split([':', ',']).next().unwrap());
             assert!(denied.is_none_or(|api| !row.label.contains(api)), "{}", row.label);
             let copies = |row: &Shortcut| matches!(row.action, A::CopyShader(slug, _) if slug == language.slug);
             let is_copied = language.slug == "wgsl" || ALL.iter().any(copies);

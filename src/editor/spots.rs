@@ -1,4 +1,5 @@
-//! Where controls are on the screen, for who points at them: the tour. A control notes its place while it is shown.
+//! Where controls are on the screen, for who points at them: the tour. A control notes its place
+//! while it is shown.
 
 use std::collections::HashMap;
 
@@ -39,7 +40,8 @@ pub(crate) fn note(ui: &Ui, spot: Spot, rect: Rect) {
 /// Where something is, if it is seen.
 pub(crate) fn find(ctx: &Context, spot: &Spot) -> Option<Rect> {
     let now = ctx.cumulative_frame_nr();
-    let (rect, frame) = ctx.data_mut(|data| data.get_temp_mut_or_default::<Seen>(id()).get(spot).copied())?;
+    let (rect, frame) =
+        ctx.data_mut(|data| data.get_temp_mut_or_default::<Seen>(id()).get(spot).copied())?;
     // What is shown later in a frame was seen in the one before.
     (frame + 1 >= now).then_some(rect)
 }

@@ -1,4 +1,5 @@
-//! What the viewport shows, as something that a thread can take with it, and a stamp that tells whether it still holds.
+//! What the viewport shows, as something that a thread can take with it, and a stamp that tells
+//! whether it still holds.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -40,14 +41,21 @@ impl Still {
         Self { stage, ..self }
     }
 
-    /// As a scene, with what was odd about the mesh. The look is the first of its looks. Of a stage what is missing is left
-    /// out and told.
+    /// As a scene, with what was odd about the mesh. The look is the first of its looks. Of a stage
+    /// what is missing is left out and told.
     ///
     /// # Errors
     /// What is wrong with the mesh, without a stage.
-    pub(crate) fn setup(&self, assets: &mut Assets) -> Result<(Setup, Vec<Diagnostic>), Vec<Diagnostic>> {
+    pub(crate) fn setup(
+        &self,
+        assets: &mut Assets,
+    ) -> Result<(Setup, Vec<Diagnostic>), Vec<Diagnostic>> {
         assets.overlay(self.painting.clone());
-        let look = SetupLook { look: (*self.look).clone(), source: self.source.clone(), folder: self.folder.clone() };
+        let look = SetupLook {
+            look: (*self.look).clone(),
+            source: self.source.clone(),
+            folder: self.folder.clone(),
+        };
         let (mut setup, notes) = match &self.stage {
             Some(stage) => stage.setup(look, assets),
             None => default_setup(look, &self.orbit.mesh, assets)?,
@@ -77,7 +85,8 @@ impl Reused {
 
     /// The planner, for this look and these nodes.
     pub(crate) fn of(&mut self, look: &Arc<Look>, library: &Arc<Library>) -> &mut Planner {
-        let is_same = |(last, of): &(Arc<Look>, Arc<Library>)| **last == **look && Arc::ptr_eq(of, library);
+        let is_same =
+            |(last, of): &(Arc<Look>, Arc<Library>)| **last == **look && Arc::ptr_eq(of, library);
         if !self.last.as_ref().is_some_and(is_same) {
             self.planner = (self.make)(std::mem::take(&mut self.planner.assets));
             self.last = Some((look.clone(), library.clone()));

@@ -1,14 +1,15 @@
-//! Any wire in place of the picture: its value as a colour, as heat, or with lines where it crosses tenths.
+//! Any wire in place of the picture: its value as a color, as heat, or with lines where it crosses
+//! tenths.
 //!
-//! The look itself is not touched. The compiler is asked for another output than the look's own; heat and lines are a
-//! node of the window's own behind that output, in a copy of the look.
+//! The look itself is not touched. The compiler is asked for another output than the look's own;
+//! heat and lines are a node of the window's own behind that output, in a copy of the look.
 
 use super::catalog::Catalog;
 use crate::document::{Definition, Endpoint, InterfacePort, Look, Node, Value, Wire};
 use crate::ids::{GROUP_OUTPUTS, NodeId, NodePath, PortName};
 use crate::library::{Library, Type};
 
-/// The node that colours what is shown; no slug of a name begins so.
+/// The node that colors what is shown; no slug of a name begins so.
 const SHOWN: &str = "chiaro-shown";
 
 /// How a value is seen.
@@ -34,10 +35,15 @@ impl Style {
 
     pub(crate) fn help(self) -> &'static str {
         match self {
-            Self::Color => "The numbers as red, green and blue; a single one as grey, an angle from 0 to 180°",
-            Self::Heat => "Blue below 0, then black to yellow from 0 to 1, red above; not a number is magenta",
+            Self::Color => {
+                "The numbers as red, green and blue; a single one as grey, an angle from 0 to 180°"
+            }
+            Self::Heat => {
+                "Blue below 0, then black to yellow from 0 to 1, red above; not a number is magenta"
+            }
             Self::Isolines => {
-                "Grey, with a line where it crosses a tenth, a white one where it crosses a whole number; none where it is level"
+                "Grey, with a line where it crosses a tenth, a white one where it crosses a whole \
+                 number; none where it is level"
             }
         }
     }
@@ -53,11 +59,18 @@ pub(crate) struct ShownWire {
 
 impl ShownWire {
     /// A look in which there is such an output, and that output.
-    pub(crate) fn of(&self, look: &Look, library: &Library, ty: Option<&Type>) -> (Look, (NodePath, PortName)) {
+    pub(crate) fn of(
+        &self,
+        look: &Look,
+        library: &Library,
+        ty: Option<&Type>,
+    ) -> (Look, (NodePath, PortName)) {
         let mut look = look.clone();
         let own = (self.node.clone(), self.port.clone());
         let Some(code) = ty.and_then(|ty| code(self.style, ty)) else { return (look, own) };
-        let Some(from) = led_out(&mut look, library, self.node.ids(), &self.port) else { return (look, own) };
+        let Some(from) = led_out(&mut look, library, self.node.ids(), &self.port) else {
+            return (look, own);
+        };
         let mut node = Node { kind: "wgsl".to_owned(), ..Node::default() };
         node.values.insert("code".into(), Value::Text(code));
         look.graph.nodes.insert(SHOWN.into(), node);
@@ -79,16 +92,25 @@ fn group<'a>(look: &'a Look, library: &'a Library, kind: &str) -> Option<&'a Def
 }
 
 /// The node that a path leads to, through groups.
-pub(crate) fn node_at<'a>(look: &'a Look, library: &'a Library, path: &[NodeId]) -> Option<&'a Node> {
+pub(crate) fn node_at<'a>(
+    look: &'a Look,
+    library: &'a Library,
+    path: &[NodeId],
+) -> Option<&'a Node> {
     let (first, inner) = path.split_first()?;
-    inner
-        .iter()
-        .try_fold(look.graph.nodes.get(first)?, |node, id| group(look, library, &node.kind)?.graph.nodes.get(id))
+    inner.iter().try_fold(look.graph.nodes.get(first)?, |node, id| {
+        group(look, library, &node.kind)?.graph.nodes.get(id)
+    })
 }
 
-/// Leads an output of an inner node out to the look's own graph: each group on the way becomes, in this look, one of its
-/// own with an output more.
-fn led_out(look: &mut Look, library: &Library, path: &[NodeId], port: &PortName) -> Option<Endpoint> {
+/// Leads an output of an inner node out to the look's own graph: each group on the way becomes, in
+/// this look, one of its own with an output more.
+fn led_out(
+    look: &mut Look,
+    library: &Library,
+    path: &[NodeId],
+    port: &PortName,
+) -> Option<Endpoint> {
     let mut from = Endpoint::new(path.last()?.clone(), port.clone());
     let mut inner_kind: Option<String> = None;
     for depth in (1..path.len()).rev() {
@@ -110,13 +132,15 @@ fn led_out(look: &mut Look, library: &Library, path: &[NodeId], port: &PortName)
     Some(from)
 }
 
-/// The colouring node's WGSL; `None` where a value is shown as it is.
+/// The coloring node's WGSL; `None` where a value is shown as it is.
 fn code(style: Style, ty: &Type) -> Option<String> {
-    // One number of each type: an angle's share of 180 degrees, a colour's luminance.
+    // One number of each type: an angle's share of 180 degrees, a color's luminance.
     let (parameter, number) = match ty {
         Type::Angle => ("f32", "value / 3.14159265"),
         ty if ty.convert_to(&Type::Float).is_some() => ("f32", "value"),
-        ty if ty.convert_to(&Type::Vec3).is_some() => ("vec3f", "dot(value, vec3f(0.2126, 0.7152, 0.0722))"),
+        ty if ty.convert_to(&Type::Vec3).is_some() => {
+            ("vec3f", "dot(value, vec3f(0.2126, 0.7152, 0.0722))")
+        }
         _ => return None,
     };
     let body = match style {
@@ -125,14 +149,16 @@ fn code(style: Style, ty: &Type) -> Option<String> {
         Style::Isolines => ISOLINES,
     };
     Some(format!(
-        "/// Shown\n///\n/// @param value \"Value\" default=0 : What is shown.\n/// @return value \"Color\" : Its color.\n\
+        "/// Shown\n///\n/// @param value \"Value\" default=0 : What is shown.\n/// @return \
+         value \"Color\" : Its color.\n\
          fn chiaro_shown(value: {parameter}) -> vec3f {{\n    let x = {number};\n{body}}}\n"
     ))
 }
 
 const HEAT: &str = "    \
     let bits = bitcast<u32>(x) & 0x7f800000u;
-    let warm = vec3f(smoothstep(0.1, 0.6, x), smoothstep(0.4, 1.0, x) * 0.9, 0.35 * smoothstep(0.0, 0.25, x) * (1.0 - smoothstep(0.4, 0.7, x)));
+    let warm = vec3f(smoothstep(0.1, 0.6, x), smoothstep(0.4, 1.0, x) * 0.9, 0.35 * \
+    smoothstep(0.0, 0.25, x) * (1.0 - smoothstep(0.4, 0.7, x)));
     let above = mix(warm, vec3f(1.0, 0.15, 0.1), smoothstep(1.0, 1.001, x));
     let below = mix(vec3f(0.05, 0.25, 0.55), vec3f(0.55, 0.85, 1.0), clamp(-x, 0.0, 1.0));
     return select(select(above, below, x < 0.0), vec3f(1.0, 0.0, 1.0), bits == 0x7f800000u);
@@ -144,7 +170,8 @@ const ISOLINES: &str = "    \
     let tenth = abs(fract(x * 10.0 - 0.5) - 0.5) / (10.0 * width);
     let whole = abs(fract(x - 0.5) - 0.5) / width;
     let grey = vec3f(0.15 + 0.6 * clamp(x, 0.0, 1.0));
-    let fine = mix(vec3f(0.93, 0.64, 0.33), grey, clamp(max(tenth, 10.0 * width * 2.0 - 1.0), 0.0, 1.0));
+    let fine = mix(vec3f(0.93, 0.64, 0.33), grey, clamp(max(tenth, 10.0 * width * 2.0 - 1.0), 0.0, \
+    1.0));
     let lined = mix(vec3f(1.0, 1.0, 1.0), fine, clamp(whole - 0.5, 0.0, 1.0));
     return select(grey, lined, slope > 1e-6);
 ";

@@ -1,4 +1,5 @@
-//! Work off the UI thread: the one place of the window that starts threads. The newest request wins.
+//! Work off the UI thread: the one place of the window that starts threads. The newest request
+//! wins.
 
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
@@ -39,7 +40,13 @@ impl<Q: Send + 'static, A: Send + 'static> Worker<Q, A> {
         wake: impl Fn() + Send + 'static,
         mut work: impl FnMut(Q) -> A + Send + 'static,
     ) -> Self {
-        let state = State { waiting: None, is_busy: false, is_waking: false, answers: Vec::new(), is_over: false };
+        let state = State {
+            waiting: None,
+            is_busy: false,
+            is_waking: false,
+            answers: Vec::new(),
+            is_over: false,
+        };
         let shared = Arc::new(Shared { state: Mutex::new(state), changed: Condvar::new() });
         let thread = {
             let shared = shared.clone();
@@ -90,7 +97,9 @@ impl<Q: Send + 'static, A: Send + 'static> Worker<Q, A> {
     /// Waits until there is nothing to be done, and nobody will be woken any more.
     pub(crate) fn wait(&self) {
         if self.thread.is_some() {
-            let is_busy = |state: &mut State<Q, A>| state.is_busy || state.is_waking || state.waiting.is_some();
+            let is_busy = |state: &mut State<Q, A>| {
+                state.is_busy || state.is_waking || state.waiting.is_some()
+            };
             drop(self.shared.changed.wait_while(self.shared.lock(), is_busy));
         }
     }
@@ -120,7 +129,8 @@ impl<Q, A> Drop for Worker<Q, A> {
 /// Waits for a request; `None` when the worker is dropped.
 fn next<Q, A>(shared: &Shared<Q, A>) -> Option<Q> {
     let is_idle = |state: &mut State<Q, A>| state.waiting.is_none() && !state.is_over;
-    let mut state = shared.changed.wait_while(shared.lock(), is_idle).unwrap_or_else(PoisonError::into_inner);
+    let mut state =
+        shared.changed.wait_while(shared.lock(), is_idle).unwrap_or_else(PoisonError::into_inner);
     if state.is_over {
         return None;
     }

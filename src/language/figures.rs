@@ -37,6 +37,9 @@ mod tests {
         ] {
             assert_eq!(bytes(size), told, "{size}");
         }
-        assert_eq!([count(0, "image"), count(1, "image"), count(2, "image")], ["0 images", "1 image", "2 images"]);
+        assert_eq!(
+            [count(0, "image"), count(1, "image"), count(2, "image")],
+            ["0 images", "1 image", "2 images"]
+        );
     }
 }

@@ -112,10 +112,13 @@ impl Default for PortName {
 /// Whether `text` can be an id: 1 to 64 of `a-z A-Z 0-9 _ -`, beginning with a letter or `_`.
 pub fn is_slug(text: &str) -> bool {
     let first_is_letter = text.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
-    first_is_letter && text.len() <= 64 && text.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_' || b == b'-')
+    first_is_letter
+        && text.len() <= 64
+        && text.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_' || b == b'-')
 }
 
-/// Turns any text into a slug that `taken` does not hold: `"Rim light!"` becomes `rim_light`, then `rim_light_2`.
+/// Turns any text into a slug that `taken` does not hold: `"Rim light!"` becomes `rim_light`, then
+/// `rim_light_2`.
 pub fn make_slug(text: &str, taken: impl Fn(&str) -> bool) -> String {
     let mut slug = String::new();
     for c in text.chars() {
@@ -137,10 +140,14 @@ pub fn make_slug(text: &str, taken: impl Fn(&str) -> bool) -> String {
     if !taken(&slug) {
         return slug;
     }
-    (2u64..).map(|n| format!("{slug}_{n}")).find(|candidate| !taken(candidate)).expect("some number is free")
+    (2u64..)
+        .map(|n| format!("{slug}_{n}"))
+        .find(|candidate| !taken(candidate))
+        .expect("some number is free")
 }
 
-/// Where a node is once groups are inlined: the ids of the groups around it, then its own, joined by `/`.
+/// Where a node is once groups are inlined: the ids of the groups around it, then its own, joined
+/// by `/`.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct NodePath(Arc<[NodeId]>);
 

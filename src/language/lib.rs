@@ -1,7 +1,8 @@
 //! What everything in Chiaro is said in.
 //!
-//! [`ids`] name what a document holds and [`diag`] says what is wrong with it. [`wgsl`] resolves imports and is the only
-//! caller of naga's front end and validator; [`interp`] runs what it gives in f64 or f32, on the CPU.
+//! [`ids`] name what a document holds and [`diag`] says what is wrong with it. [`wgsl`] resolves
+//! imports and is the only caller of naga's front end and validator; [`interp`] runs what it gives
+//! in f64 or f32, on the CPU.
 
 // Words that everything is said in.
 pub mod clock;

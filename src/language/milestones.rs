@@ -1,8 +1,9 @@
 //! What the program reached when, for who measures how it starts.
 //!
-//! Where the environment variable `CHIARO_MILESTONES` is set, each milestone is a line of JSON on standard error, the
-//! first time that it is reached: `{"milestone":"library","seconds":0.0312}`, in seconds since the program began.
-//! Elsewhere telling one costs a look at a flag. `cargo bench --bench editor -- startup` reads them.
+//! Where the environment variable `CHIARO_MILESTONES` is set, each milestone is a line of JSON on
+//! standard error, the first time that it is reached: `{"milestone":"library","seconds":0.0312}`,
+//! in seconds since the program began. Elsewhere telling one costs a look at a flag. `cargo bench
+//! --bench editor -- startup` reads them.
 
 use std::collections::BTreeSet;
 use std::io::Write as _;
@@ -28,7 +29,8 @@ pub fn are_told() -> bool {
     TELLER.is_some()
 }
 
-/// Tells that the program came this far; the first one told begins to count. Later times of the same one are not told.
+/// Tells that the program came this far; the first one told begins to count. Later times of the
+/// same one are not told.
 pub fn reached(milestone: &'static str) {
     let Some(teller) = &*TELLER else { return };
     let seconds = teller.since_start.seconds();

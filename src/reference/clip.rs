@@ -1,8 +1,9 @@
 //! Cuts triangles at the near and far planes, in clip space.
 //!
-//! Corners keep their weights on the corners of the whole triangle, so that nothing but positions is ever computed
-//! twice. A cut runs from the corner inside to the one outside whichever way the edge is walked: two triangles that
-//! share an edge get bit for bit the same corner on it, and no gap opens between them.
+//! Corners keep their weights on the corners of the whole triangle, so that nothing but positions
+//! is ever computed twice. A cut runs from the corner inside to the one outside whichever way the
+//! edge is walked: two triangles that share an edge get bit for bit the same corner on it, and no
+//! gap opens between them.
 
 /// A corner of what is left of a triangle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -13,8 +14,9 @@ pub(super) struct Corner {
     pub(super) weights: [f64; 3],
 }
 
-/// How many half widths of the picture something may reach from its middle before it is cut: 2^13 of at most 2^14 pixels
-/// stay within 2^28 pixels, also where rounding doubles them, and grid coordinates below 2^60 steps.
+/// How many half widths of the picture something may reach from its middle before it is cut: 2^13
+/// of at most 2^14 pixels stay within 2^28 pixels, also where rounding doubles them, and grid
+/// coordinates below 2^60 steps.
 pub(super) const GUARD: f64 = 8192.0;
 /// Positions with a lesser w are at the eye or behind it.
 pub(super) const LEAST_W: f64 = 1e-12;
@@ -23,7 +25,8 @@ const PLANES: u32 = 7;
 /// The most corners: three, and one more for each plane.
 const MOST: usize = 3 + PLANES as usize;
 
-/// How far inside of a plane a finite position is, in some measure that is linear in clip space; below 0 if outside.
+/// How far inside of a plane a finite position is, in some measure that is linear in clip space;
+/// below 0 if outside.
 fn inside(plane: u32, [x, y, z, w]: [f64; 4]) -> f64 {
     match plane {
         0 => z,
@@ -136,7 +139,8 @@ mod tests {
         let (a, b) = ([0.1, 0.7, 0.3, 1.9], [-0.3, 0.2, -0.4, 1.1]);
         let cut = |clip: [[f64; 4]; 3]| {
             let polygon = Polygon::new(clip).clipped(1);
-            let corners: Vec<_> = polygon.corners().iter().map(|corner| corner.clip.map(f64::to_bits)).collect();
+            let corners: Vec<_> =
+                polygon.corners().iter().map(|corner| corner.clip.map(f64::to_bits)).collect();
             corners
         };
         let (one, other) = (cut([a, b, [2.0, 0.0, 0.5, 1.0]]), cut([b, a, [-2.0, 0.0, 0.5, 1.0]]));

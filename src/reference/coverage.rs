@@ -1,8 +1,8 @@
 //! Which samples of which pixels a triangle covers: the top-left rule, in whole numbers.
 //!
-//! Every edge is a function that is linear on the grid, at least 0 inside. Edges that are neither left nor top ones
-//! have 1 taken from it, so that what lies exactly on them is outside. Coordinates are below 2^60 steps, so that all of
-//! it fits 128 bits, and nothing is ever rounded.
+//! Every edge is a function that is linear on the grid, at least 0 inside. Edges that are neither
+//! left nor top ones have 1 taken from it, so that what lies exactly on them is outside.
+//! Coordinates are below 2^60 steps, so that all of it fits 128 bits, and nothing is ever rounded.
 
 use super::setup::Triangle;
 
@@ -28,7 +28,8 @@ impl Pixels {
     /// What lies in both.
     pub(super) fn and(self, least: [i64; 2], most: [i64; 2]) -> Option<Self> {
         let begin = [0, 1].map(|i| least[i].clamp(self.begin[i].into(), self.end[i].into()) as u32);
-        let end = [0, 1].map(|i| (most[i] + 1).clamp(self.begin[i].into(), self.end[i].into()) as u32);
+        let end =
+            [0, 1].map(|i| (most[i] + 1).clamp(self.begin[i].into(), self.end[i].into()) as u32);
         (begin[0] < end[0] && begin[1] < end[1]).then_some(Self { begin, end })
     }
 }
@@ -69,7 +70,8 @@ impl Edges {
         Self { edges, full, samples: positions.len() }
     }
 
-    /// Calls `visit` with the upper left pixel and the coverage of each quad that has any, row by row.
+    /// Calls `visit` with the upper left pixel and the coverage of each quad that has any, row by
+    /// row.
     ///
     /// # Errors
     /// Those of `visit`.
@@ -80,7 +82,9 @@ impl Edges {
     ) -> Result<(), E> {
         let [left, top] = pixels.begin.map(|begin| begin & !1);
         for y in (top..pixels.end[1]).step_by(2) {
-            let mut values = self.edges.map(|edge| edge.origin + edge.x * i128::from(left) + edge.y * i128::from(y));
+            let mut values = self
+                .edges
+                .map(|edge| edge.origin + edge.x * i128::from(left) + edge.y * i128::from(y));
             let mut was_inside = false;
             for x in (left..pixels.end[0]).step_by(2) {
                 match self.coverage(&values) & inside(x, y, pixels, self.samples) {
@@ -127,7 +131,11 @@ impl Edges {
 
 /// The samples of those pixels of a quad that lie in the rectangle.
 fn inside(x: u32, y: u32, pixels: Pixels, samples: usize) -> u16 {
-    if x >= pixels.begin[0] && y >= pixels.begin[1] && x + 2 <= pixels.end[0] && y + 2 <= pixels.end[1] {
+    if x >= pixels.begin[0]
+        && y >= pixels.begin[1]
+        && x + 2 <= pixels.end[0]
+        && y + 2 <= pixels.end[1]
+    {
         return u16::MAX;
     }
     let mut mask = 0;
@@ -143,17 +151,22 @@ fn inside(x: u32, y: u32, pixels: Pixels, samples: usize) -> u16 {
 impl Edge {
     fn new(from: [i64; 2], to: [i64; 2], bits: u32, positions: &[[i64; 2]]) -> Self {
         let (dx, dy) = (i128::from(to[0] - from[0]), i128::from(to[1] - from[1]));
-        // y is down: the inside of a clockwise triangle is below a top edge, which runs to the right, and to the right
-        // of a left edge, which runs up.
+        // y is down: the inside of a clockwise triangle is below a top edge, which runs to the
+        // right, and to the right of a left edge, which runs up.
         let is_top_left = dy < 0 || (dy == 0 && dx > 0);
         let at_zero = dy * i128::from(from[0]) - dx * i128::from(from[1]);
-        let mut edge =
-            Self { x: -dy << bits, y: dx << bits, origin: at_zero - i128::from(!is_top_left), ..Self::default() };
+        let mut edge = Self {
+            x: -dy << bits,
+            y: dx << bits,
+            origin: at_zero - i128::from(!is_top_left),
+            ..Self::default()
+        };
         for (sample, [x, y]) in positions.iter().enumerate() {
             let sixteenth = 1 << (bits - 4);
             let offset = dx * i128::from(y * sixteenth) - dy * i128::from(x * sixteenth);
             for lane in 0..4 {
-                let pixel = if lane % 2 == 1 { edge.x } else { 0 } + if lane / 2 == 1 { edge.y } else { 0 };
+                let pixel =
+                    if lane % 2 == 1 { edge.x } else { 0 } + if lane / 2 == 1 { edge.y } else { 0 };
                 edge.offsets[4 * lane + sample] = pixel + offset;
             }
         }

@@ -9,7 +9,8 @@ use crate::diag::Diagnostic;
 use crate::frame::{BindingKind, CompiledShader, EvalBatch, Image, SAMPLES_PER_ROW, Uniform};
 use crate::interp::{self, Bindings, Bound, Precision, Program, ResourceKind, Value};
 
-/// The root's value at each sample of a batch, in the batch's order: up to four numbers, by the root's type.
+/// The root's value at each sample of a batch, in the batch's order: up to four numbers, by the
+/// root's type.
 ///
 /// # Errors
 /// What the interpreter cannot run.
@@ -30,7 +31,11 @@ pub(super) struct Evaluator {
 
 impl Evaluator {
     pub(super) fn new(shader: &CompiledShader, images: &[Arc<Image>]) -> Result<Self, Diagnostic> {
-        let program = Program::compile(&shader.valid.module, "fs_main", interp::Options::stage(&shader.wgsl))?;
+        let program = Program::compile(
+            &shader.valid.module,
+            "fs_main",
+            interp::Options::stage(&shader.wgsl),
+        )?;
         let mut bindings = Bindings::new();
         let mut samples = None;
         for binding in &shader.bindings {
@@ -38,7 +43,9 @@ impl Evaluator {
             match &binding.kind {
                 BindingKind::Samples => samples = Some(at),
                 BindingKind::Image(index) | BindingKind::Hcbtf(index) => {
-                    if let Some((image, used)) = images.get(*index).zip(shader.needs.images.get(*index)) {
+                    if let Some((image, used)) =
+                        images.get(*index).zip(shader.needs.images.get(*index))
+                    {
                         bindings.texture(0, at, super::modules::texture_of(image, used)?);
                     }
                 }
@@ -78,16 +85,22 @@ impl Evaluator {
         let stride = samples.numbers.len().checked_div(count).unwrap_or(0);
         let Some(at) = self.samples else { return bindings };
         let resource = self.program.resources().iter().find(|r| (r.group, r.binding) == (0, at));
-        if let Some(ResourceKind::Unsized { element, .. }) = resource.map(|resource| &resource.kind) {
+        if let Some(ResourceKind::Unsized { element, .. }) = resource.map(|resource| &resource.kind)
+        {
             let numbers = samples.numbers.chunks_exact(stride.max(1));
-            let samples = numbers.map(|numbers| uniform::value(element, &mut numbers.iter().copied()));
+            let samples =
+                numbers.map(|numbers| uniform::value(element, &mut numbers.iter().copied()));
             bindings.buffer(0, at, Value::Array(samples.collect()));
         }
         bindings
     }
 }
 
-fn run(bound: &Bound<'_>, count: usize, control: &Control<'_>) -> Result<Vec<[f64; 4]>, Diagnostic> {
+fn run(
+    bound: &Bound<'_>,
+    count: usize,
+    control: &Control<'_>,
+) -> Result<Vec<[f64; 4]>, Diagnostic> {
     let program = bound.program();
     let mut lanes = bound.lanes()?;
     let [position] = program.inputs() else {
@@ -105,7 +118,8 @@ fn run(bound: &Bound<'_>, count: usize, control: &Control<'_>) -> Result<Vec<[f6
         for component in 0..position.size {
             for (lane, cell) in row[..4 * here].iter_mut().enumerate() {
                 let index = first + lane / 4;
-                let (column, line) = (index % SAMPLES_PER_ROW as usize, index / SAMPLES_PER_ROW as usize);
+                let (column, line) =
+                    (index % SAMPLES_PER_ROW as usize, index / SAMPLES_PER_ROW as usize);
                 *cell = match component {
                     0 => (2 * column + lane % 2) as f64 + 0.5,
                     1 => (2 * line + lane / 2 % 2) as f64 + 0.5,

@@ -15,8 +15,9 @@ use crate::library::SMOOTH_LEVELS;
 
 /// Makes the shaders of a frame plan.
 pub trait Shaders {
-    /// The shader of a draw in a pass that draws meshes: [`PassKind::Normals`], [`PassKind::DetailNormals`] (with the
-    /// module of [`Draw::normals`]) or [`PassKind::Look`] (with [`Draw::look`], which may read the curvature in `images`).
+    /// The shader of a draw in a pass that draws meshes: [`PassKind::Normals`],
+    /// [`PassKind::DetailNormals`] (with the module of [`Draw::normals`]) or [`PassKind::Look`]
+    /// (with [`Draw::look`], which may read the curvature in `images`).
     ///
     /// # Errors
     /// What cannot be run.
@@ -28,7 +29,8 @@ pub trait Shaders {
         images: &'a PassImages,
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic>;
 
-    /// The [shader](PassKind::shader) of a pass over normals, reading `normals` (four channels) and `depths` (one).
+    /// The [shader](PassKind::shader) of a pass over normals, reading `normals` (four channels) and
+    /// `depths` (one).
     ///
     /// # Errors
     /// What cannot be run.
@@ -44,7 +46,8 @@ pub trait Shaders {
 /// What the passes so far have made of the surface, or of its detail normals.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SurfaceImages {
-    /// Four channels: the normal in camera axes, and the object's number plus 1; 0 where nothing is.
+    /// Four channels: the normal in camera axes, and the object's number plus 1; 0 where nothing
+    /// is.
     pub normals: Option<Texels>,
     /// One channel: the distance in front of the eye.
     pub depths: Option<Texels>,
@@ -58,7 +61,8 @@ pub struct SurfaceImages {
     pub smooth: [Option<Texels>; SMOOTH_LEVELS as usize],
 }
 
-/// What the passes so far have made, for the later ones to read, rounded as [`Options::images`] says.
+/// What the passes so far have made, for the later ones to read, rounded as [`Options::images`]
+/// says.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PassImages {
     /// Of the surface.
@@ -71,7 +75,9 @@ impl PassImages {
     /// The images of the kind that a normals or curvature pass makes.
     fn of(&mut self, kind: &PassKind) -> &mut SurfaceImages {
         match kind {
-            PassKind::DetailNormals | PassKind::DetailCurvature | PassKind::SparseDetailCurvature => &mut self.detail,
+            PassKind::DetailNormals
+            | PassKind::DetailCurvature
+            | PassKind::SparseDetailCurvature => &mut self.detail,
             _ => &mut self.surface,
         }
     }
@@ -80,7 +86,8 @@ impl PassImages {
 /// Makes the picture of `plan`.
 ///
 /// # Errors
-/// As [`rasterise`], and `reference-plan` where a pass comes before what it reads, or nothing makes the picture.
+/// As [`rasterise`], and `reference-plan` where a pass comes before what it reads, or nothing makes
+/// the picture.
 pub fn execute(
     plan: &FramePlan,
     shaders: &dyn Shaders,
@@ -91,7 +98,8 @@ pub fn execute(
     let mut images = PassImages::default();
     let mut picture = None;
     for (number, pass) in plan.passes.iter().enumerate() {
-        let progress = |share: f64| (control.progress)((number as f64 + share) / plan.passes.len() as f64);
+        let progress =
+            |share: f64| (control.progress)((number as f64 + share) / plan.passes.len() as f64);
         let control = Control { cancel: control.cancel, progress: &progress };
         match &pass.kind {
             kind @ (PassKind::Normals | PassKind::DetailNormals) => {
@@ -109,18 +117,26 @@ pub fn execute(
             | PassKind::SmoothNormals(_)) => {
                 let made = images.of(kind);
                 let normals = match kind {
-                    PassKind::SmoothNormals(level @ 2..) => made.smooth.get(usize::from(*level) - 2),
+                    PassKind::SmoothNormals(level @ 2..) => {
+                        made.smooth.get(usize::from(*level) - 2)
+                    }
                     _ => Some(&made.normals),
                 };
-                let (Some(Some(normals)), Some(depths)) = (normals, &made.depths) else { return Err(misplaced(kind)) };
+                let (Some(Some(normals)), Some(depths)) = (normals, &made.depths) else {
+                    return Err(misplaced(kind));
+                };
                 let shader = shaders.curvature(plan, kind, normals, depths)?;
                 // The levels after a smoothed one look around in it.
-                let around = options.widened(if kind.channels() == 1 { 1 } else { plan.reach() as u32 + 1 });
-                let found = shade_all(plan.size, kind.channels(), shader.as_ref(), &around, &control)?;
+                let around =
+                    options.widened(if kind.channels() == 1 { 1 } else { plan.reach() as u32 + 1 });
+                let found =
+                    shade_all(plan.size, kind.channels(), shader.as_ref(), &around, &control)?;
                 drop(shader);
                 let found = Some(found.rounded(|x| options.images.single(x)));
                 match kind {
-                    PassKind::SparseCurvature | PassKind::SparseDetailCurvature => made.sparse = found,
+                    PassKind::SparseCurvature | PassKind::SparseDetailCurvature => {
+                        made.sparse = found
+                    }
                     PassKind::CurvatureTensor => made.tensor = found,
                     PassKind::SmoothNormals(level) => {
                         if let Some(slot) = made.smooth.get_mut(usize::from(*level) - 1) {
@@ -137,12 +153,17 @@ pub fn execute(
             }
         }
     }
-    picture.ok_or_else(|| Diagnostic::error("reference-plan", "the plan has no pass that makes the picture"))
+    picture.ok_or_else(|| {
+        Diagnostic::error("reference-plan", "the plan has no pass that makes the picture")
+    })
 }
 
 #[cold]
 fn misplaced(kind: &PassKind) -> Diagnostic {
-    Diagnostic::error("reference-plan", format!("the plan has {kind:?} before the normals that it reads"))
+    Diagnostic::error(
+        "reference-plan",
+        format!("the plan has {kind:?} before the normals that it reads"),
+    )
 }
 
 /// One pass that draws meshes.

@@ -11,8 +11,8 @@ use super::shader::{FragmentStage, QuadBatch, Shaded, Shader};
 use super::texels::Texels;
 use crate::diag::Diagnostic;
 
-/// An image of `size` pixels with `channels` numbers each, as `shader`'s fragments give them; its vertices are not asked.
-/// Discarded pixels stay 0.
+/// An image of `size` pixels with `channels` numbers each, as `shader`'s fragments give them; its
+/// vertices are not asked. Discarded pixels stay 0.
 ///
 /// # Errors
 /// As [`rasterise`](super::rasterise).
@@ -64,11 +64,18 @@ struct Band<'a> {
 }
 
 impl Band<'_> {
-    fn push(&mut self, at: [u32; 2], size: [u32; 2], control: &Control<'_>) -> Result<(), Diagnostic> {
-        let live = (0..4).filter(|lane| at[0] + (lane & 1) < size[0] && at[1] + (lane >> 1) < size[1]);
+    fn push(
+        &mut self,
+        at: [u32; 2],
+        size: [u32; 2],
+        control: &Control<'_>,
+    ) -> Result<(), Diagnostic> {
+        let live =
+            (0..4).filter(|lane| at[0] + (lane & 1) < size[0] && at[1] + (lane >> 1) < size[1]);
         let first = self.batch.begin(live.fold(0, |live, lane| live | 1 << lane), true);
         for lane in 0..4 {
-            let [x, y] = [at[0] + (lane & 1), at[1] + (lane >> 1)].map(|pixel| f64::from(pixel) + 0.5);
+            let [x, y] =
+                [at[0] + (lane & 1), at[1] + (lane >> 1)].map(|pixel| f64::from(pixel) + 0.5);
             self.batch.set_position(first + lane as usize, [x, y, 0.0, 1.0]);
         }
         self.quads.push(at);
@@ -82,8 +89,10 @@ impl Band<'_> {
         let counts = self.batch.live() & !self.shaded.discarded;
         for (quad, [x, y]) in self.quads.drain(..).enumerate() {
             for lane in (0..4).filter(|lane| counts >> (4 * quad + lane) & 1 == 1) {
-                let numbers = (0..self.shaded.channels()).map(|channel| self.shaded.get(channel, 4 * quad + lane));
-                self.pixels.push(([x + (lane as u32 & 1), y + (lane as u32 >> 1)], numbers.collect()));
+                let numbers = (0..self.shaded.channels())
+                    .map(|channel| self.shaded.get(channel, 4 * quad + lane));
+                self.pixels
+                    .push(([x + (lane as u32 & 1), y + (lane as u32 >> 1)], numbers.collect()));
             }
         }
         self.batch.clear();

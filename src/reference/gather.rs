@@ -1,9 +1,11 @@
-//! The fragments of chosen pixels, kept so that a look can be shaded there again and again with other values.
+//! The fragments of chosen pixels, kept so that a look can be shaded there again and again with
+//! other values.
 //!
-//! What a camera sees of a surface does not change with the numbers of a look, so a plan is drawn once, with a recorder
-//! between the rasteriser and the look's own module, which keeps what the nearest fragment of each chosen pixel was
-//! given, its quad with it, so that derivatives stay what they are. From then on a change of values costs the fragment
-//! shader of these quads alone, and gives exactly what the whole picture would have there.
+//! What a camera sees of a surface does not change with the numbers of a look, so a plan is drawn
+//! once, with a recorder between the rasteriser and the look's own module, which keeps what the
+//! nearest fragment of each chosen pixel was given, its quad with it, so that derivatives stay what
+//! they are. From then on a change of values costs the fragment shader of these quads alone, and
+//! gives exactly what the whole picture would have there.
 
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
@@ -102,8 +104,12 @@ impl Gathered {
     ) -> Result<Self, Diagnostic> {
         let modules = Modules::new(&plan, Precision::F64)?;
         let none = vec![None; plan.draws.len()];
-        let recorder =
-            Recorder { modules: &modules, is_chosen, bindings: Mutex::new(none), nearest: Mutex::new(BTreeMap::new()) };
+        let recorder = Recorder {
+            modules: &modules,
+            is_chosen,
+            bindings: Mutex::new(none),
+            nearest: Mutex::new(BTreeMap::new()),
+        };
         let coverage = execute(&plan, &recorder, options, control)?.coverage;
         let Recorder { bindings, nearest, .. } = recorder;
         let bindings = bindings.into_inner().unwrap_or_else(PoisonError::into_inner);
@@ -141,7 +147,9 @@ impl Gathered {
         let mut batches: Vec<SheetBatch> = Vec::new();
         for ((draw, index), wanted) in by_quad {
             let quad = &self.quads[index];
-            let has_room = batches.last().is_some_and(|last| last.draw == draw && last.batch.lanes() < 4 * QUADS);
+            let has_room = batches
+                .last()
+                .is_some_and(|last| last.draw == draw && last.batch.lanes() < 4 * QUADS);
             if !has_room {
                 let batch = QuadBatch::new(quad.varyings.len());
                 batches.push(SheetBatch { draw, batch, wanted: Vec::new() });
@@ -162,7 +170,8 @@ impl Gathered {
         Sheet { batches, count: chosen.len() }
     }
 
-    /// The colours of a sheet's pixels, straight RGBA, with these numbers in the looks' uniforms: by draw, for all draws.
+    /// The colors of a sheet's pixels, straight RGBA, with these numbers in the looks' uniforms:
+    /// by draw, for all draws.
     ///
     /// # Errors
     /// What keeps a shader from ending.
@@ -171,7 +180,9 @@ impl Gathered {
         let mut shaded = Shaded::new(4);
         for batches in sheet.batches.chunk_by(|a, b| a.draw == b.draw) {
             let number = batches[0].draw;
-            let (draw, Some(bindings)) = (&self.plan.draws[number], &self.bindings[number]) else { continue };
+            let (draw, Some(bindings)) = (&self.plan.draws[number], &self.bindings[number]) else {
+                continue;
+            };
             let own = numbers.get(number).map(Vec::as_slice).unwrap_or_default();
             let shader = self.modules.with_look(draw, bindings.clone(), own)?;
             let mut stage = shader.fragments();
@@ -242,7 +253,8 @@ impl Shader for Recorded<'_> {
     fn fragments(&self) -> Box<dyn FragmentStage + '_> {
         let components = self.varyings().iter().map(|varying| varying.components).sum();
         let (number, recorder) = (self.number, self.recorder);
-        // A fragment that the look discards does not hide what lies behind; a look that discards none need not be run.
+        // A fragment that the look discards does not hide what lies behind; a look that discards
+        // none need not be run.
         let inner = self.discards.then(|| self.inner.fragments());
         Box::new(RecordedStage { inner, number, components, recorder })
     }
@@ -275,7 +287,8 @@ impl RecordedStage<'_> {
     fn keep(&self, batch: &QuadBatch, lane: usize, [column, row]: [u32; 2]) {
         let depth = batch.position(2)[lane];
         let mut nearest = self.recorder.nearest.lock().unwrap_or_else(PoisonError::into_inner);
-        // Depths of one pixel come from one tile, and so in the order of drawing; of equal ones the first stays.
+        // Depths of one pixel come from one tile, and so in the order of drawing; of equal ones the
+        // first stays.
         if nearest.get(&[row, column]).is_some_and(|known| known.depth <= depth) {
             return;
         }
@@ -284,8 +297,12 @@ impl RecordedStage<'_> {
         let quad = Quad {
             draw: self.number,
             is_front: batch.front() >> lane & 1 == 1,
-            position: std::array::from_fn(|lane| std::array::from_fn(|axis| batch.position(axis)[first + lane])),
-            varyings: (0..self.components).map(|component| of_lanes(batch.varying(component))).collect(),
+            position: std::array::from_fn(|lane| {
+                std::array::from_fn(|axis| batch.position(axis)[first + lane])
+            }),
+            varyings: (0..self.components)
+                .map(|component| of_lanes(batch.varying(component)))
+                .collect(),
         };
         nearest.insert([row, column], Nearest { depth, lane: lane & 3, quad });
     }

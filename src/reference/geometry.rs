@@ -63,7 +63,13 @@ impl<'a> Geometry<'a> {
             let mut numbers = vec![0.0; some.len() * stride];
             stage.shade(some, &mut numbers).map(|()| numbers)
         };
-        let lists = pool::run(options.threads, used.len().div_ceil(VERTICES), control, || shader.vertices(), shade)?;
+        let lists = pool::run(
+            options.threads,
+            used.len().div_ceil(VERTICES),
+            control,
+            || shader.vertices(),
+            shade,
+        )?;
         Ok(Self { draw, triangles, first, places, numbers: lists.concat(), stride })
     }
 
@@ -78,14 +84,18 @@ impl<'a> Geometry<'a> {
     }
 
     fn vertex(&self, index: u32) -> &[f64] {
-        &self.numbers[self.places[(index - self.first) as usize] as usize * self.stride..][..self.stride]
+        &self.numbers[self.places[(index - self.first) as usize] as usize * self.stride..]
+            [..self.stride]
     }
 
     /// The clip positions and the numbers of the varyings at a triangle's corners.
     pub(super) fn triangle(&self, number: u32) -> ([[f64; 4]; 3], [&[f64]; 3]) {
         let corner = |i: usize| self.vertex(self.triangles.indices[3 * number as usize + i]);
         let corners = [corner(0), corner(1), corner(2)];
-        (corners.map(|corner| [corner[0], corner[1], corner[2], corner[3]]), corners.map(|corner| &corner[4..]))
+        (
+            corners.map(|corner| [corner[0], corner[1], corner[2], corner[3]]),
+            corners.map(|corner| &corner[4..]),
+        )
     }
 
     /// Sorts some triangles into tiles.

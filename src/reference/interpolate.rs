@@ -4,8 +4,8 @@ use super::setup::Triangle;
 
 /// The weights of a triangle's corners, which are linear on the screen.
 ///
-/// Everything is computed from the first corner, never from where a tile begins: what a pixel gets depends on
-/// the triangle alone.
+/// Everything is computed from the first corner, never from where a tile begins: what a pixel gets
+/// depends on the triangle alone.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Surface {
     /// The first corner, in pixels.
@@ -56,25 +56,32 @@ impl Surface {
     pub(super) fn depth(&self, x: f64, y: f64) -> f64 {
         let [second, third] = self.screen_weights(x, y);
         let [first, to_second, to_third] = self.depth;
-        // Outside of its edges a triangle may rise through a plane that it was cut at; GPUs clamp as well.
+        // Outside of its edges a triangle may rise through a plane that it was cut at; GPUs clamp
+        // as well.
         (first + second * to_second + third * to_third).clamp(0.0, 1.0)
     }
 
     /// What lies at a point of the screen, in pixels from the upper left.
     pub(super) fn point(&self, x: f64, y: f64) -> Point {
         let [second, third] = self.screen_weights(x, y);
-        let over_w =
-            [(1.0 - second - third) * self.inverse_w[0], second * self.inverse_w[1], third * self.inverse_w[2]];
+        let over_w = [
+            (1.0 - second - third) * self.inverse_w[0],
+            second * self.inverse_w[1],
+            third * self.inverse_w[2],
+        ];
         let inverse_w = over_w[0] + over_w[1] + over_w[2];
-        let share = |corner: usize| (0..3).map(|i| over_w[i] * self.weights[i][corner]).sum::<f64>() / inverse_w;
+        let share = |corner: usize| {
+            (0..3).map(|i| over_w[i] * self.weights[i][corner]).sum::<f64>() / inverse_w
+        };
         Point { depth: self.depth(x, y), inverse_w, shares: [share(1), share(2)] }
     }
 }
 
 /// Where the corners are for what is interpolated, in pixels, and twice the area between them.
 ///
-/// That is where they really are, as long as the grid makes neither twice nor half of the triangle: of a sliver that it
-/// widens or turns around, planes through the true corners are as steep as one likes, and those on the grid are not.
+/// That is where they really are, as long as the grid makes neither twice nor half of the triangle:
+/// of a sliver that it widens or turns around, planes through the true corners are as steep as one
+/// likes, and those on the grid are not.
 fn places(triangle: &Triangle, bits: u32) -> ([[f64; 2]; 3], f64) {
     let pixel = 1.0 / (f64::from(1 << (bits / 2)) * f64::from(1 << bits.div_ceil(2)));
     let rounded = super::setup::doubled_area(&triangle.corners) as f64 * pixel * pixel;

@@ -1,4 +1,5 @@
-//! Generated modules as shaders of the rasteriser: their stages run by the interpreter, with what a plan binds to them.
+//! Generated modules as shaders of the rasteriser: their stages run by the interpreter, with what a
+//! plan binds to them.
 
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -6,16 +7,19 @@ use std::sync::Arc;
 
 use super::executor::{PassImages, Shaders};
 use super::probe::Watch;
-use super::shader::{FragmentStage, Interpolation, LANES, QuadBatch, Shaded, Shader, Varying, VertexStage};
+use super::shader::{
+    FragmentStage, Interpolation, LANES, QuadBatch, Shaded, Shader, Varying, VertexStage,
+};
 use super::texels::Texels;
 use super::uniform;
 use crate::diag::Diagnostic;
 use crate::frame::{
-    Attribute, BindingKind, CompiledShader, Draw, FramePlan, Image, ImageShape, ImageUse, PassKind, Stage,
+    Attribute, BindingKind, CompiledShader, Draw, FramePlan, Image, ImageShape, ImageUse, PassKind,
+    Stage,
 };
 use crate::interp::{
-    self, Address, Bindings, Bound, Filter, Lanes, Level, Port, Precision, Program, ResourceKind, Sampler, Texture,
-    TextureDimension,
+    self, Address, Bindings, Bound, Filter, Lanes, Level, Port, Precision, Program, ResourceKind,
+    Sampler, Texture, TextureDimension,
 };
 use crate::wgsl::{self, Valid};
 use chiaro_scene::geometry::Mesh;
@@ -61,18 +65,33 @@ impl Modules {
     ///
     /// # Errors
     /// As [`new`](Self::new).
-    pub(super) fn watching(plan: &FramePlan, precision: Precision, watch: Watch) -> Result<Self, Diagnostic> {
+    pub(super) fn watching(
+        plan: &FramePlan,
+        precision: Precision,
+        watch: Watch,
+    ) -> Result<Self, Diagnostic> {
         Self::with(plan, precision, Some(watch))
     }
 
-    fn with(plan: &FramePlan, precision: Precision, watch: Option<Watch>) -> Result<Self, Diagnostic> {
-        let mut modules =
-            Self { precision, looks: HashMap::new(), curvature: HashMap::new(), images: HashMap::new(), watch };
+    fn with(
+        plan: &FramePlan,
+        precision: Precision,
+        watch: Option<Watch>,
+    ) -> Result<Self, Diagnostic> {
+        let mut modules = Self {
+            precision,
+            looks: HashMap::new(),
+            curvature: HashMap::new(),
+            images: HashMap::new(),
+            watch,
+        };
         for draw in &plan.draws {
             for shader in std::iter::once(&draw.look).chain(draw.normals.values()) {
                 modules.add(shader)?;
                 for (image, used) in draw.images_of(shader.stage).iter().zip(&shader.needs.images) {
-                    if let Entry::Vacant(place) = modules.images.entry((image.hash, used.is_decoded)) {
+                    if let Entry::Vacant(place) =
+                        modules.images.entry((image.hash, used.is_decoded))
+                    {
                         place.insert(texture_of(image, used)?);
                     }
                 }
@@ -100,7 +119,10 @@ impl Modules {
     }
 
     fn stages(&self, shader: &Arc<CompiledShader>) -> Result<&Stages, Diagnostic> {
-        self.looks.get(&address(shader)).map(|(_, stages)| stages).ok_or_else(|| missing("a module of another plan"))
+        self.looks
+            .get(&address(shader))
+            .map(|(_, stages)| stages)
+            .ok_or_else(|| missing("a module of another plan"))
     }
 
     /// What the look of a draw reads, with the values of the plan.
@@ -113,7 +135,8 @@ impl Modules {
         self.bindings_for(plan, draw, &draw.look, Stage::Draw, images)
     }
 
-    /// The look of a draw with what it [reads](Self::bindings_of), but for these numbers in its own uniform.
+    /// The look of a draw with what it [reads](Self::bindings_of), but for these numbers in its own
+    /// uniform.
     pub(super) fn with_look<'a>(
         &'a self,
         draw: &'a Draw,
@@ -121,7 +144,9 @@ impl Modules {
         numbers: &[f64],
     ) -> Result<impl Shader + 'a, Diagnostic> {
         let stages = self.stages(&draw.look)?;
-        for binding in draw.look.bindings.iter().filter(|binding| matches!(binding.kind, BindingKind::Look)) {
+        for binding in
+            draw.look.bindings.iter().filter(|binding| matches!(binding.kind, BindingKind::Look))
+        {
             buffer(&mut bindings, stages, binding.binding, numbers);
         }
         Bindable::new(stages, &bindings, self.precision, Some(&draw.mesh))
@@ -140,19 +165,27 @@ impl Modules {
         for binding in &shader.bindings {
             let at = binding.binding;
             match &binding.kind {
-                BindingKind::View => buffer(&mut bindings, stages, at, &plan.view.uniform_numbers()),
-                BindingKind::Object => buffer(&mut bindings, stages, at, &draw.object_uniform.numbers),
+                BindingKind::View => {
+                    buffer(&mut bindings, stages, at, &plan.view.uniform_numbers())
+                }
+                BindingKind::Object => {
+                    buffer(&mut bindings, stages, at, &draw.object_uniform.numbers)
+                }
                 BindingKind::Look => {
-                    let numbers = draw.look_uniforms.get(&stage).map(|uniform| uniform.numbers.as_slice());
+                    let numbers =
+                        draw.look_uniforms.get(&stage).map(|uniform| uniform.numbers.as_slice());
                     buffer(&mut bindings, stages, at, numbers.unwrap_or_default());
                 }
                 BindingKind::Image(index) | BindingKind::Hcbtf(index) => {
-                    let key = draw.images_of(stage).get(*index).zip(shader.needs.images.get(*index));
-                    let texture = key.and_then(|(image, used)| self.images.get(&(image.hash, used.is_decoded)));
+                    let key =
+                        draw.images_of(stage).get(*index).zip(shader.needs.images.get(*index));
+                    let texture = key
+                        .and_then(|(image, used)| self.images.get(&(image.hash, used.is_decoded)));
                     bindings.texture(0, at, texture.ok_or_else(|| missing("an image"))?.clone());
                 }
                 BindingKind::Sampler(index) => {
-                    let used = shader.needs.images.get(*index).ok_or_else(|| missing("an image"))?;
+                    let used =
+                        shader.needs.images.get(*index).ok_or_else(|| missing("an image"))?;
                     bindings.sampler(0, at, sampler_of(used));
                 }
                 BindingKind::Curvature => {
@@ -171,7 +204,8 @@ impl Modules {
                     bindings.texture(0, at, map(images.surface.tensor.as_ref(), plan.size)?);
                 }
                 BindingKind::SmoothNormal(level) => {
-                    let found = images.surface.smooth.get(usize::from(*level) - 1).and_then(Option::as_ref);
+                    let found =
+                        images.surface.smooth.get(usize::from(*level) - 1).and_then(Option::as_ref);
                     bindings.texture(0, at, map(found, plan.size)?);
                 }
                 BindingKind::Samples => {}
@@ -227,8 +261,10 @@ impl Shaders for Modules {
         normals: &'a Texels,
         depths: &'a Texels,
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {
-        let stages =
-            kind.shader().and_then(|name| self.curvature.get(name)).ok_or_else(|| missing("the curvature pass"))?;
+        let stages = kind
+            .shader()
+            .and_then(|name| self.curvature.get(name))
+            .ok_or_else(|| missing("the curvature pass"))?;
         let mut bindings = Bindings::new();
         bindings.texture(0, 0, texture(normals)?);
         bindings.texture(0, 1, texture(depths)?);
@@ -241,7 +277,8 @@ impl Shaders for Modules {
 /// Binds a buffer in the shape that either stage asks for.
 fn buffer(bindings: &mut Bindings, stages: &Stages, binding: u32, numbers: &[f64]) {
     let resources = stages.vertex.resources().iter().chain(stages.fragment.resources());
-    for resource in resources.filter(|resource| (resource.group, resource.binding) == (0, binding)) {
+    for resource in resources.filter(|resource| (resource.group, resource.binding) == (0, binding))
+    {
         if let ResourceKind::Buffer(shape) = &resource.kind {
             bindings.buffer(0, binding, uniform::value(shape, &mut numbers.iter().copied()));
         }
@@ -258,24 +295,32 @@ fn map(curvature: Option<&Texels>, size: [u32; 2]) -> Result<Texture, Diagnostic
 
 fn texture(texels: &Texels) -> Result<Texture, Diagnostic> {
     let pixels = texels.values.chunks_exact(texels.channels.max(1)).map(|pixel| {
-        let channel = |index: usize| pixel.get(index).copied().unwrap_or(if index == 3 { 1.0 } else { 0.0 });
+        let channel =
+            |index: usize| pixel.get(index).copied().unwrap_or(if index == 3 { 1.0 } else { 0.0 });
         [channel(0), channel(1), channel(2), channel(3)]
     });
-    Texture::new(TextureDimension::D2, vec![Level::f64([texels.size[0], texels.size[1], 1], pixels.collect())])
+    Texture::new(
+        TextureDimension::D2,
+        vec![Level::f64([texels.size[0], texels.size[1], 1], pixels.collect())],
+    )
 }
 
-/// An image as the GPU samples it: colours decoded before they are filtered, where the look asks for that.
+/// An image as the GPU samples it: colors decoded before they are filtered, where the look asks
+/// for that.
 pub(super) fn texture_of(image: &Image, used: &ImageUse) -> Result<Texture, Diagnostic> {
     let size = [image.size[0], image.size[1], image.layers];
     let is_decoded = used.is_decoded && used.shape == ImageShape::Flat;
     if !is_decoded {
-        return Texture::new(TextureDimension::D2, vec![Level::rgba8(size, image.rgba().into_owned())]);
+        return Texture::new(
+            TextureDimension::D2,
+            vec![Level::rgba8(size, image.rgba().into_owned())],
+        );
     }
     let color = |byte: u8| crate::document::srgb_to_linear(f64::from(byte) / 255.0);
     let rgba = image.rgba();
-    let texels = rgba
-        .chunks_exact(4)
-        .map(|texel| [color(texel[0]), color(texel[1]), color(texel[2]), f64::from(texel[3]) / 255.0]);
+    let texels = rgba.chunks_exact(4).map(|texel| {
+        [color(texel[0]), color(texel[1]), color(texel[2]), f64::from(texel[3]) / 255.0]
+    });
     Texture::new(TextureDimension::D2, vec![Level::f64(size, texels.collect())])
 }
 
@@ -307,8 +352,9 @@ impl<'a> Bindable<'a> {
     ) -> Result<Self, Diagnostic> {
         let bind = |program: &'a Program| program.bind(bindings, precision).map_err(first);
         let locations = by_location(stages.vertex.outputs());
-        let varyings =
-            locations.iter().map(|port| Varying { components: port.size, interpolation: interpolation(port) });
+        let varyings = locations
+            .iter()
+            .map(|port| Varying { components: port.size, interpolation: interpolation(port) });
         Ok(Self {
             vertex: bind(&stages.vertex)?,
             fragment: bind(&stages.fragment)?,
@@ -332,7 +378,9 @@ fn by_location(ports: &[Port]) -> Vec<&Port> {
 
 fn interpolation(port: &Port) -> Interpolation {
     match &port.binding {
-        Some(naga::Binding::Location { interpolation: Some(naga::Interpolation::Flat), .. }) => Interpolation::Flat,
+        Some(naga::Binding::Location {
+            interpolation: Some(naga::Interpolation::Flat), ..
+        }) => Interpolation::Flat,
         _ => Interpolation::Perspective,
     }
 }
@@ -364,9 +412,13 @@ impl VertexStage for Vertices<'_> {
             Some(lanes) => lanes,
             none => none.insert(self.shader.vertex.lanes()?),
         };
-        let clip = program.outputs().iter().find(|port| matches!(port.builtin(), Some(naga::BuiltIn::Position { .. })));
+        let clip = program
+            .outputs()
+            .iter()
+            .find(|port| matches!(port.builtin(), Some(naga::BuiltIn::Position { .. })));
         let clip = clip.ok_or_else(|| missing("the position of a vertex"))?;
-        let written: Vec<&Port> = std::iter::once(clip).chain(by_location(program.outputs())).collect();
+        let written: Vec<&Port> =
+            std::iter::once(clip).chain(by_location(program.outputs())).collect();
         let stride: usize = written.iter().map(|port| port.size).sum();
         let mut row = [0.0; LANES];
         for (chunk, out) in vertices.chunks(LANES).zip(out.chunks_mut(LANES * stride)) {
@@ -379,7 +431,9 @@ impl VertexStage for Vertices<'_> {
                 }
             }
             lanes.run(chunk.len())?;
-            let components = written.iter().flat_map(|port| (0..port.size).map(move |component| (*port, component)));
+            let components = written
+                .iter()
+                .flat_map(|port| (0..port.size).map(move |component| (*port, component)));
             for (place, (port, component)) in components.enumerate() {
                 lanes.read(port, component, &mut row[..chunk.len()]);
                 for (vertex, number) in row[..chunk.len()].iter().enumerate() {
@@ -393,8 +447,12 @@ impl VertexStage for Vertices<'_> {
 
 /// A component of a vertex's attribute, as it lies in the mesh.
 fn attribute(mesh: &Mesh, location: Option<u32>, vertex: usize, component: usize) -> f64 {
-    let Some(attribute) = location.and_then(|at| Attribute::ALL.get(at as usize)) else { return 0.0 };
-    let component_of = |numbers: Option<&[f32]>| numbers.and_then(|n| n.get(component)).copied().map_or(0.0, f64::from);
+    let Some(attribute) = location.and_then(|at| Attribute::ALL.get(at as usize)) else {
+        return 0.0;
+    };
+    let component_of = |numbers: Option<&[f32]>| {
+        numbers.and_then(|n| n.get(component)).copied().map_or(0.0, f64::from)
+    };
     component_of(match attribute {
         Attribute::Position => mesh.positions.get(vertex).map(|v| v.as_slice()),
         Attribute::Normal => mesh.normals.get(vertex).map(|v| v.as_slice()),
@@ -417,7 +475,8 @@ impl FragmentStage for Fragments<'_> {
             none => none.insert(self.shader.fragment.lanes()?),
         };
         let count = batch.lanes();
-        let front: [f64; LANES] = std::array::from_fn(|lane| f64::from(u8::from(batch.front() >> lane & 1 == 1)));
+        let front: [f64; LANES] =
+            std::array::from_fn(|lane| f64::from(u8::from(batch.front() >> lane & 1 == 1)));
         let starts = first_components(&self.shader.varyings);
         for port in program.inputs() {
             let start = port.location().and_then(|location| starts.get(location as usize));
@@ -437,7 +496,9 @@ impl FragmentStage for Fragments<'_> {
             watch.look(batch, out.discarded, draw, lanes, program);
         }
         let components = by_location(program.outputs());
-        let components = components.into_iter().flat_map(|port| (0..port.size).map(move |component| (port, component)));
+        let components = components
+            .into_iter()
+            .flat_map(|port| (0..port.size).map(move |component| (port, component)));
         for (channel, (port, component)) in components.enumerate().take(out.channels()) {
             lanes.read(port, component, &mut out.channel_mut(channel)[..count]);
         }
@@ -447,6 +508,7 @@ impl FragmentStage for Fragments<'_> {
 
 /// Where each varying begins among the numbers of all.
 fn first_components(varyings: &[Varying]) -> Vec<usize> {
-    let begin = |at: &mut usize, varying: &Varying| Some(std::mem::replace(at, *at + varying.components));
+    let begin =
+        |at: &mut usize, varying: &Varying| Some(std::mem::replace(at, *at + varying.components));
     varyings.iter().scan(0, begin).collect()
 }

@@ -1,4 +1,5 @@
-//! How pictures are made: to which grid positions are rounded, on how many threads, in which pieces, and until when.
+//! How pictures are made: to which grid positions are rounded, on how many threads, in which
+//! pieces, and until when.
 
 use std::fmt;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -10,16 +11,17 @@ use crate::diag::Diagnostic;
 
 /// The grid that screen positions are rounded to before coverage is decided.
 ///
-/// Coverage is decided in whole numbers of grid steps, so that it is exact: triangles that share an edge cover each
-/// sample on it once, whatever the grid. What is interpolated, depth too, lies on the plane through the corners as they
-/// are, which the grid does not move: pixels that a triangle covers by being rounded are beside its edge by up to a step.
+/// Coverage is decided in whole numbers of grid steps, so that it is exact: triangles that share an
+/// edge cover each sample on it once, whatever the grid. What is interpolated, depth too, lies on
+/// the plane through the corners as they are, which the grid does not move: pixels that a triangle
+/// covers by being rounded are beside its edge by up to a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Snap {
     /// 2^-32 of a pixel, which is finer than any error that f32 leaves: the truth.
     #[default]
     None,
-    /// 2^-n of a pixel, n from 4 (below it the samples of a pixel would lie between the steps) to 32; GPUs and
-    /// software Vulkan use 8. For comparing with them.
+    /// 2^-n of a pixel, n from 4 (below it the samples of a pixel would lie between the steps) to
+    /// 32; GPUs and software Vulkan use 8. For comparing with them.
     Subpixel(u32),
 }
 
@@ -33,8 +35,9 @@ impl Snap {
     }
 }
 
-/// What the images of passes hold, for later passes to read: normals and object numbers, depth, curvature. The
-/// renderer's hold f32 numbers; halves, which it held once, show what they would cost.
+/// What the images of passes hold, for later passes to read: normals and object numbers, depth,
+/// curvature. The renderer's hold f32 numbers; halves, which it held once, show what they would
+/// cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum ImageRounding {
     /// All of every number: the truth.
@@ -52,7 +55,9 @@ impl ImageRounding {
         let nearest = f16::from_f64(x);
         match self {
             Self::None => x,
-            Self::TowardZero if nearest.to_f64().abs() > x.abs() => f16::from_bits(nearest.to_bits() - 1).to_f64(),
+            Self::TowardZero if nearest.to_f64().abs() > x.abs() => {
+                f16::from_bits(nearest.to_bits() - 1).to_f64()
+            }
             _ => nearest.to_f64(),
         }
     }
@@ -63,7 +68,8 @@ impl ImageRounding {
     }
 }
 
-/// Choices that the caller has. Only [`snap`](Self::snap) and [`images`](Self::images) change the picture.
+/// Choices that the caller has. Only [`snap`](Self::snap) and [`images`](Self::images) change the
+/// picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Options {
     /// The grid of screen positions.
@@ -74,10 +80,12 @@ pub struct Options {
     pub threads: usize,
     /// The side of the squares that threads take, in pixels: even, 2 to 512.
     pub tile: u32,
-    /// The pixels that are wanted, left, top, right and bottom, the last two outside; all of them without it. What the
-    /// passes before the look must know around them is made too; the rest stays empty.
+    /// The pixels that are wanted, left, top, right and bottom, the last two outside; all of them
+    /// without it. What the passes before the look must know around them is made too; the rest
+    /// stays empty.
     pub region: Option<[u32; 4]>,
-    /// Bytes of triangle lists, and of vertices, after which what is there is drawn before more is gathered.
+    /// Bytes of triangle lists, and of vertices, after which what is there is drawn before more is
+    /// gathered.
     pub budget: usize,
 }
 
@@ -127,7 +135,8 @@ impl Options {
 pub struct Control<'a> {
     /// Set by another thread to stop; looked at between batches of fragments.
     pub cancel: &'a AtomicBool,
-    /// Told the share that is done, from 0 to 1; called on any thread, so that shares may come a little out of order.
+    /// Told the share that is done, from 0 to 1; called on any thread, so that shares may come a
+    /// little out of order.
     pub progress: &'a (dyn Fn(f64) + Sync),
 }
 
@@ -158,7 +167,10 @@ impl Control<'_> {
     /// Fails once the work is not wanted any more.
     pub(super) fn check(&self) -> Result<(), Diagnostic> {
         if self.cancel.load(Ordering::Relaxed) {
-            return Err(Diagnostic::note("cancelled", "the picture was stopped before it was done"));
+            return Err(Diagnostic::note(
+                "cancelled",
+                "the picture was stopped before it was done",
+            ));
         }
         Ok(())
     }
@@ -173,9 +185,11 @@ mod tests {
         // Between 1 and 2 an f16 has steps of 2^-10.
         let step = 1.0 / 1024.0;
         let x = 1.0 + 0.75 * step;
-        for (rounding, wanted) in
-            [(ImageRounding::None, x), (ImageRounding::Nearest, 1.0 + step), (ImageRounding::TowardZero, 1.0)]
-        {
+        for (rounding, wanted) in [
+            (ImageRounding::None, x),
+            (ImageRounding::Nearest, 1.0 + step),
+            (ImageRounding::TowardZero, 1.0),
+        ] {
             assert_eq!([rounding.half(x), rounding.half(-x)], [wanted, -wanted], "{rounding:?}");
             assert_eq!(rounding.half(0.0), 0.0);
         }

@@ -16,7 +16,8 @@ pub struct ReferencePicture {
     pub color: Texels,
     /// A pixel each, rows from the top.
     pub coverage: Vec<Coverage>,
-    /// The depth of the nearest sample of each pixel, 0 (near) to 1 (far), linear on the screen over each plane.
+    /// The depth of the nearest sample of each pixel, 0 (near) to 1 (far), linear on the screen
+    /// over each plane.
     pub depths: Vec<f64>,
     /// The object of each draw, by [`Coverage::draw`].
     pub objects: Vec<ObjectId>,
@@ -38,7 +39,12 @@ impl ReferencePicture {
 
     /// As the renderer gives it and picture files take it.
     pub fn to_picture(&self) -> Picture {
-        let rgba = self.color.values.chunks_exact(4).map(|pixel| straight(pixel).map(|x| x as f32)).collect();
+        let rgba = self
+            .color
+            .values
+            .chunks_exact(4)
+            .map(|pixel| straight(pixel).map(|x| x as f32))
+            .collect();
         Picture { size: self.size, rgba }
     }
 

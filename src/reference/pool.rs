@@ -7,11 +7,12 @@ use super::options::Control;
 use crate::diag::Diagnostic;
 use crate::threads;
 
-/// Runs `job` for each number below `count`, on up to `threads` threads, each with a state of its own; gives the
-/// results by number.
+/// Runs `job` for each number below `count`, on up to `threads` threads, each with a state of its
+/// own; gives the results by number.
 ///
 /// # Errors
-/// The first problem by number, of those met before all threads had stopped; or that the work is not wanted any more.
+/// The first problem by number, of those met before all threads had stopped; or that the work is
+/// not wanted any more.
 #[expect(
     clippy::disallowed_methods,
     reason = "the one place that starts threads: pictures of a known size, cancelled by a flag"
@@ -38,7 +39,8 @@ pub(super) fn run<S, T: Send>(
             has_failed.fetch_or(result.is_err(), Ordering::Relaxed);
             done.push((number, result));
         }
-        // Nobody panics while holding the lock; were it so, the scope below would pass the panic on.
+        // Nobody panics while holding the lock; were it so, the scope below would pass the panic
+        // on.
         finished.lock().unwrap_or_else(std::sync::PoisonError::into_inner).append(&mut done);
     };
     let helpers = threads.min(count).saturating_sub(1);
@@ -62,9 +64,15 @@ mod tests {
     fn results_come_in_order_and_problems_stop_the_work() {
         let control = Control::none();
         for threads in 1..4 {
-            let squares = run(threads, 100, &control, || (), |(), i| Ok(i * i)).expect("nothing fails");
-            assert!(squares.iter().enumerate().all(|(i, square)| i * i == *square) && squares.len() == 100);
-            let failing = |(): &mut (), i| if i < 7 { Ok(()) } else { Err(Diagnostic::error("x", format!("{i}"))) };
+            let squares =
+                run(threads, 100, &control, || (), |(), i| Ok(i * i)).expect("nothing fails");
+            assert!(
+                squares.iter().enumerate().all(|(i, square)| i * i == *square)
+                    && squares.len() == 100
+            );
+            let failing = |(): &mut (), i| {
+                if i < 7 { Ok(()) } else { Err(Diagnostic::error("x", format!("{i}"))) }
+            };
             let problem = run(threads, 1_000_000, &control, || (), failing).expect_err("7 fails");
             assert!(problem.message == "7" || threads > 1, "{problem}");
         }

@@ -42,8 +42,16 @@ pub(super) struct Watch {
 }
 
 impl Watch {
-    /// Looks whether a batch that was just run has a fragment at the pixel that is nearer than any before.
-    pub(super) fn look(&self, batch: &QuadBatch, discarded: u64, draw: usize, lanes: &Lanes<'_>, program: &Program) {
+    /// Looks whether a batch that was just run has a fragment at the pixel that is nearer than any
+    /// before.
+    pub(super) fn look(
+        &self,
+        batch: &QuadBatch,
+        discarded: u64,
+        draw: usize,
+        lanes: &Lanes<'_>,
+        program: &Program,
+    ) {
         let [x, y] = self.pixel.map(|side| f64::from(side) + 0.5);
         let lives = batch.live() & !discarded;
         let here = (0..batch.lanes())
@@ -71,8 +79,9 @@ impl Watch {
     }
 }
 
-/// Runs what `plan` needs for one pixel, and tells what the visible fragment computed there; `None` where nothing is
-/// drawn. Functions that are called several times (those of the library) tell of their last call only.
+/// Runs what `plan` needs for one pixel, and tells what the visible fragment computed there; `None`
+/// where nothing is drawn. Functions that are called several times (those of the library) tell of
+/// their last call only.
 ///
 /// # Errors
 /// As [`execute`], and `reference-plan` for a pixel outside of the picture.
@@ -84,8 +93,12 @@ pub fn probe(
     control: &Control<'_>,
 ) -> Result<Option<Probed>, Diagnostic> {
     if pixel[0] >= plan.size[0] || pixel[1] >= plan.size[1] {
-        let message = format!("there is no pixel {},{} in {}x{}", pixel[0], pixel[1], plan.size[0], plan.size[1]);
-        return Err(Diagnostic::error("reference-plan", message).hint("columns and rows are counted from 0"));
+        let message = format!(
+            "there is no pixel {},{} in {}x{}",
+            pixel[0], pixel[1], plan.size[0], plan.size[1]
+        );
+        return Err(Diagnostic::error("reference-plan", message)
+            .hint("columns and rows are counted from 0"));
     }
     let modules = Modules::watching(plan, precision, Watch { pixel, found: Mutex::new(None) })?;
     let [x, y] = pixel;
@@ -113,12 +126,9 @@ impl WireValue {
     /// The largest difference between the two; infinite where only one is finite.
     pub fn difference(&self) -> f64 {
         let pairs = self.single.iter().zip(&self.double);
-        pairs.map(|(a, b)| if a.to_bits() == b.to_bits() || a == b { 0.0 } else { (a - b).abs() }).fold(
-            0.0,
-            |most, x| {
-                if x.is_nan() { f64::INFINITY } else { most.max(x) }
-            },
-        )
+        pairs
+            .map(|(a, b)| if a.to_bits() == b.to_bits() || a == b { 0.0 } else { (a - b).abs() })
+            .fold(0.0, |most, x| if x.is_nan() { f64::INFINITY } else { most.max(x) })
     }
 
     /// Whether all of it is a number in f32.
@@ -127,8 +137,8 @@ impl WireValue {
     }
 }
 
-/// Every node's value at a pixel, in the order of computing, f32 beside f64; `None` where nothing is drawn. The first
-/// that is [not finite](WireValue::is_finite) is where a broken pixel begins.
+/// Every node's value at a pixel, in the order of computing, f32 beside f64; `None` where nothing
+/// is drawn. The first that is [not finite](WireValue::is_finite) is where a broken pixel begins.
 ///
 /// # Errors
 /// As [`probe`].
@@ -138,15 +148,23 @@ pub fn probe_wires(
     options: &Options,
     control: &Control<'_>,
 ) -> Result<Option<Vec<WireValue>>, Diagnostic> {
-    let both = [Precision::F32, Precision::F64].map(|precision| probe(plan, pixel, precision, options, control));
+    let both = [Precision::F32, Precision::F64]
+        .map(|precision| probe(plan, pixel, precision, options, control));
     let [single, double] = both;
     let (Some(single), Some(double)) = (single?, double?) else { return Ok(None) };
     let drawn = double.draw;
     let Some(draw) = plan.draws.get(drawn) else { return Ok(None) };
     let wires = double.values.into_iter().filter_map(|value| {
         let node = draw.look.spans.node_at(value.span.start)?.clone();
-        let same = single.values.iter().find(|other| other.span == value.span && single.draw == drawn)?;
-        Some(WireValue { draw: drawn, node, name: value.name, single: same.numbers.clone(), double: value.numbers })
+        let same =
+            single.values.iter().find(|other| other.span == value.span && single.draw == drawn)?;
+        Some(WireValue {
+            draw: drawn,
+            node,
+            name: value.name,
+            single: same.numbers.clone(),
+            double: value.numbers,
+        })
     });
     Ok(Some(wires.collect()))
 }

@@ -1,13 +1,15 @@
-//! Draws triangles: vertices, then lists of triangles by tile, then the tiles, each on one thread from back to front.
+//! Draws triangles: vertices, then lists of triangles by tile, then the tiles, each on one thread
+//! from back to front.
 //!
-//! Within a tile everything happens in the order of the plan, and what a fragment gets depends on its triangle alone;
-//! so the picture is the same for any number of threads and any size of tiles.
+//! Within a tile everything happens in the order of the plan, and what a fragment gets depends on
+//! its triangle alone; so the picture is the same for any number of threads and any size of tiles.
 //!
 //! # Memory
-//! The picture takes 8 bytes a channel and 20 for coverage and depth of each pixel; a thread one tile of samples. Shaded
-//! vertices and lists of triangles grow until [`Options::budget`]; then what is there is drawn, and the samples of all
-//! tiles are kept (16 bytes, and 8 a channel) until the rest has come. Beyond the budget are thus at most the vertices of
-//! one draw and one list for each thread.
+//! The picture takes 8 bytes a channel and 20 for coverage and depth of each pixel; a thread one
+//! tile of samples. Shaded vertices and lists of triangles grow until [`Options::budget`]; then
+//! what is there is drawn, and the samples of all tiles are kept (16 bytes, and 8 a channel) until
+//! the rest has come. Beyond the budget are thus at most the vertices of one draw and one list for
+//! each thread.
 
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -65,7 +67,8 @@ struct Work<'a> {
 /// Draws `draws` in order into an image of `size` pixels with 1 or 4 `samples` each.
 ///
 /// # Errors
-/// - `reference-too-large`: there are more than [`MAX_SAMPLES`] samples, or a side is longer than [`MAX_SIDE`].
+/// - `reference-too-large`: there are more than [`MAX_SAMPLES`] samples, or a side is longer than
+///   [`MAX_SIDE`].
 /// - `reference-samples`: a pixel has neither 1 nor 4.
 /// - `cancelled`: it is not wanted any more.
 /// - What the shaders report.
@@ -87,7 +90,8 @@ pub fn rasterise(
     };
     let kept = (0..grid.tiles()).map(|_| Mutex::new(None)).collect();
     let raster = Mutex::new(raster);
-    let mut work = Work { grid, samples, target, options, control, pieces: Vec::new(), kept, raster };
+    let mut work =
+        Work { grid, samples, target, options, control, pieces: Vec::new(), kept, raster };
     let mut bytes = 0;
     for (number, triangles) in (0..).zip(draws) {
         work.gather(number, *triangles, &mut bytes)?;
@@ -106,17 +110,28 @@ pub(super) fn check_size(size: [u32; 2], samples: u32) -> Result<(), Diagnostic>
     if count <= MAX_SAMPLES && size[0].max(size[1]) <= MAX_SIDE {
         return Ok(());
     }
-    let message = format!("{}x{} pixels of {samples} samples are too many for the reference", size[0], size[1]);
-    Err(Diagnostic::error("reference-too-large", message).hint("use a smaller picture, or one sample a pixel"))
+    let message = format!(
+        "{}x{} pixels of {samples} samples are too many for the reference",
+        size[0], size[1]
+    );
+    Err(Diagnostic::error("reference-too-large", message)
+        .hint("use a smaller picture, or one sample a pixel"))
 }
 
 impl<'a> Work<'a> {
-    /// Shades a draw's vertices and sorts its triangles; draws whenever the lists have grown to the budget.
-    fn gather(&mut self, draw: u32, triangles: Triangles<'a>, bytes: &mut usize) -> Result<(), Diagnostic> {
+    /// Shades a draw's vertices and sorts its triangles; draws whenever the lists have grown to the
+    /// budget.
+    fn gather(
+        &mut self,
+        draw: u32,
+        triangles: Triangles<'a>,
+        bytes: &mut usize,
+    ) -> Result<(), Diagnostic> {
         let geometry = Arc::new(Geometry::new(draw, triangles, self.options, self.control)?);
         *bytes += geometry.bytes();
         let pieces = geometry.count().div_ceil(TRIANGLES);
-        // So many at a time that all threads have work, and no more than that is ever beyond the budget.
+        // So many at a time that all threads have work, and no more than that is ever beyond the
+        // budget.
         let wave = self.options.threads.max(1);
         for begin in (0..pieces).step_by(wave) {
             let bin = |(): &mut (), number: usize| {
@@ -126,7 +141,8 @@ impl<'a> Work<'a> {
             };
             let lists = pool::run(wave, wave.min(pieces - begin), self.control, || (), bin)?;
             *bytes += lists.iter().map(|bins| bins.len() * 8).sum::<usize>();
-            self.pieces.extend(lists.into_iter().map(|bins| Piece { geometry: geometry.clone(), bins }));
+            self.pieces
+                .extend(lists.into_iter().map(|bins| Piece { geometry: geometry.clone(), bins }));
             if *bytes > self.options.budget {
                 self.draw(false)?;
                 *bytes = if begin + wave < pieces { geometry.bytes() } else { 0 };
@@ -143,7 +159,9 @@ impl<'a> Work<'a> {
         pool::run(self.options.threads, tiles, self.control, state, |worker, tile| {
             self.draw_tile(worker, tile, is_last)?;
             if is_last {
-                (self.control.progress)((done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / tiles as f64);
+                (self.control.progress)(
+                    (done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / tiles as f64,
+                );
             }
             Ok(())
         })?;
@@ -151,14 +169,20 @@ impl<'a> Work<'a> {
         Ok(())
     }
 
-    fn draw_tile<'w>(&'w self, worker: &mut Worker<'w>, tile: usize, is_last: bool) -> Result<(), Diagnostic> {
+    fn draw_tile<'w>(
+        &'w self,
+        worker: &mut Worker<'w>,
+        tile: usize,
+        is_last: bool,
+    ) -> Result<(), Diagnostic> {
         let held = || self.kept[tile].lock().unwrap_or_else(PoisonError::into_inner);
         let mine = |piece: &'w Piece<'a>| {
             let begin = piece.bins.partition_point(|bin| (bin[0] as usize) < tile);
             let end = piece.bins.partition_point(|bin| (bin[0] as usize) <= tile);
             (&piece.geometry, &piece.bins[begin..end])
         };
-        let mut lists = self.pieces.iter().map(mine).filter(|(_, bins)| !bins.is_empty()).peekable();
+        let mut lists =
+            self.pieces.iter().map(mine).filter(|(_, bins)| !bins.is_empty()).peekable();
         if !is_last && lists.peek().is_none() {
             return Ok(());
         }
@@ -206,7 +230,8 @@ impl<'a> Work<'a> {
             Edges::new(&triangle, bits, self.samples).quads(pixels, |x, y, covered| {
                 let owner = [geometry.draw, number];
                 let is_front = triangle.is_front;
-                let quad = Quad { at: [x, y], covered, is_front, owner, surface: &surface, varyings };
+                let quad =
+                    Quad { at: [x, y], covered, is_front, owner, surface: &surface, varyings };
                 batch.push(&quad, tile, self.samples, self.target, self.control)
             })?;
         }

@@ -1,4 +1,5 @@
-//! From corners in clip space to triangles on the screen's grid: which way around they run, which are culled.
+//! From corners in clip space to triangles on the screen's grid: which way around they run, which
+//! are culled.
 
 use super::clip::{Corner, GUARD, LEAST_W, Polygon, outcode};
 
@@ -43,10 +44,13 @@ pub(super) struct Triangle {
 impl Screen {
     fn place(self, corner: &Corner) -> ScreenCorner {
         let [x, y, z, w] = corner.clip;
-        // Cuts leave nothing beyond either limit but for what rounding does, which is a lot only where w is next to 0.
+        // Cuts leave nothing beyond either limit but for what rounding does, which is a lot only
+        // where w is next to 0.
         let w = w.max(LEAST_W);
         let steps = f64::from(1 << (self.bits / 2)) * f64::from(1 << self.bits.div_ceil(2));
-        let pixels = |ndc: f64, side: u32| 0.5 * (ndc.clamp(-2.0 * GUARD, 2.0 * GUARD) + 1.0) * f64::from(side);
+        let pixels = |ndc: f64, side: u32| {
+            0.5 * (ndc.clamp(-2.0 * GUARD, 2.0 * GUARD) + 1.0) * f64::from(side)
+        };
         let place = [pixels(x / w, self.size[0]), pixels(-y / w, self.size[1])];
         ScreenCorner {
             at: place.map(|pixels| (pixels * steps).round() as i64),
@@ -75,7 +79,10 @@ impl Screen {
             *place = Some(self.place(corner));
         }
         fan.count = polygon.corners().len();
-        let area: i128 = (2..fan.count).filter_map(|last| fan.at(last)).map(|corners| doubled_area(&corners)).sum();
+        let area: i128 = (2..fan.count)
+            .filter_map(|last| fan.at(last))
+            .map(|corners| doubled_area(&corners))
+            .sum();
         fan.is_clockwise = area > 0;
         fan.is_front = fan.is_clockwise == sides.is_mirrored;
         if area == 0 || !(sides.both || fan.is_front) {
@@ -107,14 +114,15 @@ impl Fan {
     pub(super) fn triangles(&self) -> impl Iterator<Item = Triangle> {
         let clockwise = move |[a, b, c]: [ScreenCorner; 3]| {
             let corners = if self.is_clockwise { [a, b, c] } else { [a, c, b] };
-            // Rounding to the grid may turn a sliver of a polygon around: its neighbours cover what it covers.
+            // Rounding to the grid may turn a sliver of a polygon around: its neighbours cover what
+            // it covers.
             (doubled_area(&corners) > 0).then_some(Triangle { corners, is_front: self.is_front })
         };
         (2..self.count).filter_map(|last| self.at(last)).filter_map(clockwise)
     }
 
-    /// The least and the greatest pixel that the polygon touches, not cut at the picture's sides; `None` if nothing is
-    /// to be drawn.
+    /// The least and the greatest pixel that the polygon touches, not cut at the picture's sides;
+    /// `None` if nothing is to be drawn.
     pub(super) fn pixels(&self, bits: u32) -> Option<[[i64; 2]; 2]> {
         let mut corners = self.corners[..self.count].iter().flatten().map(|corner| corner.at);
         let first = corners.next()?;
@@ -137,7 +145,8 @@ mod tests {
     use super::*;
 
     const SCREEN: Screen = Screen { size: [100, 50], bits: 8 };
-    const LEFT_HALF: [[f64; 4]; 3] = [[-1.0, 3.0, 0.5, 1.0], [-1.0, -1.0, 0.5, 1.0], [0.0, -1.0, 0.5, 1.0]];
+    const LEFT_HALF: [[f64; 4]; 3] =
+        [[-1.0, 3.0, 0.5, 1.0], [-1.0, -1.0, 0.5, 1.0], [0.0, -1.0, 0.5, 1.0]];
 
     #[test]
     fn the_viewport_is_that_of_webgpu() {
@@ -154,17 +163,26 @@ mod tests {
     fn back_faces_are_culled_unless_wanted_or_mirrored() {
         let [a, b, c] = LEFT_HALF;
         let back = [a, c, b];
-        let drawn = |both, is_mirrored| SCREEN.triangles(back, Sides { both, is_mirrored }).triangles().next();
+        let drawn = |both, is_mirrored| {
+            SCREEN.triangles(back, Sides { both, is_mirrored }).triangles().next()
+        };
         assert!(drawn(false, false).is_none());
         assert!(!drawn(true, false).expect("both sides").is_front);
         assert!(drawn(false, true).expect("mirrored").is_front);
-        assert!(SCREEN.triangles(LEFT_HALF, Sides { both: false, is_mirrored: true }).triangles().next().is_none());
+        assert!(
+            SCREEN
+                .triangles(LEFT_HALF, Sides { both: false, is_mirrored: true })
+                .triangles()
+                .next()
+                .is_none()
+        );
     }
 
     #[test]
     fn nothing_that_is_no_number_is_drawn() {
         for bad in [f64::NAN, f64::INFINITY] {
-            let fan = SCREEN.triangles([LEFT_HALF[0], LEFT_HALF[1], [bad, 0.0, 0.5, 1.0]], Sides::default());
+            let fan = SCREEN
+                .triangles([LEFT_HALF[0], LEFT_HALF[1], [bad, 0.0, 0.5, 1.0]], Sides::default());
             assert_eq!(fan.triangles().count(), 0);
         }
     }

@@ -1,4 +1,5 @@
-//! Gathers the quads of a draw until a batch is full, has them shaded, and draws them in the order they came.
+//! Gathers the quads of a draw until a batch is full, has them shaded, and draws them in the order
+//! they came.
 
 use super::coverage::sample_positions;
 use super::interpolate::{Point, Surface};
@@ -29,11 +30,22 @@ pub(super) struct Quad<'a> {
 }
 
 impl<'a> Batcher<'a> {
-    pub(super) fn new(stage: Box<dyn FragmentStage + 'a>, varyings: &[Varying], channels: usize) -> Self {
-        let numbers = |varying: &Varying| std::iter::repeat_n(varying.interpolation, varying.components);
+    pub(super) fn new(
+        stage: Box<dyn FragmentStage + 'a>,
+        varyings: &[Varying],
+        channels: usize,
+    ) -> Self {
+        let numbers =
+            |varying: &Varying| std::iter::repeat_n(varying.interpolation, varying.components);
         let interpolation: Vec<_> = varyings.iter().flat_map(numbers).collect();
         let batch = QuadBatch::new(interpolation.len());
-        Self { stage, interpolation, batch, shaded: Shaded::new(channels), pending: Vec::with_capacity(QUADS) }
+        Self {
+            stage,
+            interpolation,
+            batch,
+            shaded: Shaded::new(channels),
+            pending: Vec::with_capacity(QUADS),
+        }
     }
 
     /// Takes a quad, unless it is hidden; shades and draws once there are enough.
@@ -45,7 +57,8 @@ impl<'a> Batcher<'a> {
         target: &Target,
         control: &Control<'_>,
     ) -> Result<(), Diagnostic> {
-        let mut pending = Pending { at: quad.at, covered: quad.covered, depths: [1.0; 16], owner: quad.owner };
+        let mut pending =
+            Pending { at: quad.at, covered: quad.covered, depths: [1.0; 16], owner: quad.owner };
         let [left, top] = quad.at.map(f64::from);
         for lane in 0..4 {
             if quad.covered >> (4 * lane) & 0xF == 0 {
@@ -67,7 +80,9 @@ impl<'a> Batcher<'a> {
     }
 
     fn fill(&mut self, quad: &Quad<'_>, covered: u16) {
-        let live = (0..4).filter(|lane| covered >> (4 * lane) & 0xF != 0).fold(0, |live, lane| live | 1 << lane);
+        let live = (0..4)
+            .filter(|lane| covered >> (4 * lane) & 0xF != 0)
+            .fold(0, |live, lane| live | 1 << lane);
         let first = self.batch.begin(live, quad.is_front);
         let points: [Point; 4] = std::array::from_fn(|lane| {
             let x = f64::from(quad.at[0] + (lane as u32 & 1)) + 0.5;

@@ -1,6 +1,8 @@
-//! What the rasteriser asks of shaders: vertices one list at a time, fragments sixteen quads at a time.
+//! What the rasteriser asks of shaders: vertices one list at a time, fragments sixteen quads at a
+//! time.
 //!
-//! The rasteriser knows nothing of WGSL. A stage gets a worker for each thread, so that it may keep memory of its own.
+//! The rasteriser knows nothing of WGSL. A stage gets a worker for each thread, so that it may keep
+//! memory of its own.
 
 use crate::diag::Diagnostic;
 
@@ -42,8 +44,8 @@ pub trait Shader: Sync {
 
 /// Runs vertex shaders.
 pub trait VertexStage {
-    /// Shades the vertices of these numbers. `out` has for each of them the clip position `x y z w` and then all
-    /// components of the varyings, and is as long as that makes it.
+    /// Shades the vertices of these numbers. `out` has for each of them the clip position `x y z w`
+    /// and then all components of the varyings, and is as long as that makes it.
     ///
     /// # Errors
     /// What keeps the shader from ending.
@@ -73,7 +75,13 @@ pub struct QuadBatch {
 impl QuadBatch {
     /// An empty batch for `components` numbers in all varyings.
     pub(super) fn new(components: usize) -> Self {
-        Self { quads: 0, live: 0, front: 0, position: vec![0.0; 4 * LANES], varyings: vec![0.0; components * LANES] }
+        Self {
+            quads: 0,
+            live: 0,
+            front: 0,
+            position: vec![0.0; 4 * LANES],
+            varyings: vec![0.0; components * LANES],
+        }
     }
 
     /// How many lanes are filled: a multiple of 4, from lane 0.
@@ -81,7 +89,7 @@ impl QuadBatch {
         4 * self.quads
     }
 
-    /// The lanes whose colour counts, by bit; the others are there for the derivatives.
+    /// The lanes whose color counts, by bit; the others are there for the derivatives.
     pub fn live(&self) -> u64 {
         self.live
     }
@@ -91,7 +99,8 @@ impl QuadBatch {
         self.front
     }
 
-    /// `@builtin(position)` of all lanes: x and y of the pixel's middle, from the upper left, in pixels; depth; 1/w.
+    /// `@builtin(position)` of all lanes: x and y of the pixel's middle, from the upper left, in
+    /// pixels; depth; 1/w.
     pub fn position(&self, component: usize) -> &[f64] {
         &self.position[component * LANES..][..LANES]
     }
@@ -139,7 +148,8 @@ pub struct Shaded {
 }
 
 impl Shaded {
-    /// For `channels` numbers a fragment: those of the colour targets, in the order of their locations.
+    /// For `channels` numbers a fragment: those of the color targets, in the order of their
+    /// locations.
     pub(super) fn new(channels: usize) -> Self {
         Self { channels, values: vec![0.0; channels * LANES], discarded: 0 }
     }

@@ -43,13 +43,17 @@ impl Texels {
     /// Some of the channels, as an image of their own.
     pub(super) fn channels(&self, range: std::ops::Range<usize>) -> Self {
         let channels = range.len();
-        let values = self.values.chunks_exact(self.channels.max(1)).flat_map(|pixel| &pixel[range.clone()]).copied();
+        let values = self
+            .values
+            .chunks_exact(self.channels.max(1))
+            .flat_map(|pixel| &pixel[range.clone()])
+            .copied();
         Self { size: self.size, channels, values: values.collect() }
     }
 }
 
-/// What is on top in a pixel. Pixels where it is the same in two pictures can be compared by colour; elsewhere an edge
-/// lies a little to one side.
+/// What is on top in a pixel. Pixels where it is the same in two pictures can be compared by
+/// color; elsewhere an edge lies a little to one side.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Coverage {
     /// The draw that is on top in most samples, the earlier one of equals; `None` where nothing is.
@@ -73,7 +77,9 @@ impl Coverage {
             coverage.samples += 1;
             coverage.triangles += u8::from(!owners[..i].contains(&owner));
             let own = owners.iter().filter(|other| other[0] == owner[0]).count() as u8;
-            if own > coverage.own || (own == coverage.own && coverage.draw.is_none_or(|draw| owner[0] < draw)) {
+            if own > coverage.own
+                || (own == coverage.own && coverage.draw.is_none_or(|draw| owner[0] < draw))
+            {
                 (coverage.draw, coverage.own) = (Some(owner[0]), own);
             }
         }

@@ -1,4 +1,4 @@
-//! The samples of one square of the picture: depth, colour, and what is on top.
+//! The samples of one square of the picture: depth, color, and what is on top.
 
 use super::coverage::{Pixels, bit};
 use super::raster::Raster;
@@ -8,7 +8,8 @@ use super::texels::{Coverage, NOTHING};
 /// What a pass draws into.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Target {
-    /// A picture that begins as this premultiplied colour; straight colours are laid over it, and samples averaged.
+    /// A picture that begins as this premultiplied color; straight colors are laid over it, and
+    /// samples averaged.
     Picture([f64; 4]),
     /// This many numbers a pixel, which begin as 0 and are replaced; one sample.
     Numbers(usize),
@@ -24,7 +25,7 @@ impl Target {
     }
 }
 
-/// A quad whose colours are under way.
+/// A quad whose colors are under way.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pending {
     /// The upper left pixel.
@@ -87,13 +88,17 @@ impl TileSamples {
         (y * self.width + x) * self.samples
     }
 
-    /// The samples that are in front of what is there; later ones of the same batch may still come before them.
+    /// The samples that are in front of what is there; later ones of the same batch may still come
+    /// before them.
     pub(super) fn in_front(&self, pending: &Pending) -> u16 {
         let mut covered = 0;
         for corner in (0..4).filter(|corner| pending.covered >> (4 * corner) & 0xF != 0) {
             let first = self.corner(pending, corner);
-            for sample in (0..self.samples).filter(|sample| pending.covered & bit(corner, *sample) != 0) {
-                // Depths only ever fall, so that what is hidden now stays so, and nothing that is hidden needs a colour.
+            for sample in
+                (0..self.samples).filter(|sample| pending.covered & bit(corner, *sample) != 0)
+            {
+                // Depths only ever fall, so that what is hidden now stays so, and nothing that is
+                // hidden needs a color.
                 if pending.depths[4 * corner + sample] < self.depths[first + sample] {
                     covered |= bit(corner, sample);
                 }
@@ -107,8 +112,14 @@ impl TileSamples {
         self.index(pending.at[0] + (corner as u32 & 1), pending.at[1] + (corner as u32 >> 1))
     }
 
-    /// Draws a quad whose colours are in the lanes from `lane`.
-    pub(super) fn draw(&mut self, pending: &Pending, lane: usize, shaded: &Shaded, target: &Target) {
+    /// Draws a quad whose colors are in the lanes from `lane`.
+    pub(super) fn draw(
+        &mut self,
+        pending: &Pending,
+        lane: usize,
+        shaded: &Shaded,
+        target: &Target,
+    ) {
         for corner in 0..4 {
             let covered = pending.covered >> (4 * corner) & 0xF;
             if covered == 0 || shaded.discarded >> (lane + corner) & 1 == 1 {
@@ -137,21 +148,23 @@ impl TileSamples {
                 let first = self.index(x, y);
                 let pixel = picture.pixel_mut(x, y);
                 for (channel, number) in pixel.iter_mut().enumerate() {
-                    let sample = |sample: usize| self.colors[(first + sample) * self.channels + channel];
+                    let sample =
+                        |sample: usize| self.colors[(first + sample) * self.channels + channel];
                     *number = (0..self.samples).map(sample).sum::<f64>() * share;
                 }
                 let place = y as usize * picture.size[0] as usize + x as usize;
                 coverage[place] = Coverage::of(&self.owners[first..][..self.samples]);
-                depths[place] = self.depths[first..][..self.samples].iter().copied().fold(1.0, f64::min);
+                depths[place] =
+                    self.depths[first..][..self.samples].iter().copied().fold(1.0, f64::min);
             }
         }
     }
 }
 
-/// One sample of a target gets the colour of a fragment.
+/// One sample of a target gets the color of a fragment.
 fn write(sample: &mut [f64], fragment: impl Fn(usize) -> f64, target: &Target) {
     match target {
-        // Straight colour over premultiplied.
+        // Straight color over premultiplied.
         Target::Picture(_) => {
             let alpha = fragment(3);
             for (channel, number) in sample.iter_mut().enumerate() {

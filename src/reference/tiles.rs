@@ -1,8 +1,10 @@
-//! A look as a painted HCBTF: every texel of every sample is what the look shows there, as the reference works it out.
+//! A look as a painted HCBTF: every texel of every sample is what the look shows there, as the
+//! reference works it out.
 //!
-//! A texel is the mean of several samples, premultiplied and in the look's own colours, as the samples of a pixel are
-//! averaged when the look is drawn: in linear light where the look is linear, else as shown. Nothing is smoothed by
-//! footprints, which are 0 here, so hard edges of patterns need samples enough.
+//! A texel is the mean of several samples, premultiplied and in the look's own colors, as the
+//! samples of a pixel are averaged when the look is drawn: in linear light where the look is
+//! linear, else as shown. Nothing is smoothed by footprints, which are 0 here, so hard edges of
+//! patterns need samples enough.
 
 use std::sync::Arc;
 
@@ -28,12 +30,14 @@ const AT_ONCE: usize = 4096;
 pub struct BakedLook {
     /// All of it painted.
     pub hcbtf: Hcbtf,
-    /// How far half of the samples would have been off from all of them: the RMS over all channels of all texels, seen over
-    /// black and as shown, 1 for the whole of a channel. `None` where a texel has one sample.
+    /// How far half of the samples would have been off from all of them: the RMS over all channels
+    /// of all texels, seen over black and as shown, 1 for the whole of a channel. `None` where a
+    /// texel has one sample.
     pub halves_off: Option<f64>,
 }
 
-/// Paints every sample of a grid with what a look shows on a flat tile, as [`bake_look_sampled`] with [`TILE_SAMPLES`].
+/// Paints every sample of a grid with what a look shows on a flat tile, as [`bake_look_sampled`]
+/// with [`TILE_SAMPLES`].
 ///
 /// # Errors
 /// As [`bake_look_sampled`].
@@ -45,16 +49,19 @@ pub fn bake_look(
     assets: &Assets,
     progress: &Progress,
 ) -> Result<Hcbtf, Vec<Diagnostic>> {
-    bake_look_sampled(setup, library, grid, light, assets, TILE_SAMPLES, progress).map(|baked| baked.hcbtf)
+    bake_look_sampled(setup, library, grid, light, assets, TILE_SAMPLES, progress)
+        .map(|baked| baked.hcbtf)
 }
 
-/// Paints every sample of a grid with what a look shows on a flat tile, its light at the sample's direction, on all cores.
-/// A texel is the mean of `samples`, a power of 2 up to [`MAX_TILE_SAMPLES`]. The result is the same on every machine. `assets`
-/// has what the look names, best read before ([`tile_assets`](crate::frame::tile_assets)). `progress` counts pieces of a
+/// Paints every sample of a grid with what a look shows on a flat tile, its light at the sample's
+/// direction, on all cores. A texel is the mean of `samples`, a power of 2 up to
+/// [`MAX_TILE_SAMPLES`]. The result is the same on every machine. `assets` has what the look names,
+/// best read before ([`tile_assets`](crate::frame::tile_assets)). `progress` counts pieces of a
 /// sample's tile, and stops within one.
 ///
 /// # Errors
-/// Where it is stopped, where the grid is too large for a file, and everything that is wrong with the look.
+/// Where it is stopped, where the grid is too large for a file, and everything that is wrong with
+/// the look.
 pub fn bake_look_sampled(
     setup: &SetupLook,
     library: &Library,
@@ -68,7 +75,9 @@ pub fn bake_look_sampled(
     grid.check().map_err(|why| one(Diagnostic::error("hcbtf-grid", why)))?;
     check_all_painted(&grid).map_err(one)?;
     if !samples.is_power_of_two() || samples > MAX_TILE_SAMPLES {
-        let message = format!("a texel cannot have {samples} samples: 1, 2, 4 and so on up to {MAX_TILE_SAMPLES}");
+        let message = format!(
+            "a texel cannot have {samples} samples: 1, 2, 4 and so on up to {MAX_TILE_SAMPLES}"
+        );
         return Err(one(Diagnostic::error("out-of-range", message)));
     }
     let addresses: Vec<Address> = grid.addresses().collect();
@@ -103,7 +112,8 @@ struct Baking<'a> {
 }
 
 impl Baking<'_> {
-    /// A sample's tile, and the sum of the squares by which half of its samples would have been off.
+    /// A sample's tile, and the sum of the squares by which half of its samples would have been
+    /// off.
     fn tile(&self, view: &TileView, size: [u32; 2]) -> Result<(Tile, f64), Diagnostic> {
         let texels = size[0] as usize * size[1] as usize;
         let mut rgba = Vec::with_capacity(4 * texels);
@@ -113,32 +123,44 @@ impl Baking<'_> {
             for values in self.values(view, piece)?.chunks_exact(self.samples as usize) {
                 if values.len() > 1 {
                     let [one, other] = halves_of(values).map(|half| self.seen(mean(&half)));
-                    halves += one.iter().zip(other).map(|(one, other)| ((one - other) / 2.0).powi(2)).sum::<f64>();
+                    halves += one
+                        .iter()
+                        .zip(other)
+                        .map(|(one, other)| ((one - other) / 2.0).powi(2))
+                        .sum::<f64>();
                 }
-                rgba.extend(self.shown(mean(values)).map(|channel| (255.0 * channel).round() as u8));
+                rgba.extend(
+                    self.shown(mean(values)).map(|channel| (255.0 * channel).round() as u8),
+                );
             }
             self.progress.add(1);
         }
         // There are four bytes for every texel.
-        let tile = Tile::new(size, rgba).ok_or_else(|| Diagnostic::error("hcbtf-grid", "a tile has no texels"))?;
+        let tile = Tile::new(size, rgba)
+            .ok_or_else(|| Diagnostic::error("hcbtf-grid", "a tile has no texels"))?;
         Ok((tile, halves))
     }
 
-    /// The look's colours at all samples of some texels, straight, texel by texel.
-    fn values(&self, view: &TileView, texels: std::ops::Range<usize>) -> Result<Vec<[f64; 4]>, Diagnostic> {
+    /// The look's colors at all samples of some texels, straight, texel by texel.
+    fn values(
+        &self,
+        view: &TileView,
+        texels: std::ops::Range<usize>,
+    ) -> Result<Vec<[f64; 4]>, Diagnostic> {
         let stopped = || Diagnostic::from(NotFilled::Stopped);
         if self.progress.is_stopped() {
             return Err(stopped());
         }
         let samples = texels.flat_map(|texel| (0..self.samples).map(move |index| (texel, index)));
-        let samples: Vec<EvalSample> = samples.map(|(texel, index)| view.sample(texel, index, self.samples)).collect();
+        let samples: Vec<EvalSample> =
+            samples.map(|(texel, index)| view.sample(texel, index, self.samples)).collect();
         let packed = self.look.pack(samples.iter())?;
         let control = Control { cancel: self.progress.stop_flag(), ..Control::none() };
         let values = self.evaluator.run(&packed, samples.len(), Precision::F64, &control);
         values.map_err(|problem| if self.progress.is_stopped() { stopped() } else { problem })
     }
 
-    /// A colour as shown, 0 to 1, straight.
+    /// A color as shown, 0 to 1, straight.
     fn shown(&self, [r, g, b, a]: [f64; 4]) -> [f64; 4] {
         let encoded = |value: f64| if self.is_linear { linear_to_srgb(value) } else { value };
         [encoded(r), encoded(g), encoded(b), a].map(|channel| channel.clamp(0.0, 1.0))
@@ -151,17 +173,18 @@ impl Baking<'_> {
     }
 }
 
-/// A texel's samples in two halves that both lie all over it: by whether their numbers have an even count of ones, for each
-/// bit halves the texel anew, in one direction or the other.
+/// A texel's samples in two halves that both lie all over it: by whether their numbers have an even
+/// count of ones, for each bit halves the texel anew, in one direction or the other.
 fn halves_of(samples: &[[f64; 4]]) -> [Vec<[f64; 4]>; 2] {
     let half = |odd| {
-        let own = samples.iter().zip(0_u32..).filter(move |(_, index)| index.count_ones() % 2 == odd);
+        let own =
+            samples.iter().zip(0_u32..).filter(move |(_, index)| index.count_ones() % 2 == odd);
         own.map(|(sample, _)| *sample).collect()
     };
     [half(0), half(1)]
 }
 
-/// The mean of straight colours, weighted by their alpha; where all are transparent, each as much.
+/// The mean of straight colors, weighted by their alpha; where all are transparent, each as much.
 fn mean(colors: &[[f64; 4]]) -> [f64; 4] {
     if let [only] = colors {
         return *only;
@@ -169,9 +192,12 @@ fn mean(colors: &[[f64; 4]]) -> [f64; 4] {
     let count = colors.len() as f64;
     let alpha: f64 = colors.iter().map(|color| color[3]).sum();
     let weighted = |weight: &dyn Fn(&[f64; 4]) -> f64, whole: f64| {
-        [0, 1, 2].map(|channel| colors.iter().map(|color| weight(color) * color[channel]).sum::<f64>() / whole)
+        [0, 1, 2].map(|channel| {
+            colors.iter().map(|color| weight(color) * color[channel]).sum::<f64>() / whole
+        })
     };
-    let [r, g, b] = if alpha > 0.0 { weighted(&|color| color[3], alpha) } else { weighted(&|_| 1.0, count) };
+    let [r, g, b] =
+        if alpha > 0.0 { weighted(&|color| color[3], alpha) } else { weighted(&|_| 1.0, count) };
     [r, g, b, alpha / count]
 }
 
@@ -180,7 +206,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_transparent_lends_no_colour() {
+    fn what_is_transparent_lends_no_color() {
         assert_eq!(mean(&[[0.3, 0.6, 0.9, 0.25]]), [0.3, 0.6, 0.9, 0.25]);
         assert_eq!(mean(&[[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 0.0]]), [1.0, 0.0, 0.0, 0.5]);
         assert_eq!(mean(&[[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0]]), [0.5, 0.5, 0.0, 0.0]);

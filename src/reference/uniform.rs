@@ -6,12 +6,17 @@ use crate::interp::{Scalar, ScalarKind, Shape, Value};
 pub(super) fn value(shape: &Shape, numbers: &mut impl Iterator<Item = f64>) -> Value {
     match shape {
         Shape::Scalar(kind) => scalar(*kind, numbers).into(),
-        Shape::Vector { kind, size } => Value::Vector((0..*size).map(|_| scalar(*kind, numbers)).collect()),
+        Shape::Vector { kind, size } => {
+            Value::Vector((0..*size).map(|_| scalar(*kind, numbers)).collect())
+        }
         Shape::Matrix { columns, rows } => {
-            let components = (0..columns * rows).map(|_| numbers.next().unwrap_or_default()).collect();
+            let components =
+                (0..columns * rows).map(|_| numbers.next().unwrap_or_default()).collect();
             Value::Matrix { columns: *columns, components }
         }
-        Shape::Array { element, count } => Value::Array((0..*count).map(|_| value(element, numbers)).collect()),
+        Shape::Array { element, count } => {
+            Value::Array((0..*count).map(|_| value(element, numbers)).collect())
+        }
         Shape::Struct { members, .. } => {
             Value::Struct(members.iter().map(|(_, member)| value(member, numbers)).collect())
         }

@@ -53,13 +53,20 @@ impl From<RenderError> for Diagnostic {
         let (code, hint) = match &error {
             RenderError::NoAdapter { .. } => (
                 "no-gpu",
-                "install a Vulkan driver; on Debian without a GPU: apt install mesa-vulkan-drivers libvulkan1",
+                "install a Vulkan driver; on Debian without a GPU: apt install mesa-vulkan-drivers \
+                 libvulkan1",
             ),
-            RenderError::Lost { .. } => ("gpu-lost", "nothing of the document is lost: save it and start again"),
-            RenderError::OutOfMemory { .. } => ("gpu-memory", "use a smaller picture, smaller images or fewer samples"),
+            RenderError::Lost { .. } => {
+                ("gpu-lost", "nothing of the document is lost: save it and start again")
+            }
+            RenderError::OutOfMemory { .. } => {
+                ("gpu-memory", "use a smaller picture, smaller images or fewer samples")
+            }
             RenderError::TooLarge { .. } => ("gpu-limit", "use a smaller one"),
             RenderError::TooDeep { .. } => ("deep-shader", SHORTEN),
-            RenderError::Refused { .. } => ("gpu-refused", "this is a mistake in Chiaro: please report the look"),
+            RenderError::Refused { .. } => {
+                ("gpu-refused", "this is a mistake in Chiaro: please report the look")
+            }
         };
         Self::error(code, error.to_string()).hint(hint)
     }

@@ -15,7 +15,8 @@ use crate::frame::EvalBatch;
 const SAMPLES_PER_RUN: usize = (SAMPLES_PER_ROW as usize) * 1024;
 
 impl Renderer {
-    /// The root's value at each sample of a batch, in the batch's order: up to four numbers, by the root's type.
+    /// The root's value at each sample of a batch, in the batch's order: up to four numbers, by the
+    /// root's type.
     ///
     /// # Errors
     /// What the GPU cannot do.
@@ -24,12 +25,18 @@ impl Renderer {
         let mut values = Vec::with_capacity(count);
         let stride = batch.samples.bytes.len().checked_div(count).unwrap_or(0);
         // A storage binding has a limit too.
-        let fitting = self.gpu.device.limits().max_storage_buffer_binding_size as usize / stride.max(1);
+        let fitting =
+            self.gpu.device.limits().max_storage_buffer_binding_size as usize / stride.max(1);
         let per_run = SAMPLES_PER_RUN.min(fitting).max(1);
         for first in (0..count).step_by(per_run) {
             let last = (first + per_run).min(count);
             values.extend(
-                self.evaluate_run(batch, &batch.samples.bytes[first * stride..last * stride], last - first).await?,
+                self.evaluate_run(
+                    batch,
+                    &batch.samples.bytes[first * stride..last * stride],
+                    last - first,
+                )
+                .await?,
             );
         }
         Ok(values)
@@ -42,7 +49,12 @@ impl Renderer {
         count: usize,
     ) -> Result<Vec<[f32; 4]>, RenderError> {
         let guard = self.gpu.guard();
-        let pipeline = self.pipelines.get(&self.gpu, &batch.shader, 1, Sides { both: true, is_mirrored: false })?;
+        let pipeline = self.pipelines.get(
+            &self.gpu,
+            &batch.shader,
+            1,
+            Sides { both: true, is_mirrored: false },
+        )?;
         let group = self.bind_samples(batch, bytes, &pipeline)?;
         let rows = (count as u32).div_ceil(SAMPLES_PER_ROW);
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
@@ -53,11 +65,17 @@ impl Renderer {
         guard.finish().await?;
         let texels = read_texture(&self.gpu, &target, 16).await?;
         let value = |index: usize| {
-            let (x, y) = (2 * (index % SAMPLES_PER_ROW as usize), 2 * (index / SAMPLES_PER_ROW as usize));
+            let (x, y) =
+                (2 * (index % SAMPLES_PER_ROW as usize), 2 * (index / SAMPLES_PER_ROW as usize));
             let at = 16 * (y * size[0] as usize + x);
             let number = |i: usize| {
                 let start = at + 4 * i;
-                f32::from_le_bytes([texels[start], texels[start + 1], texels[start + 2], texels[start + 3]])
+                f32::from_le_bytes([
+                    texels[start],
+                    texels[start + 1],
+                    texels[start + 2],
+                    texels[start + 3],
+                ])
             };
             [number(0), number(1), number(2), number(3)]
         };
@@ -86,18 +104,28 @@ impl Renderer {
                 BindingKind::Sampler(index) => images.get(*index).map(|image| image.sampler()),
                 _ => None,
             };
-            let missing = || RenderError::Refused { message: format!("nothing to bind to `{}`", binding.name) };
-            entries.push(wgpu::BindGroupEntry { binding: binding.binding, resource: resource.ok_or_else(missing)? });
+            let missing = || RenderError::Refused {
+                message: format!("nothing to bind to `{}`", binding.name),
+            };
+            entries.push(wgpu::BindGroupEntry {
+                binding: binding.binding,
+                resource: resource.ok_or_else(missing)?,
+            });
         }
-        let descriptor =
-            wgpu::BindGroupDescriptor { label: Some("samples"), layout: &pipeline.layout, entries: &entries };
+        let descriptor = wgpu::BindGroupDescriptor {
+            label: Some("samples"),
+            layout: &pipeline.layout,
+            entries: &entries,
+        };
         Ok(self.gpu.device.create_bind_group(&descriptor))
     }
 }
 
 fn run(gpu: &Gpu, target: &wgpu::Texture, pipeline: &LookPipeline, group: &wgpu::BindGroup) {
     let view = target.create_view(&wgpu::TextureViewDescriptor::default());
-    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("samples") });
+    let mut encoder = gpu
+        .device
+        .create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("samples") });
     {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("samples"),
@@ -113,7 +141,14 @@ fn run(gpu: &Gpu, target: &wgpu::Texture, pipeline: &LookPipeline, group: &wgpu:
             ..wgpu::RenderPassDescriptor::default()
         });
         // The shader's triangle covers the upper left half of the viewport.
-        pass.set_viewport(0.0, 0.0, 2.0 * target.width() as f32, 2.0 * target.height() as f32, 0.0, 1.0);
+        pass.set_viewport(
+            0.0,
+            0.0,
+            2.0 * target.width() as f32,
+            2.0 * target.height() as f32,
+            0.0,
+            1.0,
+        );
         pass.set_pipeline(&pipeline.pipeline);
         pass.set_bind_group(0, group, &[]);
         pass.draw(0..3, 0..1);

@@ -41,7 +41,8 @@ pub(super) struct Guard {
     problem: Arc<Mutex<Option<RenderError>>>,
 }
 
-/// What is asked of an adapter: all that it can hold, the clocks and the compressed textures that it has.
+/// What is asked of an adapter: all that it can hold, the clocks and the compressed textures that
+/// it has.
 pub fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     wgpu::DeviceDescriptor {
         label: Some("chiaro"),
@@ -62,9 +63,10 @@ impl Gpu {
     pub async fn headless() -> Result<Self, RenderError> {
         let mut failure = String::from("no backend was tried");
         let mut found = None;
-        // OpenGL only where there is nothing better: its libraries talk of missing displays on their way.
-        let wanted =
-            wgpu::Backends::from_env().map_or(vec![wgpu::Backends::PRIMARY, wgpu::Backends::GL], |one| vec![one]);
+        // OpenGL only where there is nothing better: its libraries talk of missing displays on
+        // their way.
+        let wanted = wgpu::Backends::from_env()
+            .map_or(vec![wgpu::Backends::PRIMARY, wgpu::Backends::GL], |one| vec![one]);
         for backends in wanted {
             let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
             descriptor.backends = backends;
@@ -83,7 +85,8 @@ impl Gpu {
         let adapter = found.ok_or(RenderError::NoAdapter { message: failure })?;
         milestones::reached("adapter");
         let descriptor = device_descriptor(&adapter);
-        let refused = |error: wgpu::RequestDeviceError| RenderError::NoAdapter { message: error.to_string() };
+        let refused =
+            |error: wgpu::RequestDeviceError| RenderError::NoAdapter { message: error.to_string() };
         let (device, queue) = adapter.request_device(&descriptor).await.map_err(refused)?;
         milestones::reached("device");
         Ok(Self::new(device, queue, adapter.get_info()))
@@ -99,15 +102,21 @@ impl Gpu {
             }
         });
         let uncaught = problem.clone();
-        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| set(&uncaught, from_wgpu(error))));
+        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
+            set(&uncaught, from_wgpu(error))
+        }));
         Self { device, queue, info, picture: PICTURE, problem }
     }
 
-    /// The same device, with pictures in 32-bit floats where it can blend them: for comparing, with one sample a pixel.
+    /// The same device, with pictures in 32-bit floats where it can blend them: for comparing, with
+    /// one sample a pixel.
     #[must_use]
     pub fn precise(&self) -> Self {
         let can = self.device.features().contains(wgpu::Features::FLOAT32_BLENDABLE);
-        Self { picture: if can { wgpu::TextureFormat::Rgba32Float } else { PICTURE }, ..self.clone() }
+        Self {
+            picture: if can { wgpu::TextureFormat::Rgba32Float } else { PICTURE },
+            ..self.clone()
+        }
     }
 
     /// Whether it is a program and no device.
@@ -120,7 +129,8 @@ impl Gpu {
         self.device.features().contains(wgpu::Features::TIMESTAMP_QUERY)
     }
 
-    /// Whether textures can be compressed blocks (BC7); where they cannot, they are decoded before they are handed over.
+    /// Whether textures can be compressed blocks (BC7); where they cannot, they are decoded before
+    /// they are handed over.
     pub fn has_blocks(&self) -> bool {
         self.device.features().contains(wgpu::Features::TEXTURE_COMPRESSION_BC)
     }
@@ -128,12 +138,19 @@ impl Gpu {
     /// What there is to say of drawing `plan` on it: textures that it has to be given decoded.
     pub fn warnings(&self, plan: &FramePlan) -> Vec<Diagnostic> {
         let images = plan.draws.iter().flat_map(|draw| &draw.images);
-        let blocks = images.filter(|image| image.coding == Coding::Bc7).map(|image| (image.hash, image.bytes.len()));
-        let decoded: usize = blocks.collect::<HashMap<_, _>>().into_values().map(|bytes| 4 * bytes).sum();
+        let blocks = images
+            .filter(|image| image.coding == Coding::Bc7)
+            .map(|image| (image.hash, image.bytes.len()));
+        let decoded: usize =
+            blocks.collect::<HashMap<_, _>>().into_values().map(|bytes| 4 * bytes).sum();
         if self.has_blocks() || decoded == 0 {
             return Vec::new();
         }
-        let message = format!("{} has no compressed textures: its HCBTFs take {} MiB", self.name(), decoded >> 20);
+        let message = format!(
+            "{} has no compressed textures: its HCBTFs take {} MiB",
+            self.name(),
+            decoded >> 20
+        );
         let hint = "the picture is the same; the storage `compact` may take less here";
         vec![Diagnostic::warning("no-blocks", message).hint(hint)]
     }
@@ -146,8 +163,12 @@ impl Gpu {
     /// How large the textures of HCBTFs may be here.
     pub fn holds(&self) -> hcbtf::Device {
         let limits = self.device.limits();
-        let [side, layers] = [limits.max_texture_dimension_2d, limits.max_texture_array_layers].map(u64::from);
-        hcbtf::Device { name: self.name(), limits: hcbtf::Limits { side, layers, has_blocks: self.has_blocks() } }
+        let [side, layers] =
+            [limits.max_texture_dimension_2d, limits.max_texture_array_layers].map(u64::from);
+        hcbtf::Device {
+            name: self.name(),
+            limits: hcbtf::Limits { side, layers, has_blocks: self.has_blocks() },
+        }
     }
 
     /// Waits until the GPU has done everything that was submitted.
@@ -183,7 +204,9 @@ fn set(slot: &Mutex<Option<RenderError>>, error: RenderError) {
 
 fn from_wgpu(error: wgpu::Error) -> RenderError {
     match error {
-        wgpu::Error::OutOfMemory { .. } => RenderError::OutOfMemory { what: "this picture".to_owned() },
+        wgpu::Error::OutOfMemory { .. } => {
+            RenderError::OutOfMemory { what: "this picture".to_owned() }
+        }
         wgpu::Error::Validation { description, .. } | wgpu::Error::Internal { description, .. } => {
             RenderError::Refused { message: description }
         }
@@ -195,7 +218,8 @@ impl Guard {
     pub(super) async fn finish(self) -> Result<(), RenderError> {
         let validation = self.validation.pop().await;
         let memory = self.memory.pop().await;
-        let uncaught = self.problem.lock().unwrap_or_else(std::sync::PoisonError::into_inner).take();
+        let uncaught =
+            self.problem.lock().unwrap_or_else(std::sync::PoisonError::into_inner).take();
         match memory.or(validation).map(from_wgpu).or(uncaught) {
             None => Ok(()),
             Some(error) => Err(error),

@@ -51,13 +51,21 @@ impl Images {
         needs: &[ImageUse],
     ) -> Result<Vec<Bindable>, RenderError> {
         let bindable = |(image, wanted): (&Arc<Image>, &ImageUse)| {
-            Ok(Bindable { view: self.texture(gpu, image, wanted)?, sampler: self.sampler(gpu, wanted) })
+            Ok(Bindable {
+                view: self.texture(gpu, image, wanted)?,
+                sampler: self.sampler(gpu, wanted),
+            })
         };
         images.iter().zip(needs).map(bindable).collect()
     }
 
     /// The texture of an image, rows from the top; image nodes turn v, which points up, themselves.
-    fn texture(&mut self, gpu: &Gpu, image: &Arc<Image>, wanted: &ImageUse) -> Result<wgpu::TextureView, RenderError> {
+    fn texture(
+        &mut self,
+        gpu: &Gpu,
+        image: &Arc<Image>,
+        wanted: &ImageUse,
+    ) -> Result<wgpu::TextureView, RenderError> {
         let key = (image.hash, wanted.is_decoded);
         if let Some(known) = self.textures.get(&key) {
             return Ok(known.view.clone());
@@ -67,7 +75,11 @@ impl Images {
         }
         let limits = gpu.device.limits();
         for (what, size, limit) in [
-            ("a side of an image in pixels", image.size[0].max(image.size[1]), limits.max_texture_dimension_2d),
+            (
+                "a side of an image in pixels",
+                image.size[0].max(image.size[1]),
+                limits.max_texture_dimension_2d,
+            ),
             ("the layers of an HCBTF", image.layers, limits.max_texture_array_layers),
         ] {
             if size > limit {
@@ -75,7 +87,11 @@ impl Images {
                 return Err(RenderError::TooLarge { what, size: size.into(), limit: limit.into() });
             }
         }
-        let size = wgpu::Extent3d { width: image.size[0], height: image.size[1], depth_or_array_layers: image.layers };
+        let size = wgpu::Extent3d {
+            width: image.size[0],
+            height: image.size[1],
+            depth_or_array_layers: image.layers,
+        };
         let descriptor = wgpu::TextureDescriptor {
             label: Some("image"),
             size,
@@ -84,7 +100,9 @@ impl Images {
             dimension: wgpu::TextureDimension::D2,
             format: match image.coding {
                 Coding::Bc7 if gpu.has_blocks() => wgpu::TextureFormat::Bc7RgbaUnorm,
-                _ if wanted.is_decoded && wanted.shape == ImageShape::Flat => wgpu::TextureFormat::Rgba8UnormSrgb,
+                _ if wanted.is_decoded && wanted.shape == ImageShape::Flat => {
+                    wgpu::TextureFormat::Rgba8UnormSrgb
+                }
                 _ => wgpu::TextureFormat::Rgba8Unorm,
             },
             usage: wgpu::TextureUsages::TEXTURE_BINDING,
@@ -105,13 +123,20 @@ impl Images {
             dimension: Some(dimension),
             ..wgpu::TextureViewDescriptor::default()
         });
-        self.textures.insert(key, Uploaded { image: Arc::downgrade(image), texture, view: view.clone() });
+        self.textures
+            .insert(key, Uploaded { image: Arc::downgrade(image), texture, view: view.clone() });
         Ok(view)
     }
 
-    /// The texture of what the image was before, brought up to date where it is another now; `None` where it is not here, or
-    /// somebody still draws with it. What was handed to the GPU before sees it as it was.
-    fn changed(&mut self, gpu: &Gpu, image: &Arc<Image>, wanted: &ImageUse) -> Option<wgpu::TextureView> {
+    /// The texture of what the image was before, brought up to date where it is another now; `None`
+    /// where it is not here, or somebody still draws with it. What was handed to the GPU before
+    /// sees it as it was.
+    fn changed(
+        &mut self,
+        gpu: &Gpu,
+        image: &Arc<Image>,
+        wanted: &ImageUse,
+    ) -> Option<wgpu::TextureView> {
         let change = image.change.as_ref()?;
         let key = (change.from, wanted.is_decoded);
         let known = self.textures.get(&key)?;
@@ -138,7 +163,11 @@ impl Images {
                     bytes_per_row: Some(4 * image.size[0]),
                     rows_per_image: Some(image.size[1]),
                 },
-                wgpu::Extent3d { width: region.size[0], height: region.size[1], depth_or_array_layers: 1 },
+                wgpu::Extent3d {
+                    width: region.size[0],
+                    height: region.size[1],
+                    depth_or_array_layers: 1,
+                },
             );
         }
         let Uploaded { texture, view, .. } = self.textures.remove(&key)?;
@@ -156,7 +185,11 @@ impl Images {
                 "mirror" => wgpu::AddressMode::MirrorRepeat,
                 _ => wgpu::AddressMode::Repeat,
             };
-            let filter = if image.filter == "nearest" { wgpu::FilterMode::Nearest } else { wgpu::FilterMode::Linear };
+            let filter = if image.filter == "nearest" {
+                wgpu::FilterMode::Nearest
+            } else {
+                wgpu::FilterMode::Linear
+            };
             gpu.device.create_sampler(&wgpu::SamplerDescriptor {
                 label: Some("image"),
                 address_mode_u: address,

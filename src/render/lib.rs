@@ -1,8 +1,8 @@
 //! Executes frame plans on wgpu.
 //!
-//! [`Gpu`] is a device, our own or a window's. [`Renderer`] keeps what is expensive (pipelines, meshes, images, targets)
-//! and runs a [`FramePlan`]'s passes in order. [`Renderer::evaluate`] runs surface samples.
-//! Creation and readback are async; [`block_on`] is for the command line.
+//! [`Gpu`] is a device, our own or a window's. [`Renderer`] keeps what is expensive (pipelines,
+//! meshes, images, targets) and runs a [`FramePlan`]'s passes in order. [`Renderer::evaluate`] runs
+//! surface samples. Creation and readback are async; [`block_on`] is for the command line.
 
 use chiaro_compiler::compile;
 use chiaro_language::{clock, diag, milestones, wgsl};
@@ -70,8 +70,9 @@ impl Renderer {
         &self.done
     }
 
-    /// Runs `plan`; the picture is then in [`picture_view`](Self::picture_view), premultiplied and display-referred.
-    /// Passes whose inputs are what they were last time are not run again. Says which ran.
+    /// Runs `plan`; the picture is then in [`picture_view`](Self::picture_view), premultiplied and
+    /// display-referred. Passes whose inputs are what they were last time are not run again. Says
+    /// which ran.
     ///
     /// # Errors
     /// What the GPU cannot do; what was drawn before stays.
@@ -81,15 +82,19 @@ impl Renderer {
         if self.targets.fit(&self.gpu, plan) {
             self.done.clear();
         }
-        let mut encoder =
-            self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("frame") });
+        let mut encoder = self
+            .gpu
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("frame") });
         let mut ran = Vec::new();
         for pass in &plan.passes {
             if self.done.get(&pass.kind) == Some(&pass.input_hash) {
                 continue;
             }
             match &pass.kind {
-                PassKind::Normals | PassKind::DetailNormals => self.draw_normals(plan, &pass.kind, &mut encoder)?,
+                PassKind::Normals | PassKind::DetailNormals => {
+                    self.draw_normals(plan, &pass.kind, &mut encoder)?
+                }
                 PassKind::Curvature
                 | PassKind::SparseCurvature
                 | PassKind::DetailCurvature
@@ -117,13 +122,17 @@ impl Renderer {
     /// As [`draw`](Self::draw).
     pub async fn picture(&mut self, plan: &FramePlan) -> Result<Picture, RenderError> {
         self.draw(plan).await?;
-        let texture =
-            self.targets.picture().ok_or(RenderError::Lost { message: "the picture has no target".to_owned() })?;
+        let texture = self
+            .targets
+            .picture()
+            .ok_or(RenderError::Lost { message: "the picture has no target".to_owned() })?;
         readback::read_picture(&self.gpu, texture).await
     }
 
     /// What [`draw`](Self::draw) drew, `rgba16float`, premultiplied.
     pub fn picture_view(&self) -> Option<wgpu::TextureView> {
-        self.targets.picture().map(|texture| texture.create_view(&wgpu::TextureViewDescriptor::default()))
+        self.targets
+            .picture()
+            .map(|texture| texture.create_view(&wgpu::TextureViewDescriptor::default()))
     }
 }

@@ -25,7 +25,11 @@ impl Meshes {
     /// Uploads what is not there yet.
     pub(super) fn prepare(&mut self, gpu: &Gpu, mesh: &Arc<Mesh>, attributes: &[Attribute]) {
         let buffer = |label: &str, contents: &[u8], usage: wgpu::BufferUsages| {
-            gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
+            gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+                label: Some(label),
+                contents,
+                usage,
+            })
         };
         let key = Arc::as_ptr(mesh) as usize;
         if self.0.get(&key).is_some_and(|known| known.mesh.strong_count() == 0) {
@@ -35,7 +39,11 @@ impl Meshes {
         let buffers = self.0.entry(key).or_insert_with(|| MeshBuffers {
             mesh: Arc::downgrade(mesh),
             attributes: HashMap::new(),
-            indices: buffer("indices", bytemuck::cast_slice(&mesh.indices), wgpu::BufferUsages::INDEX),
+            indices: buffer(
+                "indices",
+                bytemuck::cast_slice(&mesh.indices),
+                wgpu::BufferUsages::INDEX,
+            ),
         });
         for &attribute in attributes {
             let contents: &[u8] = match attribute {
@@ -51,7 +59,12 @@ impl Meshes {
     }
 
     /// Binds a mesh that was prepared.
-    pub(super) fn bind(&self, pass: &mut wgpu::RenderPass<'_>, mesh: &Arc<Mesh>, attributes: &[Attribute]) {
+    pub(super) fn bind(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        mesh: &Arc<Mesh>,
+        attributes: &[Attribute],
+    ) {
         let Some(buffers) = self.0.get(&(Arc::as_ptr(mesh) as usize)) else { return };
         for (slot, attribute) in (0u32..).zip(attributes) {
             if let Some(buffer) = buffers.attributes.get(attribute) {

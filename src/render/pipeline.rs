@@ -63,7 +63,8 @@ impl Pipelines {
         }
         let stack = stack_of(shader).map_err(|message| RenderError::TooDeep { message })?;
         if self.known.len() >= MOST {
-            let oldest = self.known.iter().min_by_key(|(_, (_, used))| *used).map(|(key, _)| key.clone());
+            let oldest =
+                self.known.iter().min_by_key(|(_, (_, used))| *used).map(|(key, _)| key.clone());
             oldest.and_then(|key| self.known.remove(&key));
         }
         let make = || make(gpu, shader, samples, sides);
@@ -75,11 +76,16 @@ impl Pipelines {
 
 /// Does work on a thread of its own with so much stack, and waits for it.
 fn with_stack<T: Send>(stack: usize, work: impl FnOnce() -> T + Send) -> Result<T, RenderError> {
-    let no_thread =
-        |error: std::io::Error| RenderError::OutOfMemory { what: format!("the compiler of this look ({error})") };
-    #[expect(clippy::disallowed_methods, reason = "the stack of this thread is the caller's not to choose")]
+    let no_thread = |error: std::io::Error| RenderError::OutOfMemory {
+        what: format!("the compiler of this look ({error})"),
+    };
+    #[expect(
+        clippy::disallowed_methods,
+        reason = "the stack of this thread is the caller's not to choose"
+    )]
     std::thread::scope(|scope| {
-        let thread = std::thread::Builder::new().name("pipeline".to_owned()).stack_size(SMALL_STACK + stack);
+        let thread =
+            std::thread::Builder::new().name("pipeline".to_owned()).stack_size(SMALL_STACK + stack);
         let thread = thread.spawn_scoped(scope, work).map_err(no_thread)?;
         thread.join().map_err(|panic| std::panic::resume_unwind(panic))
     })
@@ -88,7 +94,8 @@ fn with_stack<T: Send>(stack: usize, work: impl FnOnce() -> T + Send) -> Result<
 fn make(gpu: &Gpu, shader: &CompiledShader, samples: u32, sides: Sides) -> LookPipeline {
     let device = &gpu.device;
     let source = wgpu::ShaderSource::Wgsl(shader.wgsl.as_str().into());
-    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some("look"), source });
+    let module =
+        device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some("look"), source });
     let layout = bind_group_layout(device, shader);
     let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some("look"),
@@ -145,19 +152,24 @@ fn make(gpu: &Gpu, shader: &CompiledShader, samples: u32, sides: Sides) -> LookP
 }
 
 fn targets(stage: Stage, picture: wgpu::TextureFormat) -> Vec<Option<wgpu::ColorTargetState>> {
-    let plain = |format| Some(wgpu::ColorTargetState { format, blend: None, write_mask: wgpu::ColorWrites::ALL });
+    let plain = |format| {
+        Some(wgpu::ColorTargetState { format, blend: None, write_mask: wgpu::ColorWrites::ALL })
+    };
     match stage {
         Stage::Normals | Stage::DetailNormals => vec![plain(NORMALS), plain(NUMBER)],
         Stage::Eval => vec![plain(wgpu::TextureFormat::Rgba32Float)],
         Stage::Draw => {
-            // The shader gives straight colour; the target is premultiplied, so that samples can be averaged.
+            // The shader gives straight color; the target is premultiplied, so that samples can be
+            // averaged.
             let over = |src_factor| wgpu::BlendComponent {
                 src_factor,
                 dst_factor: wgpu::BlendFactor::OneMinusSrcAlpha,
                 operation: wgpu::BlendOperation::Add,
             };
-            let blend =
-                wgpu::BlendState { color: over(wgpu::BlendFactor::SrcAlpha), alpha: over(wgpu::BlendFactor::One) };
+            let blend = wgpu::BlendState {
+                color: over(wgpu::BlendFactor::SrcAlpha),
+                alpha: over(wgpu::BlendFactor::One),
+            };
             vec![Some(wgpu::ColorTargetState {
                 format: picture,
                 blend: Some(blend),
@@ -187,17 +199,24 @@ fn bind_group_layout(device: &wgpu::Device, shader: &CompiledShader) -> wgpu::Bi
             count: None,
         })
         .map(|mut entry| {
-            if matches!(entry.ty, wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { .. }, .. }) {
+            if matches!(
+                entry.ty,
+                wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { .. }, .. }
+            ) {
                 entry.visibility = wgpu::ShaderStages::FRAGMENT;
             }
             entry
         })
         .collect();
-    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("look"), entries: &entries })
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+        label: Some("look"),
+        entries: &entries,
+    })
 }
 
 fn binding_type(kind: &BindingKind) -> wgpu::BindingType {
-    let buffer = |ty| wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
+    let buffer =
+        |ty| wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
     let texture_of = |filterable, view_dimension| wgpu::BindingType::Texture {
         sample_type: wgpu::TextureSampleType::Float { filterable },
         view_dimension,
@@ -205,7 +224,9 @@ fn binding_type(kind: &BindingKind) -> wgpu::BindingType {
     };
     let texture = |filterable| texture_of(filterable, wgpu::TextureViewDimension::D2);
     match kind {
-        BindingKind::View | BindingKind::Object | BindingKind::Look => buffer(wgpu::BufferBindingType::Uniform),
+        BindingKind::View | BindingKind::Object | BindingKind::Look => {
+            buffer(wgpu::BufferBindingType::Uniform)
+        }
         BindingKind::Samples => buffer(wgpu::BufferBindingType::Storage { read_only: true }),
         BindingKind::Image(_) => texture(true),
         BindingKind::Hcbtf(_) => texture_of(true, wgpu::TextureViewDimension::D2Array),

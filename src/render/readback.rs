@@ -8,7 +8,10 @@ use super::error::RenderError;
 use super::gpu::Gpu;
 use crate::frame::Picture;
 
-pub(super) async fn read_picture(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Picture, RenderError> {
+pub(super) async fn read_picture(
+    gpu: &Gpu,
+    texture: &wgpu::Texture,
+) -> Result<Picture, RenderError> {
     let size = [texture.width(), texture.height()];
     let is_precise = texture.format() == wgpu::TextureFormat::Rgba32Float;
     let texel = if is_precise { 16 } else { 8 };
@@ -17,7 +20,12 @@ pub(super) async fn read_picture(gpu: &Gpu, texture: &wgpu::Texture) -> Result<P
         .chunks_exact(texel as usize)
         .map(|pixel| {
             let channel = |i: usize| match is_precise {
-                true => f32::from_le_bytes([pixel[4 * i], pixel[4 * i + 1], pixel[4 * i + 2], pixel[4 * i + 3]]),
+                true => f32::from_le_bytes([
+                    pixel[4 * i],
+                    pixel[4 * i + 1],
+                    pixel[4 * i + 2],
+                    pixel[4 * i + 3],
+                ]),
                 false => f16::from_le_bytes([pixel[2 * i], pixel[2 * i + 1]]).to_f32(),
             };
             let alpha = channel(3);
@@ -29,7 +37,11 @@ pub(super) async fn read_picture(gpu: &Gpu, texture: &wgpu::Texture) -> Result<P
 }
 
 /// The texels of a texture, without the padding that GPUs put between rows.
-pub(super) async fn read_texture(gpu: &Gpu, texture: &wgpu::Texture, texel_bytes: u32) -> Result<Vec<u8>, RenderError> {
+pub(super) async fn read_texture(
+    gpu: &Gpu,
+    texture: &wgpu::Texture,
+    texel_bytes: u32,
+) -> Result<Vec<u8>, RenderError> {
     let row = texture.width() * texel_bytes;
     let padded = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
     let size = u64::from(padded) * u64::from(texture.height());
@@ -44,20 +56,30 @@ pub(super) async fn read_texture(gpu: &Gpu, texture: &wgpu::Texture, texel_bytes
         usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
         mapped_at_creation: false,
     });
-    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("readback") });
-    let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(padded), rows_per_image: None };
+    let mut encoder = gpu
+        .device
+        .create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("readback") });
+    let layout = wgpu::TexelCopyBufferLayout {
+        offset: 0,
+        bytes_per_row: Some(padded),
+        rows_per_image: None,
+    };
     let target = wgpu::TexelCopyBufferInfo { buffer: &buffer, layout };
     encoder.copy_texture_to_buffer(texture.as_image_copy(), target, texture.size());
     gpu.queue.submit([encoder.finish()]);
     let bytes = read_buffer(gpu, &buffer).await;
     guard.finish().await?;
-    Ok(bytes?.chunks_exact(padded as usize).flat_map(|padded| &padded[..row as usize]).copied().collect())
+    Ok(bytes?
+        .chunks_exact(padded as usize)
+        .flat_map(|padded| &padded[..row as usize])
+        .copied()
+        .collect())
 }
 
 /// Waits for the GPU, then gives what a buffer holds that can be mapped.
 pub(super) async fn read_buffer(gpu: &Gpu, buffer: &wgpu::Buffer) -> Result<Vec<u8>, RenderError> {
-    /// Another thread that waits for the same device may be the one that brings the answer, and may do so a moment
-    /// after this one has seen that nothing is left to wait for.
+    /// Another thread that waits for the same device may be the one that brings the answer, and may
+    /// do so a moment after this one has seen that nothing is left to wait for.
     const PATIENCE: Duration = Duration::from_secs(30);
     let (tell, told) = std::sync::mpsc::sync_channel(1);
     buffer.slice(..).map_async(wgpu::MapMode::Read, move |mapped| drop(tell.send(mapped)));

@@ -54,7 +54,8 @@ impl Targets {
             *self = Self {
                 key: Some(key),
                 picture: Some(texture(gpu, plan.size, gpu.picture, 1, usage)),
-                multisampled: (plan.samples > 1).then(|| view(gpu, plan.size, gpu.picture, plan.samples)),
+                multisampled: (plan.samples > 1)
+                    .then(|| view(gpu, plan.size, gpu.picture, plan.samples)),
                 depth: Some(view(gpu, plan.size, DEPTH, plan.samples)),
                 surface: None,
                 detail: None,
@@ -62,7 +63,8 @@ impl Targets {
             is_new = true;
         }
         let wants = |kind: PassKind| plan.passes.iter().any(|pass| pass.kind == kind);
-        let slots = [(&mut self.surface, PassKind::Normals), (&mut self.detail, PassKind::DetailNormals)];
+        let slots =
+            [(&mut self.surface, PassKind::Normals), (&mut self.detail, PassKind::DetailNormals)];
         for (slot, kind) in slots {
             if wants(kind) && slot.is_none() {
                 *slot = Some(SurfaceTargets {
@@ -75,9 +77,13 @@ impl Targets {
             }
         }
         for pass in plan.passes.iter().filter(|pass| pass.kind.shader().is_some()) {
-            let targets = if is_detail(&pass.kind) { self.detail.as_mut() } else { self.surface.as_mut() };
-            if let Some(targets) = targets.filter(|targets| !targets.made.contains_key(&pass.kind)) {
-                targets.made.insert(pass.kind.clone(), view(gpu, plan.size, format_of(&pass.kind), 1));
+            let targets =
+                if is_detail(&pass.kind) { self.detail.as_mut() } else { self.surface.as_mut() };
+            if let Some(targets) = targets.filter(|targets| !targets.made.contains_key(&pass.kind))
+            {
+                targets
+                    .made
+                    .insert(pass.kind.clone(), view(gpu, plan.size, format_of(&pass.kind), 1));
                 is_new = true;
             }
         }
@@ -100,7 +106,10 @@ impl Targets {
 }
 
 fn is_detail(kind: &PassKind) -> bool {
-    matches!(kind, PassKind::DetailNormals | PassKind::DetailCurvature | PassKind::SparseDetailCurvature)
+    matches!(
+        kind,
+        PassKind::DetailNormals | PassKind::DetailCurvature | PassKind::SparseDetailCurvature
+    )
 }
 
 /// The format of what a pass over normals draws.
@@ -117,7 +126,11 @@ pub(super) fn texture(
 ) -> wgpu::Texture {
     gpu.device.create_texture(&wgpu::TextureDescriptor {
         label: Some("target"),
-        size: wgpu::Extent3d { width: size[0].max(1), height: size[1].max(1), depth_or_array_layers: 1 },
+        size: wgpu::Extent3d {
+            width: size[0].max(1),
+            height: size[1].max(1),
+            depth_or_array_layers: 1,
+        },
         mip_level_count: 1,
         sample_count,
         dimension: wgpu::TextureDimension::D2,

@@ -1,4 +1,5 @@
-//! What passes take: timestamps of the GPU's own clock where it has one, else the clock on the wall.
+//! What passes take: timestamps of the GPU's own clock where it has one, else the clock on the
+//! wall.
 
 use std::time::Duration;
 
@@ -56,7 +57,13 @@ impl Timer {
         let count = self.next.min(2 * MOST_PASSES);
         if count > 0 {
             encoder.resolve_query_set(&self.stamps, 0..count, &self.resolved, 0);
-            encoder.copy_buffer_to_buffer(&self.resolved, 0, &self.readback, 0, u64::from(count) * STAMP_BYTES);
+            encoder.copy_buffer_to_buffer(
+                &self.resolved,
+                0,
+                &self.readback,
+                0,
+                u64::from(count) * STAMP_BYTES,
+            );
         }
     }
 }
@@ -77,8 +84,9 @@ impl Renderer {
         })
     }
 
-    /// Runs every pass of `plan`, whether its inputs changed or not, and tells what each took. On an adapter without
-    /// timestamps the whole frame's time on the wall is told as that of its last pass.
+    /// Runs every pass of `plan`, whether its inputs changed or not, and tells what each took. On
+    /// an adapter without timestamps the whole frame's time on the wall is told as that of its last
+    /// pass.
     ///
     /// # Errors
     /// As [`draw`](Self::draw).
@@ -95,14 +103,18 @@ impl Renderer {
             let last = ran.last().cloned();
             return Ok(last.map(|kind| PassTime { kind, duration: whole }).into_iter().collect());
         };
-        let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut encoder =
+            self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         timer.resolve(&mut encoder);
         self.gpu.queue.submit([encoder.finish()]);
         let bytes = super::readback::read_buffer(&self.gpu, &timer.readback).await?;
         let period = f64::from(self.gpu.queue.get_timestamp_period());
         let stamp = |index: usize| {
             let at = index * STAMP_BYTES as usize;
-            bytes.get(at..at + 8).and_then(|bytes| bytes.try_into().ok()).map_or(0, u64::from_le_bytes)
+            bytes
+                .get(at..at + 8)
+                .and_then(|bytes| bytes.try_into().ok())
+                .map_or(0, u64::from_le_bytes)
         };
         let times = ran.into_iter().enumerate().map(|(index, kind)| {
             let ticks = stamp(2 * index + 1).saturating_sub(stamp(2 * index));

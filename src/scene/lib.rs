@@ -1,8 +1,9 @@
 //! What is drawn: from a scene at a time to a frame plan, and to shaders for other programs.
 //!
-//! [`geometry`] reads and makes meshes, [`hcbtf`] holds surfaces painted for every light and every eye, [`directions`]
-//! weighs keys on the sphere. [`frame`] joins looks, meshes, lights, keys and time into a frame plan, which a renderer
-//! executes; [`export`] turns it into files for other programs, and [`drawing`] draws graphs themselves.
+//! [`geometry`] reads and makes meshes, [`hcbtf`] holds surfaces painted for every light and every
+//! eye, [`directions`] weighs keys on the sphere. [`frame`] joins looks, meshes, lights, keys and
+//! time into a frame plan, which a renderer executes; [`export`] turns it into files for other
+//! programs, and [`drawing`] draws graphs themselves.
 
 use chiaro_compiler::{catalog, compile, document, examples, files, library};
 #[cfg(test)]

@@ -24,7 +24,10 @@ pub fn prepare_pool() {
 
 /// Does work on a thread with room for looks, and waits for it; on this one where the system has
 /// none to give.
-#[expect(clippy::disallowed_methods, reason = "one of the places that start threads: the program's own main work")]
+#[expect(
+    clippy::disallowed_methods,
+    reason = "one of the places that start threads: the program's own main work"
+)]
 pub fn with_room<T: Send>(work: impl Fn() -> T + Sync) -> T {
     let done = std::thread::scope(|scope| {
         let thread = builder("main").spawn_scoped(scope, &work).ok()?;

@@ -1,4 +1,5 @@
-//! Every example look compiles, for every stage and liveness, to WGSL that naga accepts and that people can read.
+//! Every example look compiles, for every stage and liveness, to WGSL that naga accepts and that
+//! people can read.
 
 use std::path::{Path, PathBuf};
 
@@ -7,8 +8,8 @@ use chiaro::document::Look;
 use chiaro::library::Library;
 
 fn looks() -> Vec<PathBuf> {
-    let folders =
-        ["looks", "images", "hcbtf"].map(|name| Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(name));
+    let folders = ["looks", "images", "hcbtf"]
+        .map(|name| Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(name));
     let entries = folders.iter().flat_map(|folder| std::fs::read_dir(folder).unwrap());
     let mut files: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
     files.retain(|path| path.extension().is_some_and(|extension| extension == "json"));
@@ -44,7 +45,8 @@ fn every_look_compiles_in_every_way() {
         for stage in [Stage::Draw, Stage::Normals, Stage::DetailNormals, Stage::Eval] {
             for live in [Live::Keyed, Live::Exposed, Live::All] {
                 for unspecialized in [false, true] {
-                    let options = Options { live: live.clone(), stage, unspecialized, ..Options::default() };
+                    let options =
+                        Options { live: live.clone(), stage, unspecialized, ..Options::default() };
                     compiled(&look, &options);
                 }
             }
@@ -54,7 +56,8 @@ fn every_look_compiles_in_every_way() {
 
 #[test]
 fn generated_source_uses_the_artists_names() {
-    let look = load(&looks().into_iter().find(|path| path.ends_with("figure1-layers.json")).unwrap());
+    let look =
+        load(&looks().into_iter().find(|path| path.ends_with("figure1-layers.json")).unwrap());
     let source = compiled(&look, &Options::default()).wgsl;
     for name in ["look.key", "specular_tone", "back_light_", "fn shade(surface: Surface)"] {
         assert!(source.contains(name), "{name} is not in\n{source}");
@@ -64,7 +67,8 @@ fn generated_source_uses_the_artists_names() {
 
 #[test]
 fn a_byte_of_the_source_leads_to_its_node_and_back() {
-    let look = load(&looks().into_iter().find(|path| path.ends_with("figure1-layers.json")).unwrap());
+    let look =
+        load(&looks().into_iter().find(|path| path.ends_with("figure1-layers.json")).unwrap());
     let shader = compiled(&look, &Options::default());
     let path = chiaro::ids::NodePath::parse("specular/tone");
     let spans: Vec<_> = shader.spans.spans_of(&path).collect();
@@ -77,11 +81,15 @@ fn a_byte_of_the_source_leads_to_its_node_and_back() {
 
 #[test]
 fn what_changes_nothing_is_removed_with_its_reason() {
-    let look = load(&looks().into_iter().find(|path| path.ends_with("figure4-color.json")).unwrap());
+    let look =
+        load(&looks().into_iter().find(|path| path.ends_with("figure4-color.json")).unwrap());
     let shader = compiled(&look, &Options::default());
     let reason = |path: &str| {
         let found = shader.removed.iter().find(|removal| removal.path.to_string() == path);
-        found.unwrap_or_else(|| panic!("{path} is not removed: {:?}", shader.removed)).reason.clone()
+        found
+            .unwrap_or_else(|| panic!("{path} is not removed: {:?}", shader.removed))
+            .reason
+            .clone()
     };
     assert_eq!(reason("diffuse/warp"), "its amount is 0");
     assert!(!shader.wgsl.contains("fn warp("), "a warp of 0 stays out of the source");
@@ -90,7 +98,9 @@ fn what_changes_nothing_is_removed_with_its_reason() {
 #[test]
 fn a_look_with_many_values_keeps_its_uniform_small() {
     let mut look = Look::default();
-    let mut json = String::from(r#"{"nodes": [{"id": "base", "kind": "base"}, {"id": "facing", "kind": "facing"}"#);
+    let mut json = String::from(
+        r#"{"nodes": [{"id": "base", "kind": "base"}, {"id": "facing", "kind": "facing"}"#,
+    );
     let mut wires = String::new();
     let mut from = "base".to_owned();
     for i in 0..800 {
@@ -128,10 +138,14 @@ fn a_broken_node_stops_only_what_depends_on_it() {
         found.unwrap_or_else(|| panic!("{code} is not told: {:?}", apart.warnings))
     };
     let broken = told("invalid-wgsl");
-    assert!(broken.is_error() && broken.message.starts_with("line 1, column 11 of the code: "), "{broken}");
+    assert!(
+        broken.is_error() && broken.message.starts_with("line 1, column 11 of the code: "),
+        "{broken}"
+    );
     assert_eq!(broken.place.node.as_ref().map(ToString::to_string).as_deref(), Some("broken"));
     assert!(told("unknown-kind").is_error());
-    let problems = compile(&with_broken_node(true), Library::built_in(), &Options::default()).unwrap_err();
+    let problems =
+        compile(&with_broken_node(true), Library::built_in(), &Options::default()).unwrap_err();
     assert!(problems.iter().any(|problem| problem.code == "invalid-wgsl"), "{problems:?}");
 }
 
@@ -141,7 +155,7 @@ fn every_problem_is_told_at_once() {
         {"id": "a", "kind": "add"}, {"id": "b", "kind": "multiply"},
         {"id": "p", "kind": "profile", "values": {"offset": "wide", "ofset": 1}},
         {"id": "x", "kind": "profil"}, {"id": "output", "kind": "output"}],
-        "wires": [{"from": "a", "to": "b.a"}, {"from": "b", "to": "a.a"}, {"from": "a", "to": "output.colour"}]}"#;
+        "wires": [{"from": "a", "to": "b.a"}, {"from": "b", "to": "a.a"}, {"from": "a", "to": "output.color"}]}"#;
     let look = Look::read(json, "wrong.json").value.unwrap();
     let problems = compile(&look, Library::built_in(), &Options::default()).unwrap_err();
     let codes: Vec<&str> = problems.iter().map(|problem| problem.code).collect();
@@ -158,11 +172,17 @@ fn an_exposed_input_that_reads_its_surroundings_is_told() {
         {"id": "angle", "kind": "parametrization"}, {"id": "output", "kind": "output"}],
         "wires": [{"from": "light", "to": "angle.light"}, {"from": "angle", "to": "output.color"}],
         "exposed": [{"name": "normal", "target": "angle.normal"}]}"#;
-    let json = json.replace(r#"{"from": "angle", "to": "output.color"}"#, r#"{"from": "tone", "to": "output.color"}"#);
-    let json = json.replace(r#"{"id": "output""#, r#"{"id": "tone", "kind": "profile"}, {"id": "output""#);
-    let json = json.replace(r#""wires": ["#, r#""wires": [{"from": "angle", "to": "tone.angle"}, "#);
+    let json = json.replace(
+        r#"{"from": "angle", "to": "output.color"}"#,
+        r#"{"from": "tone", "to": "output.color"}"#,
+    );
+    let json =
+        json.replace(r#"{"id": "output""#, r#"{"id": "tone", "kind": "profile"}, {"id": "output""#);
+    let json =
+        json.replace(r#""wires": ["#, r#""wires": [{"from": "angle", "to": "tone.angle"}, "#);
     let read = Look::read(&json, "exposed.json");
     assert!(read.diagnostics.is_empty(), "{:?}", read.diagnostics);
-    let problems = compile(&read.value.unwrap(), Library::built_in(), &Options::default()).unwrap_err();
+    let problems =
+        compile(&read.value.unwrap(), Library::built_in(), &Options::default()).unwrap_err();
     assert_eq!(problems.iter().map(|problem| problem.code).collect::<Vec<_>>(), ["unset-target"]);
 }

@@ -1,5 +1,5 @@
-//! docs/format.md and the JSON Schemas say what the code does. `CHIARO_BLESS=1 cargo test --test document_format`
-//! writes what the code makes; the difference is then reviewed like any other.
+//! docs/format.md and the JSON Schemas say what the code does. `CHIARO_BLESS=1 cargo test --test
+//! document_format` writes what the code makes; the difference is then reviewed like any other.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -27,7 +27,9 @@ fn held(file: &str, made: &str) {
 
 #[test]
 fn the_schemas_are_those_of_the_code() {
-    for (file, schema) in [("look.schema.json", look_schema()), ("scene.schema.json", scene_schema())] {
+    for (file, schema) in
+        [("look.schema.json", look_schema()), ("scene.schema.json", scene_schema())]
+    {
         held(file, &(serde_json::to_string_pretty(&schema).unwrap() + "\n"));
         assert!(jsonschema::draft202012::meta::is_valid(&schema), "{file} is no JSON Schema");
     }
@@ -48,14 +50,20 @@ fn the_tables_are_those_of_the_code() {
             made += line;
             made += "\n";
         }
-        if let Some(name) = line.strip_prefix("<!-- fields: ").and_then(|rest| rest.strip_suffix(" -->")) {
+        if let Some(name) =
+            line.strip_prefix("<!-- fields: ").and_then(|rest| rest.strip_suffix(" -->"))
+        {
             made += tables.get(name).unwrap_or_else(|| panic!("no table `{name}`"));
             seen.push(name);
             skipping = true;
         }
     }
     seen.sort_unstable();
-    assert_eq!(seen, tables.keys().copied().collect::<Vec<_>>(), "every table is in docs/format.md once");
+    assert_eq!(
+        seen,
+        tables.keys().copied().collect::<Vec<_>>(),
+        "every table is in docs/format.md once"
+    );
     held("format.md", &made);
 }
 
@@ -85,7 +93,8 @@ fn links_lead_somewhere() {
 #[test]
 fn the_examples_are_read() {
     let text = std::fs::read_to_string(docs("format.md")).unwrap();
-    let blocks: Vec<&str> = text.split("```json\n").skip(1).map(|rest| rest.split("```").next().unwrap()).collect();
+    let blocks: Vec<&str> =
+        text.split("```json\n").skip(1).map(|rest| rest.split("```").next().unwrap()).collect();
     assert!(blocks.len() >= 3);
     for block in blocks {
         // Examples of single fields stand alone in the text.
@@ -95,7 +104,8 @@ fn the_examples_are_read() {
     }
 }
 
-/// Puts `value` at a path of field names, with `[]` for the only item of a list and `{}` for the only member of a map.
+/// Puts `value` at a path of field names, with `[]` for the only item of a list and `{}` for the
+/// only member of a map.
 fn nested(path: &[String], value: Value) -> Value {
     let Some((first, rest)) = path.split_first() else { return value };
     let inner = nested(rest, value);
@@ -137,8 +147,8 @@ fn objects(schema: &Value) -> Vec<(Vec<String>, Vec<String>)> {
     found
 }
 
-/// The reader knows every field of the schemas, and the schemas every field that the reader knows: the reader warns
-/// about any other.
+/// The reader knows every field of the schemas, and the schemas every field that the reader knows:
+/// the reader warns about any other.
 #[test]
 fn the_reader_knows_the_fields_of_the_schemas() {
     type Reader = fn(&str) -> Vec<chiaro::diag::Diagnostic>;
@@ -150,7 +160,8 @@ fn the_reader_knows_the_fields_of_the_schemas() {
         let objects = objects(&schema);
         assert!(objects.len() >= 7, "{objects:?}");
         for (path, fields) in objects {
-            // What is under `by` of direction keys takes one object with one field, and is no table.
+            // What is under `by` of direction keys takes one object with one field, and is no
+            // table.
             if path.iter().any(|step| step == "by") {
                 continue;
             }
@@ -160,8 +171,11 @@ fn the_reader_knows_the_fields_of_the_schemas() {
             // Curves and ramps are told from others by their own fields.
             let text = nested(&path, Value::Object(all)).to_string();
             let found = read(&text);
-            let unknown: Vec<&str> =
-                found.iter().filter(|d| d.code == "unknown-field").map(|d| d.message.as_str()).collect();
+            let unknown: Vec<&str> = found
+                .iter()
+                .filter(|d| d.code == "unknown-field")
+                .map(|d| d.message.as_str())
+                .collect();
             assert_eq!(unknown.len(), 1, "{path:?}: {unknown:?}\n{text}");
             assert!(unknown[0].contains("no such field"), "{path:?}: {unknown:?}");
         }
@@ -171,14 +185,18 @@ fn the_reader_knows_the_fields_of_the_schemas() {
 /// A field of the tables with its default means the same as without it.
 #[test]
 fn defaults_are_what_is_left_out() {
-    for (schema, empty) in [(look_schema(), Look::default().to_text()), (scene_schema(), Scene::default().to_text())] {
+    for (schema, empty) in
+        [(look_schema(), Look::default().to_text()), (scene_schema(), Scene::default().to_text())]
+    {
         let is_look = empty.contains("\"look\"");
         for (path, _) in objects(&schema) {
             let Some(object) = object_at(&schema, &path) else { continue };
             let mut full = serde_json::Map::new();
             let mut bare = serde_json::Map::new();
             for (name, field) in object["properties"].as_object().unwrap() {
-                let is_required = object["required"].as_array().is_some_and(|r| r.iter().any(|r| r == name.as_str()));
+                let is_required = object["required"]
+                    .as_array()
+                    .is_some_and(|r| r.iter().any(|r| r == name.as_str()));
                 match field.get("default") {
                     Some(default) => drop(full.insert(name.clone(), default.clone())),
                     None if is_required => {

@@ -57,10 +57,16 @@ fn a_gesture_of_different_edits_is_undone_in_order() {
     let mut history = history();
     let before = history.document().to_text();
     let node = chiaro::document::Node { kind: "layer".to_owned(), ..Default::default() };
-    history.apply_in(1, Edit::AddNode { graph: GraphId::Look, id: "new".into(), node, index: Some(1) }).unwrap();
+    history
+        .apply_in(1, Edit::AddNode { graph: GraphId::Look, id: "new".into(), node, index: Some(1) })
+        .unwrap();
     let wire = Wire { from: Endpoint::new("new", ""), to: Endpoint::new("rim", "below") };
     history.apply_in(1, Edit::AddWire { graph: GraphId::Look, wire, index: None }).unwrap();
-    assert_eq!(history.document().graph.wires[0].from.node.as_str(), "new", "it took the old wire's place");
+    assert_eq!(
+        history.document().graph.wires[0].from.node.as_str(),
+        "new",
+        "it took the old wire's place"
+    );
     let after = history.document().to_text();
     assert_eq!(history.undo(), Some("add new"));
     assert_eq!(history.document().to_text(), before);
@@ -89,7 +95,9 @@ fn removing_a_node_takes_all_that_names_it_and_undo_brings_it_back() {
         history.undo();
         assert_eq!(history.document().to_text(), before);
     }
-    history.apply(Edit::SetKind { graph: GraphId::Look, id: "g".into(), kind: "layer".to_owned() }).unwrap();
+    history
+        .apply(Edit::SetKind { graph: GraphId::Look, id: "g".into(), kind: "layer".to_owned() })
+        .unwrap();
     assert_eq!(history.document().exposed.len(), 2);
     history.undo();
     history.apply(Edit::RemoveLight { id: "key".into() }).unwrap();
@@ -114,12 +122,34 @@ fn impossible_edits_are_refused() {
         index: None,
     };
     let cases: Vec<(Edit, &str)> = vec![
-        (Edit::AddNode { graph: look.clone(), id: "rim".into(), node: node(), index: None }, "already"),
-        (Edit::AddNode { graph: look.clone(), id: "two words".into(), node: node(), index: None }, "no id"),
-        (Edit::AddNode { graph: group.clone(), id: "inputs".into(), node: node(), index: None }, "own inputs"),
-        (Edit::AddNode { graph: look.clone(), id: "new".into(), node: node(), index: Some(9) }, "no place 9"),
         (
-            Edit::AddNode { graph: GraphId::Definition("no".into()), id: "new".into(), node: node(), index: None },
+            Edit::AddNode { graph: look.clone(), id: "rim".into(), node: node(), index: None },
+            "already",
+        ),
+        (
+            Edit::AddNode {
+                graph: look.clone(),
+                id: "two words".into(),
+                node: node(),
+                index: None,
+            },
+            "no id",
+        ),
+        (
+            Edit::AddNode { graph: group.clone(), id: "inputs".into(), node: node(), index: None },
+            "own inputs",
+        ),
+        (
+            Edit::AddNode { graph: look.clone(), id: "new".into(), node: node(), index: Some(9) },
+            "no place 9",
+        ),
+        (
+            Edit::AddNode {
+                graph: GraphId::Definition("no".into()),
+                id: "new".into(),
+                node: node(),
+                index: None,
+            },
             "group `no`",
         ),
         (Edit::RemoveNode { graph: look.clone(), id: "no".into() }, "no node `no`"),

@@ -83,9 +83,15 @@ fn held(found: &[Diagnostic], expected: &[&str], text: &str) {
     let line = |d: &Diagnostic| {
         assert_eq!(d.place.file.as_deref(), Some("a.json"), "{d}");
         let at = d.place.at.expect("a place");
-        let rest = text.lines().nth(at.line as usize - 1).unwrap().chars().skip(at.column as usize - 1);
+        let rest =
+            text.lines().nth(at.line as usize - 1).unwrap().chars().skip(at.column as usize - 1);
         let there: String = rest.take(10).collect();
-        format!("{} {} @{there} | {}", d.code, d.place.json_path.as_deref().unwrap_or_default(), d.hints.join("; "))
+        format!(
+            "{} {} @{there} | {}",
+            d.code,
+            d.place.json_path.as_deref().unwrap_or_default(),
+            d.hints.join("; ")
+        )
     };
     let found: Vec<String> = found.iter().map(line).collect();
     assert_eq!(found, expected, "\n{text}");
@@ -98,7 +104,10 @@ fn wrong_values_are_told() {
     told(r#"{ "nodes": {} }"#, &["wrong-type nodes @{} } | "]);
     told(r#"{ "version": "1" }"#, &["wrong-type version @\"1\" } | write 1 without quotes"]);
     told(r#"{ "version": 0 }"#, &["out-of-range version @0 } | write 1"]);
-    told(r#"{ "color_space": "linaer" }"#, &["unknown-word color_space @\"linaer\" } | did you mean `linear`?"]);
+    told(
+        r#"{ "color_space": "linaer" }"#,
+        &["unknown-word color_space @\"linaer\" } | did you mean `linear`?"],
+    );
     told(
         r#"{ "lights": { "key": { "direction": [0, 0, 0] } } }"#,
         &["zero-vector lights.key.direction @[0, 0, 0]  | write any other length, e.g. [0, 0, 1]"],
@@ -118,18 +127,26 @@ fn wrong_values_are_told() {
         r##"{ "lights": { "key": { "color": "#ff00ff00" } } }"##,
         &["bad-color lights.key.color @\"#ff00ff00 | write \"#rrggbb\", or the numbers [r, g, b]"],
     );
-    told(r#"{ "lights": { "key": { "position": [1, 2] } } }"#, &["wrong-count lights.key.position @[1, 2] } } | "]);
+    told(
+        r#"{ "lights": { "key": { "position": [1, 2] } } }"#,
+        &["wrong-count lights.key.position @[1, 2] } } | "],
+    );
 }
 
 #[test]
 fn numbers_that_are_none_are_told() {
-    let node = |value: &str| format!(r#"{{ "nodes": [{{ "kind": "x", "values": {{ "v": {value} }} }}] }}"#);
+    let node = |value: &str| {
+        format!(r#"{{ "nodes": [{{ "kind": "x", "values": {{ "v": {value} }} }}] }}"#)
+    };
     let hint = "write a number that is not beyond all bounds";
     for value in ["NaN", "Infinity", "-Infinity", "1e999", "-1e400", "inf"] {
         let there: String = format!("{value} }} }}] }}").chars().take(10).collect();
         told(&node(value), &[&format!("not-finite nodes[0].values.v @{there} | {hint}")]);
     }
-    told(&node("1e39"), &["out-of-range nodes[0].values.v @1e39 } }]  | write a number from -3.4e38 to 3.4e38"]);
+    told(
+        &node("1e39"),
+        &["out-of-range nodes[0].values.v @1e39 } }]  | write a number from -3.4e38 to 3.4e38"],
+    );
     told(
         &node("[1, \"2\", null]"),
         &[
@@ -138,14 +155,22 @@ fn numbers_that_are_none_are_told() {
         ],
     );
     told(&node("[]"), &["wrong-count nodes[0].values.v @[] } }] } | "]);
-    told(&node("null"), &["wrong-type nodes[0].values.v @null } }]  | leave the value out for the input's default"]);
+    told(
+        &node("null"),
+        &["wrong-type nodes[0].values.v @null } }]  | leave the value out for the input's default"],
+    );
     told(
         &node(r#"{ "points": [[0, 0], [0, 1]] }"#),
         &["not-increasing nodes[0].values.v @{ \"points\" | sort them, and remove doubles"],
     );
-    told(&node(r#"{ "stops": [] }"#), &["wrong-count nodes[0].values.v @{ \"stops\": | write at least one"]);
+    told(
+        &node(r#"{ "stops": [] }"#),
+        &["wrong-count nodes[0].values.v @{ \"stops\": | write at least one"],
+    );
     let many = "[0, 0], ".repeat(17);
-    let found = Look::read(&node(&format!("{{ \"points\": [{}] }}", many.trim_end_matches(", "))), "").diagnostics;
+    let found =
+        Look::read(&node(&format!("{{ \"points\": [{}] }}", many.trim_end_matches(", "))), "")
+            .diagnostics;
     assert!(found.iter().any(|d| d.code == "too-many"), "{found:?}");
 }
 
@@ -167,11 +192,15 @@ fn ids_are_held() {
             "duplicate-id nodes[1] @{ \"kind\":  | write \"id\": \"x_2\"",
         ],
     );
-    told(r#"{ "lights": { "a": {}, "a": {} } }"#, &["duplicate-key lights.a @\"a\": {} }  | remove one"]);
+    told(
+        r#"{ "lights": { "a": {}, "a": {} } }"#,
+        &["duplicate-key lights.a @\"a\": {} }  | remove one"],
+    );
     told(r#"{ "name": "a", "name": "b" }"#, &["duplicate-key name @\"name\": \"b | remove one"]);
     told(
         r#"{ "nodes": [{}] }"#,
-        &["missing-field nodes[0] @{}] } | kind: A node of the library, or the id of a definition."],
+        &["missing-field nodes[0] @{}] } | kind: A node of the library, or the id of a \
+             definition."],
     );
     told(
         r#"{ "definitions": { "g": { "nodes": [{ "id": "inputs", "kind": "x" }] } } }"#,
@@ -210,7 +239,13 @@ fn unknown_fields_are_warned_about_and_kept() {
     }
     let schema = r#"{ "$schema": "look.schema.json" }"#;
     told(schema, &[]);
-    assert!(Look::read(schema, "").value.unwrap().to_text().contains(r#""$schema": "look.schema.json""#));
+    assert!(
+        Look::read(schema, "")
+            .value
+            .unwrap()
+            .to_text()
+            .contains(r#""$schema": "look.schema.json""#)
+    );
 }
 
 #[test]
@@ -229,8 +264,15 @@ fn wires_are_held_to_the_nodes() {
         &look(r#"{ "from": "base", "to": "rim.below" }, { "from": "rim.a", "to": "rim.below" }"#),
         &["two-wires wires[1] @{ \"from\":  | remove one of them"],
     );
-    let two = Look::read(&look(r#"{ "from": "base", "to": "rim.below" }, { "from": "rim.a", "to": "rim.below" }"#), "");
-    assert!(two.diagnostics[0].message.contains("from `base` and from `rim.a`"), "{}", two.diagnostics[0]);
+    let two = Look::read(
+        &look(r#"{ "from": "base", "to": "rim.below" }, { "from": "rim.a", "to": "rim.below" }"#),
+        "",
+    );
+    assert!(
+        two.diagnostics[0].message.contains("from `base` and from `rim.a`"),
+        "{}",
+        two.diagnostics[0]
+    );
     told(
         &look(
             r#"{ "from": "base" }, { "from": "base", "to": "" }, { "from": "base", "to": null }, { "from": "base", "to": "rim" }"#,
@@ -251,10 +293,14 @@ fn wires_are_held_to_the_nodes() {
     );
     told(
         r#"{ "definitions": { "g": { "wires": [{ "from": "outputs.a", "to": "outputs.b" }] } } }"#,
-        &["wire-direction definitions.g.wires[0].from @\"outputs.a | exchange the ends of the wire"],
+        &["wire-direction definitions.g.wires[0].from @\"outputs.a | exchange the ends of the \
+             wire"],
     );
     // In the look's own graph the names are free.
-    told(&look(r#"{ "from": "inputs", "to": "rim.a" }"#), &["unknown-node wires[0].from @\"inputs\",  | "]);
+    told(
+        &look(r#"{ "from": "inputs", "to": "rim.a" }"#),
+        &["unknown-node wires[0].from @\"inputs\",  | "],
+    );
 }
 
 #[test]
@@ -267,10 +313,12 @@ fn keys_and_parameters_are_held_to_what_there_is() {
         )
     };
     let good = r#""exposed": [{ "name": "a", "target": "rim.offset" }, { "name": "b", "target": "g/inner.x" },
-        { "name": "c", "target": "other/deep.x" }, { "name": "d", "target": "lights.key.color" }]"#;
+        { "name": "c", "target": "other/deep.x" }, { "name": "d", "target": "lights.key.colour" }]"#;
     told(&look(good), &[]);
     told(
-        &look(r#""exposed": [{ "name": "a", "target": "rimm.offset" }, { "name": "a", "target": "g/iner.x" }]"#),
+        &look(
+            r#""exposed": [{ "name": "a", "target": "rimm.offset" }, { "name": "a", "target": "g/iner.x" }]"#,
+        ),
         &[
             "unknown-node exposed[0].target @\"rimm.offs | did you mean `rim`?",
             "duplicate-id exposed[1].name @\"a\", \"targ | give it another name",
@@ -278,9 +326,12 @@ fn keys_and_parameters_are_held_to_what_there_is() {
         ],
     );
     told(
-        &look(r#""exposed": [{ "name": "a", "target": "rim" }, { "name": "b", "target": "lights.key.colour" }]"#),
+        &look(
+            r#""exposed": [{ "name": "a", "target": "rim" }, { "name": "b", "target": "lights.key.colour" }]"#,
+        ),
         &[
-            "bad-target exposed[0].target @\"rim\" }, { | write `node.input`, `group/node.input` or `lights.light.field`",
+            "bad-target exposed[0].target @\"rim\" }, { | write `node.input`, `group/node.input` \
+             or `lights.light.field`",
             "bad-target exposed[1].target @\"lights.ke | did you mean `color`?",
         ],
     );
@@ -294,15 +345,15 @@ fn keys_and_parameters_are_held_to_what_there_is() {
     );
     told(
         &look(r#""direction_keys": [{ "by": "veiw" }]"#),
-        &[
-            "wrong-type direction_keys[0].by @\"veiw\" }]  | write \"view\", {\"light\": \"the light's id\"}, or {\"drivers\": [\"distance\"]}",
-        ],
+        &["wrong-type direction_keys[0].by @\"veiw\" }]  | write \"view\", {\"light\": \"the \
+             light's id\"}, or {\"drivers\": [\"distance\"]}"],
     );
     told(
         &look(
             r#""time_keys": [{ "target": "rim.a", "keys": [{ "time": 1, "value": 1 }, { "time": 0, "value": 2 }] }]"#,
         ),
-        &["not-increasing time_keys[0].keys[1].time @0, \"value\" | sort the keys, and remove doubles"],
+        &["not-increasing time_keys[0].keys[1].time @0, \"value\" | sort the keys, and remove \
+             doubles"],
     );
     told(
         &look(r#""frames": { "f": { "nodes": ["rim", "rimm"] } }"#),
@@ -314,9 +365,8 @@ fn keys_and_parameters_are_held_to_what_there_is() {
 fn scenes_are_held_too() {
     scene_told(
         r#"{ "illumination": [0, 0, 0, 0] }"#,
-        &[
-            "bad-rotation illumination @[0, 0, 0,  | write a quaternion [x, y, z, w], a 3x3 matrix as three rows, or {\"axis\": [x, y, z], \"angle\": radians}",
-        ],
+        &["bad-rotation illumination @[0, 0, 0,  | write a quaternion [x, y, z, w], a 3x3 matrix \
+             as three rows, or {\"axis\": [x, y, z], \"angle\": radians}"],
     );
     let bad = |text: &str, code: &str| {
         let found = Scene::read(text, "").diagnostics;
@@ -336,11 +386,17 @@ fn scenes_are_held_too() {
         "objects": [{ "mesh": "meshes/Big Rock.v2.obj", "looks": { "*": "a.json", "skin 2": "b.json" } }, { "looks": "c.json" }] }"##;
     let scene = Scene::read(text, "").value.unwrap();
     let expected = [0.0, 1.0, 0.0, 0.0];
-    assert!(scene.illumination.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-15), "{:?}", scene.illumination);
+    assert!(
+        scene.illumination.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-15),
+        "{:?}",
+        scene.illumination
+    );
     assert_eq!(scene.backdrop, Some([1.0, 0.0, 0.0, 128.0 / 255.0]));
     assert_eq!(scene.objects["big_rock"].looks["skin 2"], "b.json");
     assert_eq!(scene.objects["sphere"].looks["*"], "c.json");
-    let half_turn = Scene::read(r#"{ "illumination": [[-1, 0, 0], [0, 1, 0], [0, 0, -1]] }"#, "").value.unwrap();
+    let half_turn = Scene::read(r#"{ "illumination": [[-1, 0, 0], [0, 1, 0], [0, 0, -1]] }"#, "")
+        .value
+        .unwrap();
     assert_eq!(half_turn.illumination, expected);
 }
 
@@ -367,7 +423,10 @@ fn whole_files_are_refused_with_a_reason() {
     assert_eq!(codes(r#"{ "nodes": [{ "kind": "a" }"#), (true, vec!["truncated"]));
     assert_eq!(codes("{}"), (true, vec![]));
     let newer = &Look::read(r#"{ "version": 2 }"#, "").diagnostics[0];
-    assert!(newer.message.contains("version 2; this Chiaro reads up to 1") && newer.hints[0].contains("update"));
+    assert!(
+        newer.message.contains("version 2; this Chiaro reads up to 1")
+            && newer.hints[0].contains("update")
+    );
     assert!(Scene::read(r#"{ "nodes": [] }"#, "").value.is_none());
     assert!(matches!(Document::read(r#"{ "objects": [] }"#, ""), Document::Scene(_)));
     assert!(matches!(Document::read("{}", ""), Document::Look(_)));
@@ -376,11 +435,13 @@ fn whole_files_are_refused_with_a_reason() {
 #[test]
 fn problems_are_counted_beyond_a_bound() {
     let wrong = r#"{ "id": 1, "kind": "x" }, "#.repeat(3000);
-    let found = Look::read(&format!("{{ \"nodes\": [{}] }}", wrong.trim_end_matches(", ")), "").diagnostics;
+    let found =
+        Look::read(&format!("{{ \"nodes\": [{}] }}", wrong.trim_end_matches(", ")), "").diagnostics;
     assert_eq!(found.len(), 1001);
     assert!(found[1000].message.contains("2000 more"), "{}", found[1000]);
     let many = r#"{ "id": "a", "kind": "x" }, "#.repeat(200_001);
-    let found = Look::read(&format!("{{ \"nodes\": [{}] }}", many.trim_end_matches(", ")), "").diagnostics;
+    let found =
+        Look::read(&format!("{{ \"nodes\": [{}] }}", many.trim_end_matches(", ")), "").diagnostics;
     assert_eq!(found[0].code, "too-many");
 }
 
@@ -401,13 +462,16 @@ fn large_looks_are_read() {
     for i in 1..count {
         let (from, to) = (format!("add_{}", i - 1), format!("add_{i}"));
         let to = chiaro::document::Endpoint::new(to, "a");
-        look.graph.wires.push(chiaro::document::Wire { from: chiaro::document::Endpoint::new(from, ""), to });
+        look.graph
+            .wires
+            .push(chiaro::document::Wire { from: chiaro::document::Endpoint::new(from, ""), to });
     }
     let text = look.to_text();
     let loaded = Look::read(&text, "chain.json");
     assert_eq!(shown(&loaded.diagnostics), "");
     assert_eq!(loaded.value.as_ref(), Some(&look));
-    let mut problem = Diagnostic::error("unknown-kind", "").node(NodePath::parse("add_99999")).port("b".into());
+    let mut problem =
+        Diagnostic::error("unknown-kind", "").node(NodePath::parse("add_99999")).port("b".into());
     loaded.source.locate(&mut problem);
     assert_eq!(problem.place.json_path.as_deref(), Some("nodes[99999].values.b"));
 }
@@ -437,9 +501,18 @@ fn places_are_found_for_others() {
     };
     let problem = || Diagnostic::error("x", "");
     // By node and port; what the text does not have is at the node.
-    assert_eq!(place(problem().node(NodePath::parse("rim")).port("offset".into())), "5:65 nodes[2].values.offset");
-    assert_eq!(place(problem().node(NodePath::parse("rim")).port("fall_off".into())), "5:5 nodes[2]");
-    assert_eq!(place(problem().node(NodePath::parse("g/inner"))), "11:41 definitions.group.nodes[0]");
+    assert_eq!(
+        place(problem().node(NodePath::parse("rim")).port("offset".into())),
+        "5:65 nodes[2].values.offset"
+    );
+    assert_eq!(
+        place(problem().node(NodePath::parse("rim")).port("fall_off".into())),
+        "5:5 nodes[2]"
+    );
+    assert_eq!(
+        place(problem().node(NodePath::parse("g/inner"))),
+        "11:41 definitions.group.nodes[0]"
+    );
     assert_eq!(
         place(problem().node(NodePath::parse("g/inner")).port("a".into())),
         "11:88 definitions.group.nodes[0].values.a"
@@ -455,8 +528,14 @@ fn places_are_found_for_others() {
     assert_eq!(value, "definitions.group.nodes[0].values.b");
     assert_eq!(place(problem().json_path(value)), "11:81 definitions.group.nodes[0].values.b");
     assert_eq!(look.json_path_of_target(&Target::parse("lights.key.color").unwrap()), None);
-    assert_eq!(look.find(&NodePath::parse("g/inner")).unwrap().graph, GraphId::Definition("group".into()));
-    assert!(look.find(&NodePath::parse("g/nothing")).is_none() && look.find(&NodePath::default()).is_none());
+    assert_eq!(
+        look.find(&NodePath::parse("g/inner")).unwrap().graph,
+        GraphId::Definition("group".into())
+    );
+    assert!(
+        look.find(&NodePath::parse("g/nothing")).is_none()
+            && look.find(&NodePath::default()).is_none()
+    );
     // A node that does not exist still has its file.
     let mut lost = problem().node(NodePath::parse("no/such"));
     loaded.source.locate(&mut lost);

@@ -1,8 +1,9 @@
 //! The house stands: a room imports only from floors below its own.
 //!
-//! Cargo holds the floors that are crates; the manifests are read here for what Cargo would let pass. Inside a crate the
-//! test reads every source file, comments and strings left out, and follows each path that starts at the crate's root,
-//! whether it says `crate::` or climbs there by `super::`. Test code inside `src/` is held to the same rule.
+//! Cargo holds the floors that are crates; the manifests are read here for what Cargo would let
+//! pass. Inside a crate the test reads every source file, comments and strings left out, and
+//! follows each path that starts at the crate's root, whether it says `crate::` or climbs there by
+//! `super::`. Test code inside `src/` is held to the same rule.
 
 mod scan;
 
@@ -13,15 +14,23 @@ use std::path::{Path, PathBuf};
 use crate::support;
 use scan::Reference;
 
-/// The crates of `docs/decisions.md`, lowest first, each with its rooms by floors. A room may import from any line above
-/// its own in its crate, and from itself; never from its own line or a line below. A crate may depend on those before it.
+/// The crates of `docs/decisions.md`, lowest first, each with its rooms by floors. A room may
+/// import from any line above its own in its crate, and from itself; never from its own line or a
+/// line below. A crate may depend on those before it.
 ///
-/// A diagnostic names nodes by their ids, a milestone has a time, a group that the library ships is a document, a drawing
-/// shows what the catalog knows, and a frame plan joins what the rest of the scene's rooms make.
+/// A diagnostic names nodes by their ids, a milestone has a time, a group that the library ships is
+/// a document, a drawing shows what the catalog knows, and a frame plan joins what the rest of the
+/// scene's rooms make.
 const CRATES: &[(&str, &[&[&str]])] = &[
     ("language", &[&["clock", "figures", "ids"], &["diag", "milestones"], &["wgsl"], &["interp"]]),
-    ("compiler", &[&["examples"], &["files"], &["document"], &["library"], &["catalog", "compile"]]),
-    ("scene", &[&["directions", "geometry", "hcbtf", "threads"], &["drawing", "frame"], &["export"]]),
+    (
+        "compiler",
+        &[&["examples"], &["files"], &["document"], &["library"], &["catalog", "compile"]],
+    ),
+    (
+        "scene",
+        &[&["directions", "geometry", "hcbtf", "threads"], &["drawing", "frame"], &["export"]],
+    ),
     ("reference", &[]),
     ("render", &[]),
     ("laboratory", &[&["accuracy", "fit"], &["gallery"]]),
@@ -29,12 +38,12 @@ const CRATES: &[(&str, &[&[&str]])] = &[
     ("cli", &[]),
 ];
 
-/// Imports that the floors would allow and that would make a proof worthless: the reference judges the compiler's
-/// output, so it must not be built on the compiler.
+/// Imports that the floors would allow and that would make a proof worthless: the reference judges
+/// the compiler's output, so it must not be built on the compiler.
 const APART: &[(&str, &str, &str)] = &[("reference", "chiaro_compiler", "compile")];
 
-/// Packages that belong to some crates only: the compiler is to build without a GPU and without a window, and who wants
-/// WGSL from a graph pays for no command line and no archives.
+/// Packages that belong to some crates only: the compiler is to build without a GPU and without a
+/// window, and who wants WGSL from a graph pays for no command line and no archives.
 const KEPT_TO: &[(&str, &[&str])] = &[
     ("wgpu", &["render", "editor"]),
     ("egui", &["editor"]),
@@ -71,9 +80,13 @@ fn complaint(krate: &str, importer: &str, reference: &Reference) -> Option<Strin
     let upper = floor_of(krate, imported)?;
     let own = floor_of(krate, importer)?;
     if upper > own {
-        return Some(format!("`{importer}` (floor {own}) reaches up to `{imported}` (floor {upper})"));
+        return Some(format!(
+            "`{importer}` (floor {own}) reaches up to `{imported}` (floor {upper})"
+        ));
     }
-    (upper == own).then(|| format!("`{importer}` and `{imported}` share floor {own} and may not know each other"))
+    (upper == own).then(|| {
+        format!("`{importer}` and `{imported}` share floor {own} and may not know each other")
+    })
 }
 
 /// Everything wrong with the source `text` of the file at `path`, relative to `src/`.
@@ -88,14 +101,17 @@ fn check_source(path: &Path, text: &str) -> Vec<String> {
     }
     let mut complaints = check_apart(krate, path, text);
     let rooms = CRATES.iter().find(|(name, _)| name == krate).map_or(0, |(_, floors)| floors.len());
-    let Some(room) = inside.first().map(|first| first.trim_end_matches(".rs")).filter(|_| rooms > 0) else {
+    let Some(room) =
+        inside.first().map(|first| first.trim_end_matches(".rs")).filter(|_| rooms > 0)
+    else {
         return complaints;
     };
     // The crate's root declares its rooms; a build script is no part of it.
     if matches!(room, "lib" | "build") {
         return complaints;
     }
-    let depth = inside.len() - usize::from(inside.len() > 1 && inside.last().is_some_and(|last| last == "mod.rs"));
+    let depth = inside.len()
+        - usize::from(inside.len() > 1 && inside.last().is_some_and(|last| last == "mod.rs"));
     complaints.extend(scan::references(text, depth).into_iter().filter_map(|found| {
         let complaint = complaint(krate, room, &found.reference)?;
         Some(format!("src/{}:{}: `{}`: {complaint}", path.display(), found.line, found.path))
@@ -116,14 +132,18 @@ fn check_apart(krate: &str, path: &Path, text: &str) -> Vec<String> {
                 })
                 .map(|found| {
                     let (line, path) = (found.line, path.display());
-                    format!("src/{path}:{line}: `{}`: `{krate}` may not be built on `{room}`", found.path)
+                    format!(
+                        "src/{path}:{line}: `{}`: `{krate}` may not be built on `{room}`",
+                        found.path
+                    )
                 }),
         );
     }
     complaints
 }
 
-/// The program only hands over: it may know `chiaro::cli` and `chiaro::editor`, and nothing else of the library.
+/// The program only hands over: it may know `chiaro::cli` and `chiaro::editor`, and nothing else of
+/// the library.
 fn check_main(text: &str) -> Vec<String> {
     scan::crate_paths(text, "chiaro")
         .into_iter()
@@ -132,8 +152,8 @@ fn check_main(text: &str) -> Vec<String> {
         .collect()
 }
 
-/// What the manifest of a crate asks for that it may not have. Sections of tests count as well, but for other crates of
-/// the house's own.
+/// What the manifest of a crate asks for that it may not have. Sections of tests count as well, but
+/// for other crates of the house's own.
 fn check_manifest(krate: &str, manifest: &str) -> Vec<String> {
     let rank = |name: &str| CRATES.iter().position(|(known, _)| *known == name);
     let mut complaints = Vec::new();
@@ -154,20 +174,27 @@ fn check_manifest(krate: &str, manifest: &str) -> Vec<String> {
         }
         let kept = KEPT_TO.iter().find(|(package, _)| *package == name);
         if let Some((_, owners)) = kept.filter(|(_, owners)| !owners.contains(&krate)) {
-            complaints.push(format!("src/{krate}/Cargo.toml: `{name}` belongs to {} only", owners.join(", ")));
+            complaints.push(format!(
+                "src/{krate}/Cargo.toml: `{name}` belongs to {} only",
+                owners.join(", ")
+            ));
         }
     }
     complaints
 }
 
-/// The folder of the sources, and every `.rs` file in it with its path from there; links lead to what is no source.
+/// The folder of the sources, and every `.rs` file in it with its path from there; links lead to
+/// what is no source.
 fn sources() -> (PathBuf, Vec<PathBuf>) {
     let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let is_rust = |path: &PathBuf| path.extension().is_some_and(|name| name == "rs");
     let rust = support::files::below(&src).into_iter().filter(is_rust);
     let rust = rust.map(|path| path.strip_prefix(&src).expect("it was found there").to_path_buf());
-    let files = rust
-        .filter(|path| !["examples", "nodes", "shaders"].iter().any(|link| path.iter().nth(1) == Some(link.as_ref())));
+    let files = rust.filter(|path| {
+        !["examples", "nodes", "shaders"]
+            .iter()
+            .any(|link| path.iter().nth(1) == Some(link.as_ref()))
+    });
     (src.clone(), files.collect())
 }
 
@@ -177,7 +204,9 @@ fn imports_go_down() {
     assert!(files.len() > 2, "src/ holds more than its roots");
     let complaints: Vec<_> = files
         .iter()
-        .flat_map(|path| check_source(path, &fs::read_to_string(src.join(path)).expect("a source is UTF-8")))
+        .flat_map(|path| {
+            check_source(path, &fs::read_to_string(src.join(path)).expect("a source is UTF-8"))
+        })
         .collect();
     assert!(complaints.is_empty(), "imports that break the floors:\n{}", complaints.join("\n"));
 }
@@ -194,7 +223,10 @@ fn every_room_stands_on_one_floor() {
             .collect();
         for room in &rooms {
             let count = floors.iter().filter(|rooms| rooms.contains(&room.as_str())).count();
-            assert_eq!(count, 1, "`{krate}/{room}` stands on {count} floors; CRATES must name it once");
+            assert_eq!(
+                count, 1,
+                "`{krate}/{room}` stands on {count} floors; CRATES must name it once"
+            );
         }
         let named = floors.iter().map(|rooms| rooms.len()).sum::<usize>();
         assert_eq!(named, rooms.len(), "CRATES names rooms of `{krate}` that are not there");
@@ -227,8 +259,7 @@ mod rules {
 
     #[test]
     fn down_is_fine() {
-        let text =
-            "use crate::{document::Look, ids::{self, NodePath}};\nuse crate::compile::emit::Map;\nuse wgpu::Device;";
+        let text = "use crate::{document::Look, ids::{self, NodePath}};\nuse crate::compile::emit::Map;\nuse wgpu::Device;";
         assert_eq!(check("compiler/compile/mod.rs", text), [""; 0]);
         assert_eq!(check("render/passes/mod.rs", text), [""; 0]);
         assert_eq!(check("lib.rs", "pub use crate::editor::run;"), [""; 0]);
@@ -238,8 +269,12 @@ mod rules {
     #[test]
     fn up_and_sideways_are_named_with_their_place() {
         assert_eq!(
-            check("scene/hcbtf/file.rs", "use crate::ids::NodeId;\n\nuse crate::{\n    diag,\n    frame::Plan,\n};"),
-            ["src/scene/hcbtf/file.rs:5: `crate::frame`: `hcbtf` (floor 0) reaches up to `frame` (floor 1)"]
+            check(
+                "scene/hcbtf/file.rs",
+                "use crate::ids::NodeId;\n\nuse crate::{\n    diag,\n    frame::Plan,\n};"
+            ),
+            ["src/scene/hcbtf/file.rs:5: `crate::frame`: `hcbtf` (floor 0) reaches up to \
+                 `frame` (floor 1)"]
         );
         let sideways = check("scene/geometry/mod.rs", "fn f() { crate::directions::run() }");
         assert_eq!(sideways.len(), 1);
@@ -248,7 +283,10 @@ mod rules {
 
     #[test]
     fn floors_have_an_order() {
-        assert_eq!(check("scene/frame/mod.rs", "use crate::{compile::X, geometry::Y, directions::Z};"), [""; 0]);
+        assert_eq!(
+            check("scene/frame/mod.rs", "use crate::{compile::X, geometry::Y, directions::Z};"),
+            [""; 0]
+        );
         assert_eq!(check("scene/hcbtf/mod.rs", "use crate::frame::Plan;").len(), 1);
         assert_eq!(check("compiler/library/mod.rs", "use crate::document::Look;"), [""; 0]);
         assert_eq!(check("compiler/document/mod.rs", "use crate::library::NodeDef;").len(), 1);
@@ -268,13 +306,17 @@ mod rules {
         let of = |text: &str| check("scene/hcbtf/fill/mod.rs", text);
         assert_eq!(of("use super::super::frame::Plan;").len(), 1);
         assert_eq!(of("use super::check; mod tests { use super::super::check; }"), [""; 0]);
-        assert_eq!(check("scene/hcbtf/mod.rs", "mod tests { use super::super::frame::Plan; }").len(), 1);
+        assert_eq!(
+            check("scene/hcbtf/mod.rs", "mod tests { use super::super::frame::Plan; }").len(),
+            1
+        );
         assert_eq!(check("scene/hcbtf/fill.rs", "use super::{super::frame::run, check};").len(), 1);
     }
 
     #[test]
     fn packages_are_kept_to_their_crates() {
-        let manifest = "[package]\nname = \"x\"\n[dependencies]\nwgpu.workspace = true\nclap = { workspace = true }\n";
+        let manifest = "[package]\nname = \"x\"\n[dependencies]\nwgpu.workspace = true\nclap = \
+                        { workspace = true }\n";
         assert_eq!(
             check_manifest("compiler", manifest),
             [
@@ -282,22 +324,39 @@ mod rules {
                 "src/compiler/Cargo.toml: `clap` belongs to cli only"
             ]
         );
-        assert!(check_manifest("scene", "[dev-dependencies]\negui = \"1\"")[0].contains("editor only"));
-        assert_eq!(check_manifest("scene", "[features]\negui = []\n[dependencies]\nserde = \"1\""), [""; 0]);
+        assert!(
+            check_manifest("scene", "[dev-dependencies]\negui = \"1\"")[0].contains("editor only")
+        );
+        assert_eq!(
+            check_manifest("scene", "[features]\negui = []\n[dependencies]\nserde = \"1\""),
+            [""; 0]
+        );
     }
 
     #[test]
     fn crates_depend_downward() {
-        let manifest = "[dependencies]\nchiaro-render = { workspace = true }\nchiaro-language.workspace = true";
-        assert_eq!(check_manifest("scene", manifest), ["src/scene/Cargo.toml: `scene` stands below `render`"]);
+        let manifest = "[dependencies]\nchiaro-render = \
+                        { workspace = true }\nchiaro-language.workspace = true";
+        assert_eq!(
+            check_manifest("scene", manifest),
+            ["src/scene/Cargo.toml: `scene` stands below `render`"]
+        );
         assert_eq!(check_manifest("editor", manifest), [""; 0]);
     }
 
     #[test]
     fn the_reference_is_not_built_on_the_compiler() {
-        assert!(check("reference/lib.rs", "use chiaro_compiler::{compile, library};")[0].contains("may not be built"));
-        assert!(check("reference/eval.rs", "use chiaro_compiler::compile::Look;")[0].contains("may not be built"));
-        assert!(check("reference/eval.rs", "use chiaro_compiler::*;")[0].contains("may not be built"));
+        assert!(
+            check("reference/lib.rs", "use chiaro_compiler::{compile, library};")[0]
+                .contains("may not be built")
+        );
+        assert!(
+            check("reference/eval.rs", "use chiaro_compiler::compile::Look;")[0]
+                .contains("may not be built")
+        );
+        assert!(
+            check("reference/eval.rs", "use chiaro_compiler::*;")[0].contains("may not be built")
+        );
         assert_eq!(check("reference/lib.rs", "use chiaro_compiler::{document, library};"), [""; 0]);
     }
 

@@ -1,19 +1,20 @@
-//! Generated looks in the interpreter's lanes: every entry point compiles with all that it reads, and lanes give what a
-//! single call gives.
+//! Generated looks in the interpreter's lanes: every entry point compiles with all that it reads,
+//! and lanes give what a single call gives.
 
 use std::path::{Path, PathBuf};
 
 use chiaro::compile::{Live, Options, Stage, compile};
 use chiaro::document::Look;
 use chiaro::interp::{
-    self, Bindings, LANES, Lanes, Level, Port, Precision, Program, ResourceKind, Sampler, ScalarKind, Shape, Texture,
-    TextureDimension, Value,
+    self, Bindings, LANES, Lanes, Level, Port, Precision, Program, ResourceKind, Sampler,
+    ScalarKind, Shape, Texture, TextureDimension, Value,
 };
 use chiaro::library::Library;
 
 fn looks() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
-    let mut files: Vec<_> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    let mut files: Vec<_> =
+        std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     files.retain(|path| path.extension().is_some_and(|extension| extension == "json"));
     files.sort();
     assert!(files.len() >= 10, "the example looks are gone");
@@ -26,20 +27,26 @@ struct Numbers(u64);
 impl Numbers {
     /// From 0 to 1.
     fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
 
     fn value(&mut self, shape: &Shape) -> Value {
         match shape {
             Shape::Scalar(kind) => self.scalar(*kind).into(),
-            Shape::Vector { kind, size } => Value::Vector((0..*size).map(|_| self.scalar(*kind)).collect()),
+            Shape::Vector { kind, size } => {
+                Value::Vector((0..*size).map(|_| self.scalar(*kind)).collect())
+            }
             Shape::Matrix { columns, rows } => {
                 let identity = |i: usize| f64::from(u8::from(i / rows == i % rows));
-                let components = (0..columns * rows).map(|i| identity(i) + 0.1 * self.next()).collect();
+                let components =
+                    (0..columns * rows).map(|i| identity(i) + 0.1 * self.next()).collect();
                 Value::Matrix { columns: *columns, components }
             }
-            Shape::Array { element, count } => Value::Array((0..*count).map(|_| self.value(element)).collect()),
+            Shape::Array { element, count } => {
+                Value::Array((0..*count).map(|_| self.value(element)).collect())
+            }
             Shape::Struct { members, .. } => {
                 Value::Struct(members.iter().map(|(_, shape)| self.value(shape)).collect())
             }
@@ -68,7 +75,8 @@ fn bindings(program: &Program, numbers: &mut Numbers) -> Bindings {
                 let value = match head {
                     None => elements,
                     Some(head) => {
-                        let mut members: Vec<Value> = head.iter().map(|(_, shape)| numbers.value(shape)).collect();
+                        let mut members: Vec<Value> =
+                            head.iter().map(|(_, shape)| numbers.value(shape)).collect();
                         members.push(elements);
                         Value::Struct(members)
                     }
@@ -106,7 +114,12 @@ fn components(value: &Value) -> Vec<u64> {
     match value.parts() {
         Some(parts) => parts.iter().flat_map(components).collect(),
         // The bits of a NaN may depend on the order of operands.
-        None => value.components().unwrap().iter().map(|x| if x.is_nan() { 0 } else { x.to_bits() }).collect(),
+        None => value
+            .components()
+            .unwrap()
+            .iter()
+            .map(|x| if x.is_nan() { 0 } else { x.to_bits() })
+            .collect(),
     }
 }
 
@@ -120,7 +133,9 @@ fn every_look_runs_in_lanes_as_it_runs_alone() {
     let mut entry_points = 0;
     for path in looks() {
         let look = Look::load(&path).value.unwrap();
-        for (stage, live) in [(Stage::Draw, Live::Exposed), (Stage::Normals, Live::All), (Stage::Eval, Live::All)] {
+        for (stage, live) in
+            [(Stage::Draw, Live::Exposed), (Stage::Normals, Live::All), (Stage::Eval, Live::All)]
+        {
             let options = Options { live, stage, ..Options::default() };
             let shader = compile(&look, Library::built_in(), &options).unwrap();
             let module = &shader.valid.module;
@@ -128,9 +143,18 @@ fn every_look_runs_in_lanes_as_it_runs_alone() {
                 if entry.stage == naga::ShaderStage::Compute {
                     continue;
                 }
-                let program = Program::compile(module, &entry.name, interp::Options::stage(&shader.wgsl))
-                    .unwrap_or_else(|error| panic!("{} {}: {error}", path.display(), entry.name));
-                assert!(program.inputs().iter().chain(program.outputs()).all(|port| port.binding.is_some()));
+                let program =
+                    Program::compile(module, &entry.name, interp::Options::stage(&shader.wgsl))
+                        .unwrap_or_else(|error| {
+                            panic!("{} {}: {error}", path.display(), entry.name)
+                        });
+                assert!(
+                    program
+                        .inputs()
+                        .iter()
+                        .chain(program.outputs())
+                        .all(|port| port.binding.is_some())
+                );
                 compare(&program, &path);
                 entry_points += 1;
             }
@@ -147,19 +171,26 @@ fn compare(program: &Program, path: &Path) {
         let mut lanes = bound.lanes().unwrap();
         let mut machine = bound.machine();
         // Alone there are no derivatives, so all lanes of a quad are given the same.
-        let quads: Vec<Vec<Value>> = (0..LANES / 4).map(|_| arguments(program, &mut numbers)).collect();
+        let quads: Vec<Vec<Value>> =
+            (0..LANES / 4).map(|_| arguments(program, &mut numbers)).collect();
         for lane in 0..LANES {
             lanes.set(lane, &quads[lane / 4]).unwrap();
         }
         let discarded = lanes.run(LANES).unwrap().discarded;
         for lane in (0..LANES).filter(|lane| discarded >> lane & 1 == 0) {
             let alone = machine.call(&quads[lane / 4]).unwrap();
-            assert_eq!(components(&lanes.get(lane)), components(&alone), "{} lane {lane}", path.display());
+            assert_eq!(
+                components(&lanes.get(lane)),
+                components(&alone),
+                "{} lane {lane}",
+                path.display()
+            );
         }
     }
 }
 
-/// Prints what an instruction costs: `cargo test --release --test interp_lanes -- --ignored --nocapture`.
+/// Prints what an instruction costs: `cargo test --release --test interp_lanes -- --ignored
+/// --nocapture`.
 #[test]
 #[ignore = "it measures, and asserts nothing"]
 #[expect(clippy::disallowed_methods, clippy::print_stdout, reason = "it measures")]
@@ -167,7 +198,9 @@ fn measure() {
     for path in looks() {
         let look = Look::load(&path).value.unwrap();
         let shader = compile(&look, Library::built_in(), &Options::default()).unwrap();
-        let program = Program::compile(&shader.valid.module, "fs_main", interp::Options::stage(&shader.wgsl)).unwrap();
+        let program =
+            Program::compile(&shader.valid.module, "fs_main", interp::Options::stage(&shader.wgsl))
+                .unwrap();
         for precision in [Precision::F64, Precision::F32] {
             let mut numbers = Numbers(7);
             let bindings = bindings(&program, &mut numbers);
@@ -176,7 +209,10 @@ fn measure() {
             let (mut steps, mut batches) = (0, 0);
             let mut spent = std::time::Duration::ZERO;
             while spent.as_secs_f64() < 0.5 {
-                program.inputs().iter().for_each(|port| write(&mut lanes, port, &mut numbers, 0.02));
+                program
+                    .inputs()
+                    .iter()
+                    .for_each(|port| write(&mut lanes, port, &mut numbers, 0.02));
                 let start = std::time::Instant::now();
                 steps += lanes.run(LANES).unwrap().steps;
                 spent += start.elapsed();
@@ -184,7 +220,8 @@ fn measure() {
             }
             let lane_seconds = spent.as_secs_f64() / LANES as f64;
             println!(
-                "{:28} {precision:?}: {:5.0} instructions, {:.2} ns each per lane, {:.2} us per pixel",
+                "{:28} {precision:?}: {:5.0} instructions, {:.2} ns each per lane, {:.2} us per \
+                 pixel",
                 path.file_stem().unwrap().display(),
                 steps as f64 / f64::from(batches),
                 1e9 * lane_seconds / steps as f64,
@@ -199,7 +236,8 @@ fn measure() {
 #[ignore = "it measures, and asserts nothing"]
 #[expect(clippy::disallowed_methods, clippy::print_stdout, reason = "it measures")]
 fn measure_alone() {
-    let source = "fn f(n: i32) -> f32 { var s = 0.0; for (var i = 1; i <= n; i++) { s += 1.0 / f32(i); } return s; }";
+    let source = "fn f(n: i32) -> f32 \
+                  { var s = 0.0; for (var i = 1; i <= n; i++) { s += 1.0 / f32(i); } return s; }";
     let module = chiaro::wgsl::parse(source).unwrap().module;
     let program = Program::compile(&module, "f", interp::Options::default()).unwrap();
     let mut machine = program.machine(Precision::F64);

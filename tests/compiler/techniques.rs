@@ -1,4 +1,5 @@
-//! `docs/techniques.md`: every technique has nodes that are there, a look that uses them, and tests that are there.
+//! `docs/techniques.md`: every technique has nodes that are there, a look that uses them, and tests
+//! that are there.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -22,13 +23,15 @@ fn links(cell: &str) -> Vec<PathBuf> {
 
 /// The looks that a document is of: itself, or those of a scene's objects.
 fn looks(path: &Path) -> Vec<Json> {
-    let text = std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let text =
+        std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     let document: Json = serde_json::from_str(&text).unwrap();
     if document["chiaro"] == "look" {
         return vec![document];
     }
     let objects = document["objects"].as_array().unwrap();
-    let named: BTreeSet<&str> = objects.iter().filter_map(|object| object["looks"].as_str()).collect();
+    let named: BTreeSet<&str> =
+        objects.iter().filter_map(|object| object["looks"].as_str()).collect();
     named.iter().flat_map(|name| looks(&path.with_file_name(name))).collect()
 }
 
@@ -53,7 +56,11 @@ fn words_of_drivers(by: &Json, found: &mut BTreeSet<String>) {
     match by {
         Json::String(word) => drop(found.insert(format!("by.{word}"))),
         Json::Object(fields) => match fields.get("drivers") {
-            Some(drivers) => drivers.as_array().unwrap().iter().for_each(|driver| words_of_drivers(driver, found)),
+            Some(drivers) => drivers
+                .as_array()
+                .unwrap()
+                .iter()
+                .for_each(|driver| words_of_drivers(driver, found)),
             None => found.extend(fields.keys().map(|word| format!("by.{word}"))),
         },
         _ => panic!("{by} drives nothing"),
@@ -64,7 +71,9 @@ fn words_of_drivers(by: &Json, found: &mut BTreeSet<String>) {
 fn rows(text: &str) -> Vec<Vec<&str>> {
     let rows: Vec<Vec<&str>> = text
         .lines()
-        .filter(|line| line.starts_with("| ") && !line.starts_with("| technique") && !line.starts_with("| ---"))
+        .filter(|line| {
+            line.starts_with("| ") && !line.starts_with("| technique") && !line.starts_with("| ---")
+        })
         .map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
         .collect();
     assert!(rows.len() >= 40, "only {} rows are read", rows.len());
@@ -85,7 +94,9 @@ fn docs(kind: &str) -> Vec<&'static str> {
     let library = Library::built_in();
     let node = library.nodes.get(kind).into_iter();
     let told = node.flat_map(|node| std::iter::once(&node.help).chain(&node.sources));
-    told.chain(library.groups.get(kind).map(|group| &group.definition.help)).map(String::as_str).collect()
+    told.chain(library.groups.get(kind).map(|group| &group.definition.help))
+        .map(String::as_str)
+        .collect()
 }
 
 fn about(look: &Json) -> String {
@@ -98,11 +109,17 @@ fn a_techniques_nodes_name_its_papers() {
     let page = page();
     let mut papers = 0;
     for row in rows(&page) {
-        let [technique, after, nodes, examples, _] = row[..] else { panic!("{row:?} has not five cells") };
+        let [technique, after, nodes, examples, _] = row[..] else {
+            panic!("{row:?} has not five cells")
+        };
         let kinds = words(nodes).into_iter().filter_map(|word| word.split('.').next());
         let docs: Vec<String> = match technique {
             // No node does it: its looks tell.
-            "Painted shading" => links(examples).iter().flat_map(|path| looks(path)).map(|look| about(&look)).collect(),
+            "Painted shading" => links(examples)
+                .iter()
+                .flat_map(|path| looks(path))
+                .map(|look| about(&look))
+                .collect(),
             _ => kinds.flat_map(docs).map(str::to_owned).collect(),
         };
         for paper in after.split(", ") {
@@ -122,11 +139,17 @@ fn a_techniques_nodes_name_its_papers() {
 fn every_technique_has_nodes_looks_and_tests() {
     let page = page();
     for row in rows(&page) {
-        let [technique, _, words, examples, tests] = row[..] else { panic!("{row:?} has not five cells") };
+        let [technique, _, words, examples, tests] = row[..] else {
+            panic!("{row:?} has not five cells")
+        };
         let mut found = BTreeSet::new();
         let examples = links(examples);
         for look in examples.iter().flat_map(|path| looks(path)) {
-            look["nodes"].as_array().unwrap().iter().for_each(|node| words_of_node(node, &mut found));
+            look["nodes"]
+                .as_array()
+                .unwrap()
+                .iter()
+                .for_each(|node| words_of_node(node, &mut found));
             let sets = look["direction_keys"].as_array().into_iter().flatten();
             sets.for_each(|set| words_of_drivers(&set["by"], &mut found));
         }
@@ -136,6 +159,9 @@ fn every_technique_has_nodes_looks_and_tests() {
             assert!(found.contains(word), "{technique}: none of {examples:?} has `{word}`");
         }
         let tests = links(tests);
-        assert!(!tests.is_empty() && tests.iter().all(|path| path.is_file()), "{technique}: {tests:?}");
+        assert!(
+            !tests.is_empty() && tests.iter().all(|path| path.is_file()),
+            "{technique}: {tests:?}"
+        );
     }
 }

@@ -1,4 +1,5 @@
-//! The canvas, driven by pointer and keys as a hand would: groups, frames, notes and every gesture, each one undo step.
+//! The canvas, driven by pointer and keys as a hand would: groups, frames, notes and every gesture,
+//! each one undo step.
 
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -6,7 +7,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use crate::editor_support::{Hand, node_center};
 use chiaro::document::{Edit, Endpoint, GraphId, Look, Node, Value};
 use chiaro::ids::NodeId;
-use eframe::egui::{Event, Key, Modifiers, OutputCommand, PointerButton, Pos2, accesskit, pos2, vec2};
+use eframe::egui::{
+    Event, Key, Modifiers, OutputCommand, PointerButton, Pos2, accesskit, pos2, vec2,
+};
 use egui_kittest::kittest::Queryable as _;
 use serde_json::json;
 
@@ -43,7 +46,12 @@ fn select(hand: &mut Hand, ids: &[&str]) {
     let ids = ids.iter().map(|id| NodeId::from(*id)).collect();
     hand.app_mut().session_mut().select(ids);
     hand.settle();
-    let over = hand.app().canvas().node_rect("output").or_else(|| hand.app().canvas().node_rect("outputs")).unwrap();
+    let over = hand
+        .app()
+        .canvas()
+        .node_rect("output")
+        .or_else(|| hand.app().canvas().node_rect("outputs"))
+        .unwrap();
     hand.hover(over.center_bottom() + vec2(0.0, 60.0));
 }
 
@@ -52,7 +60,11 @@ fn selected(hand: &Hand) -> Vec<String> {
 }
 
 fn wire_into(hand: &Hand, node: &str, port: &str) -> Option<String> {
-    hand.app().session().graph().wire_into(&NodeId::from(node), &port.into()).map(|wire| wire.from.to_string())
+    hand.app()
+        .session()
+        .graph()
+        .wire_into(&NodeId::from(node), &port.into())
+        .map(|wire| wire.from.to_string())
 }
 
 fn errors(hand: &Hand) -> Vec<String> {
@@ -83,7 +95,8 @@ fn drag_with(hand: &mut Hand, button: PointerButton, modifiers: Modifiers, path:
     hand.harness.step();
     for pair in path.windows(2) {
         for step in 1..=4 {
-            hand.harness.event(Event::PointerMoved(pair[0] + (pair[1] - pair[0]) * (step as f32 / 4.0)));
+            hand.harness
+                .event(Event::PointerMoved(pair[0] + (pair[1] - pair[0]) * (step as f32 / 4.0)));
             hand.harness.step();
         }
     }
@@ -106,13 +119,19 @@ fn a_group_is_made_opened_edited_and_dissolved() {
     assert_eq!(hand.look().graph.nodes.len(), 4);
     assert_eq!(wire_into(&hand, "group", "a").unwrap(), "a");
     assert!(errors(&hand).is_empty(), "{:?}", errors(&hand));
-    assert!(hand.harness.query_by_label_contains("Node Group").is_some(), "it has a name for screen readers");
+    assert!(
+        hand.harness.query_by_label_contains("Node Group").is_some(),
+        "it has a name for screen readers"
+    );
 
     // Into it, by a double click on its title.
     hand.double_click(node_center(&hand, "group"));
     hand.settle();
     assert_eq!(hand.app().session().open_groups(), ["group".into()]);
-    assert!(hand.app().canvas().node_rect("sum").is_some() && hand.app().canvas().node_rect("a").is_none());
+    assert!(
+        hand.app().canvas().node_rect("sum").is_some()
+            && hand.app().canvas().node_rect("a").is_none()
+    );
     assert!(hand.app().canvas().node_rect("inputs").is_some(), "the group's ends are there");
     // An edit in it is an edit of the definition.
     select(&mut hand, &["half"]);
@@ -170,7 +189,8 @@ fn a_group_of_the_library_is_looked_at_and_made_ones_own() {
     hand.click(node_center(&hand, inner.as_str()));
     hand.key(Key::Delete);
     assert!(!hand.app().session().is_dirty(), "the library stays as it is");
-    let at = hand.harness.get_all_by_label("Make it the look's own").next().unwrap().rect().center();
+    let at =
+        hand.harness.get_all_by_label("Make it the look's own").next().unwrap().rect().center();
     hand.click(at);
     hand.settle();
     assert!(!hand.app().session().is_read_only());
@@ -196,7 +216,11 @@ fn the_ports_of_a_group_are_renamed_moved_and_removed() {
     let at = hand.harness.get_by_label("Move down input a").rect().center();
     hand.click(at);
     let names = |hand: &Hand| {
-        hand.look().definitions["group"].inputs.iter().map(|port| port.name.to_string()).collect::<Vec<_>>()
+        hand.look().definitions["group"]
+            .inputs
+            .iter()
+            .map(|port| port.name.to_string())
+            .collect::<Vec<_>>()
     };
     assert_eq!(names(&hand), ["b", "a"]);
     let at = hand.harness.get_by_label("Label of input a").rect().center();
@@ -531,7 +555,13 @@ fn what_adds_nothing_is_dimmed_and_told() {
     assert_eq!(hand.app().canvas().idle_word("clamp_range"), Some("unused"));
     let set = |value| {
         let (graph, port) = (GraphId::Look, "opacity".into());
-        Edit::SetValue { graph, id: "diffuse".into(), port, value: Value::Number(value), index: None }
+        Edit::SetValue {
+            graph,
+            id: "diffuse".into(),
+            port,
+            value: Value::Number(value),
+            index: None,
+        }
     };
     hand.app_mut().session_mut().apply(set(0.0), None).unwrap();
     for _ in 0..8 {
@@ -559,7 +589,8 @@ fn a_problem_on_a_node_has_a_fix() {
 
 #[test]
 fn a_problem_in_a_group_leads_into_it() {
-    let mut hand = open(&json!({"definitions": {"g": {"outputs": [{"name": "value"}], "graph": {}, "nodes": [
+    let mut hand =
+        open(&json!({"definitions": {"g": {"outputs": [{"name": "value"}], "graph": {}, "nodes": [
         {"id": "bad", "kind": "nothing_such"}], "wires": [{"from": "bad", "to": "outputs.value"}]}},
         "nodes": [{"id": "group", "kind": "g"}, {"id": "output", "kind": "output", "at": [300, 0]}],
         "wires": [{"from": "group", "to": "output.color"}]}));
@@ -592,7 +623,11 @@ fn the_sheet_lists_keys_and_the_palette_runs_commands() {
     let at = hand.harness.get_by_label("Command: Undo").rect().center();
     hand.click(at);
     hand.harness.run_steps(3);
-    assert!(!hand.look().graph.nodes.contains_key("group"), "{:?}", hand.app().session().undo_label());
+    assert!(
+        !hand.look().graph.nodes.contains_key("group"),
+        "{:?}",
+        hand.app().session().undo_label()
+    );
 }
 
 #[test]
@@ -601,7 +636,8 @@ fn the_menu_of_a_node_says_what_can_be_done() {
     let at = node_center(&hand, "sum");
     right_click(&mut hand, at);
     assert_eq!(selected(&hand), ["sum"]);
-    let at = hand.harness.get_by_role_and_label(accesskit::Role::Button, "Make a group").rect().center();
+    let at =
+        hand.harness.get_by_role_and_label(accesskit::Role::Button, "Make a group").rect().center();
     hand.click(at);
     assert!(hand.look().graph.nodes.contains_key("group"));
 }
@@ -632,7 +668,10 @@ fn a_script_may_edit_inside_a_group() {
     hand.app_mut().session_mut().apply(add, None).unwrap();
     hand.settle();
     hand.drag(hand.output("sum", "sum"), hand.input("clamp_range", "value"));
-    assert_eq!(wire_into(&hand, "clamp_range", "value"), Some(Endpoint::new("sum", "sum").to_string()));
+    assert_eq!(
+        wire_into(&hand, "clamp_range", "value"),
+        Some(Endpoint::new("sum", "sum").to_string())
+    );
 }
 
 /// 1 - 0.25 and 1 - 0.5 are 0.75 and 0.5; their sum and its half are worked out by hand.
@@ -644,7 +683,8 @@ fn nodes_tell_what_they_give() {
         hand.harness.run_steps(6);
         hand.settle();
     }
-    let value = |id: &str| hand.app().canvas().value_text(hand.app().session(), id).map(str::to_owned);
+    let value =
+        |id: &str| hand.app().canvas().value_text(hand.app().session(), id).map(str::to_owned);
     assert_eq!(value("a").as_deref(), Some("0.75"));
     assert_eq!(value("sum").as_deref(), Some("1.25"));
     assert_eq!(value("half").as_deref(), Some("0.625"));

@@ -22,7 +22,10 @@ fn in_view_menu(hand: &mut Hand, label: &str) {
     hand.click(at);
     hand.settle();
     let entry = hand.harness.query_by_role_and_label(Role::CheckBox, label);
-    let rect = entry.or_else(|| hand.harness.query_by_role_and_label(Role::Button, label)).expect("an entry").rect();
+    let rect = entry
+        .or_else(|| hand.harness.query_by_role_and_label(Role::Button, label))
+        .expect("an entry")
+        .rect();
     hand.click(rect.center());
     hand.settle();
     // A click elsewhere closes the menu.
@@ -86,7 +89,9 @@ fn the_arrangement_is_remembered_and_a_damaged_one_changes_nothing() {
     ] {
         other.app_mut().arrange(&broken);
         other.settle();
-        assert!(!has_tab(&other, "Effects") && has_tab(&other, "Probe") && has_tab(&other, "Graph"));
+        assert!(
+            !has_tab(&other, "Effects") && has_tab(&other, "Probe") && has_tab(&other, "Graph")
+        );
     }
 }
 
@@ -117,14 +122,20 @@ fn painting_has_a_layout_of_its_own_and_each_is_kept_as_it_was_left() {
     view(&mut hand, Role::CheckBox, "Effects");
     assert!(!has_tab(&hand, "Effects") && !has_tab(&hand, "Paint") && is_in_front(&hand, "Graph"));
     new_painting(&mut hand);
-    assert!(is_in_front(&hand, "Paint") && is_in_front(&hand, "Samples") && !has_tab(&hand, "Effects"));
+    assert!(
+        is_in_front(&hand, "Paint") && is_in_front(&hand, "Samples") && !has_tab(&hand, "Effects")
+    );
     view(&mut hand, Role::CheckBox, "Fill rules");
     view(&mut hand, Role::CheckBox, "Sheet");
     // Another look has the graph back, and nothing of painting.
     hand.key_with(Modifiers::COMMAND, Key::N);
     hand.settle();
     assert!(is_in_front(&hand, "Graph") && !has_tab(&hand, "Effects"));
-    assert!(["Paint", "Samples", "Sheet", "Light and eye", "Fill rules"].iter().all(|panel| !has_tab(&hand, panel)));
+    assert!(
+        ["Paint", "Samples", "Sheet", "Light and eye", "Fill rules"]
+            .iter()
+            .all(|panel| !has_tab(&hand, panel))
+    );
     // To and fro by hand, too.
     view(&mut hand, Role::RadioButton, "Layout for painting");
     assert!(has_tab(&hand, "Sheet") && !has_tab(&hand, "Fill rules"));
@@ -133,7 +144,9 @@ fn painting_has_a_layout_of_its_own_and_each_is_kept_as_it_was_left() {
     // The way back to what is painted brings its layout.
     view(&mut hand, Role::CheckBox, "Paint");
     hand.press("Back to New HCBTF");
-    assert!(is_in_front(&hand, "Paint") && has_tab(&hand, "Sheet") && !has_tab(&hand, "Fill rules"));
+    assert!(
+        is_in_front(&hand, "Paint") && has_tab(&hand, "Sheet") && !has_tab(&hand, "Fill rules")
+    );
     hand.press("Paint");
     hand.press("Close the HCBTF");
     assert!(is_in_front(&hand, "Graph"), "the panel that was opened to paint is behind it");
@@ -146,7 +159,9 @@ fn painting_has_a_layout_of_its_own_and_each_is_kept_as_it_was_left() {
     assert!(has_tab(&hand, "Sheet") && !has_tab(&hand, "Fill rules") && !has_tab(&hand, "Effects"));
     // Each is reset by itself.
     view(&mut hand, Role::Button, "Reset panels");
-    assert!(has_tab(&hand, "Fill rules") && !has_tab(&hand, "Sheet") && is_in_front(&hand, "Paint"));
+    assert!(
+        has_tab(&hand, "Fill rules") && !has_tab(&hand, "Sheet") && is_in_front(&hand, "Paint")
+    );
     hand.key_with(Modifiers::COMMAND, Key::N);
     hand.settle();
     assert!(!has_tab(&hand, "Effects"), "the other one stays");
@@ -163,8 +178,12 @@ fn a_painting_that_is_left_gives_the_view_of_before_back() {
     let before = hand.app().session().orbit().clone();
     new_painting(&mut hand);
     let sheet = hand.app().session().orbit().clone();
-    assert!(sheet.mesh == "shape:plane" && sheet.z_is_up, "a painting is seen on a square that lies");
-    // Turned about, it is a sheet still, and the second painting's square is no view to come back to either.
+    assert!(
+        sheet.mesh == "shape:plane" && sheet.z_is_up,
+        "a painting is seen on a square that lies"
+    );
+    // Turned about, it is a sheet still, and the second painting's square is no view to come back
+    // to either.
     hand.drag(middle, middle + vec2(-40.0, 20.0));
     new_painting(&mut hand);
     hand.key_with(Modifiers::COMMAND, Key::N);
@@ -186,7 +205,10 @@ fn a_mesh_that_was_chosen_while_painting_stays_and_stands_as_it_stood() {
     hand.app_mut().show_on("shape:knot");
     hand.key_with(Modifiers::COMMAND, Key::N);
     hand.settle();
-    assert_eq!(*hand.app().session().orbit(), Orbit { mesh: "shape:knot".to_owned(), ..Orbit::default() });
+    assert_eq!(
+        *hand.app().session().orbit(),
+        Orbit { mesh: "shape:knot".to_owned(), ..Orbit::default() }
+    );
 }
 
 #[test]
@@ -220,7 +242,9 @@ fn edits_of_a_look_move_no_panels() {
     };
     hand.app_mut().session_mut().apply(edit, None).unwrap();
     hand.settle();
-    assert!(!hand.has("Painting canvas") && is_in_front(&hand, "Paint") && has_tab(&hand, "Samples"));
+    assert!(
+        !hand.has("Painting canvas") && is_in_front(&hand, "Paint") && has_tab(&hand, "Samples")
+    );
 }
 
 #[test]
@@ -232,7 +256,10 @@ fn the_one_layout_of_before_becomes_both_where_painting_had_covered_the_graph() 
     let mut other = Hand::new();
     other.app_mut().arrange(&saved["painting"]);
     other.settle();
-    assert!(is_in_front(&other, "Graph") && has_tab(&other, "Paint"), "nothing that was arranged is taken away");
+    assert!(
+        is_in_front(&other, "Graph") && has_tab(&other, "Paint"),
+        "nothing that was arranged is taken away"
+    );
     new_painting(&mut other);
     assert!(is_in_front(&other, "Paint") && is_in_front(&other, "Samples"));
 }

@@ -1,4 +1,5 @@
-//! A look leaves the window as shaders: what the menus write and copy is what `chiaro export` writes, byte for byte.
+//! A look leaves the window as shaders: what the menus write and copy is what `chiaro export`
+//! writes, byte for byte.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -42,8 +43,14 @@ fn example(home: &Home, name: &str) -> std::path::PathBuf {
 
 /// Every file of a folder.
 fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
-    let entries = fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display())).flatten();
-    entries.map(|entry| (entry.file_name().to_string_lossy().into_owned(), fs::read(entry.path()).unwrap())).collect()
+    let entries = fs::read_dir(folder)
+        .unwrap_or_else(|error| panic!("{}: {error}", folder.display()))
+        .flatten();
+    entries
+        .map(|entry| {
+            (entry.file_name().to_string_lossy().into_owned(), fs::read(entry.path()).unwrap())
+        })
+        .collect()
 }
 
 /// What the program without a window exports.
@@ -51,7 +58,13 @@ fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
 fn exported(look: &Path, language: &str) -> BTreeMap<String, Vec<u8>> {
     let folder = tempfile::tempdir().unwrap();
     let mut program = Command::new(env!("CARGO_BIN_EXE_chiaro"));
-    let ran = program.arg("export").arg(look).args(["--to", language, "-o"]).arg(folder.path()).output().unwrap();
+    let ran = program
+        .arg("export")
+        .arg(look)
+        .args(["--to", language, "-o"])
+        .arg(folder.path())
+        .output()
+        .unwrap();
     assert!(ran.status.success(), "{}", String::from_utf8_lossy(&ran.stderr));
     files(folder.path())
 }
@@ -87,7 +100,12 @@ fn the_menu_exports_what_the_program_does() {
             "{}",
             told(&hand)
         );
-        assert_eq!(told(&hand).contains("unverified"), ["all", "hlsl", "msl"].contains(&language), "{}", told(&hand));
+        assert_eq!(
+            told(&hand).contains("unverified"),
+            ["all", "hlsl", "msl"].contains(&language),
+            "{}",
+            told(&hand)
+        );
         is_same(&files(&folder), &exported(&look, language), language);
     }
     assert!(!hand.app().session().is_dirty(), "nothing was done to the look");
@@ -110,7 +128,8 @@ fn what_is_not_saved_is_exported_and_the_looks_own_folder_does_no_harm() {
     let unsaved = files(&own);
     assert!(!unsaved.is_empty() && unsaved != exported(&look, "wgsl"), "{:?}", unsaved.keys());
 
-    // Where the look lies itself its description would take its place; so the folder of its own is taken again.
+    // Where the look lies itself its description would take its place; so the folder of its own is
+    // taken again.
     fs::remove_dir_all(&own).unwrap();
     hand.app_mut().answer_dialog(look.parent().unwrap());
     hand.key_with(Modifiers::COMMAND, Key::P);
@@ -150,15 +169,27 @@ fn what_cannot_be_exported_says_where_and_why() {
     hand.app_mut().answer_dialog(&look);
     hand.press("Export");
     hand.press("Export to WGSL, for WebGPU...");
-    assert!(told(&hand).starts_with("Not exported: ") && told(&hand).contains("rim.json"), "{}", told(&hand));
-    let edit = Edit::SetKind { graph: GraphId::Look, id: "specular".into(), kind: "nothing_such".to_owned() };
+    assert!(
+        told(&hand).starts_with("Not exported: ") && told(&hand).contains("rim.json"),
+        "{}",
+        told(&hand)
+    );
+    let edit = Edit::SetKind {
+        graph: GraphId::Look,
+        id: "specular".into(),
+        kind: "nothing_such".to_owned(),
+    };
     hand.app_mut().session_mut().apply(edit, None).unwrap();
     hand.settle();
     let folder = home.file("out");
     hand.app_mut().answer_dialog(&folder);
     hand.press("Export");
     hand.press("Export to all languages...");
-    assert!(told(&hand).starts_with("Not exported: ") && told(&hand).contains("node specular"), "{}", told(&hand));
+    assert!(
+        told(&hand).starts_with("Not exported: ") && told(&hand).contains("node specular"),
+        "{}",
+        told(&hand)
+    );
     assert!(!folder.exists(), "nothing is left behind");
 }
 
@@ -169,10 +200,13 @@ fn copied(hand: &mut Hand, item: &str) -> Option<String> {
     hand.click(at);
     for _ in 0..40 {
         hand.app().wait();
-        let found = hand.harness.output().platform_output.commands.iter().find_map(|command| match command {
-            OutputCommand::CopyText(text) => Some(text.clone()),
-            _ => None,
-        });
+        let found =
+            hand.harness.output().platform_output.commands.iter().find_map(
+                |command| match command {
+                    OutputCommand::CopyText(text) => Some(text.clone()),
+                    _ => None,
+                },
+            );
         if found.is_some() {
             return found;
         }
@@ -199,6 +233,10 @@ fn copy_as_has_the_same_languages() {
     ] {
         let text = copied(&mut hand, item).unwrap_or_else(|| panic!("{item}: {}", told(&hand)));
         assert!(text.as_bytes() == all[file], "{item} is {file}");
-        assert!(told(&hand).contains(file) && told(&hand).contains("other passes"), "{}", told(&hand));
+        assert!(
+            told(&hand).contains(file) && told(&hand).contains("other passes"),
+            "{}",
+            told(&hand)
+        );
     }
 }

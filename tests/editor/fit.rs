@@ -53,17 +53,21 @@ fn stroke(hand: &mut Hand, brush: &str, places: &[[f32; 2]]) {
     hand.settle();
 }
 
-/// The mean of the green channel around a place of the ball, in the reference's picture, which shares nothing with the
-/// window.
+/// The mean of the green channel around a place of the ball, in the reference's picture, which
+/// shares nothing with the window.
 fn brightness(look: &Look, [x, y]: [f64; 2]) -> f64 {
     let source = Look::read("{}", "none").source.into();
     let look = SetupLook { look: look.clone(), source, folder: PathBuf::new() };
     let (setup, _) = default_setup(look, "shape:sphere", &mut Assets::default()).unwrap();
     let options = PlanOptions { size: [SIDE; 2], samples: 1, time: 0.0 };
-    let plan = Planner::new(Assets::default()).plan(&setup, Library::built_in(), &Live::Keyed, &options).unwrap();
+    let plan = Planner::new(Assets::default())
+        .plan(&setup, Library::built_in(), &Live::Keyed, &options)
+        .unwrap();
     let radius = chiaro::editor::Orbit::default().radius_in_picture();
     let modules = Modules::new(&plan, Precision::F64).unwrap();
-    let picture = reference::execute(&plan, &modules, &reference::Options::default(), &Control::none()).unwrap();
+    let picture =
+        reference::execute(&plan, &modules, &reference::Options::default(), &Control::none())
+            .unwrap();
     let middle = [0.5 + x * radius, 0.5 - y * radius].map(|part| (part * f64::from(SIDE)) as u32);
     let around = (0..9).map(|index| [middle[0] + index % 3 - 1, middle[1] + index / 3 - 1]);
     around.map(|[x, y]| picture.straight(x, y)[1]).sum::<f64>() / 9.0
@@ -86,10 +90,17 @@ fn light_is_painted_fitted_applied_and_undone() {
     assert_eq!(hand.app().session().steps().collect::<Vec<_>>(), ["paint light", "paint dark"]);
 
     hand.press("Fit this look");
-    let [was, is] = hand.app().fitting().errors().unwrap_or_else(|| panic!("{:?}", hand.app().fitting().told()));
+    let [was, is] = hand
+        .app()
+        .fitting()
+        .errors()
+        .unwrap_or_else(|| panic!("{:?}", hand.app().fitting().told()));
     assert!(is < 0.7 * was, "{is} of {was}");
     assert_eq!(*hand.look(), before, "a preview is no edit");
-    assert!(hand.app().session().preview().is_some() && hand.says("Preview of the fit") | hand.has("Apply"));
+    assert!(
+        hand.app().session().preview().is_some()
+            && hand.says("Preview of the fit") | hand.has("Apply")
+    );
 
     hand.press("Apply");
     let after = hand.look().clone();
@@ -99,7 +110,8 @@ fn light_is_painted_fitted_applied_and_undone() {
         brightness(&after, place) - brightness(&before, place)
     });
     assert!(right > 0.03 && left < 0.0, "right {right}, left {left}");
-    let places = |look: &Look| look.graph.nodes.values().map(|node| node.position).collect::<Vec<_>>();
+    let places =
+        |look: &Look| look.graph.nodes.values().map(|node| node.position).collect::<Vec<_>>();
     assert_eq!(places(&after), places(&before));
     // What is left is an ordinary look, of which a file says the same.
     let read = Look::read(&after.to_text(), "fitted.json");
@@ -122,15 +134,24 @@ fn new_layers_take_the_place_of_the_nodes() {
     stroke(&mut hand, "Keep", &[[-0.6, 0.3], [-0.3, -0.3]]);
     hand.app_mut().fitting_mut().set_layers(1);
     hand.press("Fit new layers");
-    let [was, is] = hand.app().fitting().errors().unwrap_or_else(|| panic!("{:?}", hand.app().fitting().told()));
+    let [was, is] = hand
+        .app()
+        .fitting()
+        .errors()
+        .unwrap_or_else(|| panic!("{:?}", hand.app().fitting().told()));
     // Half of the way, and a little less: what is not painted wishes to stay.
     assert!(is < 0.7 * was, "{is} of {was}");
     assert_eq!(*hand.look(), before);
     hand.press("Apply");
     assert!(
-        hand.look().graph.nodes.values().all(|node| ["base", "light_layer", "output"].contains(&node.kind.as_str()))
+        hand.look()
+            .graph
+            .nodes
+            .values()
+            .all(|node| ["base", "light_layer", "output"].contains(&node.kind.as_str()))
     );
-    let mut places: Vec<[u64; 2]> = hand.look().graph.nodes.values().map(|n| n.position.map(f64::to_bits)).collect();
+    let mut places: Vec<[u64; 2]> =
+        hand.look().graph.nodes.values().map(|n| n.position.map(f64::to_bits)).collect();
     let count = places.len();
     places.sort_unstable();
     places.dedup();
@@ -163,7 +184,11 @@ fn strokes_are_undone_cleared_and_belong_to_their_view() {
     hand.settle();
     assert_ne!(*hand.app().session().orbit(), orbit);
     hand.press("Fit this look");
-    assert!(hand.app().fitting().told().unwrap().contains("another view"), "{:?}", hand.app().fitting().told());
+    assert!(
+        hand.app().fitting().told().unwrap().contains("another view"),
+        "{:?}",
+        hand.app().fitting().told()
+    );
     hand.press("Back to the painted view");
     assert_eq!(*hand.app().session().orbit(), orbit);
 
@@ -178,7 +203,9 @@ fn strokes_are_undone_cleared_and_belong_to_their_view() {
     assert!(!hand.app().fitting().is_on());
     assert_eq!(hand.app().session().undo_label(), None);
     paint_light(&mut hand);
-    assert!(hand.app().session().undo_label().is_some() && !hand.app().session().sketch().is_empty());
+    assert!(
+        hand.app().session().undo_label().is_some() && !hand.app().session().sketch().is_empty()
+    );
 }
 
 #[test]
@@ -190,7 +217,11 @@ fn what_cannot_be_fitted_is_told() {
     // Beside the object.
     stroke(&mut hand, "Light", &[[-1.1, 0.95], [-1.0, 1.0]]);
     assert!(hand.app().session().sketch().is_empty());
-    assert!(hand.app().message().unwrap_or_default().contains("met no object"), "{:?}", hand.app().message());
+    assert!(
+        hand.app().message().unwrap_or_default().contains("met no object"),
+        "{:?}",
+        hand.app().message()
+    );
     // A dot.
     let size = hand.place_of(Role::SpinButton, "Size").center();
     hand.double_click(size);
@@ -198,7 +229,11 @@ fn what_cannot_be_fitted_is_told() {
     hand.type_text("3");
     hand.key(Key::Enter);
     stroke(&mut hand, "Light", &[[0.2, 0.0], [0.21, 0.0]]);
-    assert!((1..12).contains(&hand.app().fitting().painted()), "{}", hand.app().fitting().painted());
+    assert!(
+        (1..12).contains(&hand.app().fitting().painted()),
+        "{}",
+        hand.app().fitting().painted()
+    );
     hand.press("Fit this look");
     assert!(told(&hand).contains("Too little"), "{}", told(&hand));
     // Nothing may change.
@@ -226,15 +261,26 @@ fn a_fit_can_be_stopped_and_an_edit_ends_it() {
     };
     start(&mut hand);
     hand.press("Stop");
-    assert!(!hand.app().fitting().is_fitting() && *hand.look() == before, "nothing is applied by itself");
-    // However far it had come: either it had something, which is shown, or it tells that it had not.
+    assert!(
+        !hand.app().fitting().is_fitting() && *hand.look() == before,
+        "nothing is applied by itself"
+    );
+    // However far it had come: either it had something, which is shown, or it tells that it had
+    // not.
     let told = hand.app().fitting().told().unwrap().to_owned();
     match hand.app().fitting().errors() {
         Some([was, is]) => {
-            assert!(is < was && told.contains("best so far") && hand.app().session().preview().is_some(), "{told}");
+            assert!(
+                is < was
+                    && told.contains("best so far")
+                    && hand.app().session().preview().is_some(),
+                "{told}"
+            );
             hand.press("Discard");
         }
-        None => assert!(told.contains("stopped") && hand.app().session().preview().is_none(), "{told}"),
+        None => {
+            assert!(told.contains("stopped") && hand.app().session().preview().is_none(), "{told}")
+        }
     }
 
     // Escape stops it too, and ends nothing else.
@@ -250,7 +296,11 @@ fn a_fit_can_be_stopped_and_an_edit_ends_it() {
     let edit = chiaro::document::Edit::SetLookName { name: "Another".to_owned() };
     hand.app_mut().session_mut().apply(edit, None).unwrap();
     hand.settle();
-    assert!(hand.app().fitting().told().unwrap().contains("was changed"), "{:?}", hand.app().fitting().told());
+    assert!(
+        hand.app().fitting().told().unwrap().contains("was changed"),
+        "{:?}",
+        hand.app().fitting().told()
+    );
     assert!(hand.app().session().preview().is_none());
 }
 
@@ -284,10 +334,16 @@ fn tools_leave_the_picture_its_size_and_a_stroke_waits_until_it_is_read() {
     }
     // Another height is another picture, of which nothing is read yet.
     hand.app_mut().fitting_mut().set_effort(28, 2);
-    let points: Vec<Pos2> = [[0.5, 0.4], [0.6, -0.1]].iter().map(|&[x, y]| at(&hand, x, y)).collect();
+    let points: Vec<Pos2> =
+        [[0.5, 0.4], [0.6, -0.1]].iter().map(|&[x, y]| at(&hand, x, y)).collect();
     hand.drag_through(&points);
     hand.settle();
-    assert_eq!(hand.app().session().steps().collect::<Vec<_>>(), ["paint light"], "{:?}", hand.app().message());
+    assert_eq!(
+        hand.app().session().steps().collect::<Vec<_>>(),
+        ["paint light"],
+        "{:?}",
+        hand.app().message()
+    );
     assert!(hand.app().fitting().painted() > 20, "{}", hand.app().fitting().painted());
 }
 
@@ -299,7 +355,11 @@ fn a_preview_is_discarded_or_goes_with_an_edit() {
     hand.press("Fit this look");
     assert!(hand.app().session().preview().is_some());
     hand.press("Discard");
-    assert!(hand.app().session().preview().is_none() && *hand.look() == before && hand.app().fitting().is_on());
+    assert!(
+        hand.app().session().preview().is_none()
+            && *hand.look() == before
+            && hand.app().fitting().is_on()
+    );
     hand.press("Fit this look");
     assert!(hand.app().session().preview().is_some());
     let edit = chiaro::document::Edit::SetLookName { name: "Another".to_owned() };
@@ -310,11 +370,14 @@ fn a_preview_is_discarded_or_goes_with_an_edit() {
     hand.app_mut().open(Path::new("examples/looks/figure2-diffuse.json"));
     hand.settle();
     assert!(hand.app().session().sketch().is_empty());
-    assert!(matches!(Document::load(Path::new("examples/looks/figure2-diffuse.json")), Document::Look(_)));
+    assert!(matches!(
+        Document::load(Path::new("examples/looks/figure2-diffuse.json")),
+        Document::Look(_)
+    ));
 }
 
-/// Pictures of each state, to be looked at: `cargo test --test editor_fit -- --ignored` writes them to `target/shots`, or
-/// to the folder that `CHIARO_SHOTS` names.
+/// Pictures of each state, to be looked at: `cargo test --test editor_fit -- --ignored` writes them
+/// to `target/shots`, or to the folder that `CHIARO_SHOTS` names.
 #[test]
 #[ignore = "writes pictures to be looked at"]
 fn shots() {
@@ -324,9 +387,12 @@ fn shots() {
         setup.device_descriptor = std::sync::Arc::new(chiaro::render::device_descriptor);
     }
     let state = create_render_state(setup, eframe::egui_wgpu::RendererOptions::PREDICTABLE);
-    let builder = Harness::builder().with_size(size).renderer(WgpuTestRenderer::from_render_state(state.clone()));
+    let builder = Harness::builder()
+        .with_size(size)
+        .renderer(WgpuTestRenderer::from_render_state(state.clone()));
     let mut hand = Hand::with_builder(builder, move |ctx| App::new(ctx, Some(state.clone())));
-    let folder = std::env::var_os("CHIARO_SHOTS").map_or_else(|| PathBuf::from("target/shots"), PathBuf::from);
+    let folder = std::env::var_os("CHIARO_SHOTS")
+        .map_or_else(|| PathBuf::from("target/shots"), PathBuf::from);
     std::fs::create_dir_all(&folder).unwrap();
     let save = |hand: &mut Hand, name: &str| {
         hand.harness.render().unwrap().save(folder.join(format!("{name}.png"))).unwrap();

@@ -1,4 +1,5 @@
-//! Profile, direction keys, timeline and what the inspector does with keyed values, driven by a hand.
+//! Profile, direction keys, timeline and what the inspector does with keyed values, driven by a
+//! hand.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use std::path::Path;
@@ -6,7 +7,8 @@ use std::path::Path;
 use crate::editor_support::{Hand, close};
 use chiaro::catalog::values::number_text;
 use chiaro::document::{
-    DirectionKey, DirectionKeys, Driver, Edit, Exposed, GraphId, Interpolation, KeyDirection, Target, Value,
+    DirectionKey, DirectionKeys, Driver, Edit, Exposed, GraphId, Interpolation, KeyDirection,
+    Target, Value,
 };
 use chiaro::editor::App;
 use eframe::egui::{Key, Pos2, Role, pos2, vec2};
@@ -52,8 +54,13 @@ fn find(hand: &mut Hand, text: &str) {
 fn set(hand: &mut Hand, label: &str, number: &str) {
     find(hand, label);
     let mark = at(hand, &format!("Keys of {label}"));
-    let fields = hand.harness.get_all_by_role(eframe::egui::accesskit::Role::SpinButton).map(|node| node.rect());
-    let in_row = fields.into_iter().find(|rect| (rect.center().y - mark.y).abs() < 6.0 && rect.min.x > mark.x);
+    let fields = hand
+        .harness
+        .get_all_by_role(eframe::egui::accesskit::Role::SpinButton)
+        .map(|node| node.rect());
+    let in_row = fields
+        .into_iter()
+        .find(|rect| (rect.center().y - mark.y).abs() < 6.0 && rect.min.x > mark.x);
     hand.click(in_row.expect("a field").center());
     hand.key_with(eframe::egui::Modifiers::COMMAND, Key::A);
     hand.type_text(number);
@@ -108,7 +115,10 @@ fn presets_keys_and_notes_of_a_profile() {
         assert!(close(radians(&hand, "diffuse", port), FRAC_PI_4), "{port}");
     }
     hand.undo();
-    assert!(hand.look().graph.nodes["diffuse"].values.get("offset").is_none(), "a preset is one step");
+    assert!(
+        hand.look().graph.nodes["diffuse"].values.get("offset").is_none(),
+        "a preset is one step"
+    );
     click(&mut hand, "Profile preset Half-Lambert");
     assert!(close(radians(&hand, "diffuse", "cutoff"), PI));
     // A click takes the focus, arrow keys move by a degree.
@@ -122,7 +132,10 @@ fn presets_keys_and_notes_of_a_profile() {
     }
     assert!(close(radians(&hand, "diffuse", "falloff"), 100_f64.to_radians()));
     hand.settle();
-    assert!(!has(&hand, "is not the only bend"), "up to a cut-off of 180° the second bend lies at its end");
+    assert!(
+        !has(&hand, "is not the only bend"),
+        "up to a cut-off of 180° the second bend lies at its end"
+    );
     let cutoff = at(&hand, "Cut-off of the profile");
     let wide = degree(&hand);
     hand.drag(cutoff, cutoff - vec2(65.0 * wide, 0.0));
@@ -145,7 +158,8 @@ fn direction_keys_are_made_from_nothing() {
     let opacity = target("diffuse.opacity");
     let keys = |hand: &Hand| hand.look().direction_keys[0].keys.clone();
     assert_eq!(keys(&hand)[0].values[&opacity], Value::Number(1.0));
-    // A copy lies beside its original and is dragged elsewhere; what is set in the inspector is set there.
+    // A copy lies beside its original and is dragged elsewhere; what is set in the inspector is set
+    // there.
     click(&mut hand, "Copy key");
     let copy = at(&hand, "Direction key 2");
     let sphere = hand.harness.get_by_label("Sphere of directions").rect();
@@ -155,13 +169,18 @@ fn direction_keys_are_made_from_nothing() {
     assert!(moved[0] > 0.6 && moved[1].abs() < 0.15, "to the right: {moved:?}");
     set(&mut hand, "Opacity", "0.25");
     assert_eq!(keys(&hand)[1].values[&opacity], Value::Number(0.25));
-    assert_eq!(keys(&hand)[0].values[&opacity], Value::Number(1.0), "only at the key that is selected");
+    assert_eq!(
+        keys(&hand)[0].values[&opacity],
+        Value::Number(1.0),
+        "only at the key that is selected"
+    );
     assert!(hand.look().graph.nodes["diffuse"].values.get("opacity").is_none());
     // Going to a key turns the window's lights, not the document.
     let look = hand.look().clone();
     click(&mut hand, "Go to key");
     assert_eq!(*hand.look(), look);
-    let light = hand.app().session().orbit().illumination * glam::DVec3::from(look.lights["key"].direction).normalize();
+    let light = hand.app().session().orbit().illumination
+        * glam::DVec3::from(look.lights["key"].direction).normalize();
     assert!((light - glam::DVec3::from(moved).normalize()).length() < 1e-3, "{light}");
     click(&mut hand, "Back");
     assert_eq!(hand.app().session().orbit().illumination, glam::DQuat::IDENTITY);
@@ -173,7 +192,8 @@ fn direction_keys_are_made_from_nothing() {
     assert_eq!(*hand.look(), before);
 }
 
-/// A number of the scene decides in place of a direction: it is chosen, seen, and each key's place in it typed.
+/// A number of the scene decides in place of a direction: it is chosen, seen, and each key's place
+/// in it typed.
 #[test]
 fn keys_by_drivers_are_made_from_nothing() {
     let mut hand = Hand::new();
@@ -185,7 +205,10 @@ fn keys_by_drivers_are_made_from_nothing() {
     let set = |hand: &Hand| hand.look().direction_keys[0].clone();
     assert_eq!(set(&hand).by, KeyDirection::Drivers(vec![Driver::Distance]));
     let far = set(&hand).keys[0].direction[0];
-    assert!((far - hand.app().session().orbit().distance).abs() < 1e-3, "the key lies where it is now: {far}");
+    assert!(
+        (far - hand.app().session().orbit().distance).abs() < 1e-3,
+        "the key lies where it is now: {far}"
+    );
     assert!(has(&hand, &format!("Distance to the eye now: {}", number_text(far, 3))));
     click(&mut hand, "Add value");
     click(&mut hand, "Diffuse: Opacity");
@@ -209,7 +232,9 @@ fn keys_by_drivers_are_made_from_nothing() {
     assert!(turned[0] == turned[1] && turned[0] < 1.6, "{turned:?}");
     click(&mut hand, "Remove the driver Distance to the eye");
     assert_eq!(set(&hand).by, KeyDirection::Drivers(vec![Driver::Facing]));
-    assert!(set(&hand).keys.iter().all(|key| key.direction[0] == turned[0] && key.direction[1] == 0.0));
+    assert!(
+        set(&hand).keys.iter().all(|key| key.direction[0] == turned[0] && key.direction[1] == 0.0)
+    );
     let problems = hand.app().session().problems();
     assert!(problems.iter().all(|problem| !problem.is_error()), "{problems:?}");
     while hand.app().session().undo_label().is_some() {
@@ -218,12 +243,17 @@ fn keys_by_drivers_are_made_from_nothing() {
     assert_eq!(*hand.look(), before);
 }
 
-/// A wire that is the same all over the object decides: a node's value is chosen from the menu, and moving it moves the keys.
+/// A wire that is the same all over the object decides: a node's value is chosen from the menu, and
+/// moving it moves the keys.
 #[test]
 fn keys_by_a_wire_are_made_and_follow_it() {
     let mut hand = Hand::new();
     let before = hand.look().clone();
-    let mut node = chiaro::document::Node { kind: "number".to_owned(), name: "Mood".to_owned(), ..Default::default() };
+    let mut node = chiaro::document::Node {
+        kind: "number".to_owned(),
+        name: "Mood".to_owned(),
+        ..Default::default()
+    };
     node.values.insert("value".into(), Value::Number(2.0));
     let add = Edit::AddNode { graph: GraphId::Look, id: "mood".into(), node, index: None };
     hand.app_mut().session_mut().apply(add, None).expect("it applies");
@@ -234,7 +264,8 @@ fn keys_by_a_wire_are_made_and_follow_it() {
     assert!(!has(&hand, "Value of \"Mood\""));
     assert!(has(&hand, "never change"));
     hand.key(Key::Escape);
-    let exposed = Exposed { name: "mood".into(), target: target("mood.value"), label: String::new() };
+    let exposed =
+        Exposed { name: "mood".into(), target: target("mood.value"), label: String::new() };
     let expose = Edit::AddExposed { exposed, index: None };
     hand.app_mut().session_mut().apply(expose, None).expect("it applies");
     hand.settle();
@@ -253,7 +284,13 @@ fn keys_by_a_wire_are_made_and_follow_it() {
     hand.settle();
     assert_eq!(hand.app().session().key_weights(0), [1.0, 0.0]);
     let value = Value::Number(2.25);
-    let moved = Edit::SetValue { graph: GraphId::Look, id: "mood".into(), port: "value".into(), value, index: None };
+    let moved = Edit::SetValue {
+        graph: GraphId::Look,
+        id: "mood".into(),
+        port: "value".into(),
+        value,
+        index: None,
+    };
     hand.app_mut().session_mut().apply(moved, None).expect("it applies");
     hand.settle();
     let weights = hand.app().session().key_weights(0);
@@ -267,8 +304,9 @@ fn keys_by_a_wire_are_made_and_follow_it() {
     assert_eq!(*hand.look(), before);
 }
 
-/// Below a keyed value: what it is now between its keys, what decides and where that is, and which key is set. While the
-/// driver wanders about half-way between two keys that stays the same; it is chosen there too.
+/// Below a keyed value: what it is now between its keys, what decides and where that is, and which
+/// key is set. While the driver wanders about half-way between two keys that stays the same; it is
+/// chosen there too.
 #[test]
 fn a_keyed_value_says_what_it_is_and_what_is_set() {
     let mut hand = Hand::new();
@@ -305,7 +343,8 @@ fn a_keyed_value_says_what_it_is_and_what_is_set() {
         let node = hand.harness.get_by_label(&name);
         node.accesskit_node().toggled() == Some(eframe::egui::accesskit::Toggled::True)
     };
-    // A light that wanders about the middle leaves the key that is set alone; one that comes to the other key does not.
+    // A light that wanders about the middle leaves the key that is set alone; one that comes to the
+    // other key does not.
     place(&mut hand, 0.1);
     assert!(is_set(&hand, 1) && !is_set(&hand, 2));
     for height in [0.48, 0.51, 0.49, 0.52, 0.5] {
@@ -319,7 +358,8 @@ fn a_keyed_value_says_what_it_is_and_what_is_set() {
         assert!(is_set(&hand, 2), "{height}");
     }
     set(&mut hand, "Opacity", "0.6");
-    let opacity = |hand: &Hand, key: usize| hand.look().direction_keys[0].keys[key].values[&target].clone();
+    let opacity =
+        |hand: &Hand, key: usize| hand.look().direction_keys[0].keys[key].values[&target].clone();
     assert_eq!([opacity(&hand, 0), opacity(&hand, 1)], [0.2, 0.6].map(Value::Number));
     assert!(has(&hand, "Now 0.4"), "between 0.2 and 0.6");
     click(&mut hand, "Set Opacity at key 1");
@@ -376,7 +416,7 @@ fn what_is_keyed_follows_without_compiling() {
     assert!(problems.iter().all(|problem| !problem.is_error()), "{problems:?}");
 }
 
-/// The concave colour is as the convex one until it has its own, and only then can it be moved.
+/// The concave color is as the convex one until it has its own, and only then can it be moved.
 #[test]
 fn what_has_no_value_of_its_own_gets_one_when_it_is_keyed() {
     let mut hand = Hand::new();
@@ -404,7 +444,10 @@ fn a_value_is_keyed_in_time_and_played() {
     click(&mut hand, "Keys of Opacity");
     click(&mut hand, "Key in time");
     assert_eq!(hand.look().time_keys[0].target, target("diffuse.opacity"));
-    assert!(hand.harness.query_by_role_and_label(Role::Tab, "Timeline").is_some(), "the timeline comes up");
+    assert!(
+        hand.harness.query_by_role_and_label(Role::Tab, "Timeline").is_some(),
+        "the timeline comes up"
+    );
     // Scrub, then set the value: a second key.
     let ruler = hand.harness.get_by_label("Playhead").rect();
     hand.click(pos2(ruler.left() + 0.6 * ruler.width(), ruler.top() + 6.0));
@@ -427,7 +470,10 @@ fn a_value_is_keyed_in_time_and_played() {
     click(&mut hand, "Play");
     let started = hand.app().session().time();
     hand.harness.run_steps(12);
-    assert!(hand.app().session().time() > started || hand.app().session().time() < started, "it moves");
+    assert!(
+        hand.app().session().time() > started || hand.app().session().time() < started,
+        "it moves"
+    );
     assert!(hand.repaint_delay() < std::time::Duration::from_millis(60));
     let at_pause = at(&hand, "Pause");
     hand.click(at_pause);
@@ -446,7 +492,10 @@ fn the_inspector_exposes_finds_and_sets_several() {
     let mut hand = directional();
     select(&mut hand, &["fill", "diffuse"]);
     set(&mut hand, "Opacity", "0.75");
-    assert!(close(radians(&hand, "fill", "opacity"), 0.75) && close(radians(&hand, "diffuse", "opacity"), 0.75));
+    assert!(
+        close(radians(&hand, "fill", "opacity"), 0.75)
+            && close(radians(&hand, "diffuse", "opacity"), 0.75)
+    );
     hand.undo();
     assert!(hand.look().graph.nodes["fill"].values.get("opacity").is_none(), "one step");
     select(&mut hand, &["diffuse"]);
@@ -460,8 +509,8 @@ fn the_inspector_exposes_finds_and_sets_several() {
     assert!(hand.harness.query_by_label("Keys of Blending").is_none());
 }
 
-/// An exposed number drives the keys, and each object of the scene has its own: what the inspector says, and which key a
-/// hand sets, are of the object that is selected.
+/// An exposed number drives the keys, and each object of the scene has its own: what the inspector
+/// says, and which key a hand sets, are of the object that is selected.
 #[test]
 fn keyed_values_are_of_the_object_that_is_selected() {
     let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
@@ -472,7 +521,9 @@ fn keyed_values_are_of_the_object_that_is_selected() {
         keys[key].values.get(&target("body.offset")).cloned()
     };
     let own = radians(&hand, "body", "offset");
-    for (object, said, key, now) in [("mood-1", "0", 0, own), ("mood-3", "0.5", 1, 0.5), ("mood-5", "1", 2, 0.85)] {
+    for (object, said, key, now) in
+        [("mood-1", "0", 0, own), ("mood-3", "0.5", 1, 0.5), ("mood-5", "1", 2, 0.85)]
+    {
         hand.app_mut().session_mut().select_object(Some(object.into()));
         select(&mut hand, &["body"]);
         find(&mut hand, "Offset");
@@ -481,7 +532,8 @@ fn keyed_values_are_of_the_object_that_is_selected() {
         assert!(has(&hand, &format!("Now {degrees}")), "{object}: {degrees}");
         let before = hand.look().clone();
         set(&mut hand, "Offset", "33");
-        let set = (0..3).filter(|&key| at_key(&hand, key) == Some(Value::Number(33_f64.to_radians())));
+        let set =
+            (0..3).filter(|&key| at_key(&hand, key) == Some(Value::Number(33_f64.to_radians())));
         assert_eq!(set.collect::<Vec<_>>(), [key], "{object}");
         hand.undo();
         assert_eq!(*hand.look(), before, "one step");

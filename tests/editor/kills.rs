@@ -1,5 +1,5 @@
-//! A program that edits and saves is killed at random instants: nothing older than the gesture that it reported last is
-//! lost, and the look's file is always whole.
+//! A program that edits and saves is killed at random instants: nothing older than the gesture that
+//! it reported last is lost, and the look's file is always whole.
 //!
 //! The program is this test itself, started again with `CHIARO_KILLED` set to a seed and a folder.
 
@@ -63,7 +63,8 @@ fn gesture(seed: u64, number: u64, look: &Look) -> Gesture {
         6 => {
             let mut place = || [random.below(1000) as f64, random.below(1000) as f64];
             let moved = (0..20).map(|_| ids.iter().map(|id| (id.clone(), place())).collect());
-            let moved = moved.map(|positions| vec![Edit::MoveNodes { graph: graph.clone(), positions }]);
+            let moved =
+                moved.map(|positions| vec![Edit::MoveNodes { graph: graph.clone(), positions }]);
             Gesture::Edits(moved.collect())
         }
         _ => {
@@ -124,8 +125,8 @@ fn all_of(history: &History<Look>) -> Vec<String> {
     all
 }
 
-/// Where the work may stand after `number` gestures, in the middle of the next one, or after it; and what the file may
-/// hold.
+/// Where the work may stand after `number` gestures, in the middle of the next one, or after it;
+/// and what the file may hold.
 fn expected(seed: u64, number: u64) -> (Vec<History<Look>>, Vec<Option<String>>) {
     let begun = Session::new(Arc::new(Library::default()), || {});
     let mut history = History::new(begun.look().clone());
@@ -155,7 +156,8 @@ fn expected(seed: u64, number: u64) -> (Vec<History<Look>>, Vec<Option<String>>)
     (may_be, file)
 }
 
-/// Starts the program, kills it after a while, and looks at what it left. Returns how many gestures it had reported.
+/// Starts the program, kills it after a while, and looks at what it left. Returns how many gestures
+/// it had reported.
 fn kill_once(seed: u64) -> u64 {
     let folder = tempfile::tempdir().unwrap();
     let mut random = Random(seed);
@@ -167,11 +169,13 @@ fn kill_once(seed: u64) -> u64 {
         .spawn()
         .unwrap();
     let mut lines = BufReader::new(child.stdout.take().unwrap()).lines();
-    let number_of = |line: &str| line.split_once("done ").and_then(|(_, number)| number.parse::<u64>().ok());
+    let number_of =
+        |line: &str| line.split_once("done ").and_then(|(_, number)| number.parse::<u64>().ok());
     let mut last = 0;
     let wanted = random.below(40) as u64;
     while last < wanted {
-        last = number_of(&lines.next().expect("it works until it is killed").unwrap()).unwrap_or(last);
+        last =
+            number_of(&lines.next().expect("it works until it is killed").unwrap()).unwrap_or(last);
     }
     std::thread::park_timeout(Duration::from_micros(random.below(4000) as u64));
     child.kill().unwrap();
@@ -184,13 +188,18 @@ fn kill_once(seed: u64) -> u64 {
     let slots = left_behind(&folder.path().join("journals"));
     match slots.as_slice() {
         [slot] if slot.written().is_some() => {
-            let found = recover::<Look>(slot.path()).unwrap_or_else(|problem| panic!("seed {seed}: {problem}"));
+            let found = recover::<Look>(slot.path())
+                .unwrap_or_else(|problem| panic!("seed {seed}: {problem}"));
             assert!(found.damage.is_empty(), "seed {seed}: {:?}", found.damage);
             let all = all_of(&found.history);
             let is_one = may_be.iter().any(|history| all_of(history) == all);
             assert!(is_one, "seed {seed}: after gesture {last} this came back: {}", all[1]);
         }
-        [] => assert_eq!(all_of(&may_be[0])[0], "0 0", "seed {seed}: nothing came back after gesture {last}"),
+        [] => assert_eq!(
+            all_of(&may_be[0])[0],
+            "0 0",
+            "seed {seed}: nothing came back after gesture {last}"
+        ),
         more => panic!("seed {seed}: {more:?}"),
     }
     let text = std::fs::read_to_string(folder.path().join("look.json")).ok();

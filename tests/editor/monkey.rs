@@ -1,7 +1,9 @@
-//! A monkey at the window: gestures at random, of which every run of a seed makes the same. Nothing panics, the document
-//! stays one that can be read, and undo leads back to the file as it was, redo to the last change.
+//! A monkey at the window: gestures at random, of which every run of a seed makes the same. Nothing
+//! panics, the document stays one that can be read, and undo leads back to the file as it was, redo
+//! to the last change.
 //!
-//! `MONKEY_GESTURES` says how many each seed makes (5,000 where it is not set); `scripts/soak` makes a million.
+//! `MONKEY_GESTURES` says how many each seed makes (5,000 where it is not set); `scripts/soak`
+//! makes a million.
 
 use std::path::Path;
 
@@ -10,7 +12,8 @@ use crate::support::random::Random;
 use chiaro::document::{Look, Scene};
 use chiaro::editor::App;
 use eframe::egui::{
-    Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, Rect, TouchPhase, pos2, vec2,
+    Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, Rect, TouchPhase,
+    pos2, vec2,
 };
 use egui_kittest::kittest::Queryable as _;
 
@@ -26,7 +29,9 @@ struct Monkey {
 
 impl Monkey {
     fn new(seed: u64) -> Self {
-        let hand = Hand::with_builder(egui_kittest::Harness::builder(), |ctx| App::new(ctx, None).without_dialogs());
+        let hand = Hand::with_builder(egui_kittest::Harness::builder(), |ctx| {
+            App::new(ctx, None).without_dialogs()
+        });
         Self { random: Random::new(seed), hand, done: 0 }
     }
 
@@ -47,11 +52,17 @@ impl Monkey {
         if self.random.chance(0.4) {
             return anywhere;
         }
-        let ids: Vec<String> = self.hand.look().graph.nodes.keys().map(ToString::to_string).collect();
+        let ids: Vec<String> =
+            self.hand.look().graph.nodes.keys().map(ToString::to_string).collect();
         if ids.is_empty() {
             return anywhere;
         }
-        let rect = self.hand.app().canvas().node_rect(self.random.pick::<String>(&ids)).unwrap_or(Rect::NOTHING);
+        let rect = self
+            .hand
+            .app()
+            .canvas()
+            .node_rect(self.random.pick::<String>(&ids))
+            .unwrap_or(Rect::NOTHING);
         if !rect.is_finite() {
             return anywhere;
         }
@@ -61,7 +72,12 @@ impl Monkey {
     }
 
     fn modifiers(&mut self) -> Modifiers {
-        let choices = [Modifiers::SHIFT, Modifiers::COMMAND, Modifiers::ALT, Modifiers::COMMAND | Modifiers::SHIFT];
+        let choices = [
+            Modifiers::SHIFT,
+            Modifiers::COMMAND,
+            Modifiers::ALT,
+            Modifiers::COMMAND | Modifiers::SHIFT,
+        ];
         if self.random.chance(0.75) { Modifiers::NONE } else { *self.random.pick(&choices) }
     }
 
@@ -87,7 +103,8 @@ impl Monkey {
     }
 
     fn drag(&mut self) {
-        let (from, to, button, modifiers) = (self.place(), self.place(), self.button(), self.modifiers());
+        let (from, to, button, modifiers) =
+            (self.place(), self.place(), self.button(), self.modifiers());
         self.event(Event::PointerMoved(from));
         self.step();
         self.press(from, button, true, modifiers);
@@ -172,8 +189,10 @@ impl Monkey {
     }
 
     fn text(&mut self) {
-        let words =
-            ["noise", "mix", "1.5", "-", "1e9", "0", "#ff8800", "light", "äé", "..", "\"", "layer", "nan", "a b"];
+        let words = [
+            "noise", "mix", "1.5", "-", "1e9", "0", "#ff8800", "light", "äé", "..", "\"", "layer",
+            "nan", "a b",
+        ];
         let word = (*self.random.pick(&words)).to_owned();
         let event = if self.random.chance(0.2) { Event::Paste(word) } else { Event::Text(word) };
         self.event(event);
@@ -202,7 +221,11 @@ impl Monkey {
         let text = look.to_text();
         let loaded = Look::read(&text, "monkey");
         assert!(!loaded.has_errors(), "after {} gestures: {:?}", self.done, loaded.diagnostics);
-        assert!(loaded.value.as_ref() == Some(look), "after {} gestures the file says something else", self.done);
+        assert!(
+            loaded.value.as_ref() == Some(look),
+            "after {} gestures the file says something else",
+            self.done
+        );
         text
     }
 
@@ -268,18 +291,24 @@ fn let_loose_in(mut monkey: Monkey, file: Option<&str>, gestures: usize) {
     }
     let opened = monkey.hand.look().to_text();
     // The library of the window opens examples, too, and Help has the tour.
-    let examples = std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks")).unwrap();
-    let examples = examples.map(|entry| Look::load(&entry.unwrap().path()).value.unwrap().to_text());
-    let mut beginnings: Vec<String> =
-        examples.chain([fresh, opened, Hand::new().look().to_text(), on_tour().look().to_text()]).collect();
+    let examples =
+        std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks")).unwrap();
+    let examples =
+        examples.map(|entry| Look::load(&entry.unwrap().path()).value.unwrap().to_text());
+    let mut beginnings: Vec<String> = examples
+        .chain([fresh, opened, Hand::new().look().to_text(), on_tour().look().to_text()])
+        .collect();
     let mut saved = std::fs::read_to_string(&path).unwrap_or_default();
     while monkey.done < gestures {
         for _ in 0..ROUND {
             monkey.gesture();
-            // What the monkey saves it may open again, from among the recent files: that look begins there.
+            // What the monkey saves it may open again, from among the recent files: that look
+            // begins there.
             let now = std::fs::read_to_string(&path).unwrap_or_default();
             if now != saved {
-                beginnings.push(Look::read(&now, "monkey").value.expect("what was saved is read").to_text());
+                beginnings.push(
+                    Look::read(&now, "monkey").value.expect("what was saved is read").to_text(),
+                );
                 saved = now;
             }
         }
@@ -352,8 +381,8 @@ fn a_monkey_breaks_no_scene() {
     }
 }
 
-/// A part of a million gestures. Windows wait for work that all cores do, so that they must not hold those themselves:
-/// each part is a test on a thread of its own.
+/// A part of a million gestures. Windows wait for work that all cores do, so that they must not
+/// hold those themselves: each part is a test on a thread of its own.
 fn soak(seeds: std::ops::Range<u64>) {
     let looks = ["figure1-layers", "figure5-directional", "figure6-comics", "figure7-pastel"];
     for seed in seeds {

@@ -1,4 +1,5 @@
-//! Whatever can be operated has a name that a screen reader tells, in every panel, the menus and the start page.
+//! Whatever can be operated has a name that a screen reader tells, in every panel, the menus and
+//! the start page.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -33,8 +34,9 @@ fn nameless(hand: &Hand, what: &str, found: &mut Vec<String>) {
         for node in hand.harness.query_all_by_role(role) {
             let node = node.accesskit_node();
             let name = node.label().unwrap_or_default();
-            // A button that shows a number or a colour is named by what it shows.
-            let says = is_word(&name) || role == Role::Button && node.value().is_some_and(|value| is_word(&value));
+            // A button that shows a number or a color is named by what it shows.
+            let says = is_word(&name)
+                || role == Role::Button && node.value().is_some_and(|value| is_word(&value));
             if !says {
                 found.push(format!(
                     "{what}: a {role:?} called {name:?} with {:?} at {:?}",

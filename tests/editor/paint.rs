@@ -1,5 +1,5 @@
-//! An HCBTF is painted in the window: strokes reach the file texel by texel, samples are copied and deleted, rules fill
-//! the rest, and the picture shows it at once.
+//! An HCBTF is painted in the window: strokes reach the file texel by texel, samples are copied and
+//! deleted, rules fill the rest, and the picture shows it at once.
 
 use crate::editor_support;
 use std::fs;
@@ -14,10 +14,14 @@ use chiaro::editor::App;
 use eframe::egui::{Key, Modifiers, Pos2, Role};
 use egui_kittest::kittest::Queryable as _;
 
-const GRID: Grid = Grid { size: [8, 8], light: Directions { theta: 3, phi: 4 }, view: Directions { theta: 3, phi: 4 } };
+const GRID: Grid = Grid {
+    size: [8, 8],
+    light: Directions { theta: 3, phi: 4 },
+    view: Directions { theta: 3, phi: 4 },
+};
 const GREY: [u8; 4] = [90, 90, 90, 255];
 
-/// A file with one painted sample, straight above, of one colour.
+/// A file with one painted sample, straight above, of one color.
 fn file(folder: &Path, rules: Vec<Rule>) -> PathBuf {
     let mut hcbtf = Hcbtf { rules, ..Hcbtf::new(GRID) };
     hcbtf.painted.insert(Address::default(), Arc::new(Tile::filled(GRID.size, GREY)));
@@ -93,7 +97,8 @@ fn a_copy_beside_the_tile_is_painted_on_as_the_tile_itself() {
     let at = texel(&hand, -1, 3);
     hand.drag(at, at + eframe::egui::vec2(0.5, 0.0));
     hand.settle();
-    let tile = hcbtf(&hand).painted(Address::new([0, 0], [1, 1])).expect("an empty sample can be painted");
+    let tile =
+        hcbtf(&hand).painted(Address::new([0, 0], [1, 1])).expect("an empty sample can be painted");
     assert!(tile.texel(7, 3)[3] > 0);
     assert_eq!(tile.bytes().chunks(4).filter(|texel| texel[3] > 0).count(), 1);
 }
@@ -110,7 +115,10 @@ fn tools_have_keys_and_a_line_is_straight() {
     hand.drag_through(&ends);
     hand.settle();
     let line = changed(hcbtf(&hand).painted(Address::default()).unwrap());
-    assert!(line.iter().all(|[_, y]| *y == 7) && line.len() == 7, "from where it began to where it ended: {line:?}");
+    assert!(
+        line.iter().all(|[_, y]| *y == 7) && line.len() == 7,
+        "from where it began to where it ended: {line:?}"
+    );
     hand.hover(at);
     hand.key(Key::G);
     hand.press("Color #f7db4b");
@@ -218,13 +226,18 @@ fn a_new_one_is_saved_where_one_says_and_the_look_goes_with_it() {
     hand.settle();
     let hcbtf = saved(&path.with_extension("hcbtf"));
     assert_eq!((hcbtf.painted.len(), hcbtf.rules.len()), (1, 1));
-    let sheet =
-        hand.look().graph.nodes.values().find_map(|node| {
-            node.values.iter().find(|(port, _)| port.as_str() == "sheet").map(|(_, value)| value.clone())
-        });
+    let sheet = hand.look().graph.nodes.values().find_map(|node| {
+        node.values
+            .iter()
+            .find(|(port, _)| port.as_str() == "sheet")
+            .map(|(_, value)| value.clone())
+    });
     let named = chiaro::document::Value::Text(path.with_extension("hcbtf").display().to_string());
     assert_eq!(sheet, Some(named), "the look shows the file from now on");
-    assert!(!hand.app().session().is_dirty(), "nobody is asked about a look that only shows the painting");
+    assert!(
+        !hand.app().session().is_dirty(),
+        "nobody is asked about a look that only shows the painting"
+    );
 }
 
 #[test]
@@ -248,8 +261,15 @@ fn unsaved_strokes_are_seen_in_the_picture() {
     let after = picture(&mut hand);
     let is_yellow = |pixel: &image::Rgba<u8>| pixel[0] > 120 && pixel[1] > 100 && pixel[2] < 100;
     assert!(!before.pixels().any(is_yellow), "grey before");
-    assert!(after.pixels().filter(|pixel| is_yellow(pixel)).count() > 200, "the surface shows the stroke");
-    assert_eq!(saved(&path).painted(Address::default()).unwrap().texel(3, 3), GREY, "and the file is as it was");
+    assert!(
+        after.pixels().filter(|pixel| is_yellow(pixel)).count() > 200,
+        "the surface shows the stroke"
+    );
+    assert_eq!(
+        saved(&path).painted(Address::default()).unwrap().texel(3, 3),
+        GREY,
+        "and the file is as it was"
+    );
     hand.undo();
     hand.settle();
     assert!(!picture(&mut hand).pixels().any(is_yellow));
@@ -303,7 +323,9 @@ fn what_others_did_to_the_file_of_a_recovered_painting_is_noticed() {
     drop(hand);
     // Another program paints while no window is open.
     let mut theirs = Hcbtf::new(GRID);
-    theirs.painted.insert(Address::new([1, 0], [0, 0]), Arc::new(Tile::filled(GRID.size, [1, 2, 3, 255])));
+    theirs
+        .painted
+        .insert(Address::new([1, 0], [0, 0]), Arc::new(Tile::filled(GRID.size, [1, 2, 3, 255])));
     fs::write(&path, chiaro::hcbtf::write(&theirs).unwrap()).unwrap();
     let mut hand = home.window(None);
     look_at_files(&mut hand);
@@ -407,7 +429,10 @@ fn the_panels_are_about_the_look_that_is_open() {
     hand.press_a(Role::CheckBox, "Paint");
     hand.key(Key::Escape);
     assert!(!hand.has("Painting canvas") && hand.says("surface.hcbtf is still open"));
-    assert!(hand.has("Paint a copy of halftone") && !hand.has("80 empty"), "another look's samples are not its own");
+    assert!(
+        hand.has("Paint a copy of halftone") && !hand.has("80 empty"),
+        "another look's samples are not its own"
+    );
     assert_eq!(hand.app().session().undo_label(), None, "nothing is taken back that nobody sees");
     hand.key_with(Modifiers::COMMAND, Key::Z);
     assert_eq!(hcbtf(&hand), &painted);
@@ -435,13 +460,18 @@ fn a_copy_of_an_example_is_no_change_and_is_gone_back_to_in_the_look_that_it_was
     hand.press_a(Role::MenuItem, "Paint a copy of halftone");
     assert_eq!(sheets(&hand), ["hcbtf:open"]);
     let session = hand.app().session();
-    assert!(!session.is_dirty() && !session.painting().unwrap().is_dirty() && !hand.says("changed"));
+    assert!(
+        !session.is_dirty() && !session.painting().unwrap().is_dirty() && !hand.says("changed")
+    );
     assert!(hand.says("Half-tone metal, halftone (copy of the example)"), "both are told");
     let at = texel(&hand, 4, 4);
     hand.drag(at, at + eframe::egui::vec2(0.5, 0.0));
     hand.settle();
     let painted = hcbtf(&hand).clone();
-    assert!(hand.says("Half-tone metal, halftone (copy of the example) changed"), "what changed is told");
+    assert!(
+        hand.says("Half-tone metal, halftone (copy of the example) changed"),
+        "what changed is told"
+    );
     let look = hand.look().clone();
     let seen = hand.app().session().orbit().clone();
     assert_eq!(seen.mesh, "shape:torus");
@@ -480,7 +510,8 @@ fn after_a_crash_a_look_and_what_is_painted_in_it_come_back_whichever_is_asked_f
     fs::create_dir_all(&folder).unwrap();
     file(&folder, Vec::new());
     let path = look_with_example(&folder);
-    let text = fs::read_to_string(&path).unwrap().replace("example:hcbtf/halftone.hcbtf", "surface.hcbtf");
+    let text =
+        fs::read_to_string(&path).unwrap().replace("example:hcbtf/halftone.hcbtf", "surface.hcbtf");
     fs::write(&path, text).unwrap();
     let mut hand = home.window(Some(&path));
     hand.press("Paint");
@@ -501,8 +532,12 @@ fn after_a_crash_a_look_and_what_is_painted_in_it_come_back_whichever_is_asked_f
         assert!(hand.says("Work that was not saved, of 2 documents"), "{first}");
         hand.press("Choose...");
         let row = hand.place_like(first).center().y;
-        let restores = hand.harness.query_all_by_label("Restore it").map(|node| node.rect().center());
-        let restore = restores.into_iter().min_by(|a, b| (a.y - row).abs().total_cmp(&(b.y - row).abs())).unwrap();
+        let restores =
+            hand.harness.query_all_by_label("Restore it").map(|node| node.rect().center());
+        let restore = restores
+            .into_iter()
+            .min_by(|a, b| (a.y - row).abs().total_cmp(&(b.y - row).abs()))
+            .unwrap();
         hand.click(restore);
         hand.settle();
         if first.starts_with("look") {
@@ -511,7 +546,10 @@ fn after_a_crash_a_look_and_what_is_painted_in_it_come_back_whichever_is_asked_f
         }
         assert_eq!((hand.look(), hcbtf(&hand)), (&look, &painted), "{first}");
         assert_eq!(hand.app().session().path(), Some(path.as_path()), "{first}");
-        assert!(hand.says("look.json changed, surface.hcbtf changed") && hand.has("Painting canvas"), "{first}");
+        assert!(
+            hand.says("look.json changed, surface.hcbtf changed") && hand.has("Painting canvas"),
+            "{first}"
+        );
         assert!(!hand.says("Work that was not saved"), "{first}");
     }
 }
@@ -537,26 +575,40 @@ fn what_a_look_of_two_shows_is_chosen_and_the_other_panels_tell_of_it() {
     let folder = tempfile::tempdir().unwrap();
     file(folder.path(), Vec::new());
     let path = look_with_example(folder.path());
-    let text = fs::read_to_string(&path).unwrap().replacen("example:hcbtf/halftone.hcbtf", "surface.hcbtf", 1);
+    let text = fs::read_to_string(&path).unwrap().replacen(
+        "example:hcbtf/halftone.hcbtf",
+        "surface.hcbtf",
+        1,
+    );
     fs::write(&path, text).unwrap();
     let mut hand = opened(&path);
     hand.press("View");
     hand.press_a(Role::CheckBox, "Fill rules");
     hand.key(Key::Escape);
     hand.tab("Fill rules");
-    assert!(hand.says("The open look shows halftone and surface.hcbtf, which are not open to be painted"));
+    assert!(
+        hand.says(
+            "The open look shows halftone and surface.hcbtf, which are not open to be painted"
+        )
+    );
     hand.press("Paint");
     assert!(hand.has("Paint a copy of halftone"));
     hand.press_a(Role::MenuItem, "Paint surface.hcbtf");
     assert_eq!(hand.app().session().path(), Some(path.as_path()), "the look stays");
-    assert!(hand.has("Painting canvas") && hand.says("look.json, surface.hcbtf") && !hand.says("changed"));
+    assert!(
+        hand.has("Painting canvas")
+            && hand.says("look.json, surface.hcbtf")
+            && !hand.says("changed")
+    );
     hand.press("Paint");
     assert!(hand.has("Paint a copy of halftone") && hand.has("Go on painting surface.hcbtf"));
     assert!(!hand.has("Paint surface.hcbtf"));
     hand.tab("Graph");
     hand.press("Paint");
     hand.press_a(Role::MenuItem, "Go on painting surface.hcbtf");
-    assert!(hand.has("Painting canvas") && hand.app().session().painting().unwrap().path().is_some());
+    assert!(
+        hand.has("Painting canvas") && hand.app().session().painting().unwrap().path().is_some()
+    );
 }
 
 #[test]
@@ -573,7 +625,10 @@ fn a_look_that_names_what_has_no_file_is_saved_after_it() {
     hand.app_mut().answer_dialog(&painting);
     hand.key_with(Modifiers::COMMAND, Key::S);
     hand.settle();
-    assert!(painting.is_file() && hand.says("look.json changed, mine.hcbtf"), "which of them is not saved is told");
+    assert!(
+        painting.is_file() && hand.says("look.json changed, mine.hcbtf"),
+        "which of them is not saved is told"
+    );
     hand.key_with(Modifiers::COMMAND, Key::S);
     hand.settle();
     assert!(fs::read_to_string(&path).unwrap().contains("\"mine.hcbtf\"") && !hand.says("changed"));
@@ -627,8 +682,12 @@ fn the_inspector_paints_what_a_node_shows() {
     let mut hand = opened(&look);
     hand.app_mut().session_mut().select(vec!["paint".into()]);
     hand.settle();
-    let buttons: Vec<_> =
-        { hand.harness.query_all_by_role_and_label(Role::Button, "Paint").map(|node| node.rect()).collect() };
+    let buttons: Vec<_> = {
+        hand.harness
+            .query_all_by_role_and_label(Role::Button, "Paint")
+            .map(|node| node.rect())
+            .collect()
+    };
     let in_inspector = buttons.into_iter().max_by(|a, b| a.min.y.total_cmp(&b.min.y)).unwrap();
     hand.click(in_inspector.center());
     hand.settle();

@@ -1,4 +1,5 @@
-//! HCBTFs are begun, divided otherwise, and made of other things in the window: what that takes in memory is told first.
+//! HCBTFs are begun, divided otherwise, and made of other things in the window: what that takes in
+//! memory is told first.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -15,7 +16,7 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 const FEW: Directions = Directions { theta: 2, phi: 3 };
 const GRID: Grid = Grid { size: [8, 8], light: FEW, view: FEW };
 
-/// A file with two painted samples of one colour each, blended.
+/// A file with two painted samples of one color each, blended.
 fn file(folder: &Path) -> PathBuf {
     let mut hcbtf = Hcbtf { rules: vec![Rule::Blend { sharpness: 2.0 }], ..Hcbtf::new(GRID) };
     for (light, color) in [([0, 0], [90, 90, 90, 255]), ([1, 2], [200, 40, 30, 255])] {
@@ -56,7 +57,9 @@ fn what_a_grid_takes_is_told_before_it_is_made_and_what_cannot_be_held_is_refuse
     }
     // 10 x 10 samples of 64 x 64 texels; a texel is a block of 4 x 5 lights in 12 + 1 layers.
     assert!(hand.says("1.57 MiB") && hand.says("4.06 MiB on the GPU"));
-    assert!(hand.says("what WebGPU guarantees: textures of up to 8192 texels a side and 256 layers"));
+    assert!(
+        hand.says("what WebGPU guarantees: textures of up to 8192 texels a side and 256 layers")
+    );
     type_into(&mut hand, "Views: steps", "64");
     assert!(hand.says("257 layers for 256 views") && hand.says("rings times steps may be 255"));
     hand.press("Make it");
@@ -93,7 +96,9 @@ fn another_grid_is_a_step_that_tells_what_stays() {
     hand.press("Grid...");
     assert!(hand.says("All painted samples stay"));
     type_into(&mut hand, "Lights: steps", "2");
-    assert!(hand.says("1 of 2 painted samples would be lost: they are at rings and steps that there are no more"));
+    assert!(hand.says(
+        "1 of 2 painted samples would be lost: they are at rings and steps that there are no more"
+    ));
     hand.press("Divide it, and lose 1 painted sample");
     assert_eq!((hcbtf(&hand).grid.light.phi, hcbtf(&hand).painted.len()), (2, 1));
     let told = hand.app().message().unwrap();
@@ -115,10 +120,13 @@ fn open_menu(hand: &mut Hand, item: &str) {
 /// A painted tile on which every texel is another.
 fn numbered(folder: &Path) -> PathBuf {
     let grid = Grid { size: [16, 16], ..GRID };
-    let mut hcbtf = Hcbtf { rules: vec![Rule::Lambert { shadow: [0; 3], amount: 0.5 }], ..Hcbtf::new(grid) };
+    let mut hcbtf =
+        Hcbtf { rules: vec![Rule::Lambert { shadow: [0; 3], amount: 0.5 }], ..Hcbtf::new(grid) };
     hcbtf.rules.insert(0, Rule::Copy { from: Address::default() });
     let texels = (0..256_u32).flat_map(|at| [at as u8, 255 - at as u8, (at / 16 * 16) as u8, 255]);
-    hcbtf.painted.insert(Address::default(), Arc::new(Tile::new(grid.size, texels.collect()).unwrap()));
+    hcbtf
+        .painted
+        .insert(Address::default(), Arc::new(Tile::new(grid.size, texels.collect()).unwrap()));
     save(folder, "numbered", &hcbtf)
 }
 
@@ -214,15 +222,19 @@ fn the_open_look_is_baked_into_a_file_as_the_command_line_bakes_it() {
     hand.app_mut().answer_dialog(&to);
     hand.press("Bake to...");
     let grid = Grid { size: [4, 4], light: FEW, view: Directions { theta: 1, phi: 1 } };
-    let (setup, _) = chiaro::frame::open(&path, None, &mut chiaro::frame::Assets::default()).unwrap();
+    let (setup, _) =
+        chiaro::frame::open(&path, None, &mut chiaro::frame::Assets::default()).unwrap();
     let setup = &setup.looks[0];
     let light = chiaro::frame::moving_light(setup, None).unwrap();
-    let (library, assets) = (chiaro::library::Library::built_in(), chiaro::frame::Assets::default());
+    let (library, assets) =
+        (chiaro::library::Library::built_in(), chiaro::frame::Assets::default());
     let progress = hcbtf::Progress::new();
-    let expected = chiaro::reference::bake_look(setup, library, grid, &light, &assets, &progress).unwrap();
+    let expected =
+        chiaro::reference::bake_look(setup, library, grid, &light, &assets, &progress).unwrap();
     assert_eq!(hcbtf::load(&to).unwrap().0, expected);
     assert_eq!(hcbtf(&hand), &expected, "and it is open");
-    let tones: std::collections::BTreeSet<u8> = expected.painted.values().map(|tile| tile.bytes()[0]).collect();
+    let tones: std::collections::BTreeSet<u8> =
+        expected.painted.values().map(|tile| tile.bytes()[0]).collect();
     assert!(tones.len() > 1, "the light is seen: {tones:?}");
     assert!(hand.app().message().unwrap().contains("4 samples"), "{:?}", hand.app().message());
 }
@@ -232,11 +244,18 @@ fn a_texture_leaves_as_it_is_to_be_stored_and_its_size_is_told_before() {
     let folder = tempfile::tempdir().unwrap();
     let mut hand = opened(&file(folder.path()));
     let filled = all(hcbtf(&hand));
-    for (storage, name, code) in [("Quick", "quick", 0_u8), ("Compact", "compact", 8), ("Blocks", "blocks", 24)] {
+    for (storage, name, code) in
+        [("Quick", "quick", 0_u8), ("Compact", "compact", 8), ("Blocks", "blocks", 24)]
+    {
         open_menu(&mut hand, "Export the HCBTF as a KTX2 texture...");
-        assert!(hand.says("the fewest reads") && hand.says("less memory, more reads") && hand.says("BC7"));
+        assert!(
+            hand.says("the fewest reads")
+                && hand.says("less memory, more reads")
+                && hand.says("BC7")
+        );
         let needs = hcbtf::needs(&filled.grid(), |address| filled.tile(address));
-        let need = needs.iter().find(|need| need.has_levels && need.storage.word() == name).unwrap();
+        let need =
+            needs.iter().find(|need| need.has_levels && need.storage.word() == name).unwrap();
         assert!(hand.says(&chiaro::figures::bytes(need.bytes())), "{name}: {}", need.bytes());
         hand.press_a(Role::RadioButton, storage);
         let to = folder.path().join(format!("{name}.ktx2"));
@@ -287,11 +306,15 @@ fn what_will_be_baked_is_seen_and_counted_before() {
 fn what_is_about_a_painting_cannot_be_chosen_without_one() {
     let mut hand = new_window();
     hand.press("Paint");
-    for item in ["Save the HCBTF", "Divide the HCBTF otherwise...", "New tile from this painting..."] {
+    for item in
+        ["Save the HCBTF", "Divide the HCBTF otherwise...", "New tile from this painting..."]
+    {
         let node = hand.harness.get_by_role_and_label(Role::MenuItem, item);
         assert!(node.accesskit_node().is_disabled(), "{item}");
     }
-    let node = hand.harness.get_by_role_and_label(Role::MenuItem, "Import painted pictures as an HCBTF...");
+    let node = hand
+        .harness
+        .get_by_role_and_label(Role::MenuItem, "Import painted pictures as an HCBTF...");
     assert!(!node.accesskit_node().is_disabled());
     let at = hand.place("Save the HCBTF").center();
     hand.hover(at);
@@ -346,9 +369,12 @@ fn pictures_are_imported_beside_the_window() {
     let mut hand = new_window();
     let ask = |hand: &mut Hand| {
         open_menu(hand, "Import painted pictures as an HCBTF...");
-        for (field, text) in
-            [("Lights: rings", "2"), ("Lights: steps", "3"), ("Views: rings", "2"), ("Views: steps", "3")]
-        {
+        for (field, text) in [
+            ("Lights: rings", "2"),
+            ("Lights: steps", "3"),
+            ("Views: rings", "2"),
+            ("Views: steps", "3"),
+        ] {
             type_into(hand, field, text);
         }
         hand.app_mut().answer_dialog(&images);

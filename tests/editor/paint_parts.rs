@@ -1,5 +1,6 @@
-//! The parts of the painting workspace, each by a hand: symmetry, a pen's pressure, the palette's wheel, the hemisphere,
-//! onion skin, a look at another sample, the sheet of all samples; and files that other programs change.
+//! The parts of the painting workspace, each by a hand: symmetry, a pen's pressure, the palette's
+//! wheel, the hemisphere, onion skin, a look at another sample, the sheet of all samples; and files
+//! that other programs change.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -13,11 +14,15 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, Pos2, TouchDeviceId, TouchId, TouchPhase, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
-const GRID: Grid = Grid { size: [8, 8], light: Directions { theta: 3, phi: 4 }, view: Directions { theta: 3, phi: 4 } };
+const GRID: Grid = Grid {
+    size: [8, 8],
+    light: Directions { theta: 3, phi: 4 },
+    view: Directions { theta: 3, phi: 4 },
+};
 const GREY: [u8; 4] = [90, 90, 90, 255];
 const RED: [u8; 4] = [220, 20, 20, 255];
 
-/// A file with samples of one colour each.
+/// A file with samples of one color each.
 fn file(folder: &Path, samples: &[([u32; 2], [u32; 2], [u8; 4])]) -> PathBuf {
     let path = folder.join("surface.hcbtf");
     write(&path, samples);
@@ -27,7 +32,9 @@ fn file(folder: &Path, samples: &[([u32; 2], [u32; 2], [u8; 4])]) -> PathBuf {
 fn write(path: &Path, samples: &[([u32; 2], [u32; 2], [u8; 4])]) {
     let mut hcbtf = Hcbtf::new(GRID);
     for (light, view, color) in samples {
-        hcbtf.painted.insert(Address::new(*light, *view), Arc::new(Tile::filled(GRID.size, *color)));
+        hcbtf
+            .painted
+            .insert(Address::new(*light, *view), Arc::new(Tile::filled(GRID.size, *color)));
     }
     fs::write(path, chiaro::hcbtf::write(&hcbtf).unwrap()).unwrap();
 }
@@ -144,8 +151,13 @@ fn a_pen_that_is_pressed_lightly_paints_less() {
     let mut counts = Vec::new();
     for force in [0.2, 0.6, 1.0] {
         let at = texel(&hand, 4, 4);
-        let touch =
-            |phase| Event::Touch { device_id: TouchDeviceId(1), id: TouchId(1), phase, pos: at, force: Some(force) };
+        let touch = |phase| Event::Touch {
+            device_id: TouchDeviceId(1),
+            id: TouchId(1),
+            phase,
+            pos: at,
+            force: Some(force),
+        };
         // A tablet tells of the pen and of the pointer that it moves.
         hand.hover(at);
         hand.harness.event(touch(TouchPhase::Start));
@@ -177,7 +189,8 @@ fn the_wheel_over_the_palette_changes_the_value_and_not_the_hue() {
     // The hue and the saturation are those of #d93a2f.
     let part = |channel: u8, of: u8| f64::from(channel) / f64::from(of);
     assert!(
-        (part(g, r) - part(0x3a, 0xd9)).abs() < 0.02 && (part(b, r) - part(0x2f, 0xd9)).abs() < 0.02,
+        (part(g, r) - part(0x3a, 0xd9)).abs() < 0.02
+            && (part(b, r) - part(0x2f, 0xd9)).abs() < 0.02,
         "{r} {g} {b}"
     );
 }
@@ -202,10 +215,13 @@ fn light_and_eye_are_dragged_over_the_tile() {
     hand.drag(eye, eye + vec2(0.0, radius * 1.2));
     hand.settle();
     assert_eq!(at_work(&hand), Address::new([2, 1], [2, 2]));
-    assert!(!hand.app().session().painting().unwrap().is_dirty() && hand.steps() == 0, "to look about is no step");
+    assert!(
+        !hand.app().session().painting().unwrap().is_dirty() && hand.steps() == 0,
+        "to look about is no step"
+    );
 }
 
-/// The colour on the screen in the middle of the tile.
+/// The color on the screen in the middle of the tile.
 fn middle(hand: &mut Hand) -> [u8; 4] {
     // Away from where the arrows and the brush are drawn.
     let at = texel(hand, 6, 6);
@@ -221,7 +237,13 @@ fn near(a: [u8; 4], b: [u8; 4]) -> bool {
 fn neighbours_shine_through_and_others_are_looked_at_without_being_left() {
     let folder = tempfile::tempdir().unwrap();
     let blue = [20, 40, 220, 255];
-    let samples = [ABOVE, ([0, 0], [1, 0], GREY), ([0, 0], [1, 1], RED), ([0, 0], [1, 3], RED), ([2, 2], [0, 0], blue)];
+    let samples = [
+        ABOVE,
+        ([0, 0], [1, 0], GREY),
+        ([0, 0], [1, 1], RED),
+        ([0, 0], [1, 3], RED),
+        ([2, 2], [0, 0], blue),
+    ];
     let path = file(folder.path(), &samples);
     let mut hand = Hand::drawing_with(|app, _| app.without_dialogs());
     hand.app_mut().open(&path);
@@ -289,7 +311,8 @@ fn the_sheet_tells_what_lies_where_and_leads_there() {
     }
     let at = on_sheet(&hand);
     hand.hover(at);
-    let lines = "Texel 5, 6: #dc1414, 100%, painted\nLight ring 2, step 1: 90° down, 90° around\nEye ring 1, step 3: 45° \
+    let lines = "Texel 5, 6: #dc1414, 100%, painted\nLight ring 2, step 1: 90° down, 90° \
+                 around\nEye ring 1, step 3: 45° \
                  down, 270° around";
     assert_eq!(told(&hand), lines);
     assert_eq!(at_work(&hand), Address::default());
@@ -302,8 +325,8 @@ fn the_sheet_tells_what_lies_where_and_leads_there() {
     assert!(on_sheet(&hand).distance(at + vec2(40.0, -30.0)) < 1.0);
     assert_eq!(at_work(&hand), sample);
     hand.press("Fit");
-    let [left, right] =
-        [[0, 0], [7, 7]].map(|texel| hand.app().painting().on_sheet(Address::default(), texel).unwrap());
+    let [left, right] = [[0, 0], [7, 7]]
+        .map(|texel| hand.app().painting().on_sheet(Address::default(), texel).unwrap());
     let canvas = hand.place("Sheet of all samples");
     assert!(canvas.contains(left) && canvas.contains(right), "{left:?} {right:?} in {canvas:?}");
 }
@@ -316,14 +339,21 @@ fn panels_without_room_for_their_tabs_are_listed_and_the_one_in_front_is_seen() 
         let tab = hand.place_of(Role::Tab, panel);
         assert!(tab.width() > 50.0 && tab.max.x < 1500.0, "{panel}: {tab:?}");
         let rules = hand.place_of(Role::Tab, "Inspector");
-        assert!(panel != "Samples" || tab.max.x < rules.min.x, "{panel} is within its stack: {tab:?}");
+        assert!(
+            panel != "Samples" || tab.max.x < rules.min.x,
+            "{panel} is within its stack: {tab:?}"
+        );
     }
     let below = hand.place_of(Role::Tab, "Samples").center().y;
     let lists: Vec<Pos2> = {
-        let found = hand.harness.query_all_by_role_and_label(Role::Button, "All panels of this stack");
+        let found =
+            hand.harness.query_all_by_role_and_label(Role::Button, "All panels of this stack");
         found.map(|node| node.rect().center()).collect()
     };
-    let list = lists.into_iter().find(|at| (at.y - below).abs() < 12.0 && at.x < 600.0).expect("a list of tabs");
+    let list = lists
+        .into_iter()
+        .find(|at| (at.y - below).abs() < 12.0 && at.x < 600.0)
+        .expect("a list of tabs");
     hand.click(list);
     hand.settle();
     hand.press_a(Role::MenuItem, "Show Keys");
@@ -353,7 +383,8 @@ fn a_file_that_another_program_paints_on_is_loaded_again_or_offered() {
     assert_eq!(color(&hand), GREY, "undo brings the other version back");
     hand.redo();
 
-    // With a stroke that is not saved both versions are there to be chosen from, and nothing is written over the other.
+    // With a stroke that is not saved both versions are there to be chosen from, and nothing is
+    // written over the other.
     brush(&mut hand, "1");
     hand.press("Color #f7db4b");
     dot(&mut hand, 3, 3);
@@ -375,7 +406,10 @@ fn a_file_that_another_program_paints_on_is_loaded_again_or_offered() {
     hand.press("Keep mine");
     hand.key_with(Modifiers::COMMAND, Key::S);
     hand.settle();
-    assert_eq!(chiaro::hcbtf::load(&path).unwrap().0.painted(Address::default()).unwrap().texel(3, 3), yellow);
+    assert_eq!(
+        chiaro::hcbtf::load(&path).unwrap().0.painted(Address::default()).unwrap().texel(3, 3),
+        yellow
+    );
     assert!(!hand.says("painted on by you"));
 
     // What cannot be read changes nothing until it can; what is gone is written again by saving.
@@ -393,7 +427,10 @@ fn a_file_that_another_program_paints_on_is_loaded_again_or_offered() {
     dot(&mut hand, 5, 5);
     hand.key_with(Modifiers::COMMAND, Key::S);
     hand.settle();
-    assert_eq!(chiaro::hcbtf::load(&path).unwrap().0.painted(Address::default()).unwrap().texel(5, 5), yellow);
+    assert_eq!(
+        chiaro::hcbtf::load(&path).unwrap().0.painted(Address::default()).unwrap().texel(5, 5),
+        yellow
+    );
 }
 
 #[test]

@@ -1,5 +1,5 @@
-//! Pictures of the painting workspace, to be looked at: `cargo test --test editor_paint_shots -- --ignored` writes them to
-//! `target/shots`, or to the folder that `CHIARO_SHOTS` names.
+//! Pictures of the painting workspace, to be looked at: `cargo test --test editor_paint_shots --
+//! --ignored` writes them to `target/shots`, or to the folder that `CHIARO_SHOTS` names.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -19,13 +19,15 @@ fn window() -> Hand {
         setup.device_descriptor = Arc::new(device_descriptor);
     }
     let state = create_render_state(setup, eframe::egui_wgpu::RendererOptions::PREDICTABLE);
-    let builder =
-        Harness::builder().with_size(vec2(1600.0, 960.0)).renderer(WgpuTestRenderer::from_render_state(state.clone()));
+    let builder = Harness::builder()
+        .with_size(vec2(1600.0, 960.0))
+        .renderer(WgpuTestRenderer::from_render_state(state.clone()));
     Hand::with_builder(builder, move |ctx| App::new(ctx, Some(state.clone())).without_dialogs())
 }
 
 fn save(hand: &mut Hand, name: &str) {
-    let folder = std::env::var_os("CHIARO_SHOTS").map_or_else(|| PathBuf::from("target/shots"), PathBuf::from);
+    let folder = std::env::var_os("CHIARO_SHOTS")
+        .map_or_else(|| PathBuf::from("target/shots"), PathBuf::from);
     std::fs::create_dir_all(&folder).unwrap();
     hand.settle();
     hand.harness.render().unwrap().save(folder.join(format!("{name}.png"))).unwrap();
@@ -58,7 +60,11 @@ fn bricks(grid: &Grid, at: Address) -> Tile {
         };
         let shade = 0.25 + 0.75 * lit(glam::DVec3::new(across, up, 1.0));
         let tone = (x * 7 + row * 13 + (x + shift) / (width / 2) * 29) % 5;
-        let base = if is_mortar { [150.0, 142.0, 130.0] } else { [176.0 - 8.0 * f64::from(tone), 84.0, 58.0] };
+        let base = if is_mortar {
+            [150.0, 142.0, 130.0]
+        } else {
+            [176.0 - 8.0 * f64::from(tone), 84.0, 58.0]
+        };
         let dim = if is_mortar { 0.7 } else { 1.0 };
         base.map(|c: f64| (c * shade * dim).clamp(0.0, 255.0) as u8)
     };
@@ -71,14 +77,22 @@ fn bricks(grid: &Grid, at: Address) -> Tile {
 
 fn painted() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
-    let grid = Grid { size: [32, 32], light: Directions { theta: 6, phi: 10 }, view: Directions { theta: 6, phi: 10 } };
+    let grid = Grid {
+        size: [32, 32],
+        light: Directions { theta: 6, phi: 10 },
+        view: Directions { theta: 6, phi: 10 },
+    };
     let mut hcbtf = Hcbtf::new(grid);
-    for (light, view) in [([0, 0], [0, 0]), ([3, 0], [0, 0]), ([3, 5], [0, 0]), ([4, 8], [2, 5]), ([5, 2], [3, 7])] {
+    for (light, view) in
+        [([0, 0], [0, 0]), ([3, 0], [0, 0]), ([3, 5], [0, 0]), ([4, 8], [2, 5]), ([5, 2], [3, 7])]
+    {
         let address = Address::new(light, view);
         hcbtf.painted.insert(address, Arc::new(bricks(&grid, address)));
     }
-    hcbtf.rules = vec![Rule::Blend { sharpness: 4.0 }, Rule::Lambert { shadow: [20, 18, 32], amount: 0.6 }];
-    std::fs::write(folder.path().join("bricks.hcbtf"), chiaro::hcbtf::write(&hcbtf).unwrap()).unwrap();
+    hcbtf.rules =
+        vec![Rule::Blend { sharpness: 4.0 }, Rule::Lambert { shadow: [20, 18, 32], amount: 0.6 }];
+    std::fs::write(folder.path().join("bricks.hcbtf"), chiaro::hcbtf::write(&hcbtf).unwrap())
+        .unwrap();
     folder
 }
 
@@ -86,7 +100,10 @@ fn spiral(hand: &Hand) -> Vec<Pos2> {
     let at = |step: u32| {
         let turn = f64::from(step) * 0.35;
         let radius = 2.0 + f64::from(step) * 0.35;
-        hand.app().painting().screen([16.0 + radius * turn.cos(), 16.0 + radius * turn.sin()]).unwrap()
+        hand.app()
+            .painting()
+            .screen([16.0 + radius * turn.cos(), 16.0 + radius * turn.sin()])
+            .unwrap()
     };
     (0..30).map(at).collect()
 }
@@ -99,7 +116,8 @@ fn shots() {
     let long = Grid { size: [64, 24], ..Grid::THESIS };
     let mut hcbtf = Hcbtf::new(long);
     hcbtf.painted.insert(Address::default(), Arc::new(bricks(&long, Address::default())));
-    std::fs::write(recent.path().join("frieze.hcbtf"), chiaro::hcbtf::write(&hcbtf).unwrap()).unwrap();
+    std::fs::write(recent.path().join("frieze.hcbtf"), chiaro::hcbtf::write(&hcbtf).unwrap())
+        .unwrap();
     hand.app_mut().change_settings(|settings| {
         for name in ["frieze", "bricks"] {
             settings.opened(&recent.path().join(format!("{name}.hcbtf")));
@@ -174,7 +192,8 @@ fn shots() {
     let bake = hand.place("Bake to...").center();
     hand.click(bake);
     let image = hand.harness.render().unwrap();
-    let shots = std::env::var_os("CHIARO_SHOTS").map_or_else(|| PathBuf::from("target/shots"), PathBuf::from);
+    let shots = std::env::var_os("CHIARO_SHOTS")
+        .map_or_else(|| PathBuf::from("target/shots"), PathBuf::from);
     image.save(shots.join("paint-12-baking.png")).unwrap();
     hand.press("Stop");
     hand.press("View");

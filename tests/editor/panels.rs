@@ -48,8 +48,11 @@ fn the_probe_reads_every_wire_under_a_resting_pointer() {
     hand.settle();
     assert!(hand.app().probe().is_on());
     let wires = hand.app().probe().wires();
-    let of = |node: &str| wires.iter().find(|wire| wire.node.to_string() == node).expect("it has a value");
-    // A new look's base is [0.16, 0.15, 0.2]: nothing is computed, so both know it as their numbers can.
+    let of = |node: &str| {
+        wires.iter().find(|wire| wire.node.to_string() == node).expect("it has a value")
+    };
+    // A new look's base is [0.16, 0.15, 0.2]: nothing is computed, so both know it as their numbers
+    // can.
     let base = of("base");
     assert_eq!(base.double, [0.16, 0.15, 0.2, 1.0]);
     assert_eq!(base.single, [0.16_f32, 0.15, 0.2, 1.0].map(f64::from));
@@ -84,7 +87,13 @@ fn a_click_keeps_a_pixel_and_escape_lets_go_of_it() {
     // The values follow an edit.
     let graph = chiaro::document::GraphId::Look;
     let value = chiaro::document::Value::Vector(vec![0.5, 0.25, 0.125]);
-    let edit = chiaro::document::Edit::SetValue { graph, id: "base".into(), port: "color".into(), value, index: None };
+    let edit = chiaro::document::Edit::SetValue {
+        graph,
+        id: "base".into(),
+        port: "color".into(),
+        value,
+        index: None,
+    };
     hand.app_mut().session_mut().apply(edit, None).unwrap();
     hand.settle();
     let base = &hand.app().probe().wires()[0];
@@ -118,7 +127,8 @@ fn the_first_broken_wire_is_found() {
     hand.click(picture(&hand).center());
     hand.settle();
     let wires = hand.app().probe().wires();
-    let broken: Vec<String> = wires.iter().filter(|w| !w.is_finite()).map(|w| w.node.to_string()).collect();
+    let broken: Vec<String> =
+        wires.iter().filter(|w| !w.is_finite()).map(|w| w.node.to_string()).collect();
     assert_eq!(broken.first().map(String::as_str), Some("broken"), "{wires:?}");
     click_label(&mut hand, "Go to first broken wire");
     assert_eq!(hand.selected(), ["broken"]);
@@ -144,11 +154,17 @@ fn effects_are_listed_with_state_and_lead_to_nodes() {
     let is_listed = |hand: &Hand, label: &str| hand.harness.query_by_label(label).is_some();
     // The first picture was drawn before the panel was opened: its passes still stand.
     assert!(is_listed(&hand, "Effect look"));
-    assert!(is_listed(&hand, "Effect curvature of the detail normals"), "a dropped pass is told too");
+    assert!(
+        is_listed(&hand, "Effect curvature of the detail normals"),
+        "a dropped pass is told too"
+    );
     // Only what runs: what was dropped goes away.
     let at = hand.harness.get_by_label_contains(" dropped").rect().center();
     hand.click(at);
-    assert!(!is_listed(&hand, "Effect curvature of the detail normals") && is_listed(&hand, "Effect look"));
+    assert!(
+        !is_listed(&hand, "Effect curvature of the detail normals")
+            && is_listed(&hand, "Effect look")
+    );
     // A node of a list that is taller than the panel: the wheel brings it into view.
     let list = hand.harness.get_by_label("Effect look").rect().center();
     let of_diffuse = |hand: &Hand| {
@@ -170,7 +186,10 @@ fn effects_are_listed_with_state_and_lead_to_nodes() {
 /// Opens the list of what the picture is compared with, and chooses from it.
 fn compare_with(hand: &mut Hand, before: &str, what: &str) {
     let combo = hand.harness.get_all_by_role(eframe::egui::accesskit::Role::ComboBox);
-    let combo = combo.into_iter().find(|node| node.value().as_deref() == Some(before)).map(|node| node.rect().center());
+    let combo = combo
+        .into_iter()
+        .find(|node| node.value().as_deref() == Some(before))
+        .map(|node| node.rect().center());
     hand.click(combo.expect("the list of what to compare with"));
     let at = hand.harness.get_all_by_label(what).last().unwrap().rect().center();
     hand.click(at);
@@ -182,14 +201,19 @@ fn compare_with(hand: &mut Hand, before: &str, what: &str) {
 fn the_picture_is_wiped_against_truth_and_tiers() {
     let mut hand = Hand::drawing_with(|app, _| app);
     compare_with(&mut hand, "Compare with", "Truth (f64)");
-    let figures = hand.app().wipe().figures().expect("chosen by hand, it is computed at once").clone();
+    let figures =
+        hand.app().wipe().figures().expect("chosen by hand, it is computed at once").clone();
     assert!(figures.pixels > 10_000 && figures.broken == 0);
     assert!(figures.max < 1.0 / 255.0, "exact is close to the truth: {figures:?}");
     // The divider follows the hand, and the camera does not.
     let before = hand.app().session().orbit().clone();
     let rect = picture(&hand);
     hand.drag(rect.center(), rect.center() + vec2(80.0, 0.0));
-    assert!((hand.app().wipe().split() - (0.5 + 80.0 / rect.width())).abs() < 0.02, "{}", hand.app().wipe().split());
+    assert!(
+        (hand.app().wipe().split() - (0.5 + 80.0 / rect.width())).abs() < 0.02,
+        "{}",
+        hand.app().wipe().split()
+    );
     assert_eq!(*hand.app().session().orbit(), before);
     // Magnified, what is equal is black: all of the background.
     click_label(&mut hand, "×256");
@@ -274,14 +298,15 @@ fn tiers_are_measured_when_asked_and_adopted_by_a_click() {
     assert_eq!(times(&hand), before, "measured to the end, no time would be the same");
 }
 
-/// A look whose output shows 0.5 everywhere, with a constant of 2 and a custom node that is wired to nothing.
+/// A look whose output shows 0.5 everywhere, with a constant of 2 and a custom node that is wired
+/// to nothing.
 const WIRES: &str = r##"{"nodes": [
     {"id": "two", "kind": "number", "values": {"value": 2}},
     {"id": "base", "kind": "base", "at": [240, 0], "values": {"color": [0.5, 0.5, 0.5]}},
     {"id": "output", "kind": "output", "at": [480, 0]}
   ], "wires": [{"from": "base", "to": "output.color"}]}"##;
 
-/// The colour in the middle of the picture.
+/// The color in the middle of the picture.
 fn middle(hand: &mut Hand) -> [u8; 4] {
     let at = picture(hand).center();
     hand.harness.remove_cursor();
@@ -307,7 +332,11 @@ fn any_wire_is_shown_in_place_of_the_picture() {
     hand.click(editor_support::node_center(&hand, "two"));
     let room = picture(&hand);
     choose(&mut hand, "View wire", "Value");
-    assert_eq!(picture(&hand), room, "what is told of it lies over the picture, which stays where it is");
+    assert_eq!(
+        picture(&hand),
+        room,
+        "what is told of it lies over the picture, which stays where it is"
+    );
     assert_eq!(middle(&mut hand), [255; 4], "2 is white");
     // Heat is red above 1, whatever the look's output is.
     click_label(&mut hand, "Heat");
@@ -316,7 +345,10 @@ fn any_wire_is_shown_in_place_of_the_picture() {
     // Every style is a shader that compiles, and the look is untouched.
     click_label(&mut hand, "Isolines");
     let level = middle(&mut hand);
-    assert!(level[..3].iter().all(|c| c.abs_diff(191) <= 1), "2 everywhere crosses nothing: {level:?}");
+    assert!(
+        level[..3].iter().all(|c| c.abs_diff(191) <= 1),
+        "2 everywhere crosses nothing: {level:?}"
+    );
     assert!(hand.app().session().problems().is_empty(), "{:?}", hand.app().session().problems());
     assert!(!hand.app().session().is_dirty());
     click_label(&mut hand, "Show the look");
@@ -336,8 +368,14 @@ fn a_wire_inside_a_group_is_shown_in_place_of_the_picture() {
     hand.click(at);
     hand.settle();
     let path = "diffuse/tone";
-    let tone =
-        hand.app().probe().wires().iter().rfind(|wire| wire.node.to_string() == path).expect("the tone").double[0];
+    let tone = hand
+        .app()
+        .probe()
+        .wires()
+        .iter()
+        .rfind(|wire| wire.node.to_string() == path)
+        .expect("the tone")
+        .double[0];
     assert!(tone > 0.05 && tone < 0.95, "{tone}");
     hand.harness.get_all_by_label(&format!("Wire of {path}")).last().unwrap().click_secondary();
     hand.settle();
@@ -359,7 +397,11 @@ fn a_wire_inside_a_group_is_shown_in_place_of_the_picture() {
         hand.settle();
         click_label(&mut hand, &format!("Show Tone as {style}"));
         hand.settle();
-        assert!(hand.app().session().problems().is_empty(), "{:?}", hand.app().session().problems());
+        assert!(
+            hand.app().session().problems().is_empty(),
+            "{:?}",
+            hand.app().session().problems()
+        );
         assert_ne!(color_at(&mut hand, at), grey, "{style}");
         hand.key(Key::Escape);
         hand.key(Key::Escape);
@@ -371,7 +413,7 @@ fn color_at(hand: &mut Hand, at: eframe::egui::Pos2) -> [u8; 4] {
     hand.harness.render().unwrap().get_pixel(at.x as u32, at.y as u32).0
 }
 
-/// The picker of a colour in the inspector, opened.
+/// The picker of a color in the inspector, opened.
 fn open_picker(hand: &mut Hand) {
     let swatch = hand.swatch("Convex color").center();
     hand.click(swatch);
@@ -399,9 +441,13 @@ fn the_picker_is_closed_by_escape_whatever_was_done_in_it_and_speaks_plainly() {
     }
     hand.key(Key::Escape);
     hand.settle();
-    assert!(!is_picking(&hand) && color(&hand) == first && hand.steps() == steps, "it was only looked at");
+    assert!(
+        !is_picking(&hand) && color(&hand) == first && hand.steps() == steps,
+        "it was only looked at"
+    );
 
-    // A hand in the square, on the strip of hues, and at a number: each is one step, and Esc leaves what was picked.
+    // A hand in the square, on the strip of hues, and at a number: each is one step, and Esc leaves
+    // what was picked.
     open_picker(&mut hand);
     let square = hand.place_like("Saturation and brightness");
     hand.drag(square.center(), square.right_top() + vec2(-20.0, 20.0));
@@ -460,7 +506,11 @@ fn values_over_the_picture_come_with_the_pointer_and_go_with_it() {
     hand.hover(picture.center());
     hand.settle();
     let tab = hand.place("Values of Diffuse over the picture");
-    assert!(tab.width() < 0.4 * picture.width() && tab.height() < 30.0 && !hand.has("Offset on the object"));
+    assert!(
+        tab.width() < 0.4 * picture.width()
+            && tab.height() < 30.0
+            && !hand.has("Offset on the object")
+    );
     // Where the feet are there is nothing in the way of a hand.
     hand.hover(picture.center_bottom() - vec2(0.0, 20.0));
     hand.settle();

@@ -1,4 +1,5 @@
-//! The picture in the window, drawn by the renderer on the window's own device (software Vulkan does).
+//! The picture in the window, drawn by the renderer on the window's own device (software Vulkan
+//! does).
 #![allow(clippy::print_stdout, reason = "what is measured is printed")]
 
 use std::path::Path;
@@ -8,7 +9,7 @@ use crate::editor_support::Hand;
 use eframe::egui::{Key, Pos2, Rect, vec2};
 use egui_kittest::kittest::Queryable as _;
 
-/// The colours of a row through the middle of the picture.
+/// The colors of a row through the middle of the picture.
 fn middle_row(hand: &mut Hand) -> Vec<[u8; 4]> {
     let rect = hand.app().viewport().rect().unwrap();
     let image = hand.harness.render().unwrap();
@@ -30,11 +31,17 @@ fn the_picture_shows_the_look_and_follows_the_hand() {
     let turned = middle_row(&mut hand);
     assert_ne!(first, turned);
 
-    // A value is seen at once, by the live shader; the rest shows the baked one, and the picture stays what it is.
+    // A value is seen at once, by the live shader; the rest shows the baked one, and the picture
+    // stays what it is.
     let color = chiaro::document::Value::Vector(vec![0.1, 0.2, 0.9]);
     let graph = chiaro::document::GraphId::Look;
-    let edit =
-        chiaro::document::Edit::SetValue { graph, id: "base".into(), port: "color".into(), value: color, index: None };
+    let edit = chiaro::document::Edit::SetValue {
+        graph,
+        id: "base".into(),
+        port: "color".into(),
+        value: color,
+        index: None,
+    };
     hand.app_mut().session_mut().apply(edit, None).unwrap();
     hand.harness.step();
     hand.app().wait();
@@ -51,7 +58,12 @@ fn the_picture_shows_the_look_and_follows_the_hand() {
     let before = hand.app().pictures();
     hand.harness.run_steps(10);
     assert_eq!(hand.app().pictures(), before);
-    assert_eq!(hand.repaint_delay(), std::time::Duration::MAX, "{:?}", hand.harness.ctx.repaint_causes());
+    assert_eq!(
+        hand.repaint_delay(),
+        std::time::Duration::MAX,
+        "{:?}",
+        hand.harness.ctx.repaint_causes()
+    );
 }
 
 #[test]
@@ -64,7 +76,8 @@ fn the_last_good_picture_stays_while_the_look_is_broken() {
     hand.settle();
     assert!(hand.app().canvas().has_error("output"));
     // The list of problems makes the viewport lower, so only what it shows is held, not where.
-    let is_near = |color: &[u8; 4]| color.iter().zip(good[good.len() / 2]).all(|(a, b)| a.abs_diff(b) <= 6);
+    let is_near =
+        |color: &[u8; 4]| color.iter().zip(good[good.len() / 2]).all(|(a, b)| a.abs_diff(b) <= 6);
     assert!(middle_row(&mut hand).iter().any(is_near));
 }
 
@@ -76,7 +89,8 @@ fn the_old_picture_steps_back_while_another_look_is_prepared() {
     hand.app_mut().session_mut().open(Path::new("examples/looks/figure4-color.json")).unwrap();
     for frame in 0..40 {
         hand.harness.step();
-        // What is still prepared after a frame was so in it; and what took up to a third of a second has no sign.
+        // What is still prepared after a frame was so in it; and what took up to a third of a
+        // second has no sign.
         if frame < 2 {
             assert!(!hand.says("Preparing"), "frame {frame}: quick ones do not flicker");
         } else if frame > 3 && hand.app().is_preparing() {
@@ -139,7 +153,8 @@ fn a_baked_ball_shows_what_the_look_shows() {
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str| folder.path().join(name);
     hand.app_mut().show_on("shape:knot");
-    // From aside, with the lights turned, and without perspective, where normals turn away from the camera a little.
+    // From aside, with the lights turned, and without perspective, where normals turn away from the
+    // camera a little.
     let rect = hand.app().viewport().rect().unwrap();
     hand.hover(rect.center());
     hand.key(Key::P);
@@ -156,10 +171,14 @@ fn a_baked_ball_shows_what_the_look_shows() {
     hand.key(Key::P);
     hand.drag(rect.min + vec2(4.0, 30.0), rect.min + vec2(60.0, 50.0));
     hand.settle();
-    assert!((hand.app().session().orbit().direction() - orbit.direction()).length() < 1e-9, "seen from the same place");
+    assert!(
+        (hand.app().session().orbit().direction() - orbit.direction()).length() < 1e-9,
+        "seen from the same place"
+    );
     hand.app_mut().save_picture([320, 240], &file("baked.png"));
     hand.settle();
-    let [own, baked] = ["own.png", "baked.png"].map(|name| image::open(file(name)).unwrap().into_rgba8());
+    let [own, baked] =
+        ["own.png", "baked.png"].map(|name| image::open(file(name)).unwrap().into_rgba8());
     let backdrop = own.get_pixel(0, 0).0;
     let (mut sum, mut count, mut far) = (0.0, 0, 0);
     for (a, b) in own.pixels().zip(baked.pixels()).filter(|(a, _)| a.0 != backdrop) {
@@ -171,7 +190,10 @@ fn a_baked_ball_shows_what_the_look_shows() {
     }
     assert!(count > 5000, "{count}");
     let mean = sum / f64::from(count);
-    assert!(mean < 0.6 && far * 100 < count, "mean {mean} of 255, {far} of {count} pixels are far off");
+    assert!(
+        mean < 0.6 && far * 100 < count,
+        "mean {mean} of 255, {far} of {count} pixels are far off"
+    );
 }
 
 #[test]
@@ -219,11 +241,13 @@ fn what_a_hand_does_is_in_the_frame_that_follows() {
 fn picture(hand: &mut Hand) -> Vec<u8> {
     let rect = hand.app().viewport().rect().unwrap();
     let image = hand.harness.render().unwrap();
-    let [x, y, width, height] = [rect.min.x, rect.min.y, rect.width(), rect.height()].map(|side| side as u32);
+    let [x, y, width, height] =
+        [rect.min.x, rect.min.y, rect.width(), rect.height()].map(|side| side as u32);
     image::imageops::crop_imm(&image, x, y, width, height).to_image().into_raw()
 }
 
-/// Drags step by step. Each step's frame, drawn as it is, shows what the window shows when nothing is left to be done.
+/// Drags step by step. Each step's frame, drawn as it is, shows what the window shows when nothing
+/// is left to be done.
 fn assert_in_the_next_frame(hand: &mut Hand, from: Pos2, what: &str) {
     hand.hold(from);
     let mut last = picture(hand);
@@ -242,7 +266,8 @@ fn assert_in_the_next_frame(hand: &mut Hand, from: Pos2, what: &str) {
 #[test]
 fn the_picture_of_a_drag_is_in_the_very_next_frame() {
     let mut hand = Hand::drawing();
-    // However busy the machine is: what is held is that it is waited for, and drawn before the window is.
+    // However busy the machine is: what is held is that it is waited for, and drawn before the
+    // window is.
     hand.app_mut().wait_for_pictures(Duration::from_secs(60));
     hand.app_mut().show_on("shape:sphere");
     hand.app_mut().session_mut().select(vec!["diffuse".into()]);
@@ -274,13 +299,17 @@ fn an_image_is_held_beside_the_picture_and_over_it() {
     let rect = hand.app().viewport().rect().unwrap();
     assert!((rect.width() - room.width() / 2.0).abs() < 1.0, "the picture has the right half");
     let at = room.left_center() + vec2(room.width() / 4.0, 0.0);
-    let color = |hand: &mut Hand| hand.harness.render().unwrap().get_pixel(at.x as u32, at.y as u32).0;
+    let color =
+        |hand: &mut Hand| hand.harness.render().unwrap().get_pixel(at.x as u32, at.y as u32).0;
     assert_eq!(color(&mut hand), [250, 20, 10, 255]);
     let options = hand.harness.get_by_label("Options").rect().center();
     hand.click(options);
     let over = hand.harness.get_by_label("Over").rect().center();
     hand.click(over);
-    assert!(hand.harness.query_all_by_label("Opacity of the image").count() > 0, "the menu stays open");
+    assert!(
+        hand.harness.query_all_by_label("Opacity of the image").count() > 0,
+        "the menu stays open"
+    );
     hand.settle();
     assert_eq!(hand.app().viewport().rect().unwrap().width(), room.width());
     let away = hand.harness.get_by_label("Take away").rect().center();
@@ -317,19 +346,23 @@ fn told(what: &str, mut times: Vec<f64>) {
     println!("{what:<60} median {median:6.2} ms, p95 {p95:6.2} ms");
 }
 
-/// What the handles cost the window while they are dragged, alone and with a picture, and how often the picture of an
-/// edit is with the GPU before the edit's own frame ends.
+/// What the handles cost the window while they are dragged, alone and with a picture, and how often
+/// the picture of an edit is with the GPU before the edit's own frame ends.
 #[test]
 #[ignore = "prints how long it takes, and judges nothing"]
 fn the_viewport_is_measured() {
     let models = std::env::var("CHIARO_MODELS").ok();
     let meshes = ["shape:creature".to_owned()].into_iter();
-    let meshes: Vec<_> = meshes.chain(models.map(|folder| format!("{folder}/nefertiti.obj"))).collect();
+    let meshes: Vec<_> =
+        meshes.chain(models.map(|folder| format!("{folder}/nefertiti.obj"))).collect();
     for (what, mut hand) in [("no picture", Hand::new()), ("with a picture", Hand::drawing())] {
         hand.app_mut().open(std::path::Path::new("examples/looks/figure1-layers.json"));
         for mesh in &meshes {
             hand.app_mut().show_on(mesh);
-            measure_drags(&mut hand, &format!("{}, {what}", mesh.rsplit('/').next().unwrap_or(mesh)));
+            measure_drags(
+                &mut hand,
+                &format!("{}, {what}", mesh.rsplit('/').next().unwrap_or(mesh)),
+            );
         }
     }
 }
@@ -351,7 +384,9 @@ fn measure_drags(hand: &mut Hand, what: &str) {
     }
     let points = hand.app().viewport().curve("cutoff");
     let middle = hand.app().viewport().middle().unwrap_or(rect.center());
-    for (from, name) in [(points[points.len() / 2], "a line is dragged"), (middle, "a light is dragged")] {
+    for (from, name) in
+        [(points[points.len() / 2], "a line is dragged"), (middle, "a light is dragged")]
+    {
         hand.hold(from);
         let mut in_time = 0;
         let frame = |step: u8| {

@@ -52,7 +52,11 @@ fn assert_at_rest(hand: &mut Hand, what: &str) {
         assert_eq!(hand.repaint_delay(), Duration::MAX, "{what}: {causes:?}");
         assert!(!hand.app().is_busy(), "{what}: something is being made");
     }
-    assert_eq!((hand.app().pictures(), hand.app().small_pictures()), pictures, "{what}: pictures are drawn");
+    assert_eq!(
+        (hand.app().pictures(), hand.app().small_pictures()),
+        pictures,
+        "{what}: pictures are drawn"
+    );
 }
 
 /// Shows a panel, which may lie behind another one or be closed.
@@ -73,7 +77,9 @@ fn a_window_at_rest_wakes_nothing_whichever_panel_is_shown() {
     let mut hand = Hand::drawing();
     hand.app_mut().show_on("shape:sphere");
     assert_at_rest(&mut hand, "a new look");
-    hand.app_mut().open(&Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks/figure5-directional.json"));
+    hand.app_mut().open(
+        &Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks/figure5-directional.json"),
+    );
     hand.app_mut().show_on("shape:sphere");
     assert_at_rest(&mut hand, "a look that was opened");
     let panels = panels(&mut hand);
@@ -82,7 +88,8 @@ fn a_window_at_rest_wakes_nothing_whichever_panel_is_shown() {
         show(&mut hand, &panel);
         assert_at_rest(&mut hand, &panel);
     }
-    // A node is selected: the inspector, the profile and the handles on the object are about something.
+    // A node is selected: the inspector, the profile and the handles on the object are about
+    // something.
     hand.app_mut().session_mut().select(vec!["output".into()]);
     assert_at_rest(&mut hand, "a selected node");
     // A hand at work, and rest again.

@@ -1,5 +1,5 @@
-//! Nothing is ever lost: work is offered back after a crash, goes on after a window was closed, and files that other
-//! programs change are noticed.
+//! Nothing is ever lost: work is offered back after a crash, goes on after a window was closed, and
+//! files that other programs change are noticed.
 
 use std::fs;
 use std::time::Duration;
@@ -15,7 +15,13 @@ const OFFER: &str = "Work that was not saved";
 
 fn set_offset(hand: &mut Hand, value: f64) {
     let (graph, id) = (GraphId::Look, "diffuse".into());
-    let edit = Edit::SetValue { graph, id, port: "offset".into(), value: Value::Number(value), index: None };
+    let edit = Edit::SetValue {
+        graph,
+        id,
+        port: "offset".into(),
+        value: Value::Number(value),
+        index: None,
+    };
     hand.app_mut().session_mut().apply(edit, None).unwrap();
     hand.settle();
     hand.app().session().wait_for_journal();
@@ -44,7 +50,11 @@ fn work_is_taken_back_after_a_crash_with_its_past() {
 
     let later = home.after_a_crash();
     let mut hand = later.window(None);
-    assert_eq!(hand.look().graph.nodes.len(), 3, "a crash may come from the work itself: it is only offered");
+    assert_eq!(
+        hand.look().graph.nodes.len(),
+        3,
+        "a crash may come from the work itself: it is only offered"
+    );
     assert!(hand.says("rim.json, 2 changes, just now"));
     hand.press("Restore it");
     assert_eq!(*hand.look(), before);
@@ -92,7 +102,8 @@ fn the_camera_is_where_it_was_after_a_crash_and_is_no_step() {
     set_offset(&mut hand, 0.3);
     let steps = hand.steps();
     let before = hand.app().session().orbit().clone();
-    // Beside the object a drag walks around it, on it a drag turns the lights; the wheel comes nearer.
+    // Beside the object a drag walks around it, on it a drag turns the lights; the wheel comes
+    // nearer.
     let picture = hand.app().viewport().rect().unwrap();
     hand.drag(picture.left_top() + vec2(6.0, 60.0), picture.left_top() + vec2(60.0, 90.0));
     hand.drag(picture.center() + vec2(0.0, 30.0), picture.center() + vec2(50.0, 60.0));
@@ -179,7 +190,8 @@ fn a_damaged_journal_gives_what_it_can_and_says_so() {
         set_offset(&mut hand, value);
     }
     let journal_of = |home: &Home| {
-        let mut entries = fs::read_dir(home.places().journals()).unwrap().flatten().map(|entry| entry.path());
+        let mut entries =
+            fs::read_dir(home.places().journals()).unwrap().flatten().map(|entry| entry.path());
         entries.find(|path| path.extension().is_some_and(|ending| ending == "journal")).unwrap()
     };
     let later = home.after_a_crash();
@@ -217,7 +229,10 @@ fn a_closed_window_goes_on_where_it_was() {
     set_offset(&mut hand, 0.5);
     let saved = fs::read_to_string(&path).unwrap();
     close(&mut hand);
-    assert!(hand.harness.query_by_label("Do not save").is_none(), "nothing is asked, since nothing is lost");
+    assert!(
+        hand.harness.query_by_label("Do not save").is_none(),
+        "nothing is asked, since nothing is lost"
+    );
     drop(hand);
     assert_eq!(fs::read_to_string(&path).unwrap(), saved, "and nothing is saved unasked");
 
@@ -326,7 +341,8 @@ fn a_file_changed_by_others_is_loaded_again_as_one_step() {
     hand.app_mut().save_as(&path);
     assert_eq!(fs::read_to_string(&path).unwrap(), text.replace("\"Diffuse\"", "\"Theirs\""));
 
-    // What cannot be read, because it is half written, say, leaves the look; once it can, it is read.
+    // What cannot be read, because it is half written, say, leaves the look; once it can, it is
+    // read.
     fs::write(&path, "{ \"nodes\": 12").unwrap();
     hand.app_mut().look_at_files();
     hand.settle();
@@ -345,7 +361,9 @@ fn of_two_versions_one_is_chosen_and_the_other_not_lost() {
     let path = home.file("rim.json");
     let mut hand = home.window(None);
     hand.app_mut().save_as(&path);
-    let theirs = |name: &str| fs::read_to_string(&path).unwrap().replace("\"Diffuse\"", &format!("\"{name}\""));
+    let theirs = |name: &str| {
+        fs::read_to_string(&path).unwrap().replace("\"Diffuse\"", &format!("\"{name}\""))
+    };
     set_offset(&mut hand, 0.5);
     fs::write(&path, theirs("Theirs")).unwrap();
     // Before anybody has looked: saving does not write over what nobody has seen.
@@ -423,13 +441,16 @@ fn coming_back_to_the_window_looks_at_files() {
     let mut hand = home.window(None);
     hand.app_mut().save_as(&path);
     hand.settle();
-    fs::write(&path, fs::read_to_string(&path).unwrap().replace("\"Diffuse\"", "\"Theirs\"")).unwrap();
+    fs::write(&path, fs::read_to_string(&path).unwrap().replace("\"Diffuse\"", "\"Theirs\""))
+        .unwrap();
     hand.harness.event(Event::WindowFocused(true));
     hand.harness.step();
     assert_eq!(hand.look().graph.nodes["diffuse"].name, "Theirs");
 }
 
-const NODE: &str = "/// Twice\n///\n/// @param value \"Value\" default=0.5 : What comes in.\n/// @return value \"Value\" : Twice that.\nfn twice(value: f32) -> f32 {\n    return 2.0 * value;\n}\n";
+const NODE: &str = "/// Twice\n///\n/// @param value \"Value\" default=0.5 : What comes in.\n/// \
+                    @return value \"Value\" : Twice that.\nfn twice(value: f32) -> f32 \
+                    {\n    return 2.0 * value;\n}\n";
 
 #[test]
 fn node_files_are_loaded_again_and_a_broken_one_keeps_the_picture() {
@@ -511,7 +532,9 @@ fn meshes_and_images_are_loaded_again() {
     let home = Home::new();
     let (path, mesh, image) = (home.file("rim.json"), home.file("tri.obj"), home.file("skin.png"));
     fs::write(&mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
-    let paint = |value: u8| image::RgbaImage::from_pixel(2, 2, image::Rgba([value, 0, 0, 255])).save(&image).unwrap();
+    let paint = |value: u8| {
+        image::RgbaImage::from_pixel(2, 2, image::Rgba([value, 0, 0, 255])).save(&image).unwrap()
+    };
     paint(10);
     let text = r#"{"nodes": [{"id": "skin", "kind": "image", "values": {"image": "skin.png"}}, {"id": "output", "kind": "output"}],
         "wires": [{"from": "skin", "to": "output.color"}]}"#;
@@ -567,7 +590,10 @@ fn files_that_were_open_are_listed() {
     let mut hand = home.window(None);
     hand.press("Recent");
     let rect = |name: &str| hand.harness.get_by_label(name).rect();
-    assert!(rect("three.json").min.y < rect("two.json").min.y && rect("two.json").min.y < rect("one.json").min.y);
+    assert!(
+        rect("three.json").min.y < rect("two.json").min.y
+            && rect("two.json").min.y < rect("one.json").min.y
+    );
     assert!(hand.harness.get_by_label("two.json").accesskit_node().is_disabled());
     hand.press("one.json");
     assert_eq!(hand.app().session().path(), Some(home.file("one.json").as_path()));
@@ -589,9 +615,15 @@ fn theme_scale_and_panels_are_remembered() {
     assert_eq!(hand.harness.ctx.zoom_factor(), 1.25);
     hand.harness.ctx.set_zoom_factor(1.0);
     hand.settle();
-    assert!(hand.harness.query_by_role_and_label(eframe::egui::accesskit::Role::Tab, "Code").is_some());
+    assert!(
+        hand.harness.query_by_role_and_label(eframe::egui::accesskit::Role::Tab, "Code").is_some()
+    );
     hand.press("View");
-    let code = hand.harness.get_by_role_and_label(eframe::egui::accesskit::Role::CheckBox, "Code").rect().center();
+    let code = hand
+        .harness
+        .get_by_role_and_label(eframe::egui::accesskit::Role::CheckBox, "Code")
+        .rect()
+        .center();
     hand.click(code);
     hand.settle();
     drop(hand);

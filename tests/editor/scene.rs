@@ -1,4 +1,5 @@
-//! Several objects in the window: scenes are opened, changed, saved and taken back; looks are switched, and nothing is lost.
+//! Several objects in the window: scenes are opened, changed, saved and taken back; looks are
+//! switched, and nothing is lost.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -27,7 +28,11 @@ impl Home {
         let home = Self { folder: tempfile::tempdir().unwrap() };
         fs::create_dir(home.file("looks")).unwrap();
         for name in ["figure4-color", "figure6-minimal"] {
-            fs::copy(format!("examples/looks/{name}.json"), home.file(&format!("looks/{name}.json"))).unwrap();
+            fs::copy(
+                format!("examples/looks/{name}.json"),
+                home.file(&format!("looks/{name}.json")),
+            )
+            .unwrap();
         }
         fs::write(home.scene(), TWO).unwrap();
         home
@@ -141,7 +146,9 @@ fn on_screen(hand: &Hand, id: &str) -> Pos2 {
     let (right, up) = orbit.right_and_up();
     let at = glam::DVec3::from(scene(hand).objects[id].transform.translate) - orbit.target;
     let depth = match orbit.projection {
-        chiaro::document::Projection::Perspective => (orbit.distance - at.dot(orbit.direction())) / orbit.distance,
+        chiaro::document::Projection::Perspective => {
+            (orbit.distance - at.dot(orbit.direction())) / orbit.distance
+        }
         chiaro::document::Projection::Orthographic => 1.0,
     };
     let scale = f64::from(rect.height()) / orbit.height() / depth;
@@ -154,7 +161,8 @@ fn rendered(path: &Path, size: [u32; 2]) -> Picture {
     let (setup, _) = open(path, None, &mut planner.assets).unwrap();
     let options = PlanOptions { size, samples: 4, time: 0.0 };
     let plan = planner.plan(&setup, Library::built_in(), &Live::Keyed, &options).unwrap();
-    let mut renderer = Renderer::new(block_on(Gpu::headless()).expect("an adapter; software Vulkan does"));
+    let mut renderer =
+        Renderer::new(block_on(Gpu::headless()).expect("an adapter; software Vulkan does"));
     block_on(renderer.picture(&plan)).unwrap()
 }
 
@@ -191,8 +199,15 @@ fn a_scene_is_seen_as_it_is_rendered() {
         assert!(inner.len() > (size[0] * size[1] / 2) as usize);
         for &[x, y] in &inner {
             let at = 4 * (y * size[0] + x) as usize;
-            let is_near = (0..4).all(|channel| wanted[at + channel].abs_diff(found[at + channel]) <= 1);
-            assert!(is_near, "{}: {x}, {y}: {:?} {:?}", path.display(), &wanted[at..at + 4], &found[at..at + 4]);
+            let is_near =
+                (0..4).all(|channel| wanted[at + channel].abs_diff(found[at + channel]) <= 1);
+            assert!(
+                is_near,
+                "{}: {x}, {y}: {:?} {:?}",
+                path.display(),
+                &wanted[at..at + 4],
+                &found[at..at + 4]
+            );
         }
 
         // And so is what the window shows, but for marks that lie on it.
@@ -203,7 +218,8 @@ fn a_scene_is_seen_as_it_is_rendered() {
         let image = hand.harness.render().unwrap();
         let is_same = |&&[x, y]: &&[u32; 2]| {
             let at = 4 * (y * size[0] + x) as usize;
-            let shown = image.get_pixel(rect.min.x.round() as u32 + x, rect.min.y.round() as u32 + y).0;
+            let shown =
+                image.get_pixel(rect.min.x.round() as u32 + x, rect.min.y.round() as u32 + y).0;
             (0..3).all(|channel| wanted[at + channel].abs_diff(shown[channel]) <= 2)
         };
         // The picture need not lie on whole pixels of the screen.
@@ -211,7 +227,10 @@ fn a_scene_is_seen_as_it_is_rendered() {
         let same = flat.iter().copied().filter(is_same).count();
         assert!(same * 1000 >= flat.len() * 995, "{}: {same} of {}", path.display(), flat.len());
         let background = &wanted[..3];
-        let objects = flat.iter().filter(|[x, y]| wanted[4 * (y * size[0] + x) as usize..][..3] != *background).count();
+        let objects = flat
+            .iter()
+            .filter(|[x, y]| wanted[4 * (y * size[0] + x) as usize..][..3] != *background)
+            .count();
         assert!(objects > 1000, "objects are seen: {objects} of {}", flat.len());
     }
 }
@@ -258,7 +277,8 @@ fn a_look_alone_becomes_a_scene_by_adding_and_one_order_of_undo_takes_all_back()
     assert!(hand.app().session().is_dirty());
     assert_eq!(stage(&hand).selected().map(|(id, _)| id.as_str()), Some("torus"));
     // All of it wears the open look, and there are two things to be seen.
-    let looks: Vec<_> = scene(&hand).objects.values().map(|object| object.looks["*"].clone()).collect();
+    let looks: Vec<_> =
+        scene(&hand).objects.values().map(|object| object.looks["*"].clone()).collect();
     assert_eq!(looks[0], looks[1]);
     let place = scene(&hand).objects["torus"].transform.translate;
     assert!(place[0] > 2.0);
@@ -272,7 +292,10 @@ fn a_look_alone_becomes_a_scene_by_adding_and_one_order_of_undo_takes_all_back()
     set_number(&mut hand, "Scale", "2");
     assert_eq!(scene(&hand).objects["torus"].transform.scale, [2.0; 3]);
     let steps: Vec<String> = hand.app().session().steps().map(str::to_owned).collect();
-    assert_eq!(steps, ["add torus", "change torus", "rename the look", "change torus", "change torus"]);
+    assert_eq!(
+        steps,
+        ["add torus", "change torus", "rename the look", "change torus", "change torus"]
+    );
 
     // The last thing goes first, whichever document it was in.
     hand.undo();
@@ -284,7 +307,10 @@ fn a_look_alone_becomes_a_scene_by_adding_and_one_order_of_undo_takes_all_back()
     assert_eq!(scene(&hand).objects["torus"].transform.translate[1], 0.5);
     hand.redo();
     hand.redo();
-    assert_eq!((hand.look().name.as_str(), scene(&hand).objects["torus"].transform.rotate), ("mine", turned));
+    assert_eq!(
+        (hand.look().name.as_str(), scene(&hand).objects["torus"].transform.rotate),
+        ("mine", turned)
+    );
     hand.app_mut().session_mut().go_to(0);
     assert_eq!(ids(&hand), ["creature"]);
     hand.app_mut().session_mut().go_to(5);
@@ -302,7 +328,11 @@ fn an_unsaved_stage_is_saved_as_a_scene_that_renders() {
     fs::create_dir(&path).unwrap();
     let path = path.join("mine.json");
     assert!(!hand.app_mut().save_scene_as(&path));
-    assert!(hand.app().message().unwrap().contains("save the look first"), "{:?}", hand.app().message());
+    assert!(
+        hand.app().message().unwrap().contains("save the look first"),
+        "{:?}",
+        hand.app().message()
+    );
     assert!(hand.app_mut().save_as(&home.look("mine.json")));
     assert!(hand.app_mut().save_scene_as(&path));
     assert!(!hand.app().session().is_dirty());
@@ -319,7 +349,8 @@ fn an_unsaved_stage_is_saved_as_a_scene_that_renders() {
     assert!(!hand.app().session().is_dirty());
     let before = scene(&hand).camera;
     assert!(before.eye != camera.eye, "all was framed, which is the window's own view");
-    // The window looks from where the scene does, until it is orbited; the scene follows when it is told to.
+    // The window looks from where the scene does, until it is orbited; the scene follows when it is
+    // told to.
     let corner = hand.app().viewport().rect().unwrap().left_top() + eframe::egui::vec2(20.0, 20.0);
     hand.drag(corner, corner + eframe::egui::vec2(60.0, 30.0));
     assert!(!hand.app().session().is_dirty());
@@ -359,7 +390,10 @@ fn looks_are_switched_without_loss() {
     choose(&mut hand, "More of ball", "Duplicate object");
     assert_eq!(ids(&hand), ["ring", "ball", "ball_2"]);
     press(&mut hand, "Object ring");
-    assert_eq!((open_look(&hand).as_str(), hand.look().name.as_str()), ("figure4-color.json", "first"));
+    assert_eq!(
+        (open_look(&hand).as_str(), hand.look().name.as_str()),
+        ("figure4-color.json", "first")
+    );
     assert!(hand.app().session().is_dirty() && ids(&hand).len() == 3);
     // The newest of both goes first: the copy was made after the first name was set.
     hand.undo();
@@ -386,7 +420,10 @@ fn work_on_a_scene_and_its_look_goes_on_after_the_window_was_closed() {
 
     let mut hand = home.window(None);
     assert_eq!(stage(&hand).path(), Some(home.scene().as_path()));
-    assert_eq!((open_look(&hand).as_str(), hand.look().name.as_str()), ("figure6-minimal.json", "unsaved"));
+    assert_eq!(
+        (open_look(&hand).as_str(), hand.look().name.as_str()),
+        ("figure6-minimal.json", "unsaved")
+    );
     assert_eq!(scene(&hand).objects["ball"].transform.translate[0], 3.0);
     hand.undo();
     hand.undo();
@@ -433,7 +470,10 @@ fn a_scene_is_offered_after_a_crash() {
         fs::copy(entry.path(), journals.join(entry.file_name())).unwrap();
     }
     let mut hand = later.window(None);
-    assert!(hand.app().session().stage().is_none(), "a crash may come from the work itself: it is only offered");
+    assert!(
+        hand.app().session().stage().is_none(),
+        "a crash may come from the work itself: it is only offered"
+    );
     assert!(sees(&hand, "two.json, 1 change, just now"));
     press(&mut hand, "Restore it");
     assert_eq!(ids(&hand), ["ring"]);
@@ -458,14 +498,20 @@ fn bad_scene_files_are_told_and_what_is_open_stays() {
         assert_eq!(stage(&hand).path(), Some(home.scene().as_path()), "{name}");
     }
     // Looks and meshes that are missing or broken are told, and all else is there.
-    let text = TWO.replace("looks/figure6-minimal.json", "looks/none.json").replace("shape:torus", "shape:tours");
+    let text = TWO
+        .replace("looks/figure6-minimal.json", "looks/none.json")
+        .replace("shape:torus", "shape:tours");
     fs::write(home.file("lacks.json"), text).unwrap();
     hand.app_mut().open(&home.file("lacks.json"));
     hand.settle();
     assert_eq!(ids(&hand), ["ring", "ball"]);
     assert_eq!(open_look(&hand), "figure4-color.json");
     press(&mut hand, "Object ball");
-    assert!(hand.app().message().unwrap().contains("There is no look"), "{:?}", hand.app().message());
+    assert!(
+        hand.app().message().unwrap().contains("There is no look"),
+        "{:?}",
+        hand.app().message()
+    );
     assert_eq!(open_look(&hand), "figure4-color.json");
 }
 
@@ -482,7 +528,14 @@ fn the_other_looks_are_read_again_when_they_change() {
     hand.app_mut().look_at_files();
     hand.settle();
     assert!(hand.app().pictures() > before);
-    assert!(hand.app().session().stage().unwrap().problem_texts().any(|text| text.contains("figure6-minimal.json")));
+    assert!(
+        hand.app()
+            .session()
+            .stage()
+            .unwrap()
+            .problem_texts()
+            .any(|text| text.contains("figure6-minimal.json"))
+    );
     fs::write(&minimal, good).unwrap();
     hand.app_mut().look_at_files();
     hand.settle();
@@ -490,7 +543,10 @@ fn the_other_looks_are_read_again_when_they_change() {
     // The scene's own file, changed by another program.
     fs::write(
         home.scene(),
-        TWO.replace("1.2, 0, 0]}, \"looks\": \"looks/figure6", "2.5, 0, 0]}, \"looks\": \"looks/figure6"),
+        TWO.replace(
+            "1.2, 0, 0]}, \"looks\": \"looks/figure6",
+            "2.5, 0, 0]}, \"looks\": \"looks/figure6",
+        ),
     )
     .unwrap();
     hand.app_mut().look_at_files();
@@ -537,7 +593,10 @@ fn a_mesh_that_is_dropped_replaces_or_is_added() {
     press(&mut hand, "Object ring");
     let at = on_screen(&hand, "ball");
     drop_at(&mut hand, &wedge, at, Modifiers::NONE);
-    assert_eq!((mesh(&hand, "ring").as_str(), mesh(&hand, "ball").as_str()), ("shape:torus", "wedge.obj"));
+    assert_eq!(
+        (mesh(&hand, "ring").as_str(), mesh(&hand, "ball").as_str()),
+        ("shape:torus", "wedge.obj")
+    );
     // Beside all: the selected one does.
     let beside = hand.app().viewport().rect().unwrap().left_top() + eframe::egui::vec2(9.0, 9.0);
     drop_at(&mut hand, &wedge, beside, Modifiers::NONE);
@@ -552,7 +611,8 @@ fn a_mesh_that_is_dropped_replaces_or_is_added() {
     assert!(hand.app_mut().save_scene_as(&home.scene()));
     assert_eq!(open(&home.scene(), None, &mut Assets::default()).unwrap().0.objects.len(), 4);
 
-    // Without a scene a mesh takes the place of the one that the look is seen on, and with Shift it begins a scene.
+    // Without a scene a mesh takes the place of the one that the look is seen on, and with Shift it
+    // begins a scene.
     let mut hand = home.window(None);
     let picture = hand.app().viewport().rect().unwrap().center();
     drop_at(&mut hand, &wedge, picture, Modifiers::NONE);
@@ -600,7 +660,10 @@ fn where_nothing_is_kept_one_is_asked_before_a_look_is_left() {
     press(&mut hand, "Object ring");
     assert!(sees(&hand, "figure6-minimal.json has changes"));
     press(&mut hand, "Cancel");
-    assert_eq!((open_look(&hand).as_str(), hand.look().name.as_str()), ("figure6-minimal.json", "mine"));
+    assert_eq!(
+        (open_look(&hand).as_str(), hand.look().name.as_str()),
+        ("figure6-minimal.json", "mine")
+    );
     press(&mut hand, "Object ring");
     press(&mut hand, "Do not save");
     assert_eq!(open_look(&hand), "figure4-color.json");
@@ -655,12 +718,16 @@ fn while_one_look_is_edited_the_others_are_compiled_once() {
             planner.provide(&setup.looks[0].look, &Live::All, Arc::new(shader));
         }
         let plan = planner.plan(setup, Library::built_in(), &Live::All, &plan).unwrap();
-        ["ring", "ball"].map(|id| plan.draws.iter().find(|draw| draw.object.as_str() == id).unwrap().clone())
+        ["ring", "ball"]
+            .map(|id| plan.draws.iter().find(|draw| draw.object.as_str() == id).unwrap().clone())
     };
     let [ring, ball] = picture(&setup, true);
     assert_eq!((&ring.look.live, &ball.look.live), (&Live::All, &Live::Keyed));
-    // A light of the edited look is another at once, by its uniforms; the other look has its own of the same name.
-    assert!(setup.looks[1].look.lights.contains_key(setup.looks[0].look.lights.keys().next().unwrap()));
+    // A light of the edited look is another at once, by its uniforms; the other look has its own of
+    // the same name.
+    assert!(
+        setup.looks[1].look.lights.contains_key(setup.looks[0].look.lights.keys().next().unwrap())
+    );
     setup.looks[0].look.lights.values_mut().for_each(|light| light.direction = [0.0, -1.0, 0.0]);
     let [turned, same] = picture(&setup, false);
     assert!(Arc::ptr_eq(&ring.look, &turned.look) && Arc::ptr_eq(&ball.look, &same.look));

@@ -1,5 +1,5 @@
-//! What a scene has beside its objects: lights of its own, values that objects set over their looks', files that its looks
-//! live on, and small pictures.
+//! What a scene has beside its objects: lights of its own, values that objects set over their
+//! looks', files that its looks live on, and small pictures.
 
 use std::fs;
 use std::path::PathBuf;
@@ -66,7 +66,7 @@ impl Home {
         Places { state: self.file("state"), config: self.file("config") }
     }
 
-    /// The image of the decal, of one colour.
+    /// The image of the decal, of one color.
     fn write_paper(&self, color: [u8; 3]) {
         let image = image::RgbImage::from_pixel(8, 8, image::Rgb(color));
         image.save(self.file("looks/paper.png")).unwrap();
@@ -128,8 +128,14 @@ fn a_scenes_lights_are_edited_as_a_looks_are() {
     let home = Home::new();
     let mut hand = home.window();
     hand.tab("Lights");
-    assert!(hand.has("Light key of the scene shines") && hand.has("Light key shines"), "told apart");
-    assert!(hand.has("2 looks") && hand.has("scene's"), "who has it, and what it stands in place of");
+    assert!(
+        hand.has("Light key of the scene shines") && hand.has("Light key shines"),
+        "told apart"
+    );
+    assert!(
+        hand.has("2 looks") && hand.has("scene's"),
+        "who has it, and what it stands in place of"
+    );
     let look = hand.look().clone();
     let field = hand.place_of(Role::SpinButton, "Intensity of key of the scene");
     hand.type_over(field, "2.5");
@@ -159,12 +165,16 @@ fn a_scenes_lights_are_edited_as_a_looks_are() {
     hand.undo();
     assert_eq!((hand.look(), light(&hand, "key").name.as_str()), (&look, "Sun"));
     hand.undo();
-    assert_eq!((light(&hand, "key").name.as_str(), light(&hand, "key").color), ("", [1.0, 0.0, 0.0]));
+    assert_eq!(
+        (light(&hand, "key").name.as_str(), light(&hand, "key").color),
+        ("", [1.0, 0.0, 0.0])
+    );
     hand.redo();
 
     // It is kept as all work is.
     assert!(hand.app_mut().save_scene_as(&home.file("two.json")));
-    let saved = Scene::read(&fs::read_to_string(home.file("two.json")).unwrap(), "two").value.unwrap();
+    let saved =
+        Scene::read(&fs::read_to_string(home.file("two.json")).unwrap(), "two").value.unwrap();
     assert_eq!(saved.lights, scene(&hand).lights);
     hand.bring(Role::Button, "More of Sun of the scene");
     hand.press("More of Sun of the scene");
@@ -193,7 +203,10 @@ fn point_and_spot_lights_are_given_their_fall_off() {
         set(&mut hand, "Half distance", "2.5");
         set(&mut hand, "Range", "7");
         assert_eq!((of_key(&hand).half_distance, of_key(&hand).range), (2.5, 7.0));
-        assert!(hand.has("Keys of Half distance") && hand.has("Keys of Range"), "they can be keyed");
+        assert!(
+            hand.has("Keys of Half distance") && hand.has("Keys of Range"),
+            "they can be keyed"
+        );
         // What no document may hold is not set, and what is switched off says so.
         set(&mut hand, "Half distance", "-3");
         set(&mut hand, "Range", "off");
@@ -209,7 +222,11 @@ fn the_list_of_meshes_shows_the_way_to_ones_own() {
     let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
     hand.app_mut().answer_dialog(&mesh);
     hand.choose("On", "From a file...");
-    assert_eq!(hand.app().session().orbit().mesh, mesh.display().to_string(), "nothing is in front of it");
+    assert_eq!(
+        hand.app().session().orbit().mesh,
+        mesh.display().to_string(),
+        "nothing is in front of it"
+    );
 }
 
 #[test]
@@ -246,7 +263,11 @@ fn lights_are_added_to_a_scene_in_place_of_its_looks_own() {
     hand.press("Add scene light");
     hand.press("In place of back");
     assert_eq!(lights(&hand), ["key", "back"]);
-    assert_eq!(light(&hand, "back"), &hand.look().lights["back"], "it begins as what it stands in for");
+    assert_eq!(
+        light(&hand, "back"),
+        &hand.look().lights["back"],
+        "it begins as what it stands in for"
+    );
     assert!(hand.has("1 look"));
     hand.press("More of key of the scene");
     hand.press("Duplicate light");
@@ -264,7 +285,10 @@ fn lights_are_added_to_a_scene_in_place_of_its_looks_own() {
     hand.press("Remove light");
     hand.press("More of back");
     hand.press("Light the scene with it");
-    assert_eq!((lights(&hand), light(&hand, "back").direction), (vec!["key".into(), "back".into()], [0.6, 0.0, -0.8]));
+    assert_eq!(
+        (lights(&hand), light(&hand, "back").direction),
+        (vec!["key".into(), "back".into()], [0.6, 0.0, -0.8])
+    );
     hand.app_mut().session_mut().go_to(0);
     assert_eq!(lights(&hand), ["key"]);
 }
@@ -272,8 +296,12 @@ fn lights_are_added_to_a_scene_in_place_of_its_looks_own() {
 #[test]
 fn a_scenes_light_goes_out_for_all_looks_and_is_shown_alone() {
     let home = Home::new();
-    // Both objects are lit by `key` alone: what they show is its colour.
-    fs::write(home.file("looks/decal.json"), PAINT.replace("[1, 0, 0]", "[0, 0, 0]").replace("0.5", "1")).unwrap();
+    // Both objects are lit by `key` alone: what they show is its color.
+    fs::write(
+        home.file("looks/decal.json"),
+        PAINT.replace("[1, 0, 0]", "[0, 0, 0]").replace("0.5", "1"),
+    )
+    .unwrap();
     let mut hand = home.drawing();
     hand.tab("Lights");
     let lit = colors(&mut hand);
@@ -323,7 +351,11 @@ fn a_scenes_light_is_dragged_on_the_object() {
     let turned = glam::DVec3::from(light(&hand, "key").direction);
     assert!(turned.y > 0.4 && turned.x.abs() < 0.35, "from the right to above: {turned}");
     assert_eq!(*hand.look(), before.0, "the look's own light stays");
-    assert_eq!(hand.app().session().steps().collect::<Vec<_>>(), ["change the light key"], "one step a gesture");
+    assert_eq!(
+        hand.app().session().steps().collect::<Vec<_>>(),
+        ["change the light key"],
+        "one step a gesture"
+    );
     hand.undo();
     assert_eq!(*light(&hand, "key"), before.1);
 }
@@ -379,8 +411,13 @@ fn values_of_looks_that_are_not_open_and_of_none_are_there_too() {
     let halves = "v -1 -1 0\nv 0 -1 0\nv 0 1 0\nv -1 1 0\nv 1 -1 0\nv 1 1 0\n\
                   usemtl left\nf 1 2 3 4\nusemtl right\nf 2 5 6 3\n";
     fs::write(home.file("halves.obj"), halves).unwrap();
-    let two_looks = r#"{"left": "looks/paint.json", "right": "looks/decal.json"}, "values": {"lost": 3}"#;
-    let text = TWO.replacen("shape:sphere", "halves.obj", 1).replacen("\"looks/paint.json\"", two_looks, 1);
+    let two_looks =
+        r#"{"left": "looks/paint.json", "right": "looks/decal.json"}, "values": {"lost": 3}"#;
+    let text = TWO.replacen("shape:sphere", "halves.obj", 1).replacen(
+        "\"looks/paint.json\"",
+        two_looks,
+        1,
+    );
     fs::write(home.file("two.json"), text).unwrap();
     let mut hand = home.window();
     hand.press("Object ring");
@@ -412,10 +449,15 @@ fn images_of_looks_that_are_not_open_are_read_again() {
     assert_eq!(colors(&mut hand)[1], [0, 200, 0]);
     // One that an object sets in its place, too.
     let other = |color: [u8; 3]| {
-        image::RgbImage::from_pixel(4, 4, image::Rgb(color)).save(home.file("looks/other.png")).unwrap();
+        image::RgbImage::from_pixel(4, 4, image::Rgb(color))
+            .save(home.file("looks/other.png"))
+            .unwrap();
     };
     other([200, 0, 0]);
-    let text = TWO.replace("\"looks/decal.json\"", r#""looks/decal.json", "values": {"picture": "other.png"}"#);
+    let text = TWO.replace(
+        "\"looks/decal.json\"",
+        r#""looks/decal.json", "values": {"picture": "other.png"}"#,
+    );
     fs::write(home.file("two.json"), text).unwrap();
     hand.app_mut().look_at_files();
     hand.settle();
@@ -434,7 +476,8 @@ fn nodes_beside_the_scene_are_read_again() {
         let text = format!(
             "/// Tint\n///\n/// @param color \"Color\" default=1,1,1,1 : What comes in.\n\
              /// @return color \"Color\" : What goes out.\n\
-             fn tint(color: vec4f) -> vec4f {{\n    return vec4f({factor} * color.rgb, color.a);\n}}\n"
+             fn tint(color: vec4f) -> vec4f {{\n    return vec4f({factor} * color.rgb, \
+             color.a);\n}}\n"
         );
         fs::write(home.file("nodes/tint.wgsl"), text).unwrap();
     };

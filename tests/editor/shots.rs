@@ -1,5 +1,5 @@
-//! Pictures of the window, to be looked at: `cargo test --test editor_shots -- --ignored` writes them to
-//! `target/shots`, or to the folder that `CHIARO_SHOTS` names.
+//! Pictures of the window, to be looked at: `cargo test --test editor_shots -- --ignored` writes
+//! them to `target/shots`, or to the folder that `CHIARO_SHOTS` names.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -24,13 +24,15 @@ fn window_of(make: impl Fn(App) -> App + 'static) -> Hand {
         setup.device_descriptor = Arc::new(device_descriptor);
     }
     let state = create_render_state(setup, eframe::egui_wgpu::RendererOptions::PREDICTABLE);
-    let builder =
-        Harness::builder().with_size(vec2(1600.0, 960.0)).renderer(WgpuTestRenderer::from_render_state(state.clone()));
+    let builder = Harness::builder()
+        .with_size(vec2(1600.0, 960.0))
+        .renderer(WgpuTestRenderer::from_render_state(state.clone()));
     Hand::with_builder(builder, move |ctx| make(App::new(ctx, Some(state.clone()))))
 }
 
 fn save(hand: &mut Hand, name: &str) {
-    let folder = std::env::var_os("CHIARO_SHOTS").map_or_else(|| PathBuf::from("target/shots"), PathBuf::from);
+    let folder = std::env::var_os("CHIARO_SHOTS")
+        .map_or_else(|| PathBuf::from("target/shots"), PathBuf::from);
     std::fs::create_dir_all(&folder).unwrap();
     hand.settle();
     hand.harness.render().unwrap().save(folder.join(format!("{name}.png"))).unwrap();
@@ -79,9 +81,9 @@ fn viewport_shots() {
     let folder = std::env::var_os("CHIARO_MODELS").map(PathBuf::from);
     let own = ["shape:sphere".to_owned(), "shape:creature".to_owned()];
     let meshes = ["spot", "stanford-bunny", "nefertiti"];
-    let of_folder = folder
-        .iter()
-        .flat_map(|folder| meshes.map(|mesh| folder.join(mesh).with_extension("obj").display().to_string()));
+    let of_folder = folder.iter().flat_map(|folder| {
+        meshes.map(|mesh| folder.join(mesh).with_extension("obj").display().to_string())
+    });
     let ids: Vec<_> = hand
         .look()
         .graph
@@ -117,8 +119,8 @@ fn click_label(hand: &mut Hand, label: &str) {
     hand.settle();
 }
 
-/// What tells how true the picture is and what it costs: measured tiers, a wipe against the truth, a wire as isolines,
-/// and a wire that is not a number.
+/// What tells how true the picture is and what it costs: measured tiers, a wipe against the truth,
+/// a wire as isolines, and a wire that is not a number.
 #[test]
 #[ignore = "writes pictures to be looked at"]
 fn shots_of_truth() {
@@ -133,7 +135,12 @@ fn shots_of_truth() {
     save(&mut hand, "cost-rows");
 
     let combos = hand.harness.get_all_by_role(Role::ComboBox);
-    let list = combos.into_iter().find(|node| node.value().as_deref() == Some("Compare with")).unwrap().rect().center();
+    let list = combos
+        .into_iter()
+        .find(|node| node.value().as_deref() == Some("Compare with"))
+        .unwrap()
+        .rect()
+        .center();
     hand.click(list);
     hand.settle();
     click_label(&mut hand, "Truth (f64)");
@@ -161,7 +168,12 @@ fn shots_of_truth() {
     save(&mut hand, "probe-broken");
 
     let combos = hand.harness.get_all_by_role(Role::ComboBox);
-    let list = combos.into_iter().find(|node| node.value().as_deref() == Some("Truth (f64)")).unwrap().rect().center();
+    let list = combos
+        .into_iter()
+        .find(|node| node.value().as_deref() == Some("Truth (f64)"))
+        .unwrap()
+        .rect()
+        .center();
     hand.click(list);
     hand.settle();
     click_label(&mut hand, "Nothing");
@@ -273,21 +285,28 @@ fn timeline_shots() {
     let mut hand = window();
     hand.app_mut().open(Path::new("examples/looks/figure6-comics.json"));
     hand.settle();
-    let nodes: Vec<_> = hand.look().graph.nodes.iter().filter(|(_, node)| node.kind == "light_layer").collect();
+    let nodes: Vec<_> =
+        hand.look().graph.nodes.iter().filter(|(_, node)| node.kind == "light_layer").collect();
     let id = nodes[0].0.clone();
     let track = |port: &str, keys: Vec<(f64, Value, Interpolation)>| Edit::AddTimeKeys {
         keys: TimeKeys {
             target: Target::parse(&format!("{id}.{port}")).unwrap(),
             keys: keys
                 .into_iter()
-                .map(|(time, value, interpolation)| TimeKey { time, value, interpolation, unknown: Default::default() })
+                .map(|(time, value, interpolation)| TimeKey {
+                    time,
+                    value,
+                    interpolation,
+                    unknown: Default::default(),
+                })
                 .collect(),
             unknown: Default::default(),
         },
         index: None,
     };
     let color = |r, g, b| Value::Vector(vec![r, g, b]);
-    let (smooth, stepped, linear) = (Interpolation::Smooth, Interpolation::Stepped, Interpolation::Linear);
+    let (smooth, stepped, linear) =
+        (Interpolation::Smooth, Interpolation::Stepped, Interpolation::Linear);
     for edit in [
         track(
             "cutoff",
@@ -297,7 +316,10 @@ fn timeline_shots() {
                 (3.0, Value::Number(1.2), linear),
             ],
         ),
-        track("convex", vec![(0.5, color(0.9, 0.5, 0.2), smooth), (2.5, color(0.3, 0.4, 0.9), smooth)]),
+        track(
+            "convex",
+            vec![(0.5, color(0.9, 0.5, 0.2), smooth), (2.5, color(0.3, 0.4, 0.9), smooth)],
+        ),
         track(
             "opacity",
             vec![
@@ -313,7 +335,11 @@ fn timeline_shots() {
     hand.app_mut().session_mut().select(vec![id]);
     hand.settle();
     click(&mut hand, "View");
-    let at = hand.harness.get_by_role_and_label(eframe::egui::Role::CheckBox, "Timeline").rect().center();
+    let at = hand
+        .harness
+        .get_by_role_and_label(eframe::egui::Role::CheckBox, "Timeline")
+        .rect()
+        .center();
     hand.click(at);
     hand.settle();
     let at = hand.empty_place();
@@ -332,7 +358,8 @@ fn keyed_shots() {
     let mut hand = window();
     hand.app_mut().open(Path::new("examples/looks/figure7-pastel.json"));
     hand.settle();
-    let layers: Vec<_> = hand.look().graph.nodes.iter().filter(|(_, node)| node.kind == "light_layer").collect();
+    let layers: Vec<_> =
+        hand.look().graph.nodes.iter().filter(|(_, node)| node.kind == "light_layer").collect();
     let ids: Vec<_> = layers.into_iter().take(2).map(|(id, _)| id.clone()).collect();
     hand.app_mut().session_mut().select(ids);
     hand.settle();
@@ -370,7 +397,8 @@ fn start_shots() {
         let _ = std::fs::copy(format!("examples/looks/{name}.json"), &path);
         path
     });
-    hand.app_mut().change_settings(|settings| files.iter().rev().for_each(|path| settings.opened(path)));
+    hand.app_mut()
+        .change_settings(|settings| files.iter().rev().for_each(|path| settings.opened(path)));
     hand.harness.ctx.set_theme(Theme::Light);
     save(&mut hand, "start-light");
     hand.harness.ctx.set_theme(Theme::Dark);
@@ -432,8 +460,8 @@ fn path_shots() {
     save(&mut hand, "export-path");
 }
 
-/// What a newcomer stumbles over: the picker, the tab of a layer's values over the picture and the values themselves, a
-/// cartoon's profile, and a narrow window's bar.
+/// What a newcomer stumbles over: the picker, the tab of a layer's values over the picture and the
+/// values themselves, a cartoon's profile, and a narrow window's bar.
 #[test]
 #[ignore = "writes pictures to be looked at"]
 fn stumble_shots() {
@@ -503,7 +531,8 @@ fn scene_shots() {
     save(&mut hand, "objects-dropped");
 }
 
-/// Nodes found by name, a group that can be shared, a search that hides values, and what is told over the picture.
+/// Nodes found by name, a group that can be shared, a search that hides values, and what is told
+/// over the picture.
 #[test]
 #[ignore = "writes pictures to be looked at"]
 fn found_and_shared_shots() {
@@ -534,12 +563,14 @@ fn found_and_shared_shots() {
     save(&mut hand, "shortcuts-light");
 }
 
-/// What a scene has beside its objects: lights of its own, values that an object sets, and a picture where it is offered.
+/// What a scene has beside its objects: lights of its own, values that an object sets, and a
+/// picture where it is offered.
 #[test]
 #[ignore = "writes pictures to be looked at"]
 fn shots_of_a_scenes_parts() {
     let home = tempfile::tempdir().unwrap();
-    let example = |name: &str| std::fs::read_to_string(format!("examples/looks/{name}.json")).unwrap();
+    let example =
+        |name: &str| std::fs::read_to_string(format!("examples/looks/{name}.json")).unwrap();
     let exposed = r#""exposed": [{"name": "highlight_size", "target": "highlight.cutoff"},
       {"name": "warm_side", "target": "diffuse.convex"}, {"name": "kind", "target": "diffuse.type"},
       {"name": "glow", "target": "highlight.opacity"}], "wires": "#;
@@ -556,7 +587,8 @@ fn shots_of_a_scenes_parts() {
     let folder = home.path().to_owned();
     let mut hand = window_of(move |app| {
         let mut app = app.without_dialogs();
-        let places = chiaro::editor::Places { state: folder.join("state"), config: folder.join("config") };
+        let places =
+            chiaro::editor::Places { state: folder.join("state"), config: folder.join("config") };
         app.keep_in(places, &eframe::egui::Context::default());
         app
     });
@@ -583,7 +615,8 @@ fn shots_of_a_scenes_parts() {
     save(&mut hand, "scene-start");
 }
 
-/// A value keyed by a light's height, half-way between two keys, in the inspector and the Keys panel.
+/// A value keyed by a light's height, half-way between two keys, in the inspector and the Keys
+/// panel.
 #[test]
 #[ignore = "writes pictures to be looked at"]
 fn keyed_by_a_height_shots() {
@@ -600,7 +633,8 @@ fn keyed_by_a_height_shots() {
     save(&mut hand, "long-names");
 }
 
-/// What the last program ended over: its tile on the start page, and the window that it is opened in.
+/// What the last program ended over: its tile on the start page, and the window that it is opened
+/// in.
 #[test]
 #[ignore = "writes pictures to be looked at"]
 fn crash_shots() {
@@ -620,12 +654,15 @@ fn crash_shots() {
         setup.device_descriptor = Arc::new(device_descriptor);
     }
     let gpu = create_render_state(setup, eframe::egui_wgpu::RendererOptions::PREDICTABLE);
-    let builder =
-        Harness::builder().with_size(vec2(1600.0, 960.0)).renderer(WgpuTestRenderer::from_render_state(gpu.clone()));
+    let builder = Harness::builder()
+        .with_size(vec2(1600.0, 960.0))
+        .renderer(WgpuTestRenderer::from_render_state(gpu.clone()));
     let mut hand = Hand::with_builder(builder, move |ctx| {
         let mut app = App::new(ctx, Some(gpu.clone())).without_dialogs();
         app.keep_in(places.clone(), ctx);
-        app.change_settings(|settings| [&other, &file].into_iter().for_each(|path| settings.opened(path)));
+        app.change_settings(|settings| {
+            [&other, &file].into_iter().for_each(|path| settings.opened(path))
+        });
         app.begin();
         app
     });

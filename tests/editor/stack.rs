@@ -1,4 +1,5 @@
-//! Layers, lights, problems, history and the library, driven by a hand through the names that everybody sees.
+//! Layers, lights, problems, history and the library, driven by a hand through the names that
+//! everybody sees.
 
 use crate::editor_support::{Hand, node_center};
 use chiaro::document::{Endpoint, Look, Value};
@@ -8,8 +9,9 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 /// The layers as they are listed, from the top.
 fn rows(hand: &Hand) -> Vec<String> {
     let found = hand.harness.get_all_by_role(Role::ListItem);
-    let mut rows: Vec<(f32, String)> =
-        found.map(|node| (node.rect().top(), node.accesskit_node().label().unwrap_or_default())).collect();
+    let mut rows: Vec<(f32, String)> = found
+        .map(|node| (node.rect().top(), node.accesskit_node().label().unwrap_or_default()))
+        .collect();
     rows.sort_by(|a, b| a.0.total_cmp(&b.0));
     rows.into_iter().map(|(_, name)| name).collect()
 }
@@ -44,7 +46,10 @@ fn open(hand: &mut Hand, text: &str) -> tempfile::TempDir {
 #[test]
 fn the_stack_and_the_graph_are_one_selection() {
     let mut hand = figure1();
-    assert_eq!(rows(&hand), ["Layer Back-light", "Layer Specular", "Layer Diffuse", "Layer Fill", "Base Base"]);
+    assert_eq!(
+        rows(&hand),
+        ["Layer Back-light", "Layer Specular", "Layer Diffuse", "Layer Fill", "Base Base"]
+    );
     hand.press("Layer Specular");
     assert_eq!(hand.selected(), ["specular"]);
     let at = node_center(&hand, "fill");
@@ -52,7 +57,11 @@ fn the_stack_and_the_graph_are_one_selection() {
     hand.settle();
     assert_eq!(hand.selected(), ["fill"]);
     let row = hand.harness.get_by_label("Layer Fill");
-    assert_eq!(row.accesskit_node().toggled(), Some(Toggled::True), "the row shows what the canvas selected");
+    assert_eq!(
+        row.accesskit_node().toggled(),
+        Some(Toggled::True),
+        "the row shows what the canvas selected"
+    );
 }
 
 #[test]
@@ -66,7 +75,10 @@ fn a_row_that_is_dragged_rewires_the_graph_as_one_step() {
     assert_eq!(chain(hand.look()), ["specular", "diffuse", "back", "fill", "base"]);
     assert_eq!(rows(&hand)[2], "Layer Back-light");
     let x = |hand: &Hand, id: &str| hand.look().graph.nodes[id].position[0];
-    assert!(x(&hand, "fill") < x(&hand, "back") && x(&hand, "back") < x(&hand, "diffuse"), "tidy on the canvas");
+    assert!(
+        x(&hand, "fill") < x(&hand, "back") && x(&hand, "back") < x(&hand, "diffuse"),
+        "tidy on the canvas"
+    );
     hand.undo();
     hand.settle();
     assert_eq!(*hand.look(), before);
@@ -106,7 +118,10 @@ fn a_layer_is_added_over_the_selected_one_with_the_light_it_needs() {
     hand.press("Layer Diffuse");
     hand.press("Add layer");
     hand.press("Add Back-light");
-    assert_eq!(chain(hand.look()), ["back-light", "diffuse", "base"].map(|id| id.replace('-', "_")));
+    assert_eq!(
+        chain(hand.look()),
+        ["back-light", "diffuse", "base"].map(|id| id.replace('-', "_"))
+    );
     assert_eq!(hand.selected(), ["back_light"]);
     let look = hand.look();
     assert_eq!(look.graph.nodes["back_light"].values["light"], Value::Text("back".into()));
@@ -169,7 +184,13 @@ fn solo_is_of_the_window_and_nobody_can_forget_it() {
 fn a_layer_is_renamed_duplicated_and_deleted_in_the_list() {
     let mut hand = figure1();
     let before = hand.look().clone();
-    let name = hand.harness.get_all_by_role_and_label(Role::Label, "Specular").next().unwrap().rect().center();
+    let name = hand
+        .harness
+        .get_all_by_role_and_label(Role::Label, "Specular")
+        .next()
+        .unwrap()
+        .rect()
+        .center();
     hand.double_click(name);
     hand.settle();
     hand.type_text("Shine");
@@ -199,11 +220,16 @@ fn a_layer_is_renamed_duplicated_and_deleted_in_the_list() {
 #[test]
 fn blending_and_opacity_are_set_in_the_row() {
     let mut hand = figure1();
-    let slider =
-        hand.harness.get_all_by_role_and_label(Role::Slider, "Opacity of Diffuse").next().expect("a slider").rect();
+    let slider = hand
+        .harness
+        .get_all_by_role_and_label(Role::Slider, "Opacity of Diffuse")
+        .next()
+        .expect("a slider")
+        .rect();
     hand.drag(slider.right_center() - vec2(5.0, 0.0), slider.center());
     hand.settle();
-    let Some(Value::Number(opacity)) = hand.look().graph.nodes["diffuse"].values.get("opacity") else {
+    let Some(Value::Number(opacity)) = hand.look().graph.nodes["diffuse"].values.get("opacity")
+    else {
         panic!("{:?}", hand.look().graph.nodes["diffuse"].values)
     };
     assert!((0.4..0.6).contains(opacity), "{opacity}");
@@ -249,9 +275,19 @@ fn rows_set_keyed_values_at_their_key() {
     hand.drag(drag, drag + vec2(30.0, 0.0));
     hand.settle();
     let intensity = at_key(&hand, 0, "lights.key.intensity");
-    assert!((0.6..1.2).contains(&intensity), "from the key's 0.5, not from the light's 1: {intensity}");
-    assert_eq!((at_key(&hand, 1, "diffuse.opacity"), at_key(&hand, 1, "lights.key.intensity")), (0.1, 2.0));
-    assert_eq!((hand.look().graph.clone(), hand.look().lights.clone()), own, "what is said without keys stays");
+    assert!(
+        (0.6..1.2).contains(&intensity),
+        "from the key's 0.5, not from the light's 1: {intensity}"
+    );
+    assert_eq!(
+        (at_key(&hand, 1, "diffuse.opacity"), at_key(&hand, 1, "lights.key.intensity")),
+        (0.1, 2.0)
+    );
+    assert_eq!(
+        (hand.look().graph.clone(), hand.look().lights.clone()),
+        own,
+        "what is said without keys stays"
+    );
     assert_eq!(hand.app().session().steps().count(), 2, "one step a gesture");
 }
 
@@ -290,7 +326,10 @@ fn lights_are_muted_in_the_window_and_edited_in_the_look() {
     let before = hand.look().clone();
     hand.press("More of key");
     hand.press("Duplicate light");
-    assert_eq!(hand.look().lights.keys().map(ToString::to_string).collect::<Vec<_>>(), ["key", "key_2", "back"]);
+    assert_eq!(
+        hand.look().lights.keys().map(ToString::to_string).collect::<Vec<_>>(),
+        ["key", "key_2", "back"]
+    );
     assert!(hand.has("unused"), "nothing names it yet");
     hand.press("More of key_2");
     hand.press("Rename light");
@@ -332,10 +371,12 @@ fn every_problem_that_has_a_fix_is_mended_by_a_click() {
         }
         assert!(round < 12, "{problems:?}");
         let buttons = hand.harness.get_all_by_role(Role::Button);
-        let names: Vec<(String, Pos2)> =
-            buttons.filter_map(|node| Some((node.accesskit_node().label()?, node.rect().center()))).collect();
+        let names: Vec<(String, Pos2)> = buttons
+            .filter_map(|node| Some((node.accesskit_node().label()?, node.rect().center())))
+            .collect();
         let is_fix = |name: &str| {
-            fixes.iter().any(|fix| name.starts_with(fix)) && !skipped.iter().any(|other| name.starts_with(other))
+            fixes.iter().any(|fix| name.starts_with(fix))
+                && !skipped.iter().any(|other| name.starts_with(other))
         };
         let (_, at) = names
             .iter()
@@ -372,10 +413,17 @@ fn the_history_is_a_list_that_leads_back_and_forth() {
     hand.settle();
     let last = hand.look().clone();
     hand.tab("History");
-    assert_eq!(rows(&hand), ["Step 0: Opened", "Step 1: mute specular", "Step 2: mute fill", "Step 3: remove diffuse"]);
+    assert_eq!(
+        rows(&hand),
+        ["Step 0: Opened", "Step 1: mute specular", "Step 2: mute fill", "Step 3: remove diffuse"]
+    );
     hand.press("Step 1: mute specular");
     let look = hand.look();
-    assert!(look.graph.nodes["specular"].muted && !look.graph.nodes["fill"].muted && look.graph.nodes.len() == 6);
+    assert!(
+        look.graph.nodes["specular"].muted
+            && !look.graph.nodes["fill"].muted
+            && look.graph.nodes.len() == 6
+    );
     assert_eq!(rows(&hand).len(), 4, "what was taken back is still listed");
     hand.press("Step 0: Opened");
     assert_eq!(*hand.look(), before);
@@ -433,18 +481,27 @@ fn small_pictures_are_drawn_at_rest_and_kept_by_what_they_show() {
     let rest = |hand: &mut Hand| {
         hand.settle();
         hand.settle();
-        assert!(hand.repaint_delay() > std::time::Duration::from_secs(60), "at rest nothing is drawn");
+        assert!(
+            hand.repaint_delay() > std::time::Duration::from_secs(60),
+            "at rest nothing is drawn"
+        );
         hand.app().small_pictures()
     };
     let first = rest(&mut hand);
     assert!(first >= 5, "four layers and the base: {first}");
-    // A name, a place and another order are no other pictures; a colour is one.
+    // A name, a place and another order are no other pictures; a color is one.
     hand.press("Layer Specular");
     hand.key_with(Modifiers::ALT, Key::ArrowDown);
     assert_eq!(rest(&mut hand), first);
     let graph = chiaro::document::GraphId::Look;
     let value = Value::Vector(vec![0.1, 0.9, 0.3]);
-    let edit = chiaro::document::Edit::SetValue { graph, id: "fill".into(), port: "convex".into(), value, index: None };
+    let edit = chiaro::document::Edit::SetValue {
+        graph,
+        id: "fill".into(),
+        port: "convex".into(),
+        value,
+        index: None,
+    };
     hand.app_mut().session_mut().apply(edit, None).unwrap();
     assert_eq!(rest(&mut hand), first + 1);
     hand.undo();
@@ -481,5 +538,8 @@ fn what_was_opened_before_is_among_the_looks() {
     hand.key(Key::Backspace);
     hand.settle();
     hand.press("Open the look figure1-layers");
-    assert!(hand.app().session().path().is_some_and(|path| path.ends_with("figure1-layers.json")), "the file");
+    assert!(
+        hand.app().session().path().is_some_and(|path| path.ends_with("figure1-layers.json")),
+        "the file"
+    );
 }

@@ -1,5 +1,6 @@
 //! Pictures of the panels for layers, lights, problems, history and the library, to be looked at:
-//! `cargo test --test editor_stack_shots -- --ignored` writes them to `target/shots`, or where `CHIARO_SHOTS` names.
+//! `cargo test --test editor_stack_shots -- --ignored` writes them to `target/shots`, or where
+//! `CHIARO_SHOTS` names.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -19,13 +20,15 @@ fn window() -> Hand {
         setup.device_descriptor = Arc::new(device_descriptor);
     }
     let state = create_render_state(setup, eframe::egui_wgpu::RendererOptions::PREDICTABLE);
-    let builder =
-        Harness::builder().with_size(vec2(1600.0, 960.0)).renderer(WgpuTestRenderer::from_render_state(state.clone()));
+    let builder = Harness::builder()
+        .with_size(vec2(1600.0, 960.0))
+        .renderer(WgpuTestRenderer::from_render_state(state.clone()));
     Hand::with_builder(builder, move |ctx| App::new(ctx, Some(state.clone())))
 }
 
 fn save(hand: &mut Hand, name: &str) {
-    let folder = std::env::var_os("CHIARO_SHOTS").map_or_else(|| PathBuf::from("target/shots"), PathBuf::from);
+    let folder = std::env::var_os("CHIARO_SHOTS")
+        .map_or_else(|| PathBuf::from("target/shots"), PathBuf::from);
     std::fs::create_dir_all(&folder).unwrap();
     hand.settle();
     hand.settle();

@@ -1,5 +1,6 @@
-//! A newcomer's first minutes: the start page, the tour from nothing to a saved look, paths where no dialog is, and
-//! copies to the clipboard. Everything is found by the name that a screen reader tells.
+//! A newcomer's first minutes: the start page, the tour from nothing to a saved look, paths where
+//! no dialog is, and copies to the clipboard. Everything is found by the name that a screen reader
+//! tells.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -69,7 +70,13 @@ fn focused(hand: &Hand) -> Option<String> {
 /// What is in the clipboard after the keys that copy the shader.
 fn copied_by_keys(hand: &mut Hand) -> Option<String> {
     let modifiers = Modifiers::COMMAND | Modifiers::SHIFT;
-    hand.harness.event(Event::Key { key: Key::W, physical_key: None, pressed: true, repeat: false, modifiers });
+    hand.harness.event(Event::Key {
+        key: Key::W,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers,
+    });
     hand.harness.step();
     hand.harness.output().platform_output.commands.iter().find_map(|command| match command {
         OutputCommand::CopyText(text) => Some(text.clone()),
@@ -94,7 +101,9 @@ fn the_start_page_has_every_example_and_leaves_when_one_is_opened() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
     let files = |name: &str| {
         let files = fs::read_dir(folder.join(name)).unwrap().map(|entry| entry.unwrap().path());
-        files.filter(|path| path.extension().is_some_and(|ending| ending == "json")).collect::<Vec<_>>()
+        files
+            .filter(|path| path.extension().is_some_and(|ending| ending == "json"))
+            .collect::<Vec<_>>()
     };
     let mut count = 0;
     for path in [files("looks"), files("images"), files("hcbtf")].concat() {
@@ -104,10 +113,19 @@ fn the_start_page_has_every_example_and_leaves_when_one_is_opened() {
         assert!(says(&hand, &format!("Open the look {name}{figure}")), "{name}");
         count += 1;
     }
-    let cards = hand.harness.get_all_by_role(Role::Button).filter_map(|node| node.accesskit_node().label());
-    assert_eq!(cards.filter(|label| label.starts_with("Open the look ")).count(), count, "and nothing is there twice");
-    let scenes = hand.harness.get_all_by_role(Role::Button).filter_map(|node| node.accesskit_node().label());
-    assert_eq!(scenes.filter(|label| label.starts_with("Open the scene ")).count(), files("scenes").len());
+    let cards =
+        hand.harness.get_all_by_role(Role::Button).filter_map(|node| node.accesskit_node().label());
+    assert_eq!(
+        cards.filter(|label| label.starts_with("Open the look ")).count(),
+        count,
+        "and nothing is there twice"
+    );
+    let scenes =
+        hand.harness.get_all_by_role(Role::Button).filter_map(|node| node.accesskit_node().label());
+    assert_eq!(
+        scenes.filter(|label| label.starts_with("Open the scene ")).count(),
+        files("scenes").len()
+    );
     assert!(!has(&hand, "Recent files") && !says(&hand, "is gone"));
     press(&mut hand, "Open the look Layers · Figure 1");
     assert!(!hand.app().shows_start_page());
@@ -129,11 +147,20 @@ fn a_file_that_cannot_be_opened_is_told_above_the_start_page() {
         let told = hand.app_mut().begin_with(&home.file(name)).unwrap();
         hand.settle();
         assert!(told.contains(why) && told.contains(help), "a terminal is told the same: {told}");
-        assert!(hand.app().shows_start_page() && says(&hand, &format!("{name} could not be opened")), "{name}");
-        assert!(says(&hand, why) && says(&hand, help) && says(&hand, home.file(name).to_str().unwrap()), "{name}");
+        assert!(
+            hand.app().shows_start_page() && says(&hand, &format!("{name} could not be opened")),
+            "{name}"
+        );
+        assert!(
+            says(&hand, why) && says(&hand, help) && says(&hand, home.file(name).to_str().unwrap()),
+            "{name}"
+        );
         assert!(!says(&hand, "os error"), "{name}");
         // Once: what is open has no problem, and the status bar does not say it again.
-        assert!(hand.app().message().is_none() && hand.app().session().problems().is_empty(), "{name}");
+        assert!(
+            hand.app().message().is_none() && hand.app().session().problems().is_empty(),
+            "{name}"
+        );
         assert!(!says(&hand, "1 error"), "{name}");
         press(&mut hand, "Understood");
         assert!(!says(&hand, "could not be opened") && hand.app().shows_start_page(), "{name}");
@@ -149,15 +176,25 @@ fn a_file_that_cannot_be_opened_is_told_above_the_start_page() {
 #[test]
 fn what_was_open_is_offered_and_what_is_gone_is_forgotten() {
     let home = Home::new();
-    let [rim, lost, odd, stage] = ["rim.json", "lost.json", "odd.json", "stage.json"].map(|name| home.file(name));
-    fs::write(&stage, r#"{"chiaro": "scene", "objects": [{"mesh": "shape:sphere", "looks": "rim.json"}]}"#).unwrap();
+    let [rim, lost, odd, stage] =
+        ["rim.json", "lost.json", "odd.json", "stage.json"].map(|name| home.file(name));
+    fs::write(
+        &stage,
+        r#"{"chiaro": "scene", "objects": [{"mesh": "shape:sphere", "looks": "rim.json"}]}"#,
+    )
+    .unwrap();
     fs::write(&rim, r#"{"name": "Rim", "nodes": [{"kind": "base"}, {"kind": "output"}]}"#).unwrap();
     fs::write(&odd, "not JSON at all").unwrap();
     let mut hand = home.window(None);
-    hand.app_mut()
-        .change_settings(|settings| [&odd, &lost, &rim, &stage].into_iter().for_each(|path| settings.opened(path)));
+    hand.app_mut().change_settings(|settings| {
+        [&odd, &lost, &rim, &stage].into_iter().for_each(|path| settings.opened(path))
+    });
     hand.settle();
-    assert!(has(&hand, "Open the look rim") && has(&hand, "Open the look odd") && has(&hand, "lost is gone"));
+    assert!(
+        has(&hand, "Open the look rim")
+            && has(&hand, "Open the look odd")
+            && has(&hand, "lost is gone")
+    );
     assert!(has(&hand, "Open the scene stage"));
     press(&mut hand, "Forget lost");
     assert!(!has(&hand, "lost is gone") && !hand.app().settings().recent.contains(&lost));
@@ -198,7 +235,10 @@ fn paintings_that_were_open_show_themselves_and_examples_are_no_files() {
     hand.app_mut().show_start_page();
     hand.settle();
     assert!(has(&hand, "Open the painting surface") && says(&hand, "paintings that were open"));
-    assert!(!says(&hand, "cannot be read") && !says(&hand, "is gone"), "an example is opened among the examples");
+    assert!(
+        !says(&hand, "cannot be read") && !says(&hand, "is gone"),
+        "an example is opened among the examples"
+    );
     assert_eq!(hand.app().settings().recent, [path]);
     let at = hand.harness.get_by_label("Open the painting surface").rect().center();
     hand.hover(at);
@@ -260,7 +300,10 @@ fn only_a_window_without_anything_to_go_on_with_begins_at_the_start_page() {
     hand.app_mut().session_mut().close_journal(true);
     drop(hand);
     let hand = home.window(None);
-    assert!(!hand.app().shows_start_page() && hand.app().session().is_dirty(), "unsaved work is gone on with");
+    assert!(
+        !hand.app().shows_start_page() && hand.app().session().is_dirty(),
+        "unsaved work is gone on with"
+    );
 }
 
 #[test]
@@ -274,7 +317,10 @@ fn the_start_page_holds_in_narrow_windows_at_any_scale_in_both_themes() {
             hand.settle();
             for label in ["Take the tour", "New look", "Open a file", "Close the start page"] {
                 let rect = hand.harness.get_by_role_and_label(Role::Button, label).rect();
-                assert!(rect.left() >= 0.0 && rect.right() <= width + 0.5, "{label} at {rect} of {width}");
+                assert!(
+                    rect.left() >= 0.0 && rect.right() <= width + 0.5,
+                    "{label} at {rect} of {width}"
+                );
             }
             let card = hand.harness.get_by_label("Open the look Layers · Figure 1").rect();
             assert!(card.right() <= width + 0.5 && card.width() > 100.0, "{card} of {width}");
@@ -285,7 +331,10 @@ fn the_start_page_holds_in_narrow_windows_at_any_scale_in_both_themes() {
 /// Where the tour is: the title of its card.
 fn step(hand: &Hand) -> String {
     let nodes = hand.harness.query_all_by_label_contains(" of 7");
-    nodes.filter_map(|node| node.accesskit_node().value().or(node.accesskit_node().label())).next().unwrap_or_default()
+    nodes
+        .filter_map(|node| node.accesskit_node().value().or(node.accesskit_node().label()))
+        .next()
+        .unwrap_or_default()
 }
 
 #[track_caller]
@@ -306,7 +355,8 @@ fn goes_on(hand: &mut Hand, title: &str) {
 
 /// Where the tour's card is.
 fn card(hand: &Hand) -> Rect {
-    let parts = ["End tour", "Back", "Show me"].map(|label| hand.harness.get_by_label(label).rect());
+    let parts =
+        ["End tour", "Back", "Show me"].map(|label| hand.harness.get_by_label(label).rect());
     parts.into_iter().reduce(Rect::union).unwrap()
 }
 
@@ -325,16 +375,25 @@ fn the_tour_goes_on_by_what_an_artist_does() {
     let mut hand = on_tour(&home);
     let nothing = hand.look().clone();
 
-    // A click alone is not the step: the colour must change.
+    // A click alone is not the step: the color must change.
     press(&mut hand, "Base Base");
     is_at(&hand, "The base");
-    let field = hand.harness.get_all_by_role_and_label(Role::TextInput, "Color").next().unwrap().rect().center();
+    let field = hand
+        .harness
+        .get_all_by_role_and_label(Role::TextInput, "Color")
+        .next()
+        .unwrap()
+        .rect()
+        .center();
     hand.click(field);
     hand.key_with(Modifiers::COMMAND, Key::A);
     hand.type_text("#301d3c");
     hand.key(Key::Enter);
     hand.settle();
-    assert_ne!(hand.look().graph.nodes["base"].values["color"], nothing.graph.nodes["base"].values["color"]);
+    assert_ne!(
+        hand.look().graph.nodes["base"].values["color"],
+        nothing.graph.nodes["base"].values["color"]
+    );
 
     goes_on(&mut hand, "The base");
     is_at(&hand, "A first layer of light");
@@ -369,7 +428,11 @@ fn the_tour_goes_on_by_what_an_artist_does() {
 
     goes_on(&mut hand, "A rim from behind");
     is_at(&hand, "How layers meet");
-    let opacity = hand.harness.get_by_role_and_label(Role::SpinButton, "Opacity of Back-light").rect().center();
+    let opacity = hand
+        .harness
+        .get_by_role_and_label(Role::SpinButton, "Opacity of Back-light")
+        .rect()
+        .center();
     hand.drag(opacity, opacity - vec2(40.0, 0.0));
     hand.settle();
 
@@ -384,7 +447,9 @@ fn the_tour_goes_on_by_what_an_artist_does() {
     goes_on(&mut hand, "Keep it");
     assert!(has(&hand, "This is your look") && compiles(&hand));
     let saved = Look::load(&path);
-    assert!(!saved.has_errors() && saved.value.as_ref() == Some(hand.look()) && *hand.look() != nothing);
+    assert!(
+        !saved.has_errors() && saved.value.as_ref() == Some(hand.look()) && *hand.look() != nothing
+    );
     press(&mut hand, "See the examples");
     assert!(!hand.app().is_on_tour() && hand.app().shows_start_page());
     assert!(has(&hand, "Open the look first"), "what was saved is offered");
@@ -405,9 +470,14 @@ fn the_tour_shows_every_step_and_ends_in_a_look() {
     let home = Home::new();
     let mut hand = on_tour(&home);
     let nothing = hand.look().clone();
-    for title in
-        ["The base", "A first layer of light", "Its profile", "Turn the light", "A rim from behind", "How layers meet"]
-    {
+    for title in [
+        "The base",
+        "A first layer of light",
+        "Its profile",
+        "Turn the light",
+        "A rim from behind",
+        "How layers meet",
+    ] {
         is_at(&hand, title);
         press(&mut hand, "Show me");
         goes_on(&mut hand, title);
@@ -440,14 +510,23 @@ fn the_card_covers_nothing_that_a_step_speaks_of() {
         let mut hand = on_tour(&home);
         hand.harness.set_size(size);
         hand.settle();
-        for title in ["The base", "A first layer of light", "Its profile", "Turn the light", "A rim from behind"] {
+        for title in [
+            "The base",
+            "A first layer of light",
+            "Its profile",
+            "Turn the light",
+            "A rim from behind",
+        ] {
             is_at(&hand, title);
             let card = card(&hand);
             let picture = hand.app().viewport().rect().unwrap();
             assert!(!card.intersects(picture), "{title}: {card} over the picture at {picture}");
             let button = hand.harness.get_by_label("Add layer").rect();
             let row = hand.harness.get_by_label("Base Base").rect();
-            assert!(!card.intersects(button) && !card.intersects(row), "{title}: {card} over the layers");
+            assert!(
+                !card.intersects(button) && !card.intersects(row),
+                "{title}: {card} over the layers"
+            );
             if title.starts_with("A ") {
                 press(&mut hand, "Add layer");
                 for choice in ["Add Fill", "Add Diffuse", "Add Back-light"] {
@@ -485,7 +564,10 @@ fn the_rim_of_the_tour_is_seen_however_the_lights_were_turned() {
     press(&mut hand, "Show me");
     let light = glam::DVec3::from(hand.look().lights["back"].direction).normalize();
     let to_eye = (turned * light).dot(hand.app().session().orbit().direction());
-    assert!((-0.8..0.0).contains(&to_eye), "behind what is seen, and not so far that its rim is not: {to_eye}");
+    assert!(
+        (-0.8..0.0).contains(&to_eye),
+        "behind what is seen, and not so far that its rim is not: {to_eye}"
+    );
 }
 
 #[test]
@@ -571,7 +653,13 @@ fn keys_typed_in_a_dialog_are_the_dialogs_alone() {
     hand.click(field);
     hand.key_with(Modifiers::COMMAND, Key::A);
     // A quick hand in a slow window: all of it in one frame, letters as keys and as text.
-    let key = |key| Event::Key { key, physical_key: None, pressed: true, repeat: false, modifiers: Modifiers::NONE };
+    let key = |key| Event::Key {
+        key,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers: Modifiers::NONE,
+    };
     let events = &mut hand.harness.input_mut().events;
     events.push(Event::Text(path.to_str().unwrap().to_owned()));
     events.extend([Key::N, Key::X, Key::Enter, Key::Delete].map(key));
@@ -638,10 +726,13 @@ fn what_is_held_back_can_be_mended() {
     hand.app_mut().open(&path);
     hand.settle();
     assert!(hand.app().session().baked().is_none());
-    let removed = hand
-        .app_mut()
-        .session_mut()
-        .apply(chiaro::document::Edit::RemoveNode { graph: chiaro::document::GraphId::Look, id: "base".into() }, None);
+    let removed = hand.app_mut().session_mut().apply(
+        chiaro::document::Edit::RemoveNode {
+            graph: chiaro::document::GraphId::Look,
+            id: "base".into(),
+        },
+        None,
+    );
     assert!(removed.is_ok(), "it can be mended while it is not drawn");
     hand.settle();
     assert!(hand.app().session().baked().is_none());
@@ -674,7 +765,10 @@ fn work_on_what_the_last_program_ended_over_is_not_gone_on_with_by_itself() {
     let mut hand = home.window(None);
     assert!(hand.app().shows_start_page() && hand.app().session().path().is_none());
     press(&mut hand, "Restore it");
-    assert_eq!((hand.app().session().path(), hand.look().graph.nodes.len()), (Some(path.as_path()), 3));
+    assert_eq!(
+        (hand.app().session().path(), hand.look().graph.nodes.len()),
+        (Some(path.as_path()), 3)
+    );
     assert!(says(&hand, "a.json is open without being drawn"));
 }
 
@@ -741,8 +835,13 @@ fn the_shader_is_copied_as_wgsl() {
     assert_eq!(Some(&wgsl), hand.app().session().baked().map(|shader| &shader.wgsl));
     assert!(hand.app().message().unwrap().contains("WGSL"));
     press(&mut hand, "Copy as");
-    for label in ["Copy the picture as an image", "Copy the shader as WGSL", "nodes as text", "as GLSL ES 3.00", "HLSL"]
-    {
+    for label in [
+        "Copy the picture as an image",
+        "Copy the shader as WGSL",
+        "nodes as text",
+        "as GLSL ES 3.00",
+        "HLSL",
+    ] {
         assert!(says(&hand, label), "{label}");
     }
     hand.key(Key::Escape);
@@ -761,8 +860,10 @@ fn the_shader_is_copied_as_wgsl() {
 
 /// Where a card is that may lie below what is seen: it opens by the keyboard as well.
 fn open_card(hand: &mut Hand, label: &str) {
-    let card =
-        hand.harness.get_all_by_role(Role::Button).find(|node| node.accesskit_node().label().as_deref() == Some(label));
+    let card = hand
+        .harness
+        .get_all_by_role(Role::Button)
+        .find(|node| node.accesskit_node().label().as_deref() == Some(label));
     card.unwrap_or_else(|| panic!("there is no {label}")).focus();
     hand.settle();
     hand.key(Key::Enter);
@@ -780,7 +881,8 @@ fn an_example_of_an_hcbtf_brings_its_file_along_wherever_it_is_saved() {
     assert!(compiles(&hand), "{:?}", hand.app().session().problems());
     let saved = home.file("mine.json");
     assert!(hand.app_mut().save_as(&saved));
-    let (setup, problems) = chiaro::frame::open(&saved, None, &mut chiaro::frame::Assets::default()).unwrap();
+    let (setup, problems) =
+        chiaro::frame::open(&saved, None, &mut chiaro::frame::Assets::default()).unwrap();
     assert!(problems.is_empty() && setup.looks.len() == 1);
     let mut assets = chiaro::frame::Assets::default();
     assets.draft();
@@ -798,7 +900,10 @@ fn an_example_scene_opens_as_a_new_one_of_ones_own() {
     open_card(&mut hand, "Open the scene Painted surfaces");
     assert!(!hand.app().shows_start_page());
     let stage = hand.app().session().stage().expect("a scene");
-    assert_eq!((stage.scene().objects.len(), stage.path(), hand.app().session().path()), (10, None, None));
+    assert_eq!(
+        (stage.scene().objects.len(), stage.path(), hand.app().session().path()),
+        (10, None, None)
+    );
     let wrong: Vec<String> = stage.problem_texts().map(str::to_owned).collect();
     assert!(wrong.is_empty() && compiles(&hand), "{wrong:?} {:?}", hand.app().session().problems());
     // It is saved with the examples that it wears, and found again.
@@ -806,7 +911,11 @@ fn an_example_scene_opens_as_a_new_one_of_ones_own() {
     assert!(hand.app_mut().save_as(&look));
     hand.app_mut().session_mut().save_scene_as(&scene).unwrap();
     let text = fs::read_to_string(&scene).unwrap();
-    assert!(text.contains("\"arch.json\"") && text.contains("\"example:hcbtf/grass.json\""), "{text}");
-    let (setup, _) = chiaro::frame::open(&scene, None, &mut chiaro::frame::Assets::default()).unwrap();
+    assert!(
+        text.contains("\"arch.json\"") && text.contains("\"example:hcbtf/grass.json\""),
+        "{text}"
+    );
+    let (setup, _) =
+        chiaro::frame::open(&scene, None, &mut chiaro::frame::Assets::default()).unwrap();
     assert_eq!((setup.objects.len(), setup.looks.len()), (10, 10));
 }

@@ -1,4 +1,5 @@
-//! The handles on the object, driven by a hand: lines and lights are where the layer's own formulas say.
+//! The handles on the object, driven by a hand: lines and lights are where the layer's own formulas
+//! say.
 
 use crate::editor_support::{Hand, node_center};
 use chiaro::document::Value;
@@ -33,7 +34,9 @@ fn normal_at(hand: &Hand, at: Pos2) -> Option<DVec3> {
     let (right, up) = orbit.right_and_up();
     let eye = orbit.target + orbit.direction() * orbit.distance;
     let tangent = 2.0 * (orbit.fov / 2.0).tan();
-    let ray = right * f64::from(offset.x) * tangent - up * f64::from(offset.y) * tangent - orbit.direction();
+    let ray = right * f64::from(offset.x) * tangent
+        - up * f64::from(offset.y) * tangent
+        - orbit.direction();
     let ray = ray.normalize();
     let along = -eye.dot(ray);
     let half = 1.0 - (eye.length_squared() - along * along);
@@ -46,13 +49,15 @@ fn screen_at(hand: &Hand, normal: DVec3) -> Pos2 {
     let (right, up) = orbit.right_and_up();
     let eye = orbit.target + orbit.direction() * orbit.distance;
     let from_eye = normal - eye;
-    let scale = f64::from(rect.height()) / (2.0 * -from_eye.dot(orbit.direction()) * (orbit.fov / 2.0).tan());
+    let scale = f64::from(rect.height())
+        / (2.0 * -from_eye.dot(orbit.direction()) * (orbit.fov / 2.0).tan());
     rect.center() + vec2((from_eye.dot(right) * scale) as f32, -(from_eye.dot(up) * scale) as f32)
 }
 
 fn light(hand: &Hand) -> DVec3 {
     let look = hand.look();
-    (hand.app().session().orbit().illumination * DVec3::from(look.lights["key"].direction)).normalize()
+    (hand.app().session().orbit().illumination * DVec3::from(look.lights["key"].direction))
+        .normalize()
 }
 
 /// A point of a line, well inside of the picture and away from handles.
@@ -93,7 +98,13 @@ fn a_line_follows_the_pointer_and_a_gesture_is_one_step() {
     assert!((cutoff - wanted).abs() < 0.004, "{cutoff} for {wanted}");
     assert_eq!(falloff, cutoff);
     hand.settle();
-    let nearest = hand.app().viewport().curve("cutoff").iter().map(|p| p.distance(to)).fold(f32::INFINITY, f32::min);
+    let nearest = hand
+        .app()
+        .viewport()
+        .curve("cutoff")
+        .iter()
+        .map(|p| p.distance(to))
+        .fold(f32::INFINITY, f32::min);
     assert!(nearest < 1.5, "the line is under the pointer: {nearest}");
     hand.undo();
     assert_eq!((number(&hand, "falloff"), number(&hand, "cutoff")), (None, None), "one step");
@@ -118,17 +129,26 @@ fn a_line_of_a_keyed_value_sets_its_key() {
     hand.settle();
     let l = light(&hand);
     let from = grip(&hand, "cutoff");
-    assert!((normal_at(&hand, from).unwrap().angle_between(l) - 1.2).abs() < 0.01, "the line is where the key has it");
+    assert!(
+        (normal_at(&hand, from).unwrap().angle_between(l) - 1.2).abs() < 0.01,
+        "the line is where the key has it"
+    );
     let to = screen_at(&hand, normal_at(&hand, from).unwrap().lerp(l, 0.3).normalize());
     hand.drag(from, to);
     hand.settle();
     let wanted = normal_at(&hand, to).unwrap().angle_between(l);
     for port in ["cutoff", "falloff"] {
         let target = chiaro::document::Target::parse(&format!("diffuse.{port}")).unwrap();
-        let Value::Number(set) = hand.look().direction_keys[0].keys[0].values[&target] else { panic!("a number") };
+        let Value::Number(set) = hand.look().direction_keys[0].keys[0].values[&target] else {
+            panic!("a number")
+        };
         assert!((set - wanted).abs() < 0.004, "{port}: {set} for {wanted}");
     }
-    assert_eq!((number(&hand, "falloff"), number(&hand, "cutoff")), (None, None), "the node's own values stay");
+    assert_eq!(
+        (number(&hand, "falloff"), number(&hand, "cutoff")),
+        (None, None),
+        "the node's own values stay"
+    );
     assert_eq!(hand.app().session().steps().count(), 1);
 }
 
@@ -192,7 +212,8 @@ fn a_highlight_follows_the_pointer() {
     };
     hand.app_mut().session_mut().apply(edit, None).unwrap();
     hand.settle();
-    let (from, to) = (rect(&hand).center() + vec2(-20.0, 60.0), rect(&hand).center() + vec2(50.0, -35.0));
+    let (from, to) =
+        (rect(&hand).center() + vec2(-20.0, 60.0), rect(&hand).center() + vec2(50.0, -35.0));
     hand.drag_with(Modifiers::SHIFT, from, to);
     let n = normal_at(&hand, to).unwrap();
     let orbit = hand.app().session().orbit();
@@ -283,7 +304,10 @@ fn plain_nodes_have_lines_too() {
     assert!(hand.app().viewport().curve("cutoff").len() > 30);
     hand.app_mut().session_mut().select(vec!["angle".into()]);
     hand.settle();
-    assert!(hand.app().viewport().curve("falloff").len() > 30, "an angle that feeds one profile stands for it");
+    assert!(
+        hand.app().viewport().curve("falloff").len() > 30,
+        "an angle that feeds one profile stands for it"
+    );
 }
 
 #[test]
@@ -311,7 +335,8 @@ fn the_window_rests_with_lines_on_the_object() {
     assert!(hand.repaint_delay() < std::time::Duration::from_secs(1), "and goes on");
 }
 
-/// Arrows lie from the surface toward each light and along the eye's trace; without them there are none.
+/// Arrows lie from the surface toward each light and along the eye's trace; without them there are
+/// none.
 #[test]
 fn arrows_point_at_the_light() {
     let mut hand = on_ball();

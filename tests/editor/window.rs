@@ -1,4 +1,5 @@
-//! The window, driven by pointer and keys as a hand would: each action of the first editor, without display and GPU.
+//! The window, driven by pointer and keys as a hand would: each action of the first editor, without
+//! display and GPU.
 
 use crate::editor_support::{Hand, close, node_center};
 use chiaro::compile::Live;
@@ -95,7 +96,10 @@ fn a_wire_is_picked_up_and_dropped() {
     let nothing = hand.empty_place();
     hand.drag(hand.input("output", "color"), nothing);
     assert_eq!(wire_into(&hand, "output", "color"), None);
-    assert!(hand.harness.query_by_label("Add Profile").is_none(), "no search for a wire that was picked up");
+    assert!(
+        hand.harness.query_by_label("Add Profile").is_none(),
+        "no search for a wire that was picked up"
+    );
     hand.undo();
     assert!(wire_into(&hand, "output", "color").is_some());
 }
@@ -165,13 +169,16 @@ fn a_value_edit_compiles_no_live_shader() {
 #[test]
 fn a_touched_value_of_a_long_look_becomes_live() {
     let count = 6000;
-    let nodes = (0..count).map(|index| json!({"id": format!("n{index}"), "kind": "add", "values": {"b": 0.001}}));
+    let nodes = (0..count)
+        .map(|index| json!({"id": format!("n{index}"), "kind": "add", "values": {"b": 0.001}}));
     let ends = [json!({"id": "start", "kind": "kappa"}), json!({"id": "output", "kind": "output"})];
     let nodes: Vec<_> = nodes.chain(ends).collect();
     let from = |index: usize| format!("n{index}");
-    let wires = (1..count).map(|index| json!({"from": from(index - 1), "to": format!("n{index}.a")}));
+    let wires =
+        (1..count).map(|index| json!({"from": from(index - 1), "to": format!("n{index}.a")}));
     let ends = [("start".to_owned(), "n0.a"), (from(count - 1), "output.color")];
-    let wires: Vec<_> = wires.chain(ends.map(|(from, to)| json!({"from": from, "to": to}))).collect();
+    let wires: Vec<_> =
+        wires.chain(ends.map(|(from, to)| json!({"from": from, "to": to}))).collect();
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("long.json");
     std::fs::write(&path, json!({"nodes": nodes, "wires": wires}).to_string()).unwrap();
@@ -179,7 +186,9 @@ fn a_touched_value_of_a_long_look_becomes_live() {
     hand.app_mut().open(&path);
     hand.settle();
     let live_values = |hand: &Hand| match &hand.app().session().live().unwrap().live {
-        Live::Touched(values) => values.iter().map(|(node, port)| format!("{node}.{port}")).collect::<Vec<_>>(),
+        Live::Touched(values) => {
+            values.iter().map(|(node, port)| format!("{node}.{port}")).collect::<Vec<_>>()
+        }
         other => panic!("{other:?} in a look past the bound"),
     };
     assert!(live_values(&hand).is_empty());
@@ -203,8 +212,11 @@ fn a_touched_value_of_a_long_look_becomes_live() {
 fn a_choice_is_chosen() {
     let mut hand = Hand::new();
     hand.click(node_center(&hand, "diffuse"));
-    let at =
-        hand.harness.get_by_role_and_label(eframe::egui::accesskit::Role::ComboBox, "Shading type").rect().center();
+    let at = hand
+        .harness
+        .get_by_role_and_label(eframe::egui::accesskit::Role::ComboBox, "Shading type")
+        .rect()
+        .center();
     hand.click(at);
     let at = hand.harness.get_by_label("Specular").rect().center();
     hand.click(at);
@@ -239,7 +251,8 @@ fn keys_undo_and_redo() {
 #[test]
 fn nodes_are_selected_by_click_shift_and_box() {
     let mut hand = Hand::new();
-    let selected = |hand: &Hand| hand.app().session().selected().map(ToString::to_string).collect::<Vec<_>>();
+    let selected =
+        |hand: &Hand| hand.app().session().selected().map(ToString::to_string).collect::<Vec<_>>();
     hand.click(node_center(&hand, "base"));
     assert_eq!(selected(&hand), ["base"]);
     hand.click_with(Modifiers::SHIFT, node_center(&hand, "output"));
@@ -318,7 +331,10 @@ fn a_file_that_cannot_be_read_leaves_the_look_and_says_so() {
     assert_eq!(hand.look().graph.nodes.len(), before);
     hand.app_mut().open(&path);
     hand.settle();
-    assert!(hand.app().session().path().is_none() || !hand.app_mut().save_as(&path), "what is not understood is kept");
+    assert!(
+        hand.app().session().path().is_none() || !hand.app_mut().save_as(&path),
+        "what is not understood is kept"
+    );
 }
 
 #[test]
@@ -346,7 +362,10 @@ fn an_error_shows_on_its_node_and_goes() {
     hand.drag(hand.input("output", "color"), nothing);
     hand.settle();
     assert!(hand.app().canvas().has_error("output"), "{:?}", hand.app().session().problems());
-    assert!(std::sync::Arc::ptr_eq(&good, hand.app().session().baked().unwrap()), "the last good one stays");
+    assert!(
+        std::sync::Arc::ptr_eq(&good, hand.app().session().baked().unwrap()),
+        "the last good one stays"
+    );
     hand.undo();
     hand.settle();
     assert!(!hand.app().canvas().has_error("output"));
@@ -362,7 +381,11 @@ fn a_click_on_a_problem_selects_its_node() {
     let at = hand.harness.get_by_label("Open the list of problems").rect().center();
     hand.click(at);
     hand.settle();
-    let at = hand.harness.get_by_role_and_label(eframe::egui::accesskit::Role::Link, "output.color").rect().center();
+    let at = hand
+        .harness
+        .get_by_role_and_label(eframe::egui::accesskit::Role::Link, "output.color")
+        .rect()
+        .center();
     hand.click(at);
     let selected: Vec<String> = hand.app().session().selected().map(ToString::to_string).collect();
     assert_eq!(selected, ["output"]);

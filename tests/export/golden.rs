@@ -1,13 +1,17 @@
-//! Exported looks: golden outputs of every example look in every language, and what the description says held against
-//! programs that are not the exporter.
+//! Exported looks: golden outputs of every example look in every language, and what the description
+//! says held against programs that are not the exporter.
 
 use std::collections::{BTreeMap, HashMap};
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use crate::support::files;
-use crate::support::validators::{Stage, glslang, glslang_hlsl, glslang_reflection, spirv_val, tint};
-use chiaro::compile::{HostInputs, LightValues, Live, Options as CompileOptions, Stage as CompileStage, compile};
+use crate::support::validators::{
+    Stage, glslang, glslang_hlsl, glslang_reflection, spirv_val, tint,
+};
+use chiaro::compile::{
+    HostInputs, LightValues, Live, Options as CompileOptions, Stage as CompileStage, compile,
+};
 use chiaro::document::{Directions, Grid, Hcbtf, Look, Tile};
 use chiaro::export::{File, LANGUAGES, export};
 use chiaro::hcbtf;
@@ -31,7 +35,10 @@ fn read_look(text: &str, name: &str) -> Look {
 fn export_all(look: &Look, stem: &str) -> Vec<File> {
     let exported = export(look, Library::built_in(), stem, &LANGUAGES, Path::new(""));
     let exported = exported.unwrap_or_else(|problems| {
-        panic!("{stem}: {}", problems.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))
+        panic!(
+            "{stem}: {}",
+            problems.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
+        )
     });
     exported.files
 }
@@ -40,12 +47,19 @@ fn export_all(look: &Look, stem: &str) -> Vec<File> {
 fn expected() -> BTreeMap<PathBuf, Vec<u8>> {
     let looks = files::below(&Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks"));
     let mut expected = BTreeMap::new();
-    for path in looks.iter().filter(|path| path.extension().is_some_and(|extension| extension == "json")) {
+    for path in
+        looks.iter().filter(|path| path.extension().is_some_and(|extension| extension == "json"))
+    {
         let stem = path.file_stem().expect("a file").to_string_lossy().into_owned();
-        let look = read_look(&fs::read_to_string(path).expect("an example"), &path.display().to_string());
+        let look =
+            read_look(&fs::read_to_string(path).expect("an example"), &path.display().to_string());
         for file in export_all(&look, &stem) {
             let name = Path::new(&stem).join(&file.name);
-            assert!(expected.insert(name.clone(), file.bytes).is_none(), "two files are {}", name.display());
+            assert!(
+                expected.insert(name.clone(), file.bytes).is_none(),
+                "two files are {}",
+                name.display()
+            );
         }
     }
     expected
@@ -53,7 +67,8 @@ fn expected() -> BTreeMap<PathBuf, Vec<u8>> {
 
 /// The first line that differs, or the sizes of what is no text.
 fn difference(golden: &[u8], now: &[u8]) -> String {
-    let (Ok(golden_text), Ok(now_text)) = (std::str::from_utf8(golden), std::str::from_utf8(now)) else {
+    let (Ok(golden_text), Ok(now_text)) = (std::str::from_utf8(golden), std::str::from_utf8(now))
+    else {
         return format!("{} bytes, now {}", golden.len(), now.len());
     };
     let longest = golden_text.lines().count().max(now_text.lines().count());
@@ -62,7 +77,12 @@ fn difference(golden: &[u8], now: &[u8]) -> String {
     first.map_or_else(
         || "line ends differ".to_owned(),
         |index| {
-            format!("line {}\n  golden: {}\n  now:    {}", index + 1, line(golden_text, index), line(now_text, index))
+            format!(
+                "line {}\n  golden: {}\n  now:    {}",
+                index + 1,
+                line(golden_text, index),
+                line(now_text, index)
+            )
         },
     )
 }
@@ -81,7 +101,10 @@ fn golden_outputs_are_what_is_exported() {
             if is_blessing {
                 fs::remove_file(path).expect("a stale golden file");
             } else {
-                complaints.push(format!("{}: no example look is exported to this file any more", path.display()));
+                complaints.push(format!(
+                    "{}: no example look is exported to this file any more",
+                    path.display()
+                ));
             }
         }
     }
@@ -92,10 +115,14 @@ fn golden_outputs_are_what_is_exported() {
             continue;
         }
         if is_blessing {
-            fs::create_dir_all(path.parent().expect("a folder")).expect("a folder for golden files");
+            fs::create_dir_all(path.parent().expect("a folder"))
+                .expect("a folder for golden files");
             fs::write(&path, now).expect("a golden file");
         } else {
-            let what = golden.map_or_else(|_| "there is no such golden file".to_owned(), |old| difference(&old, now));
+            let what = golden.map_or_else(
+                |_| "there is no such golden file".to_owned(),
+                |old| difference(&old, now),
+            );
             complaints.push(format!("{}: {what}", path.display()));
         }
     }
@@ -103,7 +130,8 @@ fn golden_outputs_are_what_is_exported() {
     assert!(complaints.is_empty(), "{}\n{how}", complaints.join("\n"));
 }
 
-/// OpenGL and Vulkan take different texts that both say 450: who reads the description learns which this is.
+/// OpenGL and Vulkan take different texts that both say 450: who reads the description learns which
+/// this is.
 #[test]
 fn the_description_says_whose_glsl_it_is() {
     let look = read_look(
@@ -116,7 +144,10 @@ fn the_description_says_whose_glsl_it_is() {
     let described: Json = serde_json::from_slice(&file.bytes).expect("JSON");
     let glsl = &described["languages"]["glsl-450"];
     let note = glsl["note"].as_str().expect("a note");
-    assert!(note.contains("OpenGL 4.5") && note.contains("not for Vulkan") && note.contains("spirv"), "{note}");
+    assert!(
+        note.contains("OpenGL 4.5") && note.contains("not for Vulkan") && note.contains("spirv"),
+        "{note}"
+    );
     assert_eq!(glsl["clip_space"]["depth"], json!([-1, 1]));
 }
 
@@ -125,9 +156,9 @@ fn exporting_twice_gives_the_same_bytes() {
     assert_eq!(expected(), expected());
 }
 
-/// Every kind of thing that a look can hold: exposed numbers, colours, a ramp, a choice and a light's field; a number
-/// that becomes a colour; time; a directional and a spot light; an image in a node of its own; curvature, also of detail
-/// normals; an alpha cutoff.
+/// Every kind of thing that a look can hold: exposed numbers, colors, a ramp, a choice and a
+/// light's field; a number that becomes a color; time; a directional and a spot light; an image in
+/// a node of its own; curvature, also of detail normals; an alpha cutoff.
 const RICH: &str = include_str!("../support/rich.json");
 
 fn rich() -> Look {
@@ -148,17 +179,21 @@ fn description(files: &[File], stem: &str) -> Json {
 
 fn module<'d>(description: &'d Json, name: &str) -> &'d Json {
     let modules = description["modules"].as_array().expect("modules");
-    modules.iter().find(|module| module["name"] == name).unwrap_or_else(|| panic!("no module {name}"))
+    modules
+        .iter()
+        .find(|module| module["name"] == name)
+        .unwrap_or_else(|| panic!("no module {name}"))
 }
 
-/// What outside compilers say against files of every language, one text for each that they refuse, and the WGSL files
-/// among them.
+/// What outside compilers say against files of every language, one text for each that they refuse,
+/// and the WGSL files among them.
 fn judged(files: &[File]) -> (Vec<String>, usize) {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut wgsl = Vec::new();
     let mut complaints = Vec::new();
     for file in files {
-        let extension = Path::new(&file.name).extension().expect("an extension").to_string_lossy().into_owned();
+        let extension =
+            Path::new(&file.name).extension().expect("an extension").to_string_lossy().into_owned();
         let verdict = match extension.as_str() {
             "vert" => glslang(&text(file), Stage::Vertex, &[]),
             "frag" => glslang(&text(file), Stage::Fragment, &[]),
@@ -166,7 +201,8 @@ fn judged(files: &[File]) -> (Vec<String>, usize) {
             "hlsl" => glslang_hlsl(&text(file)),
             "wgsl" => {
                 wgsl.push(folder.path().join(&file.name));
-                fs::write(folder.path().join(&file.name), &file.bytes).map_err(|error| error.to_string())
+                fs::write(folder.path().join(&file.name), &file.bytes)
+                    .map_err(|error| error.to_string())
             }
             _ => Ok(()),
         };
@@ -176,7 +212,8 @@ fn judged(files: &[File]) -> (Vec<String>, usize) {
     (complaints, wgsl.len())
 }
 
-/// The same outside compilers that judge the golden outputs, on a look that the examples need not resemble.
+/// The same outside compilers that judge the golden outputs, on a look that the examples need not
+/// resemble.
 #[test]
 fn everything_a_look_can_hold_passes_the_validators() {
     let (complaints, wgsl) = judged(&export_all(&rich(), "rich"));
@@ -191,9 +228,12 @@ fn images_and_hcbtfs_are_carried_along() {
     let grid = Grid { size: [3, 2], light: directions, view: directions };
     let mut painting = Hcbtf::new(grid);
     for (index, address) in grid.addresses().enumerate() {
-        painting.painted.insert(address, Tile::filled(grid.size, [index as u8, 200, 7, 255]).into());
+        painting
+            .painted
+            .insert(address, Tile::filled(grid.size, [index as u8, 200, 7, 255]).into());
     }
-    fs::write(folder.path().join("moss.hcbtf"), hcbtf::write(&painting).expect("it fits")).expect("a temporary file");
+    fs::write(folder.path().join("moss.hcbtf"), hcbtf::write(&painting).expect("it fits"))
+        .expect("a temporary file");
     fs::write(folder.path().join("moss.png"), b"not looked at").expect("a temporary file");
     let lookup = |id: &str, lookup: &str, tier: &str| json!({"id": id, "kind": "hcbtf_lookup", "tier": tier, "values": {"sheet": "moss.hcbtf", "lookup": lookup}});
     let look = json!({
@@ -234,7 +274,9 @@ fn images_and_hcbtfs_are_carried_along() {
     };
     let mut named: Vec<_> = images.iter().map(named).collect();
     named.sort();
-    let row = |path: &str, kind: &str, file: Option<&str>| (path.to_owned(), kind.to_owned(), file.map(str::to_owned));
+    let row = |path: &str, kind: &str, file: Option<&str>| {
+        (path.to_owned(), kind.to_owned(), file.map(str::to_owned))
+    };
     // With smaller levels and without, as the lookups read it.
     let wanted = [
         row("gone.png", "image", None),
@@ -245,7 +287,8 @@ fn images_and_hcbtfs_are_carried_along() {
     assert_eq!(named, wanted);
     assert_eq!(file(&exported.files, "moss.moss.png").bytes, b"not looked at");
     for name in ["moss.moss.ktx2", "moss.moss-2.ktx2"] {
-        let layers = hcbtf::ktx2::read(&file(&exported.files, name).bytes, name).expect("a texture");
+        let layers =
+            hcbtf::ktx2::read(&file(&exported.files, name).bytes, name).expect("a texture");
         assert_eq!(hcbtf::from_layers(&layers).expect("an HCBTF").painted, painting.painted);
     }
 }
@@ -258,7 +301,8 @@ fn every_file_that_the_description_names_is_there() {
     for language in described["languages"].as_object().expect("languages").values() {
         for module in language["modules"].as_array().expect("modules") {
             let files = module["files"].as_array().expect("files");
-            named.extend(files.iter().map(|file| file["file"].as_str().expect("a name").to_owned()));
+            named
+                .extend(files.iter().map(|file| file["file"].as_str().expect("a name").to_owned()));
         }
     }
     for module in described["modules"].as_array().expect("modules") {
@@ -273,15 +317,21 @@ fn every_file_that_the_description_names_is_there() {
 #[test]
 fn unverified_languages_say_so_in_every_file() {
     let files = export_all(&rich(), "rich");
-    for file in files.iter().filter(|file| !file.name.ends_with(".spv") && !file.name.ends_with(".json")) {
+    for file in
+        files.iter().filter(|file| !file.name.ends_with(".spv") && !file.name.ends_with(".json"))
+    {
         let is_unverified = file.name.ends_with(".hlsl") || file.name.ends_with(".metal");
         assert_eq!(text(file).contains("// UNVERIFIED: "), is_unverified, "{}", file.name);
         // The look is called `Rich look\`: nothing after a backslash may be swallowed.
         assert!(!text(file).lines().take(3).any(|line| line.ends_with('\\')), "{}", file.name);
     }
     // The heap of samplers that only wgpu has is not in it.
-    assert!(text(file(&files, "rich.hlsl")).contains("SamplerState image_1_sampler : register(s0);"));
-    assert!(files.iter().all(|file| !String::from_utf8_lossy(&file.bytes).contains("nagaSamplerHeap")));
+    assert!(
+        text(file(&files, "rich.hlsl")).contains("SamplerState image_1_sampler : register(s0);")
+    );
+    assert!(
+        files.iter().all(|file| !String::from_utf8_lossy(&file.bytes).contains("nagaSamplerHeap"))
+    );
 }
 
 /// Offsets of uniforms by full name, `u_look.key.direction`, as the description has them.
@@ -290,11 +340,18 @@ fn described_offsets(description: &Json) -> BTreeMap<String, u64> {
     for binding in module(description, "draw")["bindings"].as_array().expect("bindings") {
         let members = binding["members"].as_array();
         let root = format!("u_{}", binding["name"].as_str().expect("a name"));
-        let mut open: Vec<(String, u64, &Json)> = members.into_iter().flatten().map(|m| (root.clone(), 0, m)).collect();
+        let mut open: Vec<(String, u64, &Json)> =
+            members.into_iter().flatten().map(|m| (root.clone(), 0, m)).collect();
         while let Some((path, start, member)) = open.pop() {
             let path = format!("{path}.{}", member["name"].as_str().expect("a name"));
             let at = start + member["offset"].as_u64().expect("an offset");
-            open.extend(member["members"].as_array().into_iter().flatten().map(|inner| (path.clone(), at, inner)));
+            open.extend(
+                member["members"]
+                    .as_array()
+                    .into_iter()
+                    .flatten()
+                    .map(|inner| (path.clone(), at, inner)),
+            );
             offsets.insert(path, at);
         }
     }
@@ -310,13 +367,17 @@ fn uniforms_lie_in_glsl_where_the_description_says() {
         let names = ["vert", "frag"].map(|extension| format!("rich.{version}.{extension}"));
         let folder = tempfile::tempdir().expect("a temporary folder");
         for name in &names {
-            fs::write(folder.path().join(name), &file(&files, name).bytes).expect("a temporary file");
+            fs::write(folder.path().join(name), &file(&files, name).bytes)
+                .expect("a temporary file");
         }
         let Some(reflection) = glslang_reflection(folder.path(), &names) else { return };
         let mut count = 0;
-        for line in reflection.lines().filter(|line| line.starts_with("u_") && !line.contains("offset -1")) {
+        for line in
+            reflection.lines().filter(|line| line.starts_with("u_") && !line.contains("offset -1"))
+        {
             let (name, rest) = line.split_once(": offset ").expect("a reflected uniform");
-            let offset: u64 = rest.split(',').next().and_then(|number| number.parse().ok()).expect("an offset");
+            let offset: u64 =
+                rest.split(',').next().and_then(|number| number.parse().ok()).expect("an offset");
             assert_eq!(offsets.get(name), Some(&offset), "{name} in GLSL {version}");
             count += 1;
         }
@@ -342,10 +403,12 @@ fn shaped(json: &Json, shape: &Shape) -> Value {
         Shape::Scalar(ScalarKind::Float) => Value::Float(json.as_f64().expect("a number")),
         Shape::Vector { .. } => Value::vec(&numbers()),
         Shape::Matrix { columns, .. } => Value::Matrix { columns: *columns, components: numbers() },
-        Shape::Array { element, .. } => Value::Array(items().map(|item| shaped(item, element)).collect()),
-        Shape::Struct { members, .. } => {
-            Value::Struct(items().zip(members).map(|(item, (_, member))| shaped(item, member)).collect())
+        Shape::Array { element, .. } => {
+            Value::Array(items().map(|item| shaped(item, element)).collect())
         }
+        Shape::Struct { members, .. } => Value::Struct(
+            items().zip(members).map(|(item, (_, member))| shaped(item, member)).collect(),
+        ),
     }
 }
 
@@ -374,20 +437,23 @@ fn evaluate(
 ) -> Vec<Vec<f64>> {
     let valid = wgsl::parse(functions).expect("valid WGSL");
     // Constants as they are written, at f64.
-    let options = Options { derivatives: Derivatives::Zero, source: Some(functions), ..Options::default() };
+    let options =
+        Options { derivatives: Derivatives::Zero, source: Some(functions), ..Options::default() };
     let mut values: Vec<Evaluated> = Vec::new();
     let index = |json: &Json| json.as_u64().expect("an index") as usize;
     for step in host["steps"].as_array().expect("steps") {
         let value = match step["op"].as_str().expect("an operation") {
             "constant" => Evaluated::Json(step["value"].clone()),
             "parameter" => {
-                let given = set(index(&step["parameter"])).map(|given| match (step["type"].as_str(), given) {
-                    (Some("color"), Json::Number(x)) => json!([x, x, x, 1]),
-                    (Some("color"), Json::Array(mut rgb)) if rgb.len() == 3 => {
-                        rgb.push(json!(1));
-                        Json::Array(rgb)
+                let given = set(index(&step["parameter"])).map(|given| {
+                    match (step["type"].as_str(), given) {
+                        (Some("color"), Json::Number(x)) => json!([x, x, x, 1]),
+                        (Some("color"), Json::Array(mut rgb)) if rgb.len() == 3 => {
+                            rgb.push(json!(1));
+                            Json::Array(rgb)
+                        }
+                        (_, given) => given,
                     }
-                    (_, given) => given,
                 });
                 Evaluated::Json(given.unwrap_or_else(|| step["value"].clone()))
             }
@@ -395,7 +461,11 @@ fn evaluate(
             "call" => {
                 let function = step["function"].as_str().expect("a function");
                 let program = Program::compile(&valid.module, function, options).expect(function);
-                let arguments = step["arguments"].as_array().expect("arguments").iter().zip(program.parameters());
+                let arguments = step["arguments"]
+                    .as_array()
+                    .expect("arguments")
+                    .iter()
+                    .zip(program.parameters());
                 let arguments: Vec<_> = arguments
                     .map(|(argument, parameter)| match &values[index(argument)] {
                         Evaluated::Json(json) => shaped(json, &parameter.shape),
@@ -406,9 +476,9 @@ fn evaluate(
             }
             "member" => match &values[index(&step["of"])] {
                 Evaluated::Json(json) => Evaluated::Json(json[index(&step["member"])].clone()),
-                Evaluated::Value(value) => {
-                    Evaluated::Value(value.parts().expect("a struct")[index(&step["member"])].clone())
-                }
+                Evaluated::Value(value) => Evaluated::Value(
+                    value.parts().expect("a struct")[index(&step["member"])].clone(),
+                ),
             },
             other => panic!("{other}"),
         };
@@ -422,13 +492,19 @@ fn evaluate(
     members.iter().map(numbers).collect()
 }
 
-/// A light's field from the description, without the compiler's own code. The illumination frame is turned by 90
-/// degrees about y: x becomes -z, z becomes x.
+/// A light's field from the description, without the compiler's own code. The illumination frame is
+/// turned by 90 degrees about y: x becomes -z, z becomes x.
 fn light_field(light: &Json, field: &str) -> Json {
     let values = &light["values"];
     let is_turned = values["space"] == "illumination";
-    let vector =
-        |name: &str| values[name].as_array().expect(name).iter().map(|x| x.as_f64().expect(name)).collect::<Vec<_>>();
+    let vector = |name: &str| {
+        values[name]
+            .as_array()
+            .expect(name)
+            .iter()
+            .map(|x| x.as_f64().expect(name))
+            .collect::<Vec<_>>()
+    };
     let unit = |v: &[f64]| {
         let length = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
         vec![v[0] / length, v[1] / length, v[2] / length]
@@ -443,7 +519,9 @@ fn light_field(light: &Json, field: &str) -> Json {
         "light.own_from_world" => json!([1, 0, 0, 0, 1, 0, 0, 0, 1]),
         "light.color" => values["color"].clone(),
         "light.intensity" => values["intensity"].clone(),
-        "light.cone" => json!([values["inner"].as_f64().map(f64::cos), values["outer"].as_f64().map(f64::cos)]),
+        "light.cone" => {
+            json!([values["inner"].as_f64().map(f64::cos), values["outer"].as_f64().map(f64::cos)])
+        }
         "light.fading" => json!([values["half_distance"], values["range"]]),
         other => panic!("{other}"),
     }
@@ -475,13 +553,15 @@ fn the_described_host_computes_what_the_compilers_does() {
         ] {
             let host = &module(&described, name)["host"];
             let functions = text(file(&files, host["functions"].as_str().expect("a file")));
-            let exposed_name =
-                |index: usize| described["parameters"][index]["name"].as_str().expect("exposed").to_owned();
+            let exposed_name = |index: usize| {
+                described["parameters"][index]["name"].as_str().expect("exposed").to_owned()
+            };
             let set = |index: usize| values.get(exposed_name(index).as_str()).cloned();
             let context = |step: &Json| match step["light"].as_str() {
                 Some(id) => {
                     let lights = described["lights"].as_array().expect("lights");
-                    let light = lights.iter().find(|light| light["id"] == id).expect("a described light");
+                    let light =
+                        lights.iter().find(|light| light["id"] == id).expect("a described light");
                     light_field(light, step["context"].as_str().expect("a context"))
                 }
                 None => json!(2.5),
@@ -489,7 +569,9 @@ fn the_described_host_computes_what_the_compilers_does() {
             let found = evaluate(host, &functions, &set, &context);
             let expected = compiled_host(&look, stage, &values);
             assert_eq!(found.len(), expected.len());
-            for ((member, found), expected) in host["members"].as_array().unwrap().iter().zip(&found).zip(&expected) {
+            for ((member, found), expected) in
+                host["members"].as_array().unwrap().iter().zip(&found).zip(&expected)
+            {
                 let is_near = |(a, b): (&f64, &f64)| (a - b).abs() <= 1e-12 * a.abs().max(1.0);
                 assert!(
                     found.len() == expected.len() && found.iter().zip(expected).all(is_near),
@@ -497,7 +579,10 @@ fn the_described_host_computes_what_the_compilers_does() {
                 );
                 if values.is_empty() && !member["default"].is_null() {
                     let default = flat_json(&member["default"]);
-                    assert!(default.iter().zip(found).all(|(a, b)| *a as f32 == *b as f32), "{member}");
+                    assert!(
+                        default.iter().zip(found).all(|(a, b)| *a as f32 == *b as f32),
+                        "{member}"
+                    );
                 }
             }
         }
@@ -511,15 +596,25 @@ fn compiled_host(look: &Look, stage: CompileStage, values: &BTreeMap<&str, Json>
     let params: HashMap<usize, _> = values
         .iter()
         .filter_map(|(name, value)| {
-            let exposed = look.exposed.iter().find(|exposed| exposed.name.as_str() == *name).expect("exposed");
+            let exposed = look
+                .exposed
+                .iter()
+                .find(|exposed| exposed.name.as_str() == *name)
+                .expect("exposed");
             let target = exposed.target.to_string();
-            let param = shader.params.iter().position(|param| format!("{}.{}", param.path, param.port) == target)?;
+            let param = shader
+                .params
+                .iter()
+                .position(|param| format!("{}.{}", param.path, param.port) == target)?;
             Some((param, serde_json::from_value(value.clone()).expect("a document's value")))
         })
         .collect();
     let turn = DQuat::from_rotation_y(std::f64::consts::FRAC_PI_2);
-    let lights =
-        look.lights.iter().map(|(id, light)| (id.clone(), LightValues::new(light, turn, DMat3::IDENTITY))).collect();
+    let lights = look
+        .lights
+        .iter()
+        .map(|(id, light)| (id.clone(), LightValues::new(light, turn, DMat3::IDENTITY)))
+        .collect();
     let inputs = HostInputs {
         params: &params,
         lights: &lights,
@@ -538,16 +633,25 @@ fn parameters_are_described_as_people_see_them() {
     let described = description(&files, "rich");
     let parameter = |name: &str| {
         let list = described["parameters"].as_array().expect("parameters");
-        list.iter().find(|parameter| parameter["name"] == name).unwrap_or_else(|| panic!("no {name}")).clone()
+        list.iter()
+            .find(|parameter| parameter["name"] == name)
+            .unwrap_or_else(|| panic!("no {name}"))
+            .clone()
     };
     assert_eq!(parameter("speed")["label"], "How fast", "the artist's label");
     assert_eq!(parameter("slope")["label"], "Shape slope", "the group's label");
     let offset = parameter("offset");
-    assert_eq!((&offset["label"], &offset["unit"], &offset["default"]), (&json!("Offset"), &json!("rad"), &json!(0)));
+    assert_eq!(
+        (&offset["label"], &offset["unit"], &offset["default"]),
+        (&json!("Offset"), &json!("rad"), &json!(0))
+    );
     assert_eq!((&offset["target"], &offset["type"]), (&json!("diffuse.offset"), &json!("float")));
     assert!((offset["max"].as_f64().expect("a range") - std::f64::consts::PI).abs() < 1e-12);
     let way = parameter("way");
-    assert_eq!((&way["type"], &way["default"], &way["live"]), (&json!("choice"), &json!("multiply"), &json!(false)));
+    assert_eq!(
+        (&way["type"], &way["default"], &way["live"]),
+        (&json!("choice"), &json!("multiply"), &json!(false))
+    );
     assert!(way["options"].as_array().expect("words").contains(&json!("screen")));
     assert_eq!(parameter("lamp")["default"], 1);
     assert_eq!(described["images"][0]["path"], "paper.png");
@@ -573,18 +677,28 @@ fn passes_read_only_what_was_drawn_before() {
         });
         assert_eq!(drawn_textures.count(), pass["inputs"].as_array().map_or(0, Vec::len), "{pass}");
         let outputs = pass["outputs"].as_array().expect("outputs");
-        let fragment =
-            module["entry_points"].as_array().expect("entry points").iter().find(|p| p["stage"] == "fragment");
-        assert_eq!(fragment.expect("a fragment shader")["outputs"].as_array().map(Vec::len), Some(outputs.len()));
+        let fragment = module["entry_points"]
+            .as_array()
+            .expect("entry points")
+            .iter()
+            .find(|p| p["stage"] == "fragment");
+        assert_eq!(
+            fragment.expect("a fragment shader")["outputs"].as_array().map(Vec::len),
+            Some(outputs.len())
+        );
         drawn.extend(outputs.iter().map(|output| (pass["name"].clone(), output["name"].clone())));
     }
-    let names: Vec<_> =
-        described["passes"].as_array().unwrap().iter().map(|pass| pass["name"].as_str().unwrap()).collect();
+    let names: Vec<_> = described["passes"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|pass| pass["name"].as_str().unwrap())
+        .collect();
     assert_eq!(names, ["normals", "detail_normals", "curvature", "detail_curvature", "draw"]);
 }
 
-/// Derivatives where control flow is not uniform, literals beyond f32: browsers refuse what naga takes. All of the
-/// library is in one module.
+/// Derivatives where control flow is not uniform, literals beyond f32: browsers refuse what naga
+/// takes. All of the library is in one module.
 #[test]
 fn tint_takes_the_whole_library() {
     let folder = tempfile::tempdir().expect("a temporary folder");

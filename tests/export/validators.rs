@@ -1,5 +1,5 @@
-//! The shaders that leave Chiaro pass compilers that are none of ours; and those compilers, as we drive them, refuse
-//! what is wrong. A check that cannot fail would prove nothing.
+//! The shaders that leave Chiaro pass compilers that are none of ours; and those compilers, as we
+//! drive them, refuse what is wrong. A check that cannot fail would prove nothing.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -13,7 +13,8 @@ use chiaro::document::Look;
 use chiaro::export::{LANGUAGES, export};
 use chiaro::library::Library;
 
-/// Whether a test that needs `tool` to refuse something can run; fails where the tools are required.
+/// Whether a test that needs `tool` to refuse something can run; fails where the tools are
+/// required.
 fn can_refuse(tool: Tool) -> bool {
     let here = tool.is_here();
     assert!(here || !tools_are_required(), "{tool} is missing: run scripts/setup");
@@ -59,7 +60,10 @@ fn tint_refuses_a_derivative_in_non_uniform_control_flow() {
     }";
     if can_refuse(Tool::Tint) {
         let error = tint_source(source).expect_err("the derivative depends on a varying");
-        assert!(error.contains(":4:21: error: 'dpdx' must only be called from uniform control flow"), "{error}");
+        assert!(
+            error.contains(":4:21: error: 'dpdx' must only be called from uniform control flow"),
+            "{error}"
+        );
     }
 }
 
@@ -86,8 +90,9 @@ fn glslang_knows_every_version_that_we_write() {
         ("#version 450 core", "const int n = 1.5;"),
     ];
     for (version, wrong) in versions {
-        let shader =
-            |line: &str| format!("{version}\nout vec4 color;\nvoid main() {{\n{line}\ncolor = vec4(1.0);\n}}\n");
+        let shader = |line: &str| {
+            format!("{version}\nout vec4 color;\nvoid main() {{\n{line}\ncolor = vec4(1.0);\n}}\n")
+        };
         glslang(&shader(""), Stage::Fragment, &[]).expect(version);
         if can_refuse(Tool::Glslang) {
             let error = glslang(&shader(wrong), Stage::Fragment, &[]).expect_err(version);
@@ -102,20 +107,28 @@ fn glslang_reads_hlsl() {
     let shader = |body: &str| {
         format!(
             "struct Pair {{ float a; float2 b; }};\n\
-             Pair ConstructPair(float a, float2 b) {{ Pair ret = (Pair)0; ret.a = a; ret.b = b; return ret; }}\n\
+             Pair ConstructPair(float a, float2 b) {{ Pair ret = (Pair)0; ret.a = a; ret.b = b; \
+             return ret; }}\n\
              static const Pair PAIR = ConstructPair((1.0 + 0.5), float2(2.0, 3.0));\n\
              float4 vs_main(float3 at : LOC0) : SV_Position {{ return float4(at, 1.0); }}\n\
              float4 fs_main() : SV_Target0 {{\n    float2 sums[2] = (float2[2])0;\n    {body}\n}}\n"
         )
     };
-    glslang_hlsl(&shader("sums[1] += PAIR.b; return float4(PAIR.a, sums[1], 1.0);")).expect("a right shader");
+    glslang_hlsl(&shader("sums[1] += PAIR.b; return float4(PAIR.a, sums[1], 1.0);"))
+        .expect("a right shader");
     let adapted = for_glslang(&shader(""));
-    assert!(adapted.contains("static const Pair PAIR = {(1.0 + 0.5), float2(2.0, 3.0)};"), "{adapted}");
+    assert!(
+        adapted.contains("static const Pair PAIR = {(1.0 + 0.5), float2(2.0, 3.0)};"),
+        "{adapted}"
+    );
     assert!(adapted.contains("    float2 sums[2] = { (float2)0, (float2)0 };"), "{adapted}");
     if can_refuse(Tool::Glslang) {
-        for wrong in
-            ["return PAIR;", "return float4(PAIR.c, 0.0, 0.0, 1.0);", "return missing(sums);", "return float4(1.0"]
-        {
+        for wrong in [
+            "return PAIR;",
+            "return float4(PAIR.c, 0.0, 0.0, 1.0);",
+            "return missing(sums);",
+            "return float4(1.0",
+        ] {
             glslang_hlsl(&shader(wrong)).expect_err(wrong);
         }
     }
@@ -123,13 +136,15 @@ fn glslang_reads_hlsl() {
 
 #[test]
 fn glslang_knows_the_stages_and_its_flags() {
-    let vertex = "#version 450\nlayout(location = 0) in vec4 at;\nvoid main() { gl_Position = at; }\n";
+    let vertex =
+        "#version 450\nlayout(location = 0) in vec4 at;\nvoid main() { gl_Position = at; }\n";
     glslang(vertex, Stage::Vertex, &["-V"]).expect("a vertex shader");
     glslang("#version 450\nlayout(local_size_x = 1) in;\nvoid main() {}\n", Stage::Compute, &[])
         .expect("a compute shader");
     if can_refuse(Tool::Glslang) {
         glslang(vertex, Stage::Fragment, &["-V"]).expect_err("gl_Position is no fragment's");
-        let without_location = "#version 450\nout vec4 color;\nvoid main() { color = vec4(1.0); }\n";
+        let without_location =
+            "#version 450\nout vec4 color;\nvoid main() { color = vec4(1.0); }\n";
         glslang(without_location, Stage::Fragment, &["-V"]).expect_err("Vulkan asks for locations");
     }
 }
@@ -139,7 +154,8 @@ fn op(code: u32, operands: &[u32]) -> Vec<u32> {
     [&[((operands.len() as u32 + 1) << 16) | code], operands].concat()
 }
 
-/// The smallest compute shader in SPIR-V 1.0, with `body` between the label and the end of its one function.
+/// The smallest compute shader in SPIR-V 1.0, with `body` between the label and the end of its one
+/// function.
 fn spirv(body: &[u32]) -> Vec<u8> {
     let (void, function_type, main, label, bound) = (2, 3, 4, 5, 6);
     let words = [
@@ -170,10 +186,12 @@ fn spirv_val_takes_what_is_right_and_refuses_what_is_not() {
     }
 }
 
-/// Has each exported file judged that the ledger does not know, and closes the ledger. A file's extension says what it is
-/// and so who judges it; an extension that nobody knows is a mistake. Files lie under `root`.
+/// Has each exported file judged that the ledger does not know, and closes the ledger. A file's
+/// extension says what it is and so who judges it; an extension that nobody knows is a mistake.
+/// Files lie under `root`.
 fn judge(mut ledger: Ledger, root: &Path, files: &[PathBuf]) {
-    let versions = Key::of_sources(&["tests/support/validators.rs", "tests/tint"]).with(versions().as_bytes());
+    let versions =
+        Key::of_sources(&["tests/support/validators.rs", "tests/tint"]).with(versions().as_bytes());
     let mut wgsl = Vec::new();
     for path in files {
         let name = path.strip_prefix(root).unwrap_or(path).to_string_lossy().into_owned();
@@ -201,7 +219,8 @@ fn judge(mut ledger: Ledger, root: &Path, files: &[PathBuf]) {
         ledger.note(&name, &key, verdict.map(|()| 0.0));
     }
     let paths: Vec<&PathBuf> = wgsl.iter().map(|(_, _, path)| *path).collect();
-    let refused = if paths.is_empty() { String::new() } else { tint(&paths).err().unwrap_or_default() };
+    let refused =
+        if paths.is_empty() { String::new() } else { tint(&paths).err().unwrap_or_default() };
     let is_of = |line: &&str, path: &Path| line.starts_with(&*path.to_string_lossy());
     for (name, key, path) in &wgsl {
         let said: Vec<&str> = refused.lines().filter(|line| is_of(line, path)).collect();
@@ -216,7 +235,9 @@ fn judge(mut ledger: Ledger, root: &Path, files: &[PathBuf]) {
 fn versions() -> String {
     let said = |program: &str| {
         let output = std::process::Command::new(program).arg("--version").output();
-        output.map(|output| String::from_utf8_lossy(&output.stdout).into_owned()).unwrap_or_default()
+        output
+            .map(|output| String::from_utf8_lossy(&output.stdout).into_owned())
+            .unwrap_or_default()
     };
     said("glslangValidator") + &said("spirv-val")
 }
@@ -227,19 +248,24 @@ fn golden_outputs_pass_their_validators() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let golden = files::below(&root.join("tests/golden"));
     let looks = files::below(&root.join("examples/looks"));
-    assert!(looks.is_empty() || !golden.is_empty(), "there are example looks and no golden outputs of them");
+    assert!(
+        looks.is_empty() || !golden.is_empty(),
+        "there are example looks and no golden outputs of them"
+    );
     judge(Ledger::open("golden"), root, &golden);
 }
 
-/// Looks that read pictures and HCBTFs have no golden outputs, but are exported to every language all the same. Their
-/// textures are held elsewhere (`tests/export/golden.rs`).
+/// Looks that read pictures and HCBTFs have no golden outputs, but are exported to every language
+/// all the same. Their textures are held elsewhere (`tests/export/golden.rs`).
 #[test]
 fn looks_with_textures_pass_their_validators() {
     let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
     let looks = ["images", "hcbtf"].map(|folder| files::below(&examples.join(folder))).concat();
     let out = tempfile::tempdir().unwrap();
     let mut written = Vec::new();
-    for path in looks.iter().filter(|path| path.extension().is_some_and(|extension| extension == "json")) {
+    for path in
+        looks.iter().filter(|path| path.extension().is_some_and(|extension| extension == "json"))
+    {
         let stem = path.file_stem().unwrap().to_string_lossy().into_owned();
         let look = Look::load(path).value.unwrap();
         let exported = export(&look, Library::built_in(), &stem, &LANGUAGES, Path::new(""));

@@ -3,7 +3,9 @@
 
 use crate::support::eval::look;
 use chiaro::accuracy::tune::{Goal, TuneOptions, tune};
-use chiaro::accuracy::{BenchOptions, Measure, MeasuredNodes, Progress, Stopped, Subject, Variant, bench};
+use chiaro::accuracy::{
+    BenchOptions, Measure, MeasuredNodes, Progress, Stopped, Subject, Variant, bench,
+};
 use chiaro::document::Tier;
 use chiaro::frame::{Assets, PlanOptions, Setup, default_setup};
 use chiaro::library::Library;
@@ -43,17 +45,24 @@ fn a_report_has_the_look_and_its_nodes_in_each_tier_with_errors_and_sizes() {
         steps += 1;
         true
     };
-    let report =
-        bench(&setup(), Library::built_in(), &mut renderer(), &options, &mut Progress::new(&mut told)).unwrap();
+    let report = bench(
+        &setup(),
+        Library::built_in(),
+        &mut renderer(),
+        &options,
+        &mut Progress::new(&mut told),
+    )
+    .unwrap();
     assert!(steps > 9, "progress is told");
     let rows = |tier, is: &dyn Fn(&Subject) -> bool| -> Vec<_> {
         report.rows.iter().filter(|row| row.tier == Some(tier) && is(&row.subject)).collect()
     };
     let whole = |subject: &Subject| *subject == Subject::Whole;
-    let named =
-        |wanted: &'static str| move |subject: &Subject| matches!(subject, Subject::Node { name, .. } if name == wanted);
+    let named = |wanted: &'static str| move |subject: &Subject| matches!(subject, Subject::Node { name, .. } if name == wanted);
     for tier in [Tier::Exact, Tier::Balanced, Tier::Fast] {
-        for row in [rows(tier, &whole), rows(tier, &named("Shine")), rows(tier, &named("first"))].concat() {
+        for row in
+            [rows(tier, &whole), rows(tier, &named("Shine")), rows(tier, &named("first"))].concat()
+        {
             let error = row.error.as_ref().expect("it was compared");
             assert!(error.pixels > 5000 && error.broken == 0, "{error:?}");
             // What f32 can do, and what the tiers' docs state with what lies on top of them.
@@ -64,7 +73,10 @@ fn a_report_has_the_look_and_its_nodes_in_each_tier_with_errors_and_sizes() {
         assert_eq!(rows(tier, &whole).len(), 1);
     }
     let of = |tier| rows(tier, &whole)[0].sizes.clone().unwrap();
-    assert!(of(Tier::Fast).instructions < of(Tier::Exact).instructions, "a cheaper tier has less to do");
+    assert!(
+        of(Tier::Fast).instructions < of(Tier::Exact).instructions,
+        "a cheaper tier has less to do"
+    );
     assert!(of(Tier::Exact).memory > 96 * 96 * 12 && of(Tier::Exact).traffic > 96 * 96 * 12);
     // The table and the plot say what the rows say.
     let table = report.table();
@@ -72,7 +84,10 @@ fn a_report_has_the_look_and_its_nodes_in_each_tier_with_errors_and_sizes() {
     let svg = chiaro::accuracy::plot::svg(&report, whole, "Two <layers>", Measure::Max);
     assert!(svg.contains("Two &lt;layers&gt;") && svg.matches("<circle").count() == 3, "{svg}");
     let verdict = report.verdict(Measure::P999, 1.0 / 255.0);
-    assert!(verdict.lines().count() == 3 && verdict.contains("exact: within 3.92e-3 by p99.9"), "{verdict}");
+    assert!(
+        verdict.lines().count() == 3 && verdict.contains("exact: within 3.92e-3 by p99.9"),
+        "{verdict}"
+    );
     assert!(report.verdict(Measure::Max, 1e-12).contains("fast: beyond"), "{verdict}");
     let described = json!(report);
     assert_eq!(described["rows"][0]["tier"], "exact");
@@ -81,30 +96,46 @@ fn a_report_has_the_look_and_its_nodes_in_each_tier_with_errors_and_sizes() {
 
 #[test]
 fn measuring_can_be_stopped() {
-    let options = BenchOptions { plan: PLAN, rounds: 50, nodes: MeasuredNodes::Every, truth: false };
+    let options =
+        BenchOptions { plan: PLAN, rounds: 50, nodes: MeasuredNodes::Every, truth: false };
     let mut steps = 0;
     let mut told = |_, _| {
         steps += 1;
         steps < 4
     };
-    let stopped = bench(&setup(), Library::built_in(), &mut renderer(), &options, &mut Progress::new(&mut told));
+    let stopped = bench(
+        &setup(),
+        Library::built_in(),
+        &mut renderer(),
+        &options,
+        &mut Progress::new(&mut told),
+    );
     assert!(matches!(stopped, Err(Stopped::Asked)));
     assert_eq!(steps, 4);
 }
 
 #[test]
 fn tuning_keeps_the_error_and_an_impossible_goal_is_said_to_be_missed() {
-    let options =
-        |goal| TuneOptions { goal, measure: Measure::Max, plan: PLAN, error_side: 48, rounds: 3, stations: 3 };
+    let options = |goal| TuneOptions {
+        goal,
+        measure: Measure::Max,
+        plan: PLAN,
+        error_side: 48,
+        rounds: 3,
+        stations: 3,
+    };
     let mut go = |_, _| true;
     let (library, setups) = (Library::built_in(), [setup()]);
     let goal = Goal::MaxError(1.0 / 255.0);
-    let tuned = tune(&setups, library, &mut renderer(), &options(goal), &mut Progress::new(&mut go)).unwrap();
+    let tuned =
+        tune(&setups, library, &mut renderer(), &options(goal), &mut Progress::new(&mut go))
+            .unwrap();
     assert!(tuned.is_met && tuned.error.max <= 1.0 / 255.0, "{tuned:?}");
     // Two layers, each balanced and fast.
     assert_eq!(tuned.candidates.len(), 4);
     assert!(tuned.candidates.iter().all(|candidate| candidate.error > 0.0));
-    // Whatever was chosen, it was measured to be faster than the noise, and at most one tier a node.
+    // Whatever was chosen, it was measured to be faster than the noise, and at most one tier a
+    // node.
     assert!(tuned.chosen.iter().all(|&index| tuned.candidates[index].saves.low > 0.0));
     assert_eq!(tuned.tiers().len(), 2);
     let mut look = setups[0].looks[0].look.clone();
@@ -113,20 +144,24 @@ fn tuning_keeps_the_error_and_an_impossible_goal_is_said_to_be_missed() {
         assert_eq!(look.graph.nodes[node].tier.unwrap_or(look.tier), tier);
     }
     let goal = Goal::MaxError(1e-12);
-    let missed = tune(&setups, library, &mut renderer(), &options(goal), &mut Progress::new(&mut go)).unwrap();
+    let missed =
+        tune(&setups, library, &mut renderer(), &options(goal), &mut Progress::new(&mut go))
+            .unwrap();
     assert!(!missed.is_met && missed.chosen.is_empty());
     assert!(missed.is_exact_beyond(), "f32 errs by more than that whatever the tier");
     assert!(missed.worst_exact.error == missed.error_exact.max && missed.worst_exact.side == 48);
     assert_eq!(missed.worst_exact, missed.worst, "nothing was chosen");
 }
 
-/// The same error is allowed by one measure and not by another, and times are kept as well as errors.
+/// The same error is allowed by one measure and not by another, and times are kept as well as
+/// errors.
 #[test]
 fn tuning_by_measures_and_by_time() {
     let mut go = |_, _| true;
     let (library, setups) = (Library::built_in(), [setup()]);
     let mut tuned = |goal, measure| {
-        let options = TuneOptions { goal, measure, plan: PLAN, error_side: 48, rounds: 3, stations: 2 };
+        let options =
+            TuneOptions { goal, measure, plan: PLAN, error_side: 48, rounds: 3, stations: 2 };
         tune(&setups, library, &mut renderer(), &options, &mut Progress::new(&mut go)).unwrap()
     };
     let by_max = tuned(Goal::MaxError(1.0), Measure::Max);
@@ -136,9 +171,14 @@ fn tuning_by_measures_and_by_time() {
     let between = 0.5 * (figures.rms + figures.max);
     assert!(tuned(Goal::MaxError(between), Measure::Rms).is_met);
     let missed = tuned(Goal::MaxError(between), Measure::Max);
-    assert!(!missed.is_met && missed.is_exact_beyond() && missed.summary().contains("(max)"), "{}", missed.summary());
+    assert!(
+        !missed.is_met && missed.is_exact_beyond() && missed.summary().contains("(max)"),
+        "{}",
+        missed.summary()
+    );
     assert!(!missed.is_met && missed.summary().len() <= 1000, "a look holds no more than that");
-    // All the time in the world needs nothing cheaper; no time at all is missed with all that helps.
+    // All the time in the world needs nothing cheaper; no time at all is missed with all that
+    // helps.
     let slow = tuned(Goal::MaxTime(1e9), Measure::P999);
     assert!(slow.is_met && slow.chosen.is_empty());
     let never = tuned(Goal::MaxTime(1e-9), Measure::P999);

@@ -34,8 +34,10 @@ impl Shop {
     }
 
     fn names(&self) -> Vec<String> {
-        let mut names: Vec<_> =
-            fs::read_dir(self.0.path()).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+        let mut names: Vec<_> = fs::read_dir(self.0.path())
+            .unwrap()
+            .map(|e| e.unwrap().file_name().into_string().unwrap())
+            .collect();
         names.sort();
         names
     }
@@ -52,7 +54,8 @@ impl Shop {
 
     /// Without any driver of a GPU: whatever asks for one fails.
     fn run_without_gpu(&self, arguments: &[&str]) -> Ran {
-        let no_gpu = [("WGPU_BACKEND", "noop"), ("VK_DRIVER_FILES", "/none"), ("VK_ICD_FILENAMES", "/none")];
+        let no_gpu =
+            [("WGPU_BACKEND", "noop"), ("VK_DRIVER_FILES", "/none"), ("VK_ICD_FILENAMES", "/none")];
         Ran::of(self.command(arguments).envs(no_gpu).output().unwrap())
     }
 }
@@ -60,7 +63,8 @@ impl Shop {
 impl Ran {
     fn of(output: Output) -> Self {
         let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-        let ran = Self { code: output.status.code(), out: text(output.stdout), err: text(output.stderr) };
+        let ran =
+            Self { code: output.status.code(), out: text(output.stdout), err: text(output.stderr) };
         assert!(!ran.err.contains("panicked"), "{}", ran.err);
         ran
     }
@@ -86,7 +90,8 @@ impl Ran {
     }
 }
 
-/// A layer of one colour under the light `key`, hard where u is 1 radian; its colour and offset can be set.
+/// A layer of one color under the light `key`, hard where u is 1 radian; its color and offset can
+/// be set.
 const LOOK: &str = r#"{
   "name": "Flat",
   "lights": {"key": {"direction": [0, 0, 1]}},
@@ -122,12 +127,18 @@ fn every_subcommand_has_help_with_examples_and_exit_codes_are_documented() {
     let top = shop.run(&["--help"]).ok().out;
     assert!(top.contains("Exit codes: 0 done; 1 ") && top.contains("130"), "{top}");
     let drawing: &[&str] = if cfg!(feature = "gpu") { &["render", "eval"] } else { &[] };
-    for command in
-        [&["edit", "new", "check", "explain", "nodes", "fit", "export", "hcbtf", "desktop"], drawing].concat()
+    for command in [
+        &["edit", "new", "check", "explain", "nodes", "fit", "export", "hcbtf", "desktop"],
+        drawing,
+    ]
+    .concat()
     {
         assert!(top.contains(&format!("  {command} ")), "{top}");
         let help = shop.run(&[command, "--help"]).ok().out;
-        assert!(help.contains("Examples:") && help.contains(&format!("chiaro {command}")), "{help}");
+        assert!(
+            help.contains("Examples:") && help.contains(&format!("chiaro {command}")),
+            "{help}"
+        );
     }
     assert!(shop.run(&["--version"]).ok().out.starts_with("chiaro "));
     shop.run(&["paint"]).fails(2, &["unrecognized subcommand"]);
@@ -142,7 +153,8 @@ fn every_subcommand_has_help_with_examples_and_exit_codes_are_documented() {
 fn a_look_is_fitted_to_what_was_painted() {
     let shop = Shop::new();
     let look = |color: &str| {
-        let values = r#""light": "key", "blend": "alpha", "offset": 0.3, "falloff": 0.8, "cutoff": 1.2"#;
+        let values =
+            r#""light": "key", "blend": "alpha", "offset": 0.3, "falloff": 0.8, "cutoff": 1.2"#;
         format!(
             r##"{{"chiaro": "look", "version": 1, "lights": {{"key": {{"direction": [-0.4, 0.5, 0.7]}}}},
             "nodes": [{{"id": "base", "kind": "base", "values": {{"color": "#202030"}}}},
@@ -153,53 +165,100 @@ fn a_look_is_fitted_to_what_was_painted() {
     };
     shop.write("wished.json", &look("#c08040"));
     shop.write("look.json", &look("#808080"));
-    let drawn = ["--backdrop", "none", "--samples", "1", "--size", "32x32", "--mesh", "shape:sphere"];
-    shop.run(&[&["render", "wished.json", "-o", "painted.png", "--on", "reference"], &drawn[..]].concat()).ok();
-    let fit = ["fit", "look.json", "--target", "painted.png", "--mesh", "shape:sphere", "--starts", "1"];
-    let asked = ["--keep", "lights,profiles", "-o", "fitted.json", "--misses", "misses.png", "--json"];
-    let told: Json = serde_json::from_str(&shop.run(&[&fit[..], &asked].concat()).ok().out).unwrap();
+    let drawn =
+        ["--backdrop", "none", "--samples", "1", "--size", "32x32", "--mesh", "shape:sphere"];
+    shop.run(
+        &[&["render", "wished.json", "-o", "painted.png", "--on", "reference"], &drawn[..]]
+            .concat(),
+    )
+    .ok();
+    let fit =
+        ["fit", "look.json", "--target", "painted.png", "--mesh", "shape:sphere", "--starts", "1"];
+    let asked =
+        ["--keep", "lights,profiles", "-o", "fitted.json", "--misses", "misses.png", "--json"];
+    let told: Json =
+        serde_json::from_str(&shop.run(&[&fit[..], &asked].concat()).ok().out).unwrap();
     let error = |when: &str| told["report"][when].as_f64().unwrap();
     assert!(error("before") > 0.05 && error("after") < 1.0 / 255.0, "{told}");
     assert_eq!(told["file"], "fitted.json");
-    let fitted: Json = serde_json::from_str(&fs::read_to_string(shop.path("fitted.json")).unwrap()).unwrap();
+    let fitted: Json =
+        serde_json::from_str(&fs::read_to_string(shop.path("fitted.json")).unwrap()).unwrap();
     assert_eq!(fitted["lights"]["key"]["direction"], json!([-0.4, 0.5, 0.7]), "{fitted}");
     let color = &fitted["nodes"][1]["values"]["convex"];
     for (channel, wished) in [0xc0, 0x80, 0x40].into_iter().enumerate() {
-        assert!((255.0 * color[channel].as_f64().unwrap() - f64::from(wished)).abs() < 1.5, "{color}");
+        assert!(
+            (255.0 * color[channel].as_f64().unwrap() - f64::from(wished)).abs() < 1.5,
+            "{color}"
+        );
     }
     assert_eq!(png_size(&shop.path("misses.png")), [32, 32]);
     assert_eq!(fs::read_to_string(shop.path("look.json")).unwrap(), look("#808080"));
     // Two dots tell too little, which is said; and another look is not replaced unasked.
-    let told: Json = serde_json::from_str(&shop.run(&[&fit[..], &["--dry-run", "--json"]].concat()).ok().out).unwrap();
-    assert_eq!(told["report"]["turned"], json!(2 + 3 + 2 * 3), "a light, a profile, and two colors");
-    let mut dots = image::open(shop.path("painted.png")).unwrap().into_rgba8();
-    dots.enumerate_pixels_mut().filter(|(x, y, _)| ![[12, 16], [20, 16]].contains(&[*x, *y])).for_each(
-        |(_, _, pixel)| {
-            pixel.0 = [0; 4];
-        },
+    let told: Json =
+        serde_json::from_str(&shop.run(&[&fit[..], &["--dry-run", "--json"]].concat()).ok().out)
+            .unwrap();
+    assert_eq!(
+        told["report"]["turned"],
+        json!(2 + 3 + 2 * 3),
+        "a light, a profile, and two colors"
     );
+    let mut dots = image::open(shop.path("painted.png")).unwrap().into_rgba8();
+    dots.enumerate_pixels_mut()
+        .filter(|(x, y, _)| ![[12, 16], [20, 16]].contains(&[*x, *y]))
+        .for_each(|(_, _, pixel)| {
+            pixel.0 = [0; 4];
+        });
     dots.save(shop.path("dots.png")).unwrap();
-    let two = ["fit", "look.json", "--target", "dots.png", "--mesh", "shape:sphere", "--starts", "1", "-o"];
+    let two = [
+        "fit",
+        "look.json",
+        "--target",
+        "dots.png",
+        "--mesh",
+        "shape:sphere",
+        "--starts",
+        "1",
+        "-o",
+    ];
     shop.run(&[&two[..], &["fitted.json"]].concat()).fails(1, &["file-exists", "--force"]);
     let warned = ["warning[fit-few-places]", "2 painted pixels in 2 places", "11 numbers"];
     shop.run(&[&two[..], &["fitted.json", "--force"]].concat()).fails(0, &warned);
-    // The same picture under lights that were turned is met by nothing but the lights, as `render` turns them.
-    let turned = [&["render", "look.json", "-o", "turned.png", "--turn-lights", "40", "--on", "reference"], &drawn[..]];
+    // The same picture under lights that were turned is met by nothing but the lights, as `render`
+    // turns them.
+    let turned = [
+        &["render", "look.json", "-o", "turned.png", "--turn-lights", "40", "--on", "reference"],
+        &drawn[..],
+    ];
     shop.run(&turned.concat()).ok();
-    let dry =
-        ["fit", "look.json", "--target", "turned.png", "--mesh", "shape:sphere", "--dry-run", "--json", "--starts=1"];
-    let told: Json = serde_json::from_str(&shop.run(&[&dry[..], &["--turn-lights", "40"]].concat()).ok().out).unwrap();
+    let dry = [
+        "fit",
+        "look.json",
+        "--target",
+        "turned.png",
+        "--mesh",
+        "shape:sphere",
+        "--dry-run",
+        "--json",
+        "--starts=1",
+    ];
+    let told: Json =
+        serde_json::from_str(&shop.run(&[&dry[..], &["--turn-lights", "40"]].concat()).ok().out)
+            .unwrap();
     assert!(told["report"]["before"].as_f64().unwrap() < 0.5 / 255.0, "{told}");
-    // What stays far off is said, with what else might be done; and what would do nothing is refused.
+    // What stays far off is said, with what else might be done; and what would do nothing is
+    // refused.
     let kept = [&fit[..], &["--keep", "lights,profiles,base", "--dry-run"]].concat();
     let far = ["warning[fit-far-off]", "1 color", "1 light, 1 profile", "--keep less", "--misses"];
     let wrong = shop.path("turned.png");
     let mut inverse = image::open(&wrong).unwrap().into_rgba8();
-    inverse.pixels_mut().for_each(|pixel| (0..3).for_each(|channel| pixel.0[channel] = 255 - pixel.0[channel]));
+    inverse
+        .pixels_mut()
+        .for_each(|pixel| (0..3).for_each(|channel| pixel.0[channel] = 255 - pixel.0[channel]));
     inverse.save(shop.path("painted.png")).unwrap();
     shop.run(&kept).fails(0, &far);
     for option in ["--starts=3", "--keep=base"] {
-        shop.run(&["fit", "--layers", "1", option, "--target", "painted.png", "--dry-run"]).fails(2, &["--layers"]);
+        shop.run(&["fit", "--layers", "1", option, "--target", "painted.png", "--dry-run"])
+            .fails(2, &["--layers"]);
     }
     shop.run(&["fit", "look.json"]).fails(2, &["--target"]);
     shop.run(&["fit", "--target", "painted.png"]).fails(2, &["LOOK"]);
@@ -238,10 +297,16 @@ fn hcbtfs_are_made_told_of_and_exchanged() {
     shop.run(&["hcbtf", "rules", "other.hcbtf", "--set", "rules.json"]).ok();
     assert_eq!(shop.run(&["hcbtf", "rules", "other.hcbtf"]).ok().out, rules.out);
     shop.write("rules.json", r#"[{"rule": "blend", "sharpness": 99}]"#);
-    shop.run(&["hcbtf", "rules", "other.hcbtf", "--set", "rules.json"]).fails(1, &["hcbtf-rule", "`sharpness` is 99"]);
+    shop.run(&["hcbtf", "rules", "other.hcbtf", "--set", "rules.json"])
+        .fails(1, &["hcbtf-rule", "`sharpness` is 99"]);
     shop.write("rules.json", r#"[{"rule": "blnd"}, {"rule": "lambert", "amont": 1}, {}]"#);
-    let told =
-        ["no rule `blnd`", "did you mean `blend`?", "one of copy, lock, blend", "`amont`", "did you mean `amount`?"];
+    let told = [
+        "no rule `blnd`",
+        "did you mean `blend`?",
+        "one of copy, lock, blend",
+        "`amont`",
+        "did you mean `amount`?",
+    ];
     shop.run(&["hcbtf", "rules", "other.hcbtf", "--set", "rules.json"]).fails(1, &told);
     shop.run(&["hcbtf", "new", "short", "--grid", grid]).ok();
     shop.write("short.json", r#"[{"rule": "blend"}, {"rule": "lambert", "amount": 0.5}]"#);
@@ -249,13 +314,19 @@ fn hcbtfs_are_made_told_of_and_exchanged() {
     let set = shop.run(&["hcbtf", "rules", "short.hcbtf"]).ok().json();
     assert_eq!(set[0], json!({"rule": "blend", "sharpness": 4.0}));
     let help = shop.run(&["hcbtf", "rules", "--help"]).ok().out;
-    for told in ["  mirror    Highlight\n", "sharpness (4): 0 to 64", "from (straight above): a painted sample"] {
+    for told in [
+        "  mirror    Highlight\n",
+        "sharpness (4): 0 to 64",
+        "from (straight above): a painted sample",
+    ] {
         assert!(help.contains(told), "no `{told}` in {help}");
     }
-    let storages = ["palette", "BC7"].map(|word| shop.run(&["hcbtf", "info", "--help"]).ok().out.contains(word));
+    let storages = ["palette", "BC7"]
+        .map(|word| shop.run(&["hcbtf", "info", "--help"]).ok().out.contains(word));
     assert_eq!(storages, [true; 2]);
     shop.write("rules.json", r#"[{"rule": "strokes", "bundle": []}]"#);
-    shop.run(&["hcbtf", "rules", "other.hcbtf", "--set", "rules.json"]).fails(1, &["unknown field `bundle`"]);
+    shop.run(&["hcbtf", "rules", "other.hcbtf", "--set", "rules.json"])
+        .fails(1, &["unknown field `bundle`"]);
     assert_eq!(shop.run(&["hcbtf", "rules", "other.hcbtf"]).ok().out, rules.out);
     let info = shop.run(&["hcbtf", "info", "grass.hcbtf", "--json"]).ok().json();
     assert_eq!((&info["tiles"], &info["sheet"]), (&json!(2), &json!([16, 30])));
@@ -266,35 +337,67 @@ fn hcbtfs_are_made_told_of_and_exchanged() {
     shop.run(&["hcbtf", "export", "grass.hcbtf", "-o", "sheet.png"]).ok();
     assert_eq!(png_size(&shop.path("sheet.png")), [16, 30]);
     shop.run(&["hcbtf", "export", "grass.hcbtf", "--to", "folder", "-o", "all"]).ok();
-    shop.run(&["hcbtf", "export", "grass.hcbtf", "--to", "contact", "--gap", "2", "-o", "contact.png"]).ok();
+    shop.run(&[
+        "hcbtf",
+        "export",
+        "grass.hcbtf",
+        "--to",
+        "contact",
+        "--gap",
+        "2",
+        "-o",
+        "contact.png",
+    ])
+    .ok();
     assert_eq!(png_size(&shop.path("contact.png")), [3 * 4 + 2 * 2, 4 * 3 + 3 * 2]);
-    for (from, more) in [("sheet.png", &[][..]), ("all", &[]), ("contact.png", &["--as", "contact", "--gap", "2"])] {
+    for (from, more) in
+        [("sheet.png", &[][..]), ("all", &[]), ("contact.png", &["--as", "contact", "--gap", "2"])]
+    {
         let import = ["hcbtf", "import", from, "-o", "back.hcbtf", "--grid", grid, "--force"];
         let told = shop.run(&[&import[..], more].concat()).ok().err;
         // A folder alone knows what was painted.
         let painted = if from == "all" { "1 of 12" } else { "12 of 12" };
         assert!(told.contains(&format!("{painted} samples are painted")), "{told}");
         shop.run(&["hcbtf", "export", "back.hcbtf", "-o", "again.png", "--force"]).ok();
-        assert_eq!(fs::read(shop.path("again.png")).unwrap(), fs::read(shop.path("sheet.png")).unwrap(), "{from}");
+        assert_eq!(
+            fs::read(shop.path("again.png")).unwrap(),
+            fs::read(shop.path("sheet.png")).unwrap(),
+            "{from}"
+        );
     }
     shop.run(&["hcbtf", "export", "grass.hcbtf", "-o", "grass.ktx2"]).ok();
     let told = shop.run(&["hcbtf", "import", "grass.ktx2", "-o", "back.hcbtf", "--force"]).ok().err;
     assert!(told.contains("12 of 12 samples are painted"), "{told}");
     shop.run(&["hcbtf", "export", "back.hcbtf", "-o", "again.png", "--force"]).ok();
-    assert_eq!(fs::read(shop.path("again.png")).unwrap(), fs::read(shop.path("sheet.png")).unwrap(), "KTX2");
-    shop.run(&["hcbtf", "export", "grass.hcbtf", "--to", "ktx2", "--compact", "-o", "small.ktx2"]).ok();
+    assert_eq!(
+        fs::read(shop.path("again.png")).unwrap(),
+        fs::read(shop.path("sheet.png")).unwrap(),
+        "KTX2"
+    );
+    shop.run(&["hcbtf", "export", "grass.hcbtf", "--to", "ktx2", "--compact", "-o", "small.ktx2"])
+        .ok();
     shop.run(&["hcbtf", "import", "small.ktx2", "-o", "back.hcbtf", "--force"]).ok();
     shop.run(&["hcbtf", "export", "back.hcbtf", "-o", "again.png", "--force"]).ok();
-    assert_eq!(fs::read(shop.path("again.png")).unwrap(), fs::read(shop.path("sheet.png")).unwrap(), "compact");
-    shop.run(&["hcbtf", "export", "grass.hcbtf", "--compact", "-o", "x.png"]).fails(2, &["--to ktx2"]);
-    shop.run(&["hcbtf", "import", "sheet.png", "--as", "ktx2", "-o", "x"]).fails(1, &["sheet.png", "bad-ktx2"]);
-    let told = shop.run(&["hcbtf", "export", "grass.hcbtf", "--to", "folder", "--painted", "-o", "one"]).ok();
+    assert_eq!(
+        fs::read(shop.path("again.png")).unwrap(),
+        fs::read(shop.path("sheet.png")).unwrap(),
+        "compact"
+    );
+    shop.run(&["hcbtf", "export", "grass.hcbtf", "--compact", "-o", "x.png"])
+        .fails(2, &["--to ktx2"]);
+    shop.run(&["hcbtf", "import", "sheet.png", "--as", "ktx2", "-o", "x"])
+        .fails(1, &["sheet.png", "bad-ktx2"]);
+    let told = shop
+        .run(&["hcbtf", "export", "grass.hcbtf", "--to", "folder", "--painted", "-o", "one"])
+        .ok();
     assert!(told.err.contains("1 image, and hcbtf.json"), "{}", told.err);
 
-    shop.run(&["hcbtf", "import", "sheet.png", "-o", "x"]).fails(1, &["sheet.png: error[hcbtf-sheet]", "1152 x 3840"]);
+    shop.run(&["hcbtf", "import", "sheet.png", "-o", "x"])
+        .fails(1, &["sheet.png: error[hcbtf-sheet]", "1152 x 3840"]);
     shop.run(&["hcbtf", "info", "none.hcbtf"]).fails(1, &["none.hcbtf", "cannot-read"]);
     shop.run(&["hcbtf", "info", "sheet.png"]).fails(1, &["hcbtf-archive"]);
-    shop.run(&["hcbtf", "export", "grass.hcbtf", "--painted", "-o", "x.png"]).fails(2, &["--to folder"]);
+    shop.run(&["hcbtf", "export", "grass.hcbtf", "--painted", "-o", "x.png"])
+        .fails(2, &["--to folder"]);
     assert!(!shop.path("x.hcbtf").exists());
 }
 
@@ -303,7 +406,12 @@ fn nothing_that_was_exported_is_replaced_unasked_and_names_say_what_is_written()
     let shop = Shop::new();
     shop.run(&["hcbtf", "new", "grass", "--color", "#204080", "--grid", "2x2,2x3,1x1"]).ok();
     let export = |to: &[&str]| shop.run(&[&["hcbtf", "export", "grass.hcbtf"], to].concat());
-    for to in [&["-o", "a.png"][..], &["-o", "a.ktx2"], &["-o", "images/"], &["--to", "contact", "-o", "b.png"]] {
+    for to in [
+        &["-o", "a.png"][..],
+        &["-o", "a.ktx2"],
+        &["-o", "images/"],
+        &["--to", "contact", "-o", "b.png"],
+    ] {
         export(to).ok();
         let path = shop.path(to.last().unwrap());
         let before = if path.is_file() { fs::read(&path).unwrap() } else { Vec::new() };
@@ -326,14 +434,30 @@ fn nothing_that_was_exported_is_replaced_unasked_and_names_say_what_is_written()
 #[test]
 fn a_folder_knows_its_grid_its_rules_and_what_was_painted() {
     let shop = Shop::new();
-    shop.run(&["hcbtf", "new", "grass", "--color", "#204080", "--grid", "4x4,3x6,3x6", "--no-tiling"]).ok();
+    shop.run(&[
+        "hcbtf",
+        "new",
+        "grass",
+        "--color",
+        "#204080",
+        "--grid",
+        "4x4,3x6,3x6",
+        "--no-tiling",
+    ])
+    .ok();
     let import = |from: &str, more: &[&str]| {
         shop.run(&[&["hcbtf", "import", from, "-o", "back.hcbtf", "--force"], more].concat())
     };
     for (folder, more) in [("all", &[][..]), ("some", &["--painted"])] {
-        shop.run(&[&["hcbtf", "export", "grass.hcbtf", "--to", "folder", "-o", folder], more].concat()).ok();
+        shop.run(
+            &[&["hcbtf", "export", "grass.hcbtf", "--to", "folder", "-o", folder], more].concat(),
+        )
+        .ok();
         assert!(import(folder, &[]).ok().err.contains("1 of 169 samples are painted"));
-        assert_eq!(fs::read(shop.path("back.hcbtf")).unwrap(), fs::read(shop.path("grass.hcbtf")).unwrap());
+        assert_eq!(
+            fs::read(shop.path("back.hcbtf")).unwrap(),
+            fs::read(shop.path("grass.hcbtf")).unwrap()
+        );
     }
     import("all", &["--grid", "4x4,6x10,6x10"]).fails(2, &["--grid"]);
     import("all", &["--grid", "4x4,3x6,3x6"]).ok();
@@ -349,7 +473,8 @@ fn a_folder_knows_its_grid_its_rules_and_what_was_painted() {
     assert!(!import("all", &["--grid", "4x4,3x6,3x6"]).ok().err.contains("warning"));
     fs::create_dir(shop.path("numbered")).unwrap();
     for number in 1..=5 {
-        fs::copy(shop.path("all/l0.0_v0.0.png"), shop.path(&format!("numbered/b{number}.png"))).unwrap();
+        fs::copy(shop.path("all/l0.0_v0.0.png"), shop.path(&format!("numbered/b{number}.png")))
+            .unwrap();
     }
     import("numbered", &[]).fails(0, &["5 numbered images", "2601 samples", "--grid"]);
     assert!(!import("numbered", &["--grid", "4x4,2x4,1x1"]).ok().err.contains("warning"));
@@ -364,7 +489,12 @@ fn a_painting_is_told_from_a_text_wherever_a_document_is_asked_for() {
     fs::copy(shop.path("grass.hcbtf"), shop.path("renamed.json")).unwrap();
     let told = ["this is a painting", "chiaro hcbtf", "hcbtf_lookup", "example:hcbtf/brick.json"];
     for file in ["grass.hcbtf", "renamed.json", "example:hcbtf/brick.hcbtf"] {
-        for command in [&["check"][..], &["explain"], &["render", "-o", "a.png"], &["fit", "--target", "a.png"]] {
+        for command in [
+            &["check"][..],
+            &["explain"],
+            &["render", "-o", "a.png"],
+            &["fit", "--target", "a.png"],
+        ] {
             if command[0] == "render" && cfg!(not(feature = "gpu")) {
                 continue;
             }
@@ -388,16 +518,27 @@ fn a_mesh_without_uvs_is_told_of_where_a_look_reads_them() {
     shop.write("look.json", &look("squares"));
     shop.write("plain.json", &look("paper"));
     let object = |mesh: &str, look: &str| format!(r#"{{"mesh": "{mesh}", "looks": "{look}"}}"#);
-    for (mesh, look, is_told) in
-        [("bare.obj", "look.json", true), ("mapped.obj", "look.json", false), ("bare.obj", "plain.json", false)]
-    {
+    for (mesh, look, is_told) in [
+        ("bare.obj", "look.json", true),
+        ("mapped.obj", "look.json", false),
+        ("bare.obj", "plain.json", false),
+    ] {
         shop.write("scene.json", &format!(r#"{{"objects": [{}]}}"#, object(mesh, look)));
-        let drawn = ["render", look, "--mesh", mesh, "-o", "a.png", "--size", "8x8", "--on", "reference"];
-        let commands: [&[&str]; 4] =
-            [&["check", "scene.json"], &["explain", "scene.json"], &["explain", look, "--mesh", mesh], &drawn];
+        let drawn =
+            ["render", look, "--mesh", mesh, "-o", "a.png", "--size", "8x8", "--on", "reference"];
+        let commands: [&[&str]; 4] = [
+            &["check", "scene.json"],
+            &["explain", "scene.json"],
+            &["explain", look, "--mesh", mesh],
+            &drawn,
+        ];
         for command in commands {
             let err = shop.run(command).ok().err;
-            assert_eq!(err.matches("warning[no-uvs]").count(), usize::from(is_told), "{command:?}: {err}");
+            assert_eq!(
+                err.matches("warning[no-uvs]").count(),
+                usize::from(is_told),
+                "{command:?}: {err}"
+            );
             if is_told {
                 for told in ["`bare`", "`squares`", "unwrap", "look.json:1:"] {
                     assert!(err.contains(told), "no `{told}` in {err}");
@@ -421,7 +562,18 @@ fn tangents_of_a_mesh_without_uvs_are_noted() {
     shop.write("brushed.json", &look("ward"));
     shop.write("plain.json", &look("phong"));
     for (look, notes) in [("brushed.json", 1), ("plain.json", 0)] {
-        let drawn = ["render", look, "--mesh", "bare.obj", "-o", "a.png", "--size", "8x8", "--on", "reference"];
+        let drawn = [
+            "render",
+            look,
+            "--mesh",
+            "bare.obj",
+            "-o",
+            "a.png",
+            "--size",
+            "8x8",
+            "--on",
+            "reference",
+        ];
         for command in [&drawn[..], &["explain", look, "--mesh", "bare.obj"]] {
             let err = shop.run(command).ok().err;
             assert_eq!(err.matches("note[level-tangents]").count(), notes, "{command:?}: {err}");
@@ -455,19 +607,27 @@ fn check_tells_everything_with_its_place() {
   "wires": [{"from": "photo", "to": "output.color"}, {"from": "nobody", "to": "rim.angle"}]
 }"#,
     );
-    let ran = shop.run(&["check", "bad.json", "flat.json", "--json"]).fails(1, &["2 documents checked: "]);
+    let ran = shop
+        .run(&["check", "bad.json", "flat.json", "--json"])
+        .fails(1, &["2 documents checked: "]);
     let problems = ran.json();
-    let codes: Vec<&str> = problems.as_array().unwrap().iter().map(|p| p["code"].as_str().unwrap()).collect();
+    let codes: Vec<&str> =
+        problems.as_array().unwrap().iter().map(|p| p["code"].as_str().unwrap()).collect();
     for code in ["unknown-kind", "unknown-port", "unknown-node"] {
         assert!(codes.contains(&code), "{codes:?}");
     }
     let port = problems.as_array().unwrap().iter().find(|p| p["code"] == "unknown-port").unwrap();
     assert_eq!((&port["file"], &port["at"]["line"]), (&json!("bad.json"), &json!(4)));
     assert_eq!((&port["node"], &port["port"]), (&json!("rim"), &json!("ofset")));
-    assert_eq!((&port["json_path"], &port["severity"]), (&json!("nodes[1].values.ofset"), &json!("error")));
+    assert_eq!(
+        (&port["json_path"], &port["severity"]),
+        (&json!("nodes[1].values.ofset"), &json!("error"))
+    );
     assert!(port["hints"][0].as_str().unwrap().contains("offset"));
     // The same for people: on standard error, with help; nothing on standard output.
-    let ran = shop.run(&["check", "bad.json"]).fails(1, &["bad.json:4:", "help: did you mean `offset`?", "1 document"]);
+    let ran = shop
+        .run(&["check", "bad.json"])
+        .fails(1, &["bad.json:4:", "help: did you mean `offset`?", "1 document"]);
     assert!(ran.out.is_empty(), "{}", ran.out);
     shop.run(&["check", "flat.json", "--nodes", "nowhere"]).fails(2, &["nowhere"]);
     shop.run(&["check"]).fails(2, &["FILE"]);
@@ -499,8 +659,16 @@ fn check_looks_for_what_documents_name() {
     };
     let photo = with("missing-asset", "missing.png");
     assert_eq!((&photo["node"], &photo["port"]), (&json!("photo"), &json!("image")));
-    assert!(photo["file"].as_str().unwrap().ends_with("photo.json") && photo["at"]["line"].as_u64().unwrap() > 1);
-    assert!(with("missing-asset", "none.json")["json_path"].as_str().unwrap().starts_with("objects[1].looks"));
+    assert!(
+        photo["file"].as_str().unwrap().ends_with("photo.json")
+            && photo["at"]["line"].as_u64().unwrap() > 1
+    );
+    assert!(
+        with("missing-asset", "none.json")["json_path"]
+            .as_str()
+            .unwrap()
+            .starts_with("objects[1].looks")
+    );
     let mesh = with("mesh-read", "gone.obj");
     assert_eq!((&mesh["file"], &mesh["at"]["line"]), (&json!("scene.json"), &json!(2)));
     assert_eq!(mesh["json_path"], "objects[0].mesh");
@@ -520,7 +688,8 @@ fn wrong_code_of_a_node_is_told_in_the_look() {
         shop.write(
             "own.json",
             &format!(
-                "{{\"nodes\": [\n  {{\"id\": \"c\", \"kind\": \"wgsl\", \"values\": {{\"code\": \"{code}\"}}}},\n  \
+                "{{\"nodes\": [\n  {{\"id\": \"c\", \"kind\": \"wgsl\", \"values\": \
+                 {{\"code\": \"{code}\"}}}},\n  \
                  {{\"kind\": \"output\"}}],\n \"wires\": [{{\"from\": \"c\", \"to\": \"output.color\"}}]}}"
             ),
         );
@@ -547,7 +716,10 @@ fn explain_tells_of_scenes_what_check_tells() {
         [told("check"), told("explain")]
     };
     for ran in scene(r#""looks": {"*": "flat.json", "skin": "none.json"}"#) {
-        ran.fails(1, &["scene.json:2:", "missing-asset", "`none.json`", "relative to the scene's own file"]);
+        ran.fails(
+            1,
+            &["scene.json:2:", "missing-asset", "`none.json`", "relative to the scene's own file"],
+        );
     }
     for ran in scene(r#""looks": "none.json""#) {
         ran.fails(1, &["scene.json:2:", "missing-asset"]);
@@ -565,7 +737,8 @@ fn explain_tells_of_scenes_what_check_tells() {
         ran.fails(0, &["scene.json:2:", "warning[no-look]", "`bare` wears no look"]);
     }
     // What is not seen now is told by check alone.
-    let [check, explain] = scene(r#""looks": "none.json", "values": {"cover": [1, 2, 3]}, "visible": false"#);
+    let [check, explain] =
+        scene(r#""looks": "none.json", "values": {"cover": [1, 2, 3]}, "visible": false"#);
     check.fails(1, &["missing-asset"]);
     assert!(explain.ok().err.is_empty());
 }
@@ -589,15 +762,22 @@ fn check_walks_folders_and_reads_a_projects_own_nodes() {
 #[test]
 fn the_example_in_the_docs_is_a_node() {
     let shop = Shop::new();
-    let docs = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/nodes.md")).unwrap();
+    let docs =
+        fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/nodes.md")).unwrap();
     let block = |language: &str, with: &str| {
         let fence = format!("```{language}\n");
         let mut blocks = docs.split(&fence).skip(1).map(|rest| rest.split("```").next().unwrap());
-        blocks.find(|block| block.contains(with)).unwrap_or_else(|| panic!("no block with {with}")).to_owned()
+        blocks
+            .find(|block| block.contains(with))
+            .unwrap_or_else(|| panic!("no block with {with}"))
+            .to_owned()
     };
     shop.write("nodes/own/warm_tint.wgsl", &block("wgsl", "fn warm_tint_soft"));
     let listed = shop.run(&["nodes", "warm_tint", "--nodes", "nodes", "--json"]).ok().json();
-    assert_eq!((&listed["category"], &listed["inputs"][1]["default"]), (&json!("own"), &json!(0.3)));
+    assert_eq!(
+        (&listed["category"], &listed["inputs"][1]["default"]),
+        (&json!("own"), &json!(0.3))
+    );
     shop.write("first.json", &block("json", "\"shadow\""));
     shop.run(&["check", "first.json"]).ok();
     let tint = block("json", "fn tint");
@@ -611,7 +791,8 @@ fn the_example_in_the_docs_is_a_node() {
     shop.run(&["check", "custom.json"]).ok();
 }
 
-/// What decides between keys, with its value and the weights; what cannot decide is told by `check` with its line.
+/// What decides between keys, with its value and the weights; what cannot decide is told by `check`
+/// with its line.
 #[test]
 fn what_drives_keys_is_explained_and_checked() {
     let shop = shop();
@@ -635,19 +816,26 @@ fn what_drives_keys_is_explained_and_checked() {
     look("later");
     shop.run(&["check", "driven.json"]).ok();
     let text = shop.run_without_gpu(&["explain", "driven.json"]).ok().out;
-    for part in
-        ["Mood on `object`: the wire `later` is 2.5000, the distance to the eye is 4.4000", "weights 100.0% 0.0%"]
-    {
+    for part in [
+        "Mood on `object`: the wire `later` is 2.5000, the distance to the eye is 4.4000",
+        "weights 100.0% 0.0%",
+    ] {
         assert!(text.contains(part), "no `{part}` in\n{text}");
     }
     let told = shop.run(&["explain", "driven.json", "--json"]).ok().json();
     let look_told = &told["looks"][0];
     assert_eq!(look_told["keys"][0]["by"][0]["now"][0], 2.5);
     let on_host = look_told["nodes"]["host"].as_array().unwrap();
-    assert!(["later", "time"].iter().all(|node| on_host.iter().any(|told| told == node)), "{on_host:?}");
-    for (wire, code) in
-        [("nobody", "unknown-node"), ("later.y", "unknown-port"), ("facing", "fragment-driver"), ("grey", "key-cycle")]
-    {
+    assert!(
+        ["later", "time"].iter().all(|node| on_host.iter().any(|told| told == node)),
+        "{on_host:?}"
+    );
+    for (wire, code) in [
+        ("nobody", "unknown-node"),
+        ("later.y", "unknown-port"),
+        ("facing", "fragment-driver"),
+        ("grey", "key-cycle"),
+    ] {
         look(wire);
         shop.run(&["check", "driven.json"]).fails(1, &["driven.json:8:", code]);
     }
@@ -657,16 +845,26 @@ fn what_drives_keys_is_explained_and_checked() {
 fn explain_tells_passes_and_reasons_without_a_gpu() {
     let shop = shop();
     let text = shop.run_without_gpu(&["explain", "flat.json"]).ok().out;
-    for part in
-        ["Passes", "it is the picture", "Left out", "curvature", "Vertex attributes", "not read: tangent, uv", "Nodes:"]
-    {
+    for part in [
+        "Passes",
+        "it is the picture",
+        "Left out",
+        "curvature",
+        "Vertex attributes",
+        "not read: tangent, uv",
+        "Nodes:",
+    ] {
         assert!(text.contains(part), "no `{part}` in\n{text}");
     }
     let told = shop.run(&["explain", "flat.json", "--json"]).ok().json();
     assert_eq!(told["passes"].as_array().unwrap().len(), 1);
     let look = &told["looks"][0];
-    let removed: Vec<&str> =
-        look["nodes"]["removed"].as_array().unwrap().iter().map(|r| r["path"].as_str().unwrap()).collect();
+    let removed: Vec<&str> = look["nodes"]["removed"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|r| r["path"].as_str().unwrap())
+        .collect();
     assert!(removed.contains(&"layer/warp"), "{removed:?}");
     let counted = |list: &str| look["nodes"][list].as_array().unwrap().len();
     let total = counted("fragment") + counted("host") + counted("folded") + counted("removed");
@@ -674,7 +872,9 @@ fn explain_tells_passes_and_reasons_without_a_gpu() {
     assert_eq!(look["uniforms"][0]["rate"], "object");
     let is_told = |kind: &str, state: &str, proof: &str| {
         let mut effects = told["effects"].as_array().unwrap().iter();
-        effects.any(|e| e["kind"] == kind && e["state"] == state && (proof.is_empty() || e["proof"] == proof))
+        effects.any(|e| {
+            e["kind"] == kind && e["state"] == state && (proof.is_empty() || e["proof"] == proof)
+        })
     };
     for (kind, state, proof) in [
         ("pass", "runs", ""),
@@ -687,10 +887,12 @@ fn explain_tells_passes_and_reasons_without_a_gpu() {
         assert!(is_told(kind, state, proof), "no {kind} is {state} {proof}: {}", told["effects"]);
     }
     // A look that bends with curvature needs the passes, and says for whom.
-    let bent = LOOK.replace(r#""blend": "alpha""#, r#""blend": "alpha", "slope": 0.2, "amount": 0.3"#);
+    let bent =
+        LOOK.replace(r#""blend": "alpha""#, r#""blend": "alpha", "slope": 0.2, "amount": 0.3"#);
     shop.write("bent.json", &bent);
     let told = shop.run(&["explain", "bent.json", "--json"]).ok().json();
-    let kinds: Vec<&str> = told["passes"].as_array().unwrap().iter().map(|p| p["kind"].as_str().unwrap()).collect();
+    let kinds: Vec<&str> =
+        told["passes"].as_array().unwrap().iter().map(|p| p["kind"].as_str().unwrap()).collect();
     assert_eq!(kinds, ["normals", "curvature", "look"]);
     assert!(told["passes"][1]["reason"].as_str().unwrap().contains("\"Flat\""));
     assert_eq!(told["looks"][0]["modules"].as_array().unwrap().len(), 2);
@@ -705,7 +907,9 @@ fn nodes_lists_and_documents_the_library() {
     let shop = Shop::new();
     let table = shop.run_without_gpu(&["nodes"]).ok().out;
     assert!(
-        table.contains("light_layer") && table.contains("wgsl") && table.contains("angle, offset, falloff"),
+        table.contains("light_layer")
+            && table.contains("wgsl")
+            && table.contains("angle, offset, falloff"),
         "{table}"
     );
     let listed = shop.run(&["nodes", "--json"]).ok().json();
@@ -713,15 +917,27 @@ fn nodes_lists_and_documents_the_library() {
     let wgsl = files.iter().filter(|path| path.extension().is_some_and(|e| e == "wgsl"));
     for path in wgsl {
         let kind = path.file_stem().unwrap().to_str().unwrap();
-        assert!(listed.as_array().unwrap().iter().any(|entry| entry["kind"] == kind), "{kind} is not listed");
+        assert!(
+            listed.as_array().unwrap().iter().any(|entry| entry["kind"] == kind),
+            "{kind} is not listed"
+        );
     }
     let layer = shop.run(&["nodes", "light_layer", "--json"]).ok().json();
-    let blend = layer["inputs"].as_array().unwrap().iter().find(|input| input["name"] == "blend").unwrap();
+    let blend =
+        layer["inputs"].as_array().unwrap().iter().find(|input| input["name"] == "blend").unwrap();
     assert_eq!((&blend["type"], &blend["default"]), (&json!("choice"), &json!("add")));
     let text = shop.run(&["nodes", "profile"]).ok().out;
     assert!(text.contains("Half-Lambert") && text.contains("BADF eq. 5"), "{text}");
-    assert_eq!(shop.run(&["nodes", "Light Layer", "--json"]).ok().json(), layer, "by what the window calls it");
-    assert_eq!(shop.run(&["nodes", "light_layer.diffuse", "--json"]).ok().json(), layer, "with a choice");
+    assert_eq!(
+        shop.run(&["nodes", "Light Layer", "--json"]).ok().json(),
+        layer,
+        "by what the window calls it"
+    );
+    assert_eq!(
+        shop.run(&["nodes", "light_layer.diffuse", "--json"]).ok().json(),
+        layer,
+        "with a choice"
+    );
     shop.run(&["nodes", "profil"]).fails(1, &["did you mean `profile`"]);
     shop.run(&["nodes", "--markdown", "profile"]).fails(2, &["cannot be used with"]);
 }
@@ -736,11 +952,13 @@ fn docs_nodes_md_is_what_the_code_says() {
     let kept = fs::read_to_string(&path).unwrap_or_default();
     assert!(
         kept == printed,
-        "docs/nodes.md is not what the code says; CHIARO_BLESS=1 cargo test --test cli writes it anew"
+        "docs/nodes.md is not what the code says; CHIARO_BLESS=1 cargo test --test cli writes it \
+         anew"
     );
 }
 
-/// Every picture that docs/nodes.md shows is there, and has words for who cannot see it; and none is there for nothing.
+/// Every picture that docs/nodes.md shows is there, and has words for who cannot see it; and none
+/// is there for nothing.
 #[test]
 fn docs_nodes_md_shows_pictures_that_are_there() {
     let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
@@ -748,12 +966,22 @@ fn docs_nodes_md_shows_pictures_that_are_there() {
     let mut shown = BTreeSet::new();
     for picture in text.split("<img src=\"").skip(1) {
         let (name, rest) = picture.split_once('"').unwrap();
-        assert!(docs.join(name).is_file(), "{name} is not there: chiaro nodes --pictures docs/nodes draws it");
-        assert!(rest.starts_with(" alt=\"") && !rest.starts_with(" alt=\"\""), "{name} has no words");
-        assert!(shown.insert(name.trim_start_matches("nodes/").to_owned()), "{name} is there twice");
+        assert!(
+            docs.join(name).is_file(),
+            "{name} is not there: chiaro nodes --pictures docs/nodes draws it"
+        );
+        assert!(
+            rest.starts_with(" alt=\"") && !rest.starts_with(" alt=\"\""),
+            "{name} has no words"
+        );
+        assert!(
+            shown.insert(name.trim_start_matches("nodes/").to_owned()),
+            "{name} is there twice"
+        );
     }
     let files = fs::read_dir(docs.join("nodes")).unwrap().flatten();
-    let kept: BTreeSet<String> = files.map(|file| file.file_name().to_string_lossy().into_owned()).collect();
+    let kept: BTreeSet<String> =
+        files.map(|file| file.file_name().to_string_lossy().into_owned()).collect();
     assert_eq!(kept, shown);
 }
 
@@ -777,8 +1005,15 @@ fn new_writes_sound_documents_and_replaces_nothing() {
     shop.run(&["new", "rim", "--force"]).ok();
     shop.run(&["check", "rim.json"]).ok();
     let ran = shop.run(&["new", "no such/folder/rim"]);
-    let ran =
-        ran.fails(1, &["no such/folder/rim.json: ", "cannot-write", "no folder `no such/folder`", "make the folder"]);
+    let ran = ran.fails(
+        1,
+        &[
+            "no such/folder/rim.json: ",
+            "cannot-write",
+            "no folder `no such/folder`",
+            "make the folder",
+        ],
+    );
     assert!(!ran.err.contains(".tmp"), "{}", ran.err);
     shop.run(&["new", "rim", "--template", "oil"]).fails(2, &["oil"]);
 }
@@ -791,9 +1026,13 @@ fn export_writes_files_and_lists_them() {
     let listed: Vec<&str> = ran.out.lines().collect();
     assert!(listed.len() > 8 && listed.iter().all(|file| shop.path(file).is_file()), "{listed:?}");
     assert_eq!(fs::read_dir(shop.path("out")).unwrap().count(), listed.len());
-    let described: Json = serde_json::from_slice(&fs::read(shop.path("out/flat.json")).unwrap()).unwrap();
+    let described: Json =
+        serde_json::from_slice(&fs::read(shop.path("out/flat.json")).unwrap()).unwrap();
     assert_eq!(described["parameters"][0]["name"], "paint");
-    let told = shop.run(&["export", "flat.json", "--to", "wgsl,msl,wgsl", "-o", "out", "--json"]).ok().json();
+    let told = shop
+        .run(&["export", "flat.json", "--to", "wgsl,msl,wgsl", "-o", "out", "--json"])
+        .ok()
+        .json();
     assert_eq!(told["languages"], json!(["wgsl", "msl"]));
     assert!(told["unverified"][0].as_str().unwrap().contains("Metal"), "{told}");
     let wgsl = shop.run(&["export", "flat.json", "--to", "wgsl"]).ok().out;
@@ -810,10 +1049,14 @@ fn export_writes_files_and_lists_them() {
     shop.run(&["export", "flat.json", "--to", "wgsl", "-o", "."]).fails(1, &["would-overwrite"]);
     assert_eq!(fs::read_to_string(shop.path("flat.json")).unwrap(), LOOK);
     shop.write("scene.json", r#"{"objects": [{"looks": "flat.json"}]}"#);
-    shop.run(&["export", "scene.json", "--to", "wgsl"]).fails(1, &["this is a scene", "in its place: flat.json"]);
+    shop.run(&["export", "scene.json", "--to", "wgsl"])
+        .fails(1, &["this is a scene", "in its place: flat.json"]);
     // As it would be given from here, not from the scene.
     std::fs::create_dir(shop.path("scenes")).unwrap();
-    shop.write("scenes/far.json", r#"{"objects": [{"looks": "../flat.json"}, {"looks": "near.json"}]}"#);
+    shop.write(
+        "scenes/far.json",
+        r#"{"objects": [{"looks": "../flat.json"}, {"looks": "near.json"}]}"#,
+    );
     let near = Path::new("scenes").join("near.json");
     let named = format!("in its place: flat.json, {}", near.display());
     shop.run(&["export", "scenes/far.json", "--to", "wgsl"]).fails(1, &["this is a scene", &named]);
@@ -829,11 +1072,26 @@ mod gpu {
     #[test]
     fn render_writes_a_picture_and_tells_about_it() {
         let shop = shop();
-        let arguments = ["render", "flat.json", "-o", "a.png", "--mesh", "shape:sphere", "--size", "48x32", "--json"];
+        let arguments = [
+            "render",
+            "flat.json",
+            "-o",
+            "a.png",
+            "--mesh",
+            "shape:sphere",
+            "--size",
+            "48x32",
+            "--json",
+        ];
         let told = shop.run(&arguments).ok().json();
         assert_eq!(png_size(&shop.path("a.png")), [48, 32]);
-        assert_eq!((&told["width"], &told["passes"], &told["warnings"]), (&json!(48), &json!(["look"]), &json!([])));
-        assert!(told["seconds"].is_number() && told["adapter"].is_string() && told["file"] == "a.png");
+        assert_eq!(
+            (&told["width"], &told["passes"], &told["warnings"]),
+            (&json!(48), &json!(["look"]), &json!([]))
+        );
+        assert!(
+            told["seconds"].is_number() && told["adapter"].is_string() && told["file"] == "a.png"
+        );
         let small = ["--mesh", "shape:sphere", "--size", "32x32", "--samples", "1"];
         let shoot = |name: &str, camera: &[&str]| {
             shop.run(&[&["render", "flat.json", "-o", name], &small[..], camera].concat()).ok();
@@ -845,23 +1103,30 @@ mod gpu {
         assert_eq!(orbit, eye);
         assert_ne!(
             orbit,
-            shoot("d.png", &["--camera", "orbit=0,90;fov=60", "--backdrop", "none", "--turn-lights", "-30,10"])
+            shoot(
+                "d.png",
+                &["--camera", "orbit=0,90;fov=60", "--backdrop", "none", "--turn-lights", "-30,10"]
+            )
         );
     }
 
     #[test]
     fn render_says_what_is_wrong_before_it_works() {
         let shop = shop();
-        shop.run(&["render", "flat.json", "-o", "none/a.png"]).fails(1, &["cannot-write", "none", "-o"]);
+        shop.run(&["render", "flat.json", "-o", "none/a.png"])
+            .fails(1, &["cannot-write", "none", "-o"]);
         shop.run(&["render", "flat.json", "-o", "a.jpg"]).fails(1, &["PNG", "-o a.png"]);
         shop.run(&["render", "flat.json", "-o", "a.png", "--camera", "eye=1,2"])
             .fails(2, &["--camera", "eye=1,2", "target="]);
-        shop.run(&["render", "flat.json", "-o", "a.png", "--camera", "eye=0,0,0"]).fails(2, &["--camera"]);
-        shop.run(&["render", "flat.json", "-o", "a.png", "--backdrop", "mauve"]).fails(2, &["--backdrop"]);
+        shop.run(&["render", "flat.json", "-o", "a.png", "--camera", "eye=0,0,0"])
+            .fails(2, &["--camera"]);
+        shop.run(&["render", "flat.json", "-o", "a.png", "--backdrop", "mauve"])
+            .fails(2, &["--backdrop"]);
         shop.run(&["render", "flat.json", "-o", "a.png", "--size", "0x4"]).fails(2, &["800x600"]);
         shop.run(&["render", "flat.json", "-o", "a.png", "--samples", "3"]).fails(2, &["1 or 4"]);
         shop.run(&["render", "flat.json", "-o", "a.png", "--time", "inf"]).fails(2, &["seconds"]);
-        shop.run(&["render", "flat.json", "-o", "a.png", "--mesh", "gone.obj"]).fails(1, &["gone.obj"]);
+        shop.run(&["render", "flat.json", "-o", "a.png", "--mesh", "gone.obj"])
+            .fails(1, &["gone.obj"]);
         shop.write("bad.json", &LOOK.replace("light_layer", "lihgt_layer"));
         shop.run(&["render", "bad.json", "-o", "a.png"]).fails(1, &["bad.json:6:", "light_layer"]);
         assert_eq!(shop.names(), ["bad.json", "flat.json"]);
@@ -874,13 +1139,15 @@ mod gpu {
             shop.write("scene.json", &format!("{{\"objects\": [\n  {{\"mesh\": {object}}}\n]}}"));
             shop.run(&["render", "scene.json", "-o", "a.png", "--size", "8x8", "--samples", "1"])
         };
-        render(r#""gone.obj", "looks": "flat.json""#).fails(1, &["scene.json:2:", "gone.obj", "help: paths of meshes"]);
+        render(r#""gone.obj", "looks": "flat.json""#)
+            .fails(1, &["scene.json:2:", "gone.obj", "help: paths of meshes"]);
         render(r#""shape:sphere", "looks": {"*": "flat.json", "skin": "none.json"}"#)
             .fails(1, &["scene.json:2:", "missing-asset"]);
         render(r#""shape:sphere", "looks": "flat.json", "values": {"cover": "wide"}"#)
             .fails(1, &["scene.json:2:", "wrong-type"]);
         assert_eq!(shop.names(), ["flat.json", "scene.json"]);
-        render(r#""shape:sphere", "looks": "flat.json", "values": {"pant": 1}"#).fails(0, &["unknown-parameter"]);
+        render(r#""shape:sphere", "looks": "flat.json", "values": {"pant": 1}"#)
+            .fails(0, &["unknown-parameter"]);
         let help = shop.run(&["render", "--help"]).ok().out;
         assert!(help.contains("Samples a pixel: 1, or 4"), "{help}");
     }
@@ -902,7 +1169,8 @@ mod gpu {
     #[test]
     fn eval_answers_in_order() {
         let shop = shop();
-        // The layer covers up to 1 radian (57.3 degrees) from the light, and not beyond; the edge is hard.
+        // The layer covers up to 1 radian (57.3 degrees) from the light, and not beyond; the edge
+        // is hard.
         let samples = r#"[{"normal": [0, 0, 7]}, {"normal": [0, 1, 0]}, {"normal": [0, 0.8, 0.6]},
                           {"normal": [0, 1, 0], "lights": {"key": {"direction": [0, 3, 0]}}},
                           {"normal": [0, 1, 0], "frame": [[1, 0, 0], [0, 0, 1], [0, -1, 0]]}]"#;
@@ -917,7 +1185,8 @@ mod gpu {
             let two = r#"[{"normal": [0, 0, 1]}, {"normal": [0, 0, -1]}]"#;
             assert_eq!(eval(&shop, &["--output", output], two).ok().json(), tones, "{output}");
         }
-        let angle = eval(&shop, &["--output", "layer/angle"], r#"[{"normal": [0, 1, 0]}]"#).ok().json();
+        let angle =
+            eval(&shop, &["--output", "layer/angle"], r#"[{"normal": [0, 1, 0]}]"#).ok().json();
         let u = angle[0]["value"][0].as_f64().unwrap();
         assert!((u - std::f64::consts::FRAC_PI_2).abs() < 1e-6, "{u}");
         assert_eq!(eval(&shop, &[], "[]").ok().out.trim(), "[]");
@@ -944,19 +1213,28 @@ mod gpu {
     fn eval_tells_what_is_wrong_with_samples() {
         let shop = shop();
         let bad = r#"[{"nromal": [0, 0, 1]}, {"lights": {"kye": {"direction": [0, 0, 1]}}}]"#;
-        let ran = eval(&shop, &[], bad).fails(1, &["standard input", "[0].nromal", "did you mean `normal`?"]);
+        let ran = eval(&shop, &[], bad)
+            .fails(1, &["standard input", "[0].nromal", "did you mean `normal`?"]);
         assert!(ran.out.is_empty());
-        let ran = eval(&shop, &[], r#"[{}, {"lights": {"kye": {"intensity": 1}}}, {"values": {"pint": 1}}]"#);
+        let ran = eval(
+            &shop,
+            &[],
+            r#"[{}, {"lights": {"kye": {"intensity": 1}}}, {"values": {"pint": 1}}]"#,
+        );
         ran.fails(1, &["[1].lights.kye", "its lights are key", "[2].values.pint", "`paint`"]);
-        eval(&shop, &[], r#"[{"values": {"cover": "wide"}}]"#).fails(1, &["[0].values.cover", "a number"]);
-        eval(&shop, &[], r#"[{}, {"values": {"how": "ad"}}]"#).fails(1, &["unknown-choice", "sample [1]"]);
+        eval(&shop, &[], r#"[{"values": {"cover": "wide"}}]"#)
+            .fails(1, &["[0].values.cover", "a number"]);
+        eval(&shop, &[], r#"[{}, {"values": {"how": "ad"}}]"#)
+            .fails(1, &["unknown-choice", "sample [1]"]);
         eval(&shop, &[], "{}").fails(1, &["a list of samples"]);
         eval(&shop, &[], "[").fails(1, &["1:"]);
         eval(&shop, &["--output", "layr.tone"], "[]").fails(1, &["unknown-node", "layer/tone"]);
         eval(&shop, &["--output", "layer.ton"], "[{}]").fails(1, &["layer"]);
         // Where nothing is near, all that could be named.
-        eval(&shop, &["--output", "nope.x"], "[]").fails(1, &["the outputs are `paper.below`, ", "`output.color`"]);
-        let ran = eval(&shop, &["--output", "paper.x"], "[]").fails(1, &["the outputs are `paper.below`\n"]);
+        eval(&shop, &["--output", "nope.x"], "[]")
+            .fails(1, &["the outputs are `paper.below`, ", "`output.color`"]);
+        let ran = eval(&shop, &["--output", "paper.x"], "[]")
+            .fails(1, &["the outputs are `paper.below`\n"]);
         assert!(!ran.err.contains("layer"), "{}", ran.err);
         eval(&shop, &["--output", "layer/angle.x"], "[]").fails(1, &["`layer/angle.angle`"]);
         eval(&shop, &["--tier", "best"], "[]").fails(2, &["exact, balanced or fast"]);
@@ -969,7 +1247,8 @@ mod gpu {
         let shop = shop();
         for round in 0..3 {
             let name = format!("big{round}.png");
-            let arguments = ["render", "flat.json", "-o", &name, "--size", "3000x3000", "--samples", "1"];
+            let arguments =
+                ["render", "flat.json", "-o", &name, "--size", "3000x3000", "--samples", "1"];
             let mut child = shop.command(&arguments).stderr(Stdio::null()).spawn().unwrap();
             // From just after the start to the middle of writing, where that can be met.
             let is_writing = || shop.names().iter().any(|name| name.ends_with(".tmp"));
@@ -977,7 +1256,9 @@ mod gpu {
                 std::thread::yield_now();
             }
             let id = child.id().to_string();
-            assert!(Command::new("kill").args(["-INT", &id]).stderr(Stdio::null()).status().is_ok());
+            assert!(
+                Command::new("kill").args(["-INT", &id]).stderr(Stdio::null()).status().is_ok()
+            );
             let status = child.wait().unwrap();
             assert!(!shop.names().iter().any(|name| name.ends_with(".tmp")), "{:?}", shop.names());
             // Whoever was too late finds it whole.
@@ -996,12 +1277,23 @@ mod gpu {
     #[test]
     fn ctrl_c_ends_with_130() {
         let shop = shop();
-        let mut child = shop.command(&["eval", "flat.json", "--at", "-"]).stdin(Stdio::piped()).spawn().unwrap();
-        // More than a pipe holds: once it is written the program is reading, and it waits for an end that never comes.
-        // It stays open until the program has ended: waiting for a child would close it.
+        let mut child = shop
+            .command(&["eval", "flat.json", "--at", "-"])
+            .stdin(Stdio::piped())
+            .spawn()
+            .unwrap();
+        // More than a pipe holds: once it is written the program is reading, and it waits for an
+        // end that never comes. It stays open until the program has ended: waiting for a child
+        // would close it.
         let mut stdin = child.stdin.take().unwrap();
         stdin.write_all(&[b' '; 1 << 20]).unwrap();
-        assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+        assert!(
+            Command::new("kill")
+                .args(["-INT", &child.id().to_string()])
+                .status()
+                .unwrap()
+                .success()
+        );
         let code = child.wait().unwrap().code();
         assert_eq!(code, Some(130));
         drop(stdin);

@@ -1,4 +1,5 @@
-//! `chiaro desktop`: what it writes is what desktops take, it is all taken away again, and nothing else is touched.
+//! `chiaro desktop`: what it writes is what desktops take, it is all taken away again, and nothing
+//! else is touched.
 #![cfg(target_os = "linux")]
 
 use std::collections::BTreeMap;
@@ -15,7 +16,10 @@ impl Home {
     fn new() -> Self {
         let home = Self(tempfile::tempdir().unwrap());
         for (name, text) in [
-            ("applications/other.desktop", "[Desktop Entry]\nType=Application\nName=Other\nExec=other\n"),
+            (
+                "applications/other.desktop",
+                "[Desktop Entry]\nType=Application\nName=Other\nExec=other\n",
+            ),
             ("icons/hicolor/scalable/apps/other.svg", "<svg/>"),
             ("notes.txt", "mine"),
         ] {
@@ -33,7 +37,10 @@ impl Home {
     /// Runs it with the desktop's own tools, or with none of them.
     fn run(&self, argument: &str, path: Option<&str>) -> Output {
         let mut command = Command::new(env!("CARGO_BIN_EXE_chiaro"));
-        command.args(["desktop", argument]).env("XDG_DATA_HOME", self.data()).env("HOME", self.0.path());
+        command
+            .args(["desktop", argument])
+            .env("XDG_DATA_HOME", self.data())
+            .env("HOME", self.0.path());
         if let Some(path) = path {
             command.env("PATH", path);
         }
@@ -73,7 +80,10 @@ fn it_installs_and_removes_its_own_files_and_nothing_else() {
 
     let installed = home.run("--install", Some(""));
     assert!(installed.status.success(), "{}", text(&installed.stderr));
-    assert!(text(&installed.stderr).contains("next login"), "no tool is there, and it is said what that means");
+    assert!(
+        text(&installed.stderr).contains("next login"),
+        "no tool is there, and it is said what that means"
+    );
     let after = home.files();
     let new: Vec<&PathBuf> = after.keys().filter(|path| !before.contains_key(*path)).collect();
     assert_eq!(new.len(), 3, "{new:?}");
@@ -118,7 +128,8 @@ fn desktops_take_what_is_written() {
     if let Some(judged) = tool("desktop-file-validate", &[&entry], &home.data()) {
         assert!(judged.status.success(), "{}{}", text(&judged.stdout), text(&judged.stderr));
     }
-    // A look, a scene and a painted surface are known as what they are, and other JSON is left to other programs.
+    // A look, a scene and a painted surface are known as what they are, and other JSON is left to
+    // other programs.
     if !home.data().join("mime/mime.cache").is_file() {
         return;
     }
@@ -136,9 +147,11 @@ fn desktops_take_what_is_written() {
         (plain, "application/json"),
     ] {
         let what = Path::new("info");
-        let Some(told) =
-            tool("gio", &[what, Path::new("-a"), Path::new("standard::content-type"), &file], &home.data())
-        else {
+        let Some(told) = tool(
+            "gio",
+            &[what, Path::new("-a"), Path::new("standard::content-type"), &file],
+            &home.data(),
+        ) else {
             return;
         };
         assert!(text(&told.stdout).contains(expected), "{file:?}: {}", text(&told.stdout));

@@ -1,5 +1,5 @@
-//! Painted shading recovers known looks: painted from a hidden look's own picture, the fitted one is the same on a view
-//! that was not painted.
+//! Painted shading recovers known looks: painted from a hidden look's own picture, the fitted one
+//! is the same on a view that was not painted.
 
 mod hidden;
 mod strokes;
@@ -35,13 +35,18 @@ fn from_nothing(hidden: &Hidden, target: &Target) -> Fitted {
 /// How far a fitted look may be from the hidden one on the new view.
 const NEAR: f64 = 2.0 / 255.0;
 
-/// The proof: `cargo test --test fit -- soak --ignored --nocapture`; with `CHIARO_FIT=10+5` the five looks from number 10.
+/// The proof: `cargo test --test fit -- soak --ignored --nocapture`; with `CHIARO_FIT=10+5` the
+/// five looks from number 10.
 #[test]
 #[ignore = "minutes; `the_fit_recovers_a_hidden_look` is the quick part of it"]
-#[allow(clippy::print_stdout, reason = "the documentation's figures are made of what `--nocapture` shows")]
+#[allow(
+    clippy::print_stdout,
+    reason = "the documentation's figures are made of what `--nocapture` shows"
+)]
 fn soak_the_rate_over_fifty_hidden_looks() {
     let range = std::env::var("CHIARO_FIT").unwrap_or_default();
-    let (first, count) = range.split_once('+').map_or((0, 50), |(a, b)| (a.parse().unwrap(), b.parse().unwrap()));
+    let (first, count) =
+        range.split_once('+').map_or((0, 50), |(a, b)| (a.parse().unwrap(), b.parse().unwrap()));
     let mut near = 0;
     for number in first..first + count {
         let hidden = hidden(number);
@@ -52,7 +57,8 @@ fn soak_the_rate_over_fifty_hidden_looks() {
         let difference = difference(&hidden.look, &fitted.look, hidden.mesh);
         near += u64::from(difference < NEAR);
         println!(
-            "{number:2} {:14} {} layers: painted view {:.2} -> {:.2}, new view {:.2} of 255 {} ({:.1} s)",
+            "{number:2} {:14} {} layers: painted view {:.2} -> {:.2}, new view {:.2} of 255 {} \
+             ({:.1} s)",
             hidden.mesh,
             hidden.layers,
             255.0 * fitted.report.before,
@@ -63,26 +69,33 @@ fn soak_the_rate_over_fifty_hidden_looks() {
         );
         if difference >= NEAR {
             hidden.told.iter().for_each(|layer| println!("     hidden {layer}"));
-            fitted
-                .report
-                .changed
-                .iter()
-                .for_each(|change| println!("     {} {}: {}", change.what, change.place, change.to));
+            fitted.report.changed.iter().for_each(|change| {
+                println!("     {} {}: {}", change.what, change.place, change.to)
+            });
         }
     }
     println!("{near} of {count} are within 2/255 RMS on the new view");
     assert!(5 * near >= 4 * count, "fewer than four in five");
 }
 
-/// What is told in docs/performance.md of strokes and the rest: `cargo test --test fit -- soak_strokes --ignored --nocapture`.
+/// What is told in docs/performance.md of strokes and the rest: `cargo test --test fit --
+/// soak_strokes --ignored --nocapture`.
 #[test]
-#[ignore = "minutes; `colors_of_ramps_are_turned_and_what_is_not_painted_is_kept_as_asked` is the quick part of it"]
-#[allow(clippy::print_stdout, reason = "the documentation's figures are made of what `--nocapture` shows")]
+#[ignore = "minutes; `colors_of_ramps_are_turned_and_what_is_not_painted_is_kept_as_asked` is the \
+            quick part of it"]
+#[allow(
+    clippy::print_stdout,
+    reason = "the documentation's figures are made of what `--nocapture` shows"
+)]
 fn soak_strokes_and_how_far_the_rest_moves() {
     let looks = ["figure2-diffuse", "figure4-color", "figure6-glossy-jade", "watercolor-wash"];
     for name in looks {
-        let look =
-            Look::read(&std::fs::read_to_string(format!("examples/looks/{name}.json")).unwrap(), name).value.unwrap();
+        let look = Look::read(
+            &std::fs::read_to_string(format!("examples/looks/{name}.json")).unwrap(),
+            name,
+        )
+        .value
+        .unwrap();
         let mesh = "shape:creature";
         let strokes = strokes::strokes(&look, mesh);
         let steps = |off: [f64; 3]| off.map(|x| format!("{:5.1}", 255.0 * x)).join(" ");
@@ -90,8 +103,16 @@ fn soak_strokes_and_how_far_the_rest_moves() {
         for keep_rest in [0.25, 0.5, 1.0] {
             let clock = Clock::start();
             let setup = setup_of(look.clone(), mesh);
-            let options = FitOptions { starts: 10, enough: 1.0 / 255.0, keep_rest, ..FitOptions::default() };
-            let fitted = fit_look(&setup, 0, Library::built_in(), &strokes.painted, &options, &Progress::new());
+            let options =
+                FitOptions { starts: 10, enough: 1.0 / 255.0, keep_rest, ..FitOptions::default() };
+            let fitted = fit_look(
+                &setup,
+                0,
+                Library::built_in(),
+                &strokes.painted,
+                &options,
+                &Progress::new(),
+            );
             let fitted = fitted.map_or_else(|_| look.clone(), |fitted| fitted.look);
             let off = strokes::off(&strokes, &fitted, mesh);
             println!(
@@ -104,14 +125,15 @@ fn soak_strokes_and_how_far_the_rest_moves() {
     }
 }
 
-/// Pictures to be looked at of looks as they are, painted, and fitted with new layers, with nothing and a quarter of the rest
-/// kept: `cargo test --test fit -- shots --ignored --nocapture` writes them to `target/shots`, or to the folder that
-/// `CHIARO_SHOTS` names.
+/// Pictures to be looked at of looks as they are, painted, and fitted with new layers, with nothing
+/// and a quarter of the rest kept: `cargo test --test fit -- shots --ignored --nocapture` writes
+/// them to `target/shots`, or to the folder that `CHIARO_SHOTS` names.
 #[test]
 #[ignore = "writes pictures to be looked at"]
 #[allow(clippy::print_stdout, reason = "what was laid is read beside its picture")]
 fn shots_of_new_layers_for_a_few_strokes() {
-    let folder = std::env::var_os("CHIARO_SHOTS").map_or_else(|| "target/shots".into(), std::path::PathBuf::from);
+    let folder = std::env::var_os("CHIARO_SHOTS")
+        .map_or_else(|| "target/shots".into(), std::path::PathBuf::from);
     std::fs::create_dir_all(&folder).unwrap();
     for (name, mesh) in [("figure4-color", "shape:creature"), ("figure3-profile", "shape:sphere")] {
         let text = std::fs::read_to_string(format!("examples/looks/{name}.json")).unwrap();
@@ -127,19 +149,36 @@ fn shots_of_new_layers_for_a_few_strokes() {
         for keep_rest in [0.0, 0.25, 0.5] {
             let setup = setup_of(look.clone(), mesh);
             let options = FitOptions { enough: 1.0 / 255.0, keep_rest, ..FitOptions::default() };
-            let fitted =
-                fit_layers(&setup, 0, Library::built_in(), &strokes.painted, 2, &options, &Progress::new()).unwrap();
-            let off = strokes::off(&strokes, &fitted.look, mesh).map(|x| format!("{:.1}", 255.0 * x));
+            let fitted = fit_layers(
+                &setup,
+                0,
+                Library::built_in(),
+                &strokes.painted,
+                2,
+                &options,
+                &Progress::new(),
+            )
+            .unwrap();
+            let off =
+                strokes::off(&strokes, &fitted.look, mesh).map(|x| format!("{:.1}", 255.0 * x));
             println!("{name}, {keep_rest} kept: strokes, rest, its worst {}", off.join(" "));
-            fitted.report.changed.iter().for_each(|it| println!("     {} {}: {}", it.what, it.place, it.to));
+            fitted
+                .report
+                .changed
+                .iter()
+                .for_each(|it| println!("     {} {}: {}", it.what, it.place, it.to));
             pictures.push(picture(&setup_of(fitted.look, mesh)).to_picture());
         }
         let [width, height] = pictures[0].size;
-        let row =
-            |y: u32| pictures.iter().flat_map(move |it| &it.rgba[(y * width) as usize..((y + 1) * width) as usize]);
+        let row = |y: u32| {
+            pictures
+                .iter()
+                .flat_map(move |it| &it.rgba[(y * width) as usize..((y + 1) * width) as usize])
+        };
         let rgba = (0..height).flat_map(row).copied().collect();
         let side_by_side = Picture { size: [width * pictures.len() as u32, height], rgba };
-        std::fs::write(folder.join(format!("layers-{name}.png")), side_by_side.to_png().unwrap()).unwrap();
+        std::fs::write(folder.join(format!("layers-{name}.png")), side_by_side.to_png().unwrap())
+            .unwrap();
     }
 }
 
@@ -149,10 +188,20 @@ fn the_fit_recovers_a_hidden_look() {
     let target = painted(&hidden.look, hidden.mesh);
     let fitted = from_nothing(&hidden, &target);
     let difference = difference(&hidden.look, &fitted.look, hidden.mesh);
-    assert!(difference < NEAR, "{:.2}/255: {:?}, hidden {:?}", 255.0 * difference, fitted.report, hidden.told);
+    assert!(
+        difference < NEAR,
+        "{:.2}/255: {:?}, hidden {:?}",
+        255.0 * difference,
+        fitted.report,
+        hidden.told
+    );
     // It is an ordinary look, which a file holds and which says the same again.
     let read = Look::read(&fitted.look.to_text(), "fitted.json");
-    assert!(read.diagnostics.is_empty() && read.value == Some(fitted.look), "{:?}", read.diagnostics);
+    assert!(
+        read.diagnostics.is_empty() && read.value == Some(fitted.look),
+        "{:?}",
+        read.diagnostics
+    );
 }
 
 /// One highlight over one light, on what the test says of them.
@@ -179,9 +228,14 @@ fn a_look_is_turned_to_what_was_painted_and_undone_as_one() {
     let wished = two_layers([-0.5, 0.6, 0.7], [0.3, 0.8, 1.2], "#c08850");
     let start = two_layers([-0.35, 0.5, 0.8], [0.2, 0.75, 1.3], "#a08870");
     let target = painted(&wished, mesh);
-    let options = FitOptions { keep: Keep { base: true, ..Keep::default() }, starts: 1, ..FitOptions::default() };
+    let options = FitOptions {
+        keep: Keep { base: true, ..Keep::default() },
+        starts: 1,
+        ..FitOptions::default()
+    };
     let setup = setup_of(start.clone(), mesh);
-    let fitted = fit_look(&setup, 0, Library::built_in(), &target, &options, &Progress::new()).unwrap();
+    let fitted =
+        fit_look(&setup, 0, Library::built_in(), &target, &options, &Progress::new()).unwrap();
     let difference = difference(&wished, &fitted.look, mesh);
     assert!(difference < NEAR, "{:.2}/255: {:?}", 255.0 * difference, fitted.report);
     assert!(fitted.report.before > 5.0 * fitted.report.after, "{:?}", fitted.report);
@@ -209,8 +263,14 @@ fn what_cannot_be_fitted_is_told() {
     let all = Target::from_rgba8([16, 16], &rgba);
     let keep = Keep { lights: true, profiles: true, colors: true, base: true };
     let kept = FitOptions { keep, ..options };
-    assert_eq!(fit_look(&setup, 0, library, &all, &kept, &Progress::new()).unwrap_err()[0].code, "fit-nothing");
-    assert_eq!(fit_layers(&setup, 0, library, &all, 0, &options, &Progress::new()).unwrap_err()[0].code, "fit-layers");
+    assert_eq!(
+        fit_look(&setup, 0, library, &all, &kept, &Progress::new()).unwrap_err()[0].code,
+        "fit-nothing"
+    );
+    assert_eq!(
+        fit_layers(&setup, 0, library, &all, 0, &options, &Progress::new()).unwrap_err()[0].code,
+        "fit-layers"
+    );
     let stopped = Progress::new();
     stopped.stop();
     for problems in [
@@ -231,20 +291,27 @@ fn a_fit_that_is_stopped_keeps_the_nearest_that_it_has_come_to() {
     let stopping = || {
         let itself: Arc<OnceLock<Weak<Progress>>> = Arc::default();
         let known = itself.clone();
-        let stop = move |_| known.get().and_then(Weak::upgrade).into_iter().for_each(|progress| progress.stop());
+        let stop = move |_| {
+            known.get().and_then(Weak::upgrade).into_iter().for_each(|progress| progress.stop())
+        };
         let progress = Arc::new(Progress::telling(stop));
         itself.set(Arc::downgrade(&progress)).unwrap();
         progress
     };
     let (library, options) = (Library::built_in(), FitOptions::default());
     let fitted = fit_look(&setup, 0, library, &target, &options, &stopping()).unwrap();
-    assert!(fitted.report.is_stopped && fitted.report.after < fitted.report.before, "{:?}", fitted.report);
+    assert!(
+        fitted.report.is_stopped && fitted.report.after < fitted.report.before,
+        "{:?}",
+        fitted.report
+    );
     assert_ne!(fitted.look, start);
     let fitted = fit_layers(&setup, 0, library, &target, 3, &options, &stopping()).unwrap();
     assert!(fitted.report.is_stopped && fitted.look.lights.len() == 1, "{:?}", fitted.report);
 }
 
-/// A ramp over the angle from a light: nothing of it but the light and its own colours could be turned.
+/// A ramp over the angle from a light: nothing of it but the light and its own colors could be
+/// turned.
 #[test]
 fn colors_of_ramps_are_turned_and_what_is_not_painted_is_kept_as_asked() {
     let text = std::fs::read_to_string("examples/looks/figure2-diffuse.json").unwrap();
@@ -255,7 +322,8 @@ fn colors_of_ramps_are_turned_and_what_is_not_painted_is_kept_as_asked() {
     let keep = Keep { lights: true, ..Keep::default() };
     let fit = |keep_rest: f64| {
         let options = FitOptions { keep, keep_rest, starts: 1, ..FitOptions::default() };
-        fit_look(&setup, 0, Library::built_in(), &strokes.painted, &options, &Progress::new()).unwrap()
+        fit_look(&setup, 0, Library::built_in(), &strokes.painted, &options, &Progress::new())
+            .unwrap()
     };
     let [before, ..] = strokes::off(&strokes, &look, mesh);
     let (free, half, kept) = (fit(0.0), fit(0.5), fit(1.0));
@@ -265,46 +333,70 @@ fn colors_of_ramps_are_turned_and_what_is_not_painted_is_kept_as_asked() {
         "{:?}",
         free.report.changed
     );
-    let Value::Ramp(ramp) = &free.look.graph.nodes["code"].values["ramp"] else { panic!("no ramp") };
+    let Value::Ramp(ramp) = &free.look.graph.nodes["code"].values["ramp"] else {
+        panic!("no ramp")
+    };
     let Value::Ramp(was) = &look.graph.nodes["code"].values["ramp"] else { panic!("no ramp") };
     let places = |ramp: &Ramp| ramp.stops.iter().map(|stop| stop.at).collect::<Vec<_>>();
-    assert!(ramp.stops != was.stops && places(ramp) == places(was) && ramp.interpolation == was.interpolation);
+    assert!(
+        ramp.stops != was.stops
+            && places(ramp) == places(was)
+            && ramp.interpolation == was.interpolation
+    );
     let off = [&free, &half, &kept].map(|fitted| strokes::off(&strokes, &fitted.look, mesh));
     assert!(off[0][0] < 0.75 * before, "{off:?}, {before} before");
-    // The more of the rest is kept, the less it moves, and strokes are still met better than before.
+    // The more of the rest is kept, the less it moves, and strokes are still met better than
+    // before.
     assert!(off[2][1] < off[1][1] && off[1][1] < off[0][1], "{off:?}");
     assert!(off.iter().all(|[strokes, ..]| *strokes < before), "{off:?}, {before} before");
     assert_eq!(free.report.rest, None);
     assert!(kept.report.rest.is_some());
 }
 
-/// Painted light among the examples: the look before, its strokes, and what `chiaro fit` made of them, with the options
-/// that docs/techniques.md gives.
+/// Painted light among the examples: the look before, its strokes, and what `chiaro fit` made of
+/// them, with the options that docs/techniques.md gives.
 #[test]
 fn the_example_of_painted_light_is_what_a_fit_makes_of_its_strokes() {
     let look = |name: &str| {
         let text = std::fs::read_to_string(format!("examples/looks/{name}.json")).unwrap();
         Look::read(&text, name).value.unwrap()
     };
-    let strokes = Target::from_png(&std::fs::read("examples/images/painted-strokes.png").unwrap()).unwrap();
-    let [before, kept] = ["painted-before", "painted-light"].map(|name| setup_of(look(name), "shape:sphere"));
+    let strokes =
+        Target::from_png(&std::fs::read("examples/images/painted-strokes.png").unwrap()).unwrap();
+    let [before, kept] =
+        ["painted-before", "painted-light"].map(|name| setup_of(look(name), "shape:sphere"));
     let fit = |setup: &Setup, starts: usize| {
         let options = FitOptions { keep_rest: 0.02, starts, ..FitOptions::default() };
-        fit_look(setup, 0, Library::built_in(), &strokes, &options, &Progress::new()).unwrap().report
+        fit_look(setup, 0, Library::built_in(), &strokes, &options, &Progress::new())
+            .unwrap()
+            .report
     };
     let [made, of_example] = [fit(&before, 12), fit(&kept, 1)];
     // What is kept in the file is rounded, and is as near as what is made now.
-    assert!((of_example.before - made.after).abs() < 1.0 / 255.0, "{} and {}", of_example.before, made.after);
-    assert!(made.before > 3.0 * made.after && made.after < 25.0 / 255.0, "{} to {}", made.before, made.after);
+    assert!(
+        (of_example.before - made.after).abs() < 1.0 / 255.0,
+        "{} and {}",
+        of_example.before,
+        made.after
+    );
+    assert!(
+        made.before > 3.0 * made.after && made.after < 25.0 / 255.0,
+        "{} to {}",
+        made.before,
+        made.after
+    );
 }
 
-/// Curvature, folds, and an object before another part of itself: gathered pixels are the picture's own, to the last bit.
+/// Curvature, folds, and an object before another part of itself: gathered pixels are the picture's
+/// own, to the last bit.
 #[test]
 fn gathered_fragments_are_shaded_as_in_the_picture() {
     let text = std::fs::read_to_string("examples/looks/figure1-layers.json").unwrap();
     let setup = setup_of(Look::read(&text, "figure1.json").value.unwrap(), "shape:knot");
     let options = PlanOptions { size: [40, 32], samples: 1, time: 0.0 };
-    let plan = Planner::new(Assets::default()).plan(&setup, Library::built_in(), &Live::Keyed, &options).unwrap();
+    let plan = Planner::new(Assets::default())
+        .plan(&setup, Library::built_in(), &Live::Keyed, &options)
+        .unwrap();
     let modules = Modules::new(&plan, Precision::F64).unwrap();
     let how = reference::Options::default();
     let picture = reference::execute(&plan, &modules, &how, &Control::none()).unwrap();

@@ -1,4 +1,5 @@
-//! The gallery: every example has a page whose links lead somewhere, and the nodes' pictures are those of now.
+//! The gallery: every example has a page whose links lead somewhere, and the nodes' pictures are
+//! those of now.
 #![cfg(feature = "gpu")]
 
 use crate::support;
@@ -22,13 +23,27 @@ fn gpu() -> Gpu {
 }
 
 fn options(side: u32, rounds: usize) -> Options {
-    Options { size: [side, side], samples: 1, rounds, mesh: None, nodes: Some("../nodes.md".to_owned()) }
+    Options {
+        size: [side, side],
+        samples: 1,
+        rounds,
+        mesh: None,
+        nodes: Some("../nodes.md".to_owned()),
+    }
 }
 
 fn make(list: &List, folder: &Path, options: &Options) -> Result<Made, Vec<Diagnostic>> {
     let mut untold = |_, _| true;
     let library = |_: &Path| Library::built_in().clone();
-    build(list, folder, &mut Outputs::new(false), &gpu(), &library, options, &mut Progress::new(&mut untold))
+    build(
+        list,
+        folder,
+        &mut Outputs::new(false),
+        &gpu(),
+        &library,
+        options,
+        &mut Progress::new(&mut untold),
+    )
 }
 
 /// What a page's attributes of a name lead to.
@@ -42,7 +57,8 @@ fn follow(folder: &Path) -> HashSet<String> {
     let mut found = HashSet::new();
     let mut open = vec!["index.html".to_owned()];
     while let Some(name) = open.pop() {
-        let text = std::fs::read_to_string(folder.join(&name)).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let text = std::fs::read_to_string(folder.join(&name))
+            .unwrap_or_else(|error| panic!("{name}: {error}"));
         assert_eq!(text.matches("<div").count(), text.matches("</div>").count(), "{name}");
         for link in links(&text, "href").into_iter().chain(links(&text, "src")) {
             if link.starts_with("..") {
@@ -64,21 +80,30 @@ fn every_example_has_a_page() {
     let folder = tempfile::tempdir().unwrap();
     let made = make(&list, folder.path(), &options(48, 0)).unwrap();
     assert!(made.problems.is_empty(), "{:?}", made.problems);
-    let examples = ["looks", "hcbtf", "images", "scenes"].map(|name| root().join("examples").join(name));
-    let files: Vec<PathBuf> = examples.iter().flat_map(|folder| support::files::below(folder)).collect();
+    let examples =
+        ["looks", "hcbtf", "images", "scenes"].map(|name| root().join("examples").join(name));
+    let files: Vec<PathBuf> =
+        examples.iter().flat_map(|folder| support::files::below(folder)).collect();
     let documents: HashSet<PathBuf> =
         files.into_iter().filter(|path| path.extension().is_some_and(|e| e == "json")).collect();
-    let shown: Vec<PathBuf> = list.sections.iter().flat_map(|section| &section.shown).map(|s| s.file.clone()).collect();
-    // A look may be seen in a scene alone, where it is of that scene: keyed by another of its objects.
+    let shown: Vec<PathBuf> =
+        list.sections.iter().flat_map(|section| &section.shown).map(|s| s.file.clone()).collect();
+    // A look may be seen in a scene alone, where it is of that scene: keyed by another of its
+    // objects.
     let text = |path: &PathBuf| std::fs::read_to_string(path).unwrap();
-    let scenes: String = shown.iter().filter(|path| path.starts_with(&examples[3])).map(text).collect();
-    let is_worn = |path: &Path| scenes.contains(&format!("\"../looks/{}\"", path.file_name().unwrap().display()));
-    let missing: Vec<_> = documents.iter().filter(|path| !shown.contains(path) && !is_worn(path)).collect();
+    let scenes: String =
+        shown.iter().filter(|path| path.starts_with(&examples[3])).map(text).collect();
+    let is_worn = |path: &Path| {
+        scenes.contains(&format!("\"../looks/{}\"", path.file_name().unwrap().display()))
+    };
+    let missing: Vec<_> =
+        documents.iter().filter(|path| !shown.contains(path) && !is_worn(path)).collect();
     assert!(missing.is_empty(), "examples/gallery.json does not show {missing:?}");
     assert_eq!(made.pages, shown.len());
 
     let found = follow(folder.path());
-    let pages = found.iter().filter(|name| name.ends_with(".html") && *name != "index.html").count();
+    let pages =
+        found.iter().filter(|name| name.ends_with(".html") && *name != "index.html").count();
     assert_eq!(pages, shown.len(), "the index leads to every page");
     let mut pictures = HashSet::new();
     for name in found.iter().filter(|name| name.ends_with(".png")) {
@@ -99,7 +124,9 @@ fn a_page_tells_what_it_costs() {
     let made = make(&list, folder.path(), &options(64, 3)).unwrap();
     assert!(made.problems.is_empty(), "{:?}", made.problems);
     let page = std::fs::read_to_string(folder.path().join("figure4-both.html")).unwrap();
-    for told in ["<td>exact</td>", "<td>fast</td>", "3 rounds on ", "@fragment", "../nodes.md#output"] {
+    for told in
+        ["<td>exact</td>", "<td>fast</td>", "3 rounds on ", "@fragment", "../nodes.md#output"]
+    {
         assert!(page.contains(told), "the page does not say {told}");
     }
     let graph = std::fs::read_to_string(folder.path().join("figure4-both-graph.svg")).unwrap();
@@ -110,12 +137,20 @@ fn a_page_tells_what_it_costs() {
 fn what_cannot_be_shown_is_told_and_the_rest_is_there() {
     let folder = tempfile::tempdir().unwrap();
     let broken = folder.path().join("broken.json");
-    std::fs::write(&broken, r#"{"chiaro": "look", "nodes": [{"id": "a", "kind": "nothing_such"}]}"#).unwrap();
+    std::fs::write(
+        &broken,
+        r#"{"chiaro": "look", "nodes": [{"id": "a", "kind": "nothing_such"}]}"#,
+    )
+    .unwrap();
     let good = root().join("examples/looks/figure2-diffuse.json");
     let out = folder.path().join("out");
     let made = make(&list::list(&[broken, good]).unwrap(), &out, &options(32, 0)).unwrap();
     assert_eq!(made.pages, 1);
-    assert!(has_errors(&made.problems) && made.problems[0].to_string().contains("broken.json"), "{:?}", made.problems);
+    assert!(
+        has_errors(&made.problems) && made.problems[0].to_string().contains("broken.json"),
+        "{:?}",
+        made.problems
+    );
     assert!(out.join("figure2-diffuse.html").is_file() && !out.join("broken.html").exists());
 }
 
@@ -138,7 +173,14 @@ fn the_pictures_of_nodes_are_those_of_now() {
     if std::env::var_os("CHIARO_BLESS").is_some() {
         let mut untold = |_, _| true;
         let mut outputs = Outputs::new(false);
-        write_nodes(Library::built_in(), &folder, &gpu(), &mut outputs, &mut Progress::new(&mut untold)).unwrap();
+        write_nodes(
+            Library::built_in(),
+            &folder,
+            &gpu(),
+            &mut outputs,
+            &mut Progress::new(&mut untold),
+        )
+        .unwrap();
     }
     let mut files = HashSet::new();
     let mut far = Vec::new();
@@ -152,7 +194,9 @@ fn the_pictures_of_nodes_are_those_of_now() {
         files.insert(name);
         if let Some(picture) = node.picture {
             let name = format!("{}.png", node.kind);
-            let kept = image::open(folder.join(&name)).map(image::DynamicImage::into_rgba8).unwrap_or_default();
+            let kept = image::open(folder.join(&name))
+                .map(image::DynamicImage::into_rgba8)
+                .unwrap_or_default();
             let now = picture.to_rgba8();
             let is_like = kept.dimensions() == (SIDE, SIDE) && {
                 let apart = |(a, b): &(&u8, &u8)| a.abs_diff(**b) > 8;
@@ -166,10 +210,13 @@ fn the_pictures_of_nodes_are_those_of_now() {
         Ok(())
     })
     .unwrap();
-    let there = std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let there = std::fs::read_dir(&folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap());
     far.extend(there.filter(|name| !files.contains(name)));
     assert!(
         far.is_empty(),
-        "{far:?} are not as they are drawn now; CHIARO_BLESS=1 writes docs/nodes, delete what is left"
+        "{far:?} are not as they are drawn now; CHIARO_BLESS=1 writes docs/nodes, delete what is \
+         left"
     );
 }

@@ -1,5 +1,5 @@
-//! What commands write: never over what they read or what somebody made, as a whole or not at all, and told where it could
-//! not be written.
+//! What commands write: never over what they read or what somebody made, as a whole or not at all,
+//! and told where it could not be written.
 
 use std::any::TypeId;
 use std::collections::BTreeSet;
@@ -23,7 +23,11 @@ impl Shop {
                     /// @return y \"Y\" : Twice that.\nfn own(x: f32) -> f32 { return 2.0 * x; }\n";
         fs::write(shop.path("nodes/own.wgsl"), node).unwrap();
         assert!(shop.run(&["new", "look", "--template", "minimal"]).status.success());
-        assert!(shop.run(&["hcbtf", "new", "grass", "--color", "#305020", "--grid", "4x4,2x3,2x3"]).status.success());
+        assert!(
+            shop.run(&["hcbtf", "new", "grass", "--color", "#305020", "--grid", "4x4,2x3,2x3"])
+                .status
+                .success()
+        );
         fs::create_dir(shop.path("looks")).unwrap();
         fs::copy(shop.path("look.json"), shop.path("looks/other.json")).unwrap();
         shop
@@ -36,7 +40,11 @@ impl Shop {
     fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_chiaro"));
         // Without a GPU: a refusal comes before anything is drawn.
-        command.envs([("WGPU_BACKEND", "noop"), ("VK_DRIVER_FILES", "/none"), ("VK_ICD_FILENAMES", "/none")]);
+        command.envs([
+            ("WGPU_BACKEND", "noop"),
+            ("VK_DRIVER_FILES", "/none"),
+            ("VK_ICD_FILENAMES", "/none"),
+        ]);
         command.args(arguments).current_dir(self.0.path());
         command
     }
@@ -84,8 +92,8 @@ enum Names {
 
 use Names::{File, Folder};
 
-/// One for each output of each command. A look that is tuned or fitted is what these commands change, so it is no input
-/// of theirs in this sense: without `-o` it is the output.
+/// One for each output of each command. A look that is tuned or fitted is what these commands
+/// change, so it is no input of theirs in this sense: without `-o` it is the output.
 const CASES: &[Case] = &[
     Case { output: ("new", "name"), line: "new {}", inputs: &[], names: File(".json") },
     Case {
@@ -148,7 +156,12 @@ const CASES: &[Case] = &[
         inputs: &["look.json", "nodes/own.wgsl"],
         names: Folder(&["look.wgsl", "look.json", "look.spv"]),
     },
-    Case { output: ("hcbtf new", "name"), line: "hcbtf new {}", inputs: &[], names: File(".hcbtf") },
+    Case {
+        output: ("hcbtf new", "name"),
+        line: "hcbtf new {}",
+        inputs: &[],
+        names: File(".hcbtf"),
+    },
     Case {
         output: ("hcbtf import", "output"),
         line: "hcbtf import target.png -o {}",
@@ -274,7 +287,18 @@ fn no_command_writes_over_what_somebody_made() {
 #[test]
 fn what_chiaro_made_is_replaced_unasked_until_somebody_changes_it() {
     let shop = Shop::new();
-    let render = ["render", "look.json", "-o", "a.png", "--size", "16x16", "--samples", "1", "--on", "reference"];
+    let render = [
+        "render",
+        "look.json",
+        "-o",
+        "a.png",
+        "--size",
+        "16x16",
+        "--samples",
+        "1",
+        "--on",
+        "reference",
+    ];
     for _ in 0..2 {
         assert!(shop.run(&render).status.success());
         let ran = shop.run(&["export", "look.json", "--to", "all", "-o", "out"]);
@@ -303,7 +327,8 @@ fn what_chiaro_made_is_replaced_unasked_until_somebody_changes_it() {
     assert!(shop.run(&[&export[..], &["--force"]].concat()).status.success());
 }
 
-/// An image that a scene's look shows is no argument of the command, and is not written over either.
+/// An image that a scene's look shows is no argument of the command, and is not written over
+/// either.
 #[test]
 fn what_documents_name_is_read_too() {
     let shop = Shop::new();
@@ -312,14 +337,19 @@ fn what_documents_name_is_read_too() {
         "wires": [{"from": "image.color", "to": "output.color"}]}"#;
     fs::write(shop.path("shown.json"), look).unwrap();
     let render = |document, to| {
-        let size = ["--size", "8x8", "--samples", "1", "--on", "reference", "--mesh", "shape:plane"];
+        let size =
+            ["--size", "8x8", "--samples", "1", "--on", "reference", "--mesh", "shape:plane"];
         shop.run(&[&["render", document, "-o", to], &size[..]].concat())
     };
     // It was rendered, so that it would be replaced unasked if it were no input.
     assert!(render("look.json", "shown.png").status.success());
     let before = shop.files();
     let ran = render("shown.json", "shown.png");
-    assert!(ran.status.code() == Some(1) && told(&ran).contains("would-overwrite"), "{}", told(&ran));
+    assert!(
+        ran.status.code() == Some(1) && told(&ran).contains("would-overwrite"),
+        "{}",
+        told(&ran)
+    );
     assert!(shop.files() == before);
 }
 
@@ -363,11 +393,15 @@ fn a_result_that_could_not_be_printed_is_an_error() {
         assert_eq!(ran.status.code(), Some(1), "{words:?}: {}", told(&ran));
         assert!(told(&ran).contains("cannot-print"), "{words:?}: {}", told(&ran));
     }
-    // Messages are the best that can be done: where they cannot be told either, the code says enough.
+    // Messages are the best that can be done: where they cannot be told either, the code says
+    // enough.
     let full = || fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
     let ran = shop.command(&["nodes"]).stdout(full()).stderr(full()).status().unwrap();
     assert_eq!(ran.code(), Some(1));
-    assert_eq!(shop.command(&["nodes"]).stdout(Stdio::null()).stderr(full()).status().unwrap().code(), Some(0));
+    assert_eq!(
+        shop.command(&["nodes"]).stdout(Stdio::null()).stderr(full()).status().unwrap().code(),
+        Some(0)
+    );
 }
 
 /// `chiaro nodes --markdown | head -1`.
@@ -375,11 +409,18 @@ fn a_result_that_could_not_be_printed_is_an_error() {
 #[cfg(unix)]
 fn a_reader_that_goes_away_is_no_error() {
     let shop = Shop::new();
-    for line in [&["nodes", "--markdown"][..], &["export", "look.json", "--to", "wgsl"], &["--help"]] {
-        let mut child = shop.command(line).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    for line in
+        [&["nodes", "--markdown"][..], &["export", "look.json", "--to", "wgsl"], &["--help"]]
+    {
+        let mut child =
+            shop.command(line).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         drop(child.stdout.take());
         let ran = child.wait_with_output().unwrap();
-        assert!(ran.status.success() && !told(&ran).contains("cannot-print"), "{line:?}: {}", told(&ran));
+        assert!(
+            ran.status.success() && !told(&ran).contains("cannot-print"),
+            "{line:?}: {}",
+            told(&ran)
+        );
     }
 }
 
@@ -387,18 +428,21 @@ fn a_reader_that_goes_away_is_no_error() {
 #[cfg(unix)]
 fn there(folder: &Path) -> (usize, usize) {
     let names = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.file_name());
-    let (half, whole): (Vec<_>, Vec<_>) = names.partition(|name| name.to_string_lossy().starts_with(".chiaro-"));
+    let (half, whole): (Vec<_>, Vec<_>) =
+        names.partition(|name| name.to_string_lossy().starts_with(".chiaro-"));
     (whole.len(), half.len())
 }
 
-/// Ends an export of many images at many instants, by force and politely. Whatever there is afterwards is nothing or all,
-/// and the next export takes away what the one before could not.
+/// Ends an export of many images at many instants, by force and politely. Whatever there is
+/// afterwards is nothing or all, and the next export takes away what the one before could not.
 #[test]
 #[cfg(unix)]
 fn an_export_that_is_ended_leaves_nothing_or_all() {
     let shop = Shop::new();
     let grid = "2x2,4x6,4x6";
-    assert!(shop.run(&["hcbtf", "new", "many", "--color", "#305020", "--grid", grid]).status.success());
+    assert!(
+        shop.run(&["hcbtf", "new", "many", "--color", "#305020", "--grid", grid]).status.success()
+    );
     let export = ["hcbtf", "export", "many.hcbtf", "--to", "folder", "-o", "images", "--force"];
     assert!(shop.run(&export).status.success());
     let images = shop.path("images");
@@ -407,22 +451,33 @@ fn an_export_that_is_ended_leaves_nothing_or_all() {
     for (index, begun) in [1, 2, 40, 200].into_iter().enumerate() {
         for signal in ["-KILL", "-INT"] {
             fs::remove_dir_all(&images).unwrap();
-            let mut child = shop.command(&export).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+            let mut child =
+                shop.command(&export).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
             // As soon as there are so many, or all are done.
             while there(&images).1 < begun && child.try_wait().unwrap().is_none() {
                 std::thread::yield_now();
             }
-            let sent = Command::new("kill").args([signal, &child.id().to_string()]).stderr(Stdio::null()).status();
+            let sent = Command::new("kill")
+                .args([signal, &child.id().to_string()])
+                .stderr(Stdio::null())
+                .status();
             assert!(sent.is_ok());
             let code = child.wait().unwrap().code();
             let (whole, half) = there(&images);
             let is_told = images.join("hcbtf.json").exists();
             match signal {
-                // No program can finish what it does when it is killed; but what tells of the others comes last.
-                "-KILL" => assert!(is_told == (whole == all) && (half > 0 || is_told), "{whole} of {all}, {half}"),
+                // No program can finish what it does when it is killed; but what tells of the
+                // others comes last.
+                "-KILL" => assert!(
+                    is_told == (whole == all) && (half > 0 || is_told),
+                    "{whole} of {all}, {half}"
+                ),
                 _ => {
                     assert!(whole == 0 || whole == all, "after {begun}: {whole} of {all} images");
-                    assert!(half == 0 && (code == Some(130) || whole == all), "{half} left, {code:?}");
+                    assert!(
+                        half == 0 && (code == Some(130) || whole == all),
+                        "{half} left, {code:?}"
+                    );
                 }
             }
             if index == 0 || signal == "-KILL" {

@@ -1,5 +1,5 @@
-//! Only what a scene calls for: what is left out changes no pixel, what is kept has a reason, and work repeats only when
-//! what it reads changed.
+//! Only what a scene calls for: what is left out changes no pixel, what is kept has a reason, and
+//! work repeats only when what it reads changed.
 #![cfg(feature = "gpu")]
 
 use std::collections::{BTreeSet, HashMap, HashSet};
@@ -11,7 +11,8 @@ use crate::support::random::Random;
 use chiaro::compile::{Attribute, CompiledShader, Live, Options, Proof, Removal, Stage, compile};
 use chiaro::document::{Camera, Light, LightKind, Projection, Scene, Tier, Value};
 use chiaro::frame::{
-    Cull, Effect, EffectKind, EffectState, FramePlan, PassKind, PlanOptions, Planner, Setup, SetupLook, effects,
+    Cull, Effect, EffectKind, EffectState, FramePlan, PassKind, PlanOptions, Planner, Setup,
+    SetupLook, effects,
 };
 use chiaro::interp::{self, Derivatives, Precision, Program, Shape};
 use chiaro::library::{Context, Library};
@@ -23,7 +24,9 @@ const SIZE: [u32; 2] = [64, 48];
 
 fn planned(planner: &mut Planner, setup: &Setup, live: &Live) -> FramePlan {
     let options = PlanOptions { size: SIZE, samples: 4, time: 0.0 };
-    planner.plan(setup, Library::built_in(), live, &options).unwrap_or_else(|problems| panic!("{}", told(&problems)))
+    planner
+        .plan(setup, Library::built_in(), live, &options)
+        .unwrap_or_else(|problems| panic!("{}", told(&problems)))
 }
 
 fn plan(setup: &Setup, cull: Cull) -> FramePlan {
@@ -35,7 +38,7 @@ fn pixels(plan: &FramePlan) -> Vec<[u32; 4]> {
     picture.rgba.iter().map(|pixel| pixel.map(f32::to_bits)).collect()
 }
 
-/// A look of one colour and its facing ratio, so that every pixel depends on the surface.
+/// A look of one color and its facing ratio, so that every pixel depends on the surface.
 fn plain(name: &str, color: [f64; 3]) -> SetupLook {
     look(&json!({"name": name, "nodes": [
         {"id": "facing", "kind": "facing"},
@@ -45,7 +48,11 @@ fn plain(name: &str, color: [f64; 3]) -> SetupLook {
 }
 
 fn dropped(plan: &FramePlan, kind: EffectKind) -> Vec<Proof> {
-    plan.dropped.iter().filter(|dropped| dropped.kind == kind).map(|dropped| dropped.proof).collect()
+    plan.dropped
+        .iter()
+        .filter(|dropped| dropped.kind == kind)
+        .map(|dropped| dropped.proof)
+        .collect()
 }
 
 #[test]
@@ -64,12 +71,15 @@ fn objects_that_are_not_seen_change_no_pixel() {
                 2 => DVec3::new(1.0, 0.0, 1.0),
                 _ => DVec3::splat(random.between(0.2, 3.0)),
             };
-            let matrix = DMat4::from_scale_rotation_translation(scale, random.rotation(), place) * fitted;
+            let matrix =
+                DMat4::from_scale_rotation_translation(scale, random.rotation(), place) * fitted;
             let color = [random.unit(), random.unit(), random.unit()];
             parts.push((plain(&format!("look {object}"), color), mesh.clone(), matrix));
         }
-        let projection = if index % 2 == 0 { Projection::Perspective } else { Projection::Orthographic };
-        let camera = Camera { eye: [0.0, 1.0, random.between(2.0, 9.0)], projection, ..Camera::default() };
+        let projection =
+            if index % 2 == 0 { Projection::Perspective } else { Projection::Orthographic };
+        let camera =
+            Camera { eye: [0.0, 1.0, random.between(2.0, 9.0)], projection, ..Camera::default() };
         let mut setup = scene_of(parts, Scene { camera, ..Scene::default() });
         if index % 3 == 0 {
             setup.objects[0].looks.fill(None);
@@ -88,8 +98,11 @@ fn objects_that_are_not_seen_change_no_pixel() {
 fn an_object_on_the_edge_of_the_picture_is_kept() {
     let (mesh, fitted) = shape("sphere");
     let at = |x: f64| {
-        let parts =
-            vec![(plain("look", [0.2, 0.4, 0.8]), mesh.clone(), DMat4::from_translation(DVec3::X * x) * fitted)];
+        let parts = vec![(
+            plain("look", [0.2, 0.4, 0.8]),
+            mesh.clone(),
+            DMat4::from_translation(DVec3::X * x) * fitted,
+        )];
         let camera = Camera {
             eye: [0.0, 0.0, 5.0],
             target: [0.0; 3],
@@ -121,18 +134,30 @@ fn lights_that_reach_nothing_change_no_pixel_and_cost_nothing() {
         ("out", json!({"direction": [0, 1, 0], "intensity": 0})),
         ("black", json!({"direction": [0, 1, 0], "color": [0, 0, 0]})),
         ("too far", json!({"type": "point", "position": [0, 5, 0], "range": 3.9})),
-        ("turned away", json!({"type": "spot", "position": [0, 0, 4], "aim": [0, 0, 1], "outer": 0.6})),
+        (
+            "turned away",
+            json!({"type": "spot", "position": [0, 0, 4], "aim": [0, 0, 1], "outer": 0.6}),
+        ),
     ];
     for (what, light) in &dark {
         let setup = scene_of(vec![(lit(light), mesh.clone(), fitted)], Scene::default());
         let (kept, culled) = (plan(&setup, Cull::Objects), plan(&setup, Cull::All));
         assert_eq!(pixels(&kept), pixels(&culled), "{what}");
         assert_eq!(dropped(&culled, EffectKind::Light), [Proof::NoLight], "{what}");
-        let lights =
-            |plan: &FramePlan| plan.draws[0].look.host.lights().map(ToString::to_string).collect::<BTreeSet<_>>();
+        let lights = |plan: &FramePlan| {
+            plan.draws[0].look.host.lights().map(ToString::to_string).collect::<BTreeSet<_>>()
+        };
         assert_eq!(lights(&kept), BTreeSet::from(["key".to_owned(), "other".to_owned()]), "{what}");
-        assert_eq!(lights(&culled), BTreeSet::from(["key".to_owned()]), "{what}: it still has uniforms");
-        let removed = culled.draws[0].look.removed.iter().any(|removal| removal.path.to_string() == "two/blend");
+        assert_eq!(
+            lights(&culled),
+            BTreeSet::from(["key".to_owned()]),
+            "{what}: it still has uniforms"
+        );
+        let removed = culled.draws[0]
+            .look
+            .removed
+            .iter()
+            .any(|removal| removal.path.to_string() == "two/blend");
         assert!(removed, "{what}: {:?}", culled.draws[0].look.removed);
     }
     let near = [
@@ -141,7 +166,8 @@ fn lights_that_reach_nothing_change_no_pixel_and_cost_nothing() {
         json!({"type": "spot", "position": [0, 0, 0.5], "aim": [0, 0, 1], "inner": 0.1, "outer": 0.2}),
     ];
     for light in &near {
-        let culled = plan(&scene_of(vec![(lit(light), mesh.clone(), fitted)], Scene::default()), Cull::All);
+        let culled =
+            plan(&scene_of(vec![(lit(light), mesh.clone(), fitted)], Scene::default()), Cull::All);
         assert_eq!(dropped(&culled, EffectKind::Light), [], "{light}");
     }
 }
@@ -151,13 +177,15 @@ fn a_light_of_the_scene_decides_and_one_that_is_keyed_is_never_dark() {
     let (mesh, fitted) = shape("sphere");
     let out = json!({"direction": [0, 1, 0], "intensity": 0});
     let bright = Light { kind: LightKind::Directional, ..Light::default() };
-    let scene = Scene { lights: [("other".into(), bright)].into_iter().collect(), ..Scene::default() };
+    let scene =
+        Scene { lights: [("other".into(), bright)].into_iter().collect(), ..Scene::default() };
     let culled = plan(&scene_of(vec![(lit(&out), mesh.clone(), fitted)], scene), Cull::All);
     assert_eq!(dropped(&culled, EffectKind::Light), []);
     let mut keyed = lit(&out);
     let text = keyed.look.to_text().replacen(
         "\"nodes\"",
-        "\"time_keys\": [{\"target\": \"lights.other.intensity\", \"keys\": [{\"time\": 0, \"value\": 0}, {\"time\": 1, \"value\": 1}]}],\n\"nodes\"",
+        "\"time_keys\": \
+         [{\"target\": \"lights.other.intensity\", \"keys\": [{\"time\": 0, \"value\": 0}, {\"time\": 1, \"value\": 1}]}],\n\"nodes\"",
         1,
     );
     keyed = look(&serde_json::from_str(&text).expect("JSON"));
@@ -176,28 +204,41 @@ fn forty_of_fifty_looks_are_not_compiled_and_equal_ones_once() {
         } else {
             DVec3::new(1e3, f64::from(index), 0.0)
         };
-        let matrix = DMat4::from_translation(0.3 * place) * DMat4::from_scale(DVec3::splat(0.2)) * fitted;
+        let matrix =
+            DMat4::from_translation(0.3 * place) * DMat4::from_scale(DVec3::splat(0.2)) * fitted;
         (plain(&format!("look {index}"), [0.02 * f64::from(index), 0.5, 0.5]), mesh.clone(), matrix)
     });
     let setup = scene_of(parts.collect(), Scene::default());
     let culled = plan(&setup, Cull::All);
-    let looks: HashSet<*const CompiledShader> = culled.draws.iter().map(|draw| Arc::as_ptr(&draw.look)).collect();
+    let looks: HashSet<*const CompiledShader> =
+        culled.draws.iter().map(|draw| Arc::as_ptr(&draw.look)).collect();
     assert_eq!((culled.draws.len(), looks.len()), (10, 10));
     assert_eq!(dropped(&culled, EffectKind::Object), [Proof::OffScreen; 40]);
 
-    let same = [0.0, 0.7]
-        .map(|x| (plain("twin", [0.2, 0.4, 0.6]), mesh.clone(), DMat4::from_translation(DVec3::X * x) * fitted));
+    let same = [0.0, 0.7].map(|x| {
+        (
+            plain("twin", [0.2, 0.4, 0.6]),
+            mesh.clone(),
+            DMat4::from_translation(DVec3::X * x) * fitted,
+        )
+    });
     let twins = plan(&scene_of(same.into(), Scene::default()), Cull::All);
     assert!(Arc::ptr_eq(&twins.draws[0].look, &twins.draws[1].look));
     assert_eq!(dropped(&twins, EffectKind::Look), [Proof::Equal]);
 }
 
-/// A look for every kind of proof that a node can be left out, without lights, with the node that goes.
+/// A look for every kind of proof that a node can be left out, without lights, with the node that
+/// goes.
 fn removable() -> Vec<(Proof, &'static str, Json, Json)> {
     let facing = json!({"id": "facing", "kind": "facing"});
     let noise = json!({"id": "noise", "kind": "noise", "values": {"octaves": 3}});
     vec![
-        (Proof::Unreachable, "noise", json!([facing, noise]), json!([{"from": "facing", "to": "output.color"}])),
+        (
+            Proof::Unreachable,
+            "noise",
+            json!([facing, noise]),
+            json!([{"from": "facing", "to": "output.color"}]),
+        ),
         (
             Proof::ZeroWeight,
             "mix",
@@ -222,7 +263,8 @@ fn removable() -> Vec<(Proof, &'static str, Json, Json)> {
             json!([facing, noise, {"id": "twin", "kind": "noise", "values": {"octaves": 3}}, {"id": "sum", "kind": "add"}, {"id": "all", "kind": "multiply"}]),
             json!([{"from": "noise", "to": "sum.a"}, {"from": "twin", "to": "sum.b"}, {"from": "sum", "to": "all.a"}, {"from": "facing", "to": "all.b"}, {"from": "all", "to": "output.color"}]),
         ),
-        // 2 and more is above the edge however wide the pixel is: the mask is 1, and the mix is its B.
+        // 2 and more is above the edge however wide the pixel is: the mask is 1, and the mix is its
+        // B.
         (
             Proof::Ranges,
             "mask",
@@ -251,7 +293,12 @@ fn removable() -> Vec<(Proof, &'static str, Json, Json)> {
             json!([{"from": "noise", "to": "less.a"}, {"from": "less", "to": "mix.factor"}, {"from": "facing", "to": "mix.a"}, {"from": "noise", "to": "mix.b"}, {"from": "mix", "to": "output.color"}]),
         ),
         // An opaque look is never cut.
-        (Proof::Ranges, "output", json!([facing]), json!([{"from": "facing", "to": "output.color"}])),
+        (
+            Proof::Ranges,
+            "output",
+            json!([facing]),
+            json!([{"from": "facing", "to": "output.color"}]),
+        ),
     ]
 }
 
@@ -268,7 +315,8 @@ fn removable_look(nodes: &Json, wires: &Json, is_cut: bool) -> SetupLook {
 /// The scalars of what `shade` gives for a surface, in f32.
 fn shaded(shader: &CompiledShader, surface: &HashMap<&str, Vec<f64>>) -> Vec<u32> {
     let options = interp::Options { derivatives: Derivatives::Zero, ..interp::Options::default() };
-    let program = Program::compile(&shader.valid.module, "shade", options).expect("it runs on the CPU");
+    let program =
+        Program::compile(&shader.valid.module, "shade", options).expect("it runs on the CPU");
     let argument = |shape: &Shape| {
         let Shape::Struct { members, .. } = shape else { panic!("{shape:?}") };
         let value = |(name, shape): &(String, Shape)| match shape {
@@ -277,14 +325,17 @@ fn shaded(shader: &CompiledShader, surface: &HashMap<&str, Vec<f64>>) -> Vec<u32
         };
         interp::Value::Struct(members.iter().map(value).collect())
     };
-    let arguments: Vec<_> = program.parameters().iter().map(|parameter| argument(&parameter.shape)).collect();
+    let arguments: Vec<_> =
+        program.parameters().iter().map(|parameter| argument(&parameter.shape)).collect();
     let mut values = vec![program.call(&arguments, Precision::F32).expect("it ends")];
     let mut bits = Vec::new();
     while let Some(value) = values.pop() {
         match value.parts() {
-            // Of a look that may be cut, the colour comes first.
+            // Of a look that may be cut, the color comes first.
             Some(parts) => values.extend(parts.first().cloned()),
-            None => bits.extend(value.components().unwrap_or_default().iter().map(|x| (*x as f32).to_bits())),
+            None => bits.extend(
+                value.components().unwrap_or_default().iter().map(|x| (*x as f32).to_bits()),
+            ),
         }
     }
     bits
@@ -300,11 +351,15 @@ fn every_kind_of_removal_changes_no_bit() {
         let look = removable_look(&nodes, &wires, node == "output");
         let pruned = compile(&look.look, library, &Options::default()).expect("it compiles");
         let whole =
-            compile(&look.look, library, &Options { unspecialized: true, ..Options::default() }).expect("it compiles");
+            compile(&look.look, library, &Options { unspecialized: true, ..Options::default() })
+                .expect("it compiles");
         // Which of two equal nodes goes is open.
-        let is_it = |removal: &&Removal| removal.path.to_string() == node || removal.proof == Proof::Equal;
+        let is_it =
+            |removal: &&Removal| removal.path.to_string() == node || removal.proof == Proof::Equal;
         let removal = pruned.removed.iter().find(is_it);
-        let removal = removal.unwrap_or_else(|| panic!("{node} is not removed: {:?}\n{}", pruned.removed, pruned.wgsl));
+        let removal = removal.unwrap_or_else(|| {
+            panic!("{node} is not removed: {:?}\n{}", pruned.removed, pruned.wgsl)
+        });
         assert_eq!(removal.proof, proof, "{removal:?}");
         proofs.insert(proof);
         for _ in 0..200 {
@@ -315,18 +370,32 @@ fn every_kind_of_removal_changes_no_bit() {
                 ("position", unit(&mut random)),
                 ("position_object", unit(&mut random)),
             ]);
-            assert_eq!(shaded(&pruned, &surface), shaded(&whole, &surface), "{node}: {surface:?}\n{}", pruned.wgsl);
+            assert_eq!(
+                shaded(&pruned, &surface),
+                shaded(&whole, &surface),
+                "{node}: {surface:?}\n{}",
+                pruned.wgsl
+            );
         }
         // On the GPU the same look is drawn whole where its values are live, which prunes nothing.
         let setup = scene_of(vec![(look, mesh.clone(), fitted)], Scene::default());
         let live = pixels(&planned(&mut Planner::default(), &setup, &Live::All));
         let baked = pixels(&planned(&mut Planner::default(), &setup, &Live::Keyed));
         let far = |a: &[u32; 4], b: &[u32; 4]| {
-            a.iter().zip(b).any(|(a, b)| (f32::from_bits(*a) - f32::from_bits(*b)).abs() > 1.0 / 255.0)
+            a.iter()
+                .zip(b)
+                .any(|(a, b)| (f32::from_bits(*a) - f32::from_bits(*b)).abs() > 1.0 / 255.0)
         };
         assert!(!live.iter().zip(&baked).any(|(a, b)| far(a, b)), "{node}");
     }
-    let nodes = [Proof::Unreachable, Proof::ZeroWeight, Proof::NoEffect, Proof::Constant, Proof::Equal, Proof::Ranges];
+    let nodes = [
+        Proof::Unreachable,
+        Proof::ZeroWeight,
+        Proof::NoEffect,
+        Proof::Constant,
+        Proof::Equal,
+        Proof::Ranges,
+    ];
     assert_eq!(proofs, HashSet::from(nodes));
 }
 
@@ -336,7 +405,8 @@ fn live_values_are_never_proved_by_ranges() {
         let look = removable_look(&nodes, &wires, node == "output");
         let live = Options { live: Live::All, ..Options::default() };
         let shader = compile(&look.look, Library::built_in(), &live).expect("it compiles");
-        let proved: Vec<_> = shader.removed.iter().filter(|removal| removal.proof == Proof::Ranges).collect();
+        let proved: Vec<_> =
+            shader.removed.iter().filter(|removal| removal.proof == Proof::Ranges).collect();
         // An opaque look stays opaque whatever is edited.
         assert!(
             proved.iter().all(|removal| removal.path.to_string() == "output" && node != "output"),
@@ -346,29 +416,35 @@ fn live_values_are_never_proved_by_ranges() {
 }
 
 fn effect<'e>(effects: &'e [Effect], what: &str) -> &'e Effect {
-    effects.iter().find(|effect| effect.what == what).unwrap_or_else(|| panic!("no {what} in {effects:#?}"))
+    effects
+        .iter()
+        .find(|effect| effect.what == what)
+        .unwrap_or_else(|| panic!("no {what} in {effects:#?}"))
 }
 
 #[test]
 fn attributes_textures_lights_and_passes_exist_only_while_something_needs_them() {
     let (mesh, fitted) = shape("creature");
     let with_factor = |factor: f64| {
-        let look = look(&json!({"name": "one", "lights": {"key": {"direction": [1, 1, 1]}}, "nodes": [
-            {"id": "facing", "kind": "facing"},
-            // A picture that does not exist: loading it would be an error.
-            {"id": "image", "kind": "image", "values": {"image": "nowhere.png"}},
-            {"id": "kappa", "kind": "kappa"},
-            {"id": "tinted", "kind": "multiply"},
-            {"id": "mix", "kind": "mix_values", "values": {"factor": factor}},
-            {"id": "output", "kind": "output"}
-        ], "wires": [
-            {"from": "image.alpha", "to": "tinted.a"}, {"from": "kappa", "to": "tinted.b"},
-            {"from": "facing", "to": "mix.a"}, {"from": "tinted", "to": "mix.b"}, {"from": "mix", "to": "output.color"}
-        ]}));
+        let look = look(
+            &json!({"name": "one", "lights": {"key": {"direction": [1, 1, 1]}}, "nodes": [
+                {"id": "facing", "kind": "facing"},
+                // A picture that does not exist: loading it would be an error.
+                {"id": "image", "kind": "image", "values": {"image": "nowhere.png"}},
+                {"id": "kappa", "kind": "kappa"},
+                {"id": "tinted", "kind": "multiply"},
+                {"id": "mix", "kind": "mix_values", "values": {"factor": factor}},
+                {"id": "output", "kind": "output"}
+            ], "wires": [
+                {"from": "image.alpha", "to": "tinted.a"}, {"from": "kappa", "to": "tinted.b"},
+                {"from": "facing", "to": "mix.a"}, {"from": "tinted", "to": "mix.b"}, {"from": "mix", "to": "output.color"}
+            ]}),
+        );
         scene_of(vec![(look, mesh.clone(), fitted)], Scene::default())
     };
     let options = PlanOptions { size: SIZE, samples: 1, time: 0.0 };
-    let wanted = Planner::default().plan(&with_factor(0.5), Library::built_in(), &Live::Keyed, &options);
+    let wanted =
+        Planner::default().plan(&with_factor(0.5), Library::built_in(), &Live::Keyed, &options);
     let problems = wanted.expect_err("the image is needed and is not there");
     assert!(problems.iter().any(|problem| problem.code == "missing-asset"), "{}", told(&problems));
 
@@ -378,7 +454,10 @@ fn attributes_textures_lights_and_passes_exist_only_while_something_needs_them()
     assert!(!shader.needs.context(Context::Kappa) && !shader.needs.context(Context::Uv));
     let names: Vec<&str> = shader.bindings.iter().map(|binding| binding.name.as_str()).collect();
     assert_eq!(names, ["view", "object"], "no image, no uniform, no curvature");
-    assert_eq!(unneeded.passes.iter().map(|pass| pass.kind.clone()).collect::<Vec<_>>(), [PassKind::Look]);
+    assert_eq!(
+        unneeded.passes.iter().map(|pass| pass.kind.clone()).collect::<Vec<_>>(),
+        [PassKind::Look]
+    );
     pixels(&unneeded);
 
     let told = effects(&unneeded, &HashMap::new());
@@ -392,7 +471,11 @@ fn attributes_textures_lights_and_passes_exist_only_while_something_needs_them()
         ("node `mix`", EffectKind::Node, Proof::ZeroWeight),
     ] {
         let found = effect(&told, what);
-        assert_eq!((found.kind, found.state, found.proof), (kind, EffectState::Dropped, Some(proof)), "{what}");
+        assert_eq!(
+            (found.kind, found.state, found.proof),
+            (kind, EffectState::Dropped, Some(proof)),
+            "{what}"
+        );
     }
     for what in ["look", "vertex normal", "node `facing`", "object `object_0`", "one"] {
         assert_eq!(effect(&told, what).state, EffectState::Runs, "{what}");
@@ -428,8 +511,8 @@ fn write_bumps(folder: &Path, period: u32) {
     picture.save(folder.join("bumps.png")).expect("the folder can be written to");
 }
 
-/// Looks of different tiers find curvature in different ways, side by side: of the same normals, each pass with those who
-/// read it.
+/// Looks of different tiers find curvature in different ways, side by side: of the same normals,
+/// each pass with those who read it.
 #[test]
 fn each_tier_of_curvature_has_a_pass_of_its_own() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -441,7 +524,8 @@ fn each_tier_of_curvature_has_a_pass_of_its_own() {
         bumpy.look.set_every_tier(tier);
         (bumpy, mesh.clone(), DMat4::from_translation(DVec3::X * color[0]) * fitted)
     };
-    let plan = |looks| planned(&mut Planner::default(), &scene_of(looks, Scene::default()), &Live::Keyed);
+    let plan =
+        |looks| planned(&mut Planner::default(), &scene_of(looks, Scene::default()), &Live::Keyed);
     let passes = |plan: &FramePlan| -> Vec<(PassKind, String)> {
         plan.passes.iter().map(|pass| (pass.kind.clone(), pass.reason.clone())).collect()
     };
@@ -465,27 +549,41 @@ fn each_tier_of_curvature_has_a_pass_of_its_own() {
         assert!(kind == wanted && reason.contains(word), "{kind:?}: {reason}");
     }
     // Of its own tier each look alone needs no other's pass.
-    let kinds =
-        |tier| passes(&plan(vec![colored("one", red, tier)])).into_iter().map(|pass| pass.0).collect::<Vec<_>>();
+    let kinds = |tier| {
+        passes(&plan(vec![colored("one", red, tier)]))
+            .into_iter()
+            .map(|pass| pass.0)
+            .collect::<Vec<_>>()
+    };
     use PassKind::{DetailNormals, Look as Looks, Normals, SparseCurvature, SparseDetailCurvature};
-    assert_eq!(kinds(Tier::Balanced), [Normals, SparseCurvature, DetailNormals, SparseDetailCurvature, Looks]);
+    assert_eq!(
+        kinds(Tier::Balanced),
+        [Normals, SparseCurvature, DetailNormals, SparseDetailCurvature, Looks]
+    );
     assert_eq!(kinds(Tier::Fast), [DetailNormals, SparseDetailCurvature, Looks]);
     // Side by side they look as they do alone, on targets that one renderer keeps.
     let mut renderer = renderer();
-    let mut draw = |looks| block_on(renderer.picture(&plan(looks))).unwrap_or_else(|error| panic!("{error}"));
+    let mut draw =
+        |looks| block_on(renderer.picture(&plan(looks))).unwrap_or_else(|error| panic!("{error}"));
     let beside = |tier| {
         let (look, mesh, _) = colored("other", red, tier);
         (look, mesh, DMat4::from_translation(DVec3::X * -0.9) * fitted)
     };
-    let [exact, sparse] = [Tier::Exact, Tier::Balanced].map(|tier| draw(vec![colored("one", red, tier), beside(tier)]));
+    let [exact, sparse] = [Tier::Exact, Tier::Balanced]
+        .map(|tier| draw(vec![colored("one", red, tier), beside(tier)]));
     let mixed = draw(vec![colored("one", red, Tier::Balanced), beside(Tier::Exact)]);
     let differing = |a: &chiaro::render::Picture, b: &chiaro::render::Picture| {
-        let far = |(a, b): &(&[f32; 4], &[f32; 4])| a.iter().zip(*b).any(|(a, b)| (a - b).abs() > 0.02);
+        let far =
+            |(a, b): &(&[f32; 4], &[f32; 4])| a.iter().zip(*b).any(|(a, b)| (a - b).abs() > 0.02);
         a.rgba.iter().zip(&b.rgba).filter(far).count()
     };
-    let [one, other, tiers] = [differing(&mixed, &sparse), differing(&mixed, &exact), differing(&exact, &sparse)];
+    let [one, other, tiers] =
+        [differing(&mixed, &sparse), differing(&mixed, &exact), differing(&exact, &sparse)];
     assert!(tiers > 100, "the tiers differ on bumps, and not in {tiers} pixels");
-    assert!(one < tiers && other < tiers, "each object has its own tier: {one} and {other} of {tiers}");
+    assert!(
+        one < tiers && other < tiers,
+        "each object has its own tier: {one} and {other} of {tiers}"
+    );
     assert!(one + other <= tiers + 20, "{one} and {other} of {tiers}");
 }
 
@@ -509,7 +607,9 @@ fn work_repeats_only_if_what_it_reads_changed() {
         let told = effects(&plan, renderer.done());
         let ran = block_on(renderer.draw(&plan)).unwrap_or_else(|error| panic!("{error}"));
         // What was told before drawing is what happened.
-        let runs = told.iter().filter(|effect| effect.kind == EffectKind::Pass && effect.state == EffectState::Runs);
+        let runs = told
+            .iter()
+            .filter(|effect| effect.kind == EffectKind::Pass && effect.state == EffectState::Runs);
         assert_eq!(
             runs.map(|effect| effect.what.as_str()).collect::<Vec<_>>(),
             ran.iter().map(PassKind::label).collect::<Vec<_>>()
@@ -524,7 +624,7 @@ fn work_repeats_only_if_what_it_reads_changed() {
     let kept = first.objects[0].mesh.clone();
     first = setup([0.1, 0.5, 0.9], Camera::default());
     first.objects[0].mesh = kept.clone();
-    assert_eq!(run(&first), [Looks], "another colour");
+    assert_eq!(run(&first), [Looks], "another color");
 
     write_bumps(folder.path(), 4);
     assert_eq!(run(&first), [DetailNormals, DetailCurvature, Looks], "other bumps");
@@ -540,29 +640,36 @@ fn pictures_that_only_the_detail_normals_read_are_read() {
     let folder = tempfile::tempdir().expect("a folder");
     write_bumps(folder.path(), 3);
     let (mesh, fitted) = shape("sphere");
-    let setup = scene_of(vec![(bumpy(folder.path(), [1.0, 1.0, 1.0]), mesh, fitted)], Scene::default());
+    let setup =
+        scene_of(vec![(bumpy(folder.path(), [1.0, 1.0, 1.0]), mesh, fitted)], Scene::default());
     let plan = plan(&setup, Cull::All);
     let draw = &plan.draws[0];
     assert!(draw.images_of(Stage::DetailNormals).iter().any(|image| image.size == [48, 64]));
-    assert!(draw.images_of(Stage::Draw).iter().all(|image| image.size == [1, 1]), "the look itself binds none");
+    assert!(
+        draw.images_of(Stage::Draw).iter().all(|image| image.size == [1, 1]),
+        "the look itself binds none"
+    );
     let bumpy = pixels(&plan);
     let mut flat = setup.clone();
     flat.looks[0].look.graph.nodes["bump"].values.insert("scale".into(), Value::Number(0.0));
     assert_ne!(bumpy, pixels(&self::plan(&flat, Cull::All)));
 }
 
-/// Costs are counted in the shader itself: what is told of nodes adds up to what is told of their look.
+/// Costs are counted in the shader itself: what is told of nodes adds up to what is told of their
+/// look.
 #[test]
 fn every_effect_has_its_cost() {
     let (mesh, fitted) = shape("sphere");
-    let stack = look(&json!({"name": "stack", "lights": {"key": {}, "out": {"intensity": 0}}, "nodes": [
-        {"id": "base", "kind": "base"},
-        {"id": "one", "kind": "light_layer", "values": {"light": "key", "slope": 0.4, "amount": 0.5, "falloff": 0.6}},
-        {"id": "idle", "kind": "light_layer", "values": {"light": "key", "opacity": 0}},
-        {"id": "output", "kind": "output"}
-    ], "wires": [
-        {"from": "base", "to": "one.below"}, {"from": "one", "to": "idle.below"}, {"from": "idle", "to": "output.color"}
-    ]}));
+    let stack = look(
+        &json!({"name": "stack", "lights": {"key": {}, "out": {"intensity": 0}}, "nodes": [
+            {"id": "base", "kind": "base"},
+            {"id": "one", "kind": "light_layer", "values": {"light": "key", "slope": 0.4, "amount": 0.5, "falloff": 0.6}},
+            {"id": "idle", "kind": "light_layer", "values": {"light": "key", "opacity": 0}},
+            {"id": "output", "kind": "output"}
+        ], "wires": [
+            {"from": "base", "to": "one.below"}, {"from": "one", "to": "idle.below"}, {"from": "idle", "to": "output.color"}
+        ]}),
+    );
     let setup = scene_of(vec![(stack, mesh.clone(), fitted)], Scene::default());
     let plan = plan(&setup, Cull::All);
     let mut effects = effects(&plan, &HashMap::new());
@@ -575,7 +682,10 @@ fn every_effect_has_its_cost() {
     let profile = effect(&effects, "node `one/tone`").cost.operations;
     assert!(2 * profile > nodes, "the profile is most of it");
     // What is left out says what it saves: its whole function.
-    let saved: u64 = of(EffectKind::Node).filter(|effect| !runs(effect)).map(|effect| effect.cost.operations).sum();
+    let saved: u64 = of(EffectKind::Node)
+        .filter(|effect| !runs(effect))
+        .map(|effect| effect.cost.operations)
+        .sum();
     assert!(saved >= profile, "{saved}");
     let vertices = mesh.positions.len() as u64;
     assert_eq!(effect(&effects, "vertex position").cost.bytes, 12 * vertices);

@@ -1,5 +1,5 @@
-//! Groups made, dissolved and pasted at random: the picture stays what it was, and undoing gives the file back byte for
-//! byte.
+//! Groups made, dissolved and pasted at random: the picture stays what it was, and undoing gives
+//! the file back byte for byte.
 #![cfg(feature = "gpu")]
 
 use crate::support::eval::truth;
@@ -19,10 +19,16 @@ fn definition<'l>(look: &'l Look, kind: &str) -> Option<&'l Definition> {
 
 fn first_output(look: &Look, node: &Node) -> Option<PortName> {
     match definition(look, &node.kind) {
-        Some(definition) => {
-            GroupPorts::of(definition, &look.definitions, Library::built_in()).outputs.first().map(|o| o.name.clone())
-        }
-        None => Library::built_in().nodes.get(&node.kind)?.outputs.first().map(|output| output.name.clone()),
+        Some(definition) => GroupPorts::of(definition, &look.definitions, Library::built_in())
+            .outputs
+            .first()
+            .map(|o| o.name.clone()),
+        None => Library::built_in()
+            .nodes
+            .get(&node.kind)?
+            .outputs
+            .first()
+            .map(|output| output.name.clone()),
     }
 }
 
@@ -61,7 +67,8 @@ fn random_group(look: &Look, random: &mut Random) -> Option<Edit> {
         .map(|(id, _)| id.clone())
         .collect();
     let taken = |slug: &str| Library::built_in().kinds().any(|kind| kind == slug);
-    group(look, &graph, &chosen, "Part", taken, |node| first_output(look, node)).map(|grouped| grouped.edit)
+    group(look, &graph, &chosen, "Part", taken, |node| first_output(look, node))
+        .map(|grouped| grouped.edit)
 }
 
 fn random_dissolve(look: &Look, random: &mut Random) -> Option<Edit> {
@@ -76,7 +83,8 @@ fn random_dissolve(look: &Look, random: &mut Random) -> Option<Edit> {
     Some(dissolve(look, &graph, id, definition).expect("none is muted").edit)
 }
 
-/// Groups and ungroups again and again; nothing of the picture changes, and all of it can be undone.
+/// Groups and ungroups again and again; nothing of the picture changes, and all of it can be
+/// undone.
 fn check(look: &Look, seed: u64) {
     let mut random = Random::new(seed);
     let before = values(look, seed);
@@ -85,8 +93,11 @@ fn check(look: &Look, seed: u64) {
     let mut texts = vec![text];
     for step in 0..5 {
         let look = history.document();
-        let edit =
-            if random.chance(0.5) { random_dissolve(look, &mut random) } else { random_group(look, &mut random) };
+        let edit = if random.chance(0.5) {
+            random_dissolve(look, &mut random)
+        } else {
+            random_group(look, &mut random)
+        };
         let Some(edit) = edit else { continue };
         history.apply(edit).unwrap_or_else(|problem| panic!("seed {seed}: {problem}"));
         let look = history.document();
@@ -144,12 +155,17 @@ fn keys_and_exposed_inputs_follow_into_a_group_and_out_of_it() {
     let mut look = keyed();
     let before = look.to_text();
     let nodes = ["base".into(), "layer".into()];
-    let grouped = group(&look, &GraphId::Look, &nodes, "Both", |_| false, |node| first_output(&look, node)).unwrap();
+    let grouped =
+        group(&look, &GraphId::Look, &nodes, "Both", |_| false, |node| first_output(&look, node))
+            .unwrap();
     assert_eq!((grouped.node.as_str(), grouped.definition.as_str()), ("both", "both"));
     let undo = look.apply(grouped.edit).unwrap();
     assert_eq!(look.exposed[0].target.to_string(), "both/layer.offset");
     assert_eq!(look.time_keys[0].target.to_string(), "both/layer.cutoff");
-    assert_eq!(look.direction_keys[0].keys[0].values.keys().next().unwrap().to_string(), "both/layer.slope");
+    assert_eq!(
+        look.direction_keys[0].keys[0].values.keys().next().unwrap().to_string(),
+        "both/layer.slope"
+    );
     assert!(look.check().is_empty(), "{:?}", look.check());
     let again = dissolve(&look, &GraphId::Look, &"both".into(), &look.definitions["both"]).unwrap();
     let regroup = look.apply(again.edit).unwrap();
@@ -212,13 +228,18 @@ fn what_is_copied_is_pasted_with_its_groups_and_lights() {
 fn a_group_of_the_same_name_but_other_content_gets_a_new_name() {
     let mut look = keyed();
     let nodes = ["base".into(), "layer".into()];
-    let grouped = group(&look, &GraphId::Look, &nodes, "Both", |_| false, |node| first_output(&look, node)).unwrap();
+    let grouped =
+        group(&look, &GraphId::Look, &nodes, "Both", |_| false, |node| first_output(&look, node))
+            .unwrap();
     look.apply(grouped.edit).unwrap();
     let text = copy_text(&look, &look.graph, &["both".into()], &[]);
     look.definitions["both"].help = "Changed since.".to_owned();
     let pasted = paste_text(&look, &GraphId::Look, &text, None).unwrap();
     look.apply(pasted.edit).unwrap();
-    assert_eq!(look.definitions.keys().map(DefinitionId::as_str).collect::<Vec<_>>(), ["both", "both_2"]);
+    assert_eq!(
+        look.definitions.keys().map(DefinitionId::as_str).collect::<Vec<_>>(),
+        ["both", "both_2"]
+    );
     assert_eq!(look.graph.nodes["both_2"].kind, "both_2");
 }
 

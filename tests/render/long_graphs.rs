@@ -22,7 +22,8 @@ fn chain(count: usize) -> Loaded<Look> {
     wires.push(json!({"from": from, "to": "output.color"}));
     let text = json!({"nodes": nodes, "wires": wires}).to_string();
     let loaded = Look::read(&text, "chain.json");
-    let problems: Vec<String> = loaded.diagnostics.iter().take(5).map(ToString::to_string).collect();
+    let problems: Vec<String> =
+        loaded.diagnostics.iter().take(5).map(ToString::to_string).collect();
     assert!(problems.is_empty(), "{problems:?}");
     loaded
 }
@@ -32,15 +33,23 @@ fn look_of(chain: Loaded<Look>) -> Look {
 }
 
 fn step(index: usize) -> (&'static str, f64) {
-    if index.is_multiple_of(2) { ("multiply", 0.75) } else { ("add", 0.125 + 0.001 * (index % 97) as f64) }
+    if index.is_multiple_of(2) {
+        ("multiply", 0.75)
+    } else {
+        ("add", 0.125 + 0.001 * (index % 97) as f64)
+    }
 }
 
 fn lines_of_longest_function(wgsl: &str) -> usize {
-    wgsl.split("\nfn ").map(|text| text.lines().take_while(|line| *line != "}").count()).max().unwrap_or(0)
+    wgsl.split("\nfn ")
+        .map(|text| text.lines().take_while(|line| *line != "}").count())
+        .max()
+        .unwrap_or(0)
 }
 
 fn compiles(count: usize) {
-    let shader = compile(&look_of(chain(count)), Library::built_in(), &Options::default()).expect("it compiles");
+    let shader = compile(&look_of(chain(count)), Library::built_in(), &Options::default())
+        .expect("it compiles");
     assert!(shader.wgsl.len() > 20 * count, "where did {count} nodes go?");
     let longest = lines_of_longest_function(&shader.wgsl);
     assert!(longest < 100, "a function of {longest} lines");
@@ -51,7 +60,8 @@ fn two_thousand_nodes_compile_for_every_stage_and_liveness() {
     let look = look_of(chain(2000));
     for stage in [Stage::Draw, Stage::Eval] {
         for live in [Live::Keyed, Live::All] {
-            compile(&look, Library::built_in(), &Options { stage, live, ..Options::default() }).expect("it compiles");
+            compile(&look, Library::built_in(), &Options { stage, live, ..Options::default() })
+                .expect("it compiles");
         }
     }
     compiles(2000);
@@ -67,17 +77,25 @@ fn four_thousand_nodes_give_the_closed_form() {
     let starts = [0.0, 1.0, -3.0, 1000.0];
     let samples = starts.map(|kappa| EvalSample { kappa, ..EvalSample::default() });
     for (value, start) in support::eval::eval(&setup, "n3999.sum", &samples).iter().zip(starts) {
-        let wanted = (0..4000).map(step).fold(start, |x, (kind, b)| if kind == "add" { x + b } else { x * b });
+        let wanted = (0..4000)
+            .map(step)
+            .fold(start, |x, (kind, b)| if kind == "add" { x + b } else { x * b });
         assert!((value[0] - wanted).abs() < 1e-6, "{} for {wanted}", value[0]);
     }
     // Half way, too, where the start is still felt.
     for (value, start) in support::eval::eval(&setup, "n19.sum", &samples).iter().zip(starts) {
-        let wanted = (0..20).map(step).fold(start, |x, (kind, b)| if kind == "add" { x + b } else { x * b });
-        assert!((value[0] - wanted).abs() < 1e-5 * wanted.abs().max(1.0), "{} for {wanted}", value[0]);
+        let wanted =
+            (0..20).map(step).fold(start, |x, (kind, b)| if kind == "add" { x + b } else { x * b });
+        assert!(
+            (value[0] - wanted).abs() < 1e-5 * wanted.abs().max(1.0),
+            "{} for {wanted}",
+            value[0]
+        );
     }
 }
 
-/// Values that are read again much later go from part to part, through the parts of parts between them.
+/// Values that are read again much later go from part to part, through the parts of parts between
+/// them.
 #[cfg(feature = "gpu")]
 #[test]
 fn what_is_read_again_much_later_is_handed_on() {
@@ -103,7 +121,11 @@ fn what_is_read_again_much_later_is_handed_on() {
     let look = loaded.value.expect("a look");
     let options = Options { live: Live::All, ..Options::default() };
     let shader = compile(&look, Library::built_in(), &options).expect("it compiles");
-    assert!(lines_of_longest_function(&shader.wgsl) < 150, "{}", lines_of_longest_function(&shader.wgsl));
+    assert!(
+        lines_of_longest_function(&shader.wgsl) < 150,
+        "{}",
+        lines_of_longest_function(&shader.wgsl)
+    );
     let setup = SetupLook { look, source, folder: std::path::PathBuf::new() };
     let sample = EvalSample { kappa: 7.0, ..EvalSample::default() };
     let mut values: Vec<f64> = Vec::new();

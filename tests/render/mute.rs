@@ -29,7 +29,10 @@ fn color(json: &Json) -> [f64; 4] {
 }
 
 fn close(got: [f64; 4], wanted: [f64; 3]) {
-    assert!(got.iter().zip(wanted).all(|(got, wanted)| (got - wanted).abs() < 1e-6), "{got:?} for {wanted:?}");
+    assert!(
+        got.iter().zip(wanted).all(|(got, wanted)| (got - wanted).abs() < 1e-6),
+        "{got:?} for {wanted:?}"
+    );
 }
 
 #[test]
@@ -81,8 +84,8 @@ fn what_has_nothing_to_let_through_gives_zero() {
     close(color(&look), [0.0; 3]);
 }
 
-/// What stands in a muted node's port by default goes on, wherever the node stands in the file: its value, and what it
-/// reads from its surroundings.
+/// What stands in a muted node's port by default goes on, wherever the node stands in the file: its
+/// value, and what it reads from its surroundings.
 #[test]
 fn a_muted_node_lets_through_what_its_unwired_port_has() {
     let shown = |kind: &str, is_first: bool| {
@@ -98,8 +101,11 @@ fn a_muted_node_lets_through_what_its_unwired_port_has() {
         if kind == "hcbtf_lookup" {
             wires.push(json!({"from": "light", "to": "node.light"}));
         }
-        let look = look(&json!({"lights": {"key": {"direction": [0, 0, 1]}}, "nodes": nodes, "wires": wires}));
-        let sample = EvalSample { normal: glam::DVec3::new(0.6, 0.0, 0.8), ..EvalSample::default() };
+        let look = look(
+            &json!({"lights": {"key": {"direction": [0, 0, 1]}}, "nodes": nodes, "wires": wires}),
+        );
+        let sample =
+            EvalSample { normal: glam::DVec3::new(0.6, 0.0, 0.8), ..EvalSample::default() };
         eval(&look, "", &[sample])[0]
     };
     for is_first in [true, false] {
@@ -116,13 +122,19 @@ fn every_kind_that_needs_no_stack_can_be_muted_alone() {
     let mut count = 0;
     for (kind, def) in &Library::built_in().nodes {
         let must = |ty: &Type| *ty == Type::Light;
-        let wired: Vec<_> = def.inputs.iter().filter(|input| input.fallback == Fallback::Wire).collect();
-        let gives_color = def.outputs.first().is_some_and(|output| output.ty.convert_to(&Type::Color).is_some());
+        let wired: Vec<_> =
+            def.inputs.iter().filter(|input| input.fallback == Fallback::Wire).collect();
+        let gives_color =
+            def.outputs.first().is_some_and(|output| output.ty.convert_to(&Type::Color).is_some());
         if !gives_color || kind == "output" || wired.iter().any(|input| !must(&input.ty)) {
             continue;
         }
         let mut wires = vec![json!({"from": "node", "to": "output.color"})];
-        wires.extend(wired.iter().map(|input| json!({"from": "light", "to": format!("node.{}", input.name)})));
+        wires.extend(
+            wired
+                .iter()
+                .map(|input| json!({"from": "light", "to": format!("node.{}", input.name)})),
+        );
         let look = look(&json!({
             "lights": {"key": {"direction": [0, 0, 1]}},
             "nodes": [
@@ -147,7 +159,9 @@ fn every_node_of_every_example_can_be_muted() {
     let mut count = 0;
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
-        let Some(original) = (path.extension().is_some_and(|e| e == "json")).then(|| Look::load(&path)) else {
+        let Some(original) =
+            (path.extension().is_some_and(|e| e == "json")).then(|| Look::load(&path))
+        else {
             continue;
         };
         let original = original.value.unwrap();

@@ -57,7 +57,11 @@ fn body(body: &str) -> String {
 #[test]
 fn what_would_overflow_a_stack_is_told_with_its_bound() {
     // Tests run on 2 MiB of stack, as the least of our threads does.
-    for expression in [vec!["x"; 20_000].join("+"), "- ".repeat(20_000) + "x", format!("x{}", ".x".repeat(20_000))] {
+    for expression in [
+        vec!["x"; 20_000].join("+"),
+        "- ".repeat(20_000) + "x",
+        format!("x{}", ".x".repeat(20_000)),
+    ] {
         let problem = refused(&body(&format!("return {expression};")));
         assert_eq!(problem.code, "code-bound");
         assert!(problem.message.contains("1000 operators"), "{problem}");
@@ -70,23 +74,37 @@ fn what_would_overflow_a_stack_is_told_with_its_bound() {
 #[test]
 fn what_takes_long_is_told_before_the_work() {
     let problem = refused(&body(&format!("var y = x; {} return y;", "y *= 1.1; ".repeat(12_000))));
-    assert!(problem.code == "code-bound" && problem.message.contains("2000 statements"), "{problem}");
-    let cases: String = (0..1900).map(|case| format!("case {case}: {{ return {case}.5; }} ")).collect();
+    assert!(
+        problem.code == "code-bound" && problem.message.contains("2000 statements"),
+        "{problem}"
+    );
+    let cases: String =
+        (0..1900).map(|case| format!("case {case}: {{ return {case}.5; }} ")).collect();
     let problem = refused(&body(&format!("switch i32(x) {{ {cases} default: {{ return x; }} }}")));
     assert!(problem.message.contains("256 `else` and `case`"), "{problem}");
-    let twice = |i: usize| format!(" fn g{}(x: f32) -> f32 {{ return g{i}(x * 1.1) + g{i}(x + 0.1); }}", i + 1);
+    let twice = |i: usize| {
+        format!(" fn g{}(x: f32) -> f32 {{ return g{i}(x * 1.1) + g{i}(x + 0.1); }}", i + 1)
+    };
     let doubling: String = (0..70).map(twice).collect();
-    let problem =
-        refused(&body(&format!("return g70(x); }} fn g0(x: f32) -> f32 {{ return sin(x); }} {doubling} fn last() {{")));
-    assert!(problem.code == "code-not-allowed" && problem.message.contains("operations"), "{problem}");
+    let problem = refused(&body(&format!(
+        "return g70(x); }} fn g0(x: f32) -> f32 {{ return sin(x); }} {doubling} fn last() {{"
+    )));
+    assert!(
+        problem.code == "code-not-allowed" && problem.message.contains("operations"),
+        "{problem}"
+    );
 }
 
 #[test]
 fn what_no_look_can_run_is_refused() {
-    let with =
-        |declaration: &str, value: &str| format!("// Ours.\n{declaration} fn f(x: f32) -> f32 {{ return {value}; }}");
+    let with = |declaration: &str, value: &str| {
+        format!("// Ours.\n{declaration} fn f(x: f32) -> f32 {{ return {value}; }}")
+    };
     for (code, expected) in [
-        (with("@group(0) @binding(9) var t: texture_2d<f32>;", "f32(textureDimensions(t).x)"), "bound to `t`"),
+        (
+            with("@group(0) @binding(9) var t: texture_2d<f32>;", "f32(textureDimensions(t).x)"),
+            "bound to `t`",
+        ),
         (with("@id(1) override k: f32;", "x * k"), "override `k`"),
         (with("var<workgroup> a: atomic<u32>;", "f32(atomicAdd(&a, 1u))"), "bound to `a`"),
         (with("var<private> a: array<f32, 50000000>;", "a[u32(x)]"), "200000000 bytes"),
@@ -98,28 +116,43 @@ fn what_no_look_can_run_is_refused() {
         assert!(problem.message.contains(expected), "{problem}");
     }
     let allowed = "const T = array<f32, 4>(0.0, 1.0, 2.0, 3.0); var<private> p: f32;\n\
-                   fn f(x: f32) -> f32 { var a: array<f32, 16>; a[u32(x)] = T[u32(x) % 4u]; p = a[3]; return p; }";
+                   fn f(x: f32) -> f32 \
+                   { var a: array<f32, 16>; a[u32(x)] = T[u32(x) % 4u]; p = a[3]; return p; }";
     assert!(compiled(allowed).expect("it compiles").warnings.is_empty());
 }
 
-const UNSEEN: &str =
-    "fn f(x: f32) -> f32 {\n    var y = 0.0;\n    while (y < x) {\n        y += 1.0;\n    }\n    return y;\n}";
+const UNSEEN: &str = "fn f(x: f32) -> f32 \
+                      {\n    var y = 0.0;\n    while (y < x) {\n        y += 1.0;\n    }\n    return y;\n}";
 
 #[test]
 fn a_loop_without_an_end_to_be_seen_is_counted_in_the_shader_and_in_every_export() {
     let shader = compiled(UNSEEN).expect("it compiles");
-    assert!(shader.wgsl.contains("        if rounds == 4096u { break; } rounds += 1u;\n"), "{}", shader.wgsl);
+    assert!(
+        shader.wgsl.contains("        if rounds == 4096u { break; } rounds += 1u;\n"),
+        "{}",
+        shader.wgsl
+    );
     let [note] = shader.warnings.as_slice() else { panic!("{:?}", shader.warnings) };
     assert_eq!((note.severity, note.code), (Severity::Note, "counted-loop"));
-    assert!(note.message.starts_with("line 3, column 5 of the code: ") && note.place.node.is_some(), "{note}");
-    let exported = export(&read(&look_json(UNSEEN)), Library::built_in(), "own", &LANGUAGES, Path::new(""));
+    assert!(
+        note.message.starts_with("line 3, column 5 of the code: ") && note.place.node.is_some(),
+        "{note}"
+    );
+    let exported =
+        export(&read(&look_json(UNSEEN)), Library::built_in(), "own", &LANGUAGES, Path::new(""));
     let files = exported.expect("it is exported").files;
     let texts: Vec<_> = files.iter().filter(|file| !file.name.ends_with(".json")).collect();
     assert!(texts.len() >= LANGUAGES.len());
     // SPIR-V is no text, and neither vertices nor normals have anything to do with the node.
-    let is_of_node = |name: &str| !["spv", "vert", "normals", "curvature"].iter().any(|part| name.contains(part));
+    let is_of_node = |name: &str| {
+        !["spv", "vert", "normals", "curvature"].iter().any(|part| name.contains(part))
+    };
     for file in texts.iter().filter(|file| is_of_node(&file.name)) {
-        assert!(String::from_utf8_lossy(&file.bytes).contains("4096u"), "{} has no counter", file.name);
+        assert!(
+            String::from_utf8_lossy(&file.bytes).contains("4096u"),
+            "{} has no counter",
+            file.name
+        );
     }
     let seen = UNSEEN.replace("while (y < x)", "for (var i = 0; i < 64; i++)").replace("1.0", "x");
     let shader = compiled(&seen).expect("it compiles");
@@ -138,7 +171,8 @@ fn a_project_s_loops_are_noted_once_and_have_the_same_end() {
     assert_eq!(
         shader.warnings[0].to_string().lines().next(),
         Some(
-            "nodes/own/f.wgsl:3:5: note[counted-loop]: the end of this loop cannot be seen: it ends after 4096 rounds at the latest"
+            "nodes/own/f.wgsl:3:5: note[counted-loop]: the end of this loop cannot be seen: it \
+             ends after 4096 rounds at the latest"
         )
     );
 }
@@ -146,10 +180,12 @@ fn a_project_s_loops_are_noted_once_and_have_the_same_end() {
 /// What is known is folded by the interpreter, to the same number.
 #[test]
 fn the_interpreter_ends_where_the_shader_does() {
-    let endless = "fn f() -> f32 { var y = 0.0; loop { y += 1.0; if (y < 0.0) { break; } } return y; }";
+    let endless =
+        "fn f() -> f32 { var y = 0.0; loop { y += 1.0; if (y < 0.0) { break; } } return y; }";
     let mut json = look_json(endless);
     json["wires"] = json!([{"from": "own", "to": "output.color"}]);
-    let shader = compile(&read(&json), Library::built_in(), &Options::default()).expect("it compiles");
+    let shader =
+        compile(&read(&json), Library::built_in(), &Options::default()).expect("it compiles");
     assert!(!shader.wgsl.contains("rounds") && shader.wgsl.contains("4096.0"), "{}", shader.wgsl);
 }
 
@@ -159,12 +195,15 @@ fn the_gpu_and_the_reference_end_alike() {
     use chiaro::frame::{Assets, EvalSample, eval_batches};
     use chiaro::interp::Precision;
     let look = support::eval::look(&look_json(UNSEEN));
-    let samples = [10.0, 4095.0, 4096.0, 4097.0, 1e9].map(|kappa| EvalSample { kappa, ..EvalSample::default() });
+    let samples = [10.0, 4095.0, 4096.0, 4097.0, 1e9]
+        .map(|kappa| EvalSample { kappa, ..EvalSample::default() });
     let expected = [10.0, 4095.0, 4096.0, 4096.0, 4096.0];
-    let gpu: Vec<f64> = support::eval::eval(&look, "own.value", &samples).iter().map(|value| value[0]).collect();
+    let gpu: Vec<f64> =
+        support::eval::eval(&look, "own.value", &samples).iter().map(|value| value[0]).collect();
     assert_eq!(gpu, expected);
     let options = support::eval::options("own.value");
-    let batches = eval_batches(&look, Library::built_in(), &samples, &options, &mut Assets::default());
+    let batches =
+        eval_batches(&look, Library::built_in(), &samples, &options, &mut Assets::default());
     let batches = batches.unwrap_or_else(|problems| panic!("{}", support::eval::told(&problems)));
     for precision in [Precision::F32, Precision::F64] {
         let reference = chiaro::reference::evaluate(&batches[0], precision).expect("it runs");
@@ -175,19 +214,27 @@ fn the_gpu_and_the_reference_end_alike() {
 /// Loops of loops, through calls, would take hours.
 #[test]
 fn loops_in_loops_are_bounded() {
-    let code = "// Ours.\nfn f(x: f32) -> f32 { var y = x; while (y < 9.0) { y += g(y); } return y; }\n\
+    let code = "// Ours.\nfn f(x: f32) -> f32 \
+                { var y = x; while (y < 9.0) { y += g(y); } return y; }\n\
                 fn g(x: f32) -> f32 { var y = x; while (y > 0.5) { y *= 0.9; } return y; }";
     let problem = refused(code);
-    assert!(problem.code == "code-bound" && problem.message.contains("16781312 rounds"), "{problem}");
+    assert!(
+        problem.code == "code-bound" && problem.message.contains("16781312 rounds"),
+        "{problem}"
+    );
 }
 
 /// A chain of sines, which drivers follow by recursion.
 fn sines(count: usize) -> Json {
     let node = |i: usize| json!({"id": format!("n{i}"), "kind": "sine"});
     let mut nodes: Vec<Json> = (0..count).map(node).collect();
-    nodes.extend([json!({"id": "start", "kind": "kappa"}), json!({"id": "output", "kind": "output"})]);
+    nodes.extend([
+        json!({"id": "start", "kind": "kappa"}),
+        json!({"id": "output", "kind": "output"}),
+    ]);
     let from = |i: usize| if i == 0 { "start".to_owned() } else { format!("n{}", i - 1) };
-    let mut wires: Vec<Json> = (0..count).map(|i| json!({"from": from(i), "to": format!("n{i}.angle")})).collect();
+    let mut wires: Vec<Json> =
+        (0..count).map(|i| json!({"from": from(i), "to": format!("n{i}.angle")})).collect();
     wires.push(json!({"from": from(count), "to": "output.color"}));
     json!({"nodes": nodes, "wires": wires})
 }
@@ -195,7 +242,8 @@ fn sines(count: usize) -> Json {
 #[test]
 fn what_a_driver_would_recurse_over_is_told() {
     let depth = |count| {
-        let shader = compile(&read(&sines(count)), Library::built_in(), &Options::default()).expect("it compiles");
+        let shader = compile(&read(&sines(count)), Library::built_in(), &Options::default())
+            .expect("it compiles");
         too_deep(&shader)
     };
     assert_eq!(depth(1000), None);
@@ -203,8 +251,8 @@ fn what_a_driver_would_recurse_over_is_told() {
     assert!(told.contains(&MAX_DEPTH.to_string()), "{told}");
 }
 
-/// Of 20,000 differences and absolute values in a row, Mesa takes 3 MiB of stack; tests have 2 MiB, as
-/// the least of our threads.
+/// Of 20,000 differences and absolute values in a row, Mesa takes 3 MiB of stack; tests have 2 MiB,
+/// as the least of our threads.
 #[cfg(feature = "gpu")]
 #[test]
 fn what_a_driver_recurses_over_has_the_stack_for_it() {
@@ -213,13 +261,18 @@ fn what_a_driver_recurses_over_has_the_stack_for_it() {
     let code = format!("fn f(x: f32, k: f32) -> f32 {{ let y0 = x; {steps} return y1000; }}");
     let node = |i: usize| json!({"id": format!("n{i}"), "kind": "wgsl", "values": {"code": code}});
     let mut nodes: Vec<Json> = (0..NODES).map(node).collect();
-    nodes.extend([json!({"id": "start", "kind": "kappa"}), json!({"id": "output", "kind": "output"})]);
+    nodes.extend([
+        json!({"id": "start", "kind": "kappa"}),
+        json!({"id": "output", "kind": "output"}),
+    ]);
     let from = |i: usize| if i == 0 { "start".to_owned() } else { format!("n{}", i - 1) };
-    let mut wires: Vec<Json> = (0..NODES).map(|i| json!({"from": from(i), "to": format!("n{i}.x")})).collect();
+    let mut wires: Vec<Json> =
+        (0..NODES).map(|i| json!({"from": from(i), "to": format!("n{i}.x")})).collect();
     wires.extend((0..NODES).map(|i| json!({"from": "start", "to": format!("n{i}.k")})));
     wires.push(json!({"from": from(NODES), "to": "output.color"}));
     let look = support::eval::look(&json!({"nodes": nodes, "wires": wires}));
-    let samples = [chiaro::frame::EvalSample { kappa: 0.5, ..chiaro::frame::EvalSample::default() }];
+    let samples =
+        [chiaro::frame::EvalSample { kappa: 0.5, ..chiaro::frame::EvalSample::default() }];
     // 0.5 becomes 0, and 0 becomes 0.5, an even number of times.
     assert_eq!(support::eval::eval(&look, "n9.value", &samples)[0][0], 0.5);
 }
@@ -230,8 +283,10 @@ fn what_is_too_deep_is_not_handed_to_the_driver() {
     use chiaro::frame::{Assets, EvalSample, eval_batches};
     let look = support::eval::look(&sines(8000));
     let (samples, options) = ([EvalSample::default()], support::eval::options("n7999.sine"));
-    let batches = eval_batches(&look, Library::built_in(), &samples, &options, &mut Assets::default());
+    let batches =
+        eval_batches(&look, Library::built_in(), &samples, &options, &mut Assets::default());
     let batches = batches.unwrap_or_else(|problems| panic!("{}", support::eval::told(&problems)));
-    let error = chiaro::render::block_on(support::eval::renderer().evaluate(&batches[0])).expect_err("it is refused");
+    let error = chiaro::render::block_on(support::eval::renderer().evaluate(&batches[0]))
+        .expect_err("it is refused");
     assert_eq!(Diagnostic::from(error).code, "deep-shader");
 }

@@ -15,11 +15,16 @@ fn probed(look: &Json, pixel: [u32; 2]) -> (Option<Vec<WireValue>>, [f64; 4]) {
     let text = look.to_string();
     let loaded = Look::read(&text, "test.json");
     assert!(loaded.diagnostics.is_empty(), "{:?}", loaded.diagnostics);
-    let look = SetupLook { look: loaded.value.unwrap(), source: loaded.source.into(), folder: PathBuf::new() };
+    let look = SetupLook {
+        look: loaded.value.unwrap(),
+        source: loaded.source.into(),
+        folder: PathBuf::new(),
+    };
     let mut assets = Assets::default();
     let (setup, _) = default_setup(look, "shape:sphere", &mut assets).unwrap();
     let options = PlanOptions { size: [SIZE; 2], samples: 1, time: 0.0 };
-    let plan = Planner::for_truth(assets).plan(&setup, Library::built_in(), &Live::All, &options).unwrap();
+    let plan =
+        Planner::for_truth(assets).plan(&setup, Library::built_in(), &Live::All, &options).unwrap();
     let modules = chiaro::reference::Modules::new(&plan, chiaro::interp::Precision::F64).unwrap();
     let picture = execute(&plan, &modules, &Options::default(), &Control::none()).unwrap();
     let wires = probe_wires(&plan, pixel, &Options::default(), &Control::none()).unwrap();
@@ -27,7 +32,10 @@ fn probed(look: &Json, pixel: [u32; 2]) -> (Option<Vec<WireValue>>, [f64; 4]) {
 }
 
 fn of<'w>(wires: &'w [WireValue], node: &str) -> &'w WireValue {
-    wires.iter().rfind(|wire| wire.node.to_string() == node).unwrap_or_else(|| panic!("no {node} in {wires:?}"))
+    wires
+        .iter()
+        .rfind(|wire| wire.node.to_string() == node)
+        .unwrap_or_else(|| panic!("no {node} in {wires:?}"))
 }
 
 fn lit() -> Json {

@@ -1,5 +1,5 @@
-//! Random looks: valid ones compile for every stage and liveness and show finite pixels; broken ones are told about, with
-//! a place, and never panic.
+//! Random looks: valid ones compile for every stage and liveness and show finite pixels; broken
+//! ones are told about, with a place, and never panic.
 #![cfg(feature = "gpu")]
 
 use crate::support;
@@ -22,7 +22,8 @@ struct Source {
     ty: Type,
 }
 
-/// A graph as it grows: every wire goes from an earlier node to a later one, so that there is no ring.
+/// A graph as it grows: every wire goes from an earlier node to a later one, so that there is no
+/// ring.
 struct Growing {
     nodes: Vec<Json>,
     wires: Vec<Json>,
@@ -53,7 +54,9 @@ fn value_for(input: &Input, random: &mut Random) -> Option<Json> {
         Type::Bool => json!(random.chance(0.5)),
         Type::Vec2 => json!([x(), x()]),
         Type::Vec3 => json!([x(), x(), x()]),
-        Type::Color | Type::Composite => json!([random.unit(), random.unit(), random.unit(), random.unit()]),
+        Type::Color | Type::Composite => {
+            json!([random.unit(), random.unit(), random.unit(), random.unit()])
+        }
         Type::LightName => json!(*random.pick(&["key", "lamp", "torch"])),
         Type::Curve => {
             json!({"points": [[0, x()], [0.5, x()], [1, x()]], "interpolation": *random.pick(&["linear", "smooth", "stepped"])})
@@ -77,11 +80,13 @@ impl Growing {
     }
 
     fn source_for(&self, ty: &Type, random: &mut Random) -> Option<&Source> {
-        let fitting: Vec<&Source> = self.sources.iter().filter(|source| source.ty.convert_to(ty).is_some()).collect();
+        let fitting: Vec<&Source> =
+            self.sources.iter().filter(|source| source.ty.convert_to(ty).is_some()).collect();
         (!fitting.is_empty()).then(|| *random.pick(&fitting))
     }
 
-    /// A node of a kind, wired by chance and where it must be; `false` where nothing there feeds it.
+    /// A node of a kind, wired by chance and where it must be; `false` where nothing there feeds
+    /// it.
     fn add(&mut self, def: &NodeDef, random: &mut Random) -> bool {
         let id = format!("n{}", self.nodes.len());
         let (mut values, mut wires) = (Map::new(), Vec::new());
@@ -89,7 +94,8 @@ impl Growing {
         let mut fed: Vec<Type> = Vec::new();
         for input in def.visible_inputs() {
             let must = input.fallback == Fallback::Wire;
-            let is_wired = must || (input.options.is_empty() && !input.ty.is_setting() && random.chance(0.5));
+            let is_wired =
+                must || (input.options.is_empty() && !input.ty.is_setting() && random.chance(0.5));
             // A node of any width takes any width, though only one.
             let widens = input.ty == Type::Float && is_widened(def, &input.name);
             let first_of_width = widens && fed.is_empty();
@@ -100,7 +106,9 @@ impl Growing {
             };
             match self.source_for(&ty, random).filter(|_| is_wired) {
                 Some(source) => {
-                    wires.push(json!({"from": source.endpoint, "to": format!("{id}.{}", input.name)}));
+                    wires.push(
+                        json!({"from": source.endpoint, "to": format!("{id}.{}", input.name)}),
+                    );
                     if widens || def.special == Special::Reroute {
                         fed.push(source.ty.clone());
                     }
@@ -114,9 +122,11 @@ impl Growing {
                 None => {}
             }
         }
-        // What a node of any width gives is left to what it is fed with; where that is mixed, nobody takes it here.
+        // What a node of any width gives is left to what it is fed with; where that is mixed,
+        // nobody takes it here.
         fed.dedup();
-        let has_variant = |ty: &Type| def.variants.iter().any(|variant| variant.width.as_ref() == Some(ty));
+        let has_variant =
+            |ty: &Type| def.variants.iter().any(|variant| variant.width.as_ref() == Some(ty));
         for output in &def.outputs {
             let is_open = output.ty == Type::Float && is_wide || def.special == Special::Reroute;
             let ty = match fed.as_slice() {
@@ -133,7 +143,9 @@ impl Growing {
     }
 
     fn add_layer(&mut self, random: &mut Random) {
-        let Some(below) = self.source_for(&Type::Composite, random).map(|source| source.endpoint.clone()) else {
+        let Some(below) =
+            self.source_for(&Type::Composite, random).map(|source| source.endpoint.clone())
+        else {
             return;
         };
         let id = format!("n{}", self.nodes.len());
@@ -148,7 +160,8 @@ impl Growing {
 
     fn grow(&mut self, count: usize, random: &mut Random) {
         let library = Library::built_in();
-        let defs: Vec<_> = library.nodes.values().filter(|def| def.special != Special::Output).collect();
+        let defs: Vec<_> =
+            library.nodes.values().filter(|def| def.special != Special::Output).collect();
         // Something of each type to begin with.
         for kind in ["base", "light", "parametrization", "facing", "vertex_color", "uv"] {
             self.add(&library.nodes[kind], random);
@@ -169,7 +182,9 @@ fn random_look(seed: u64, count: usize) -> Json {
     let random = &mut Random::new(seed);
     let mut inner = Growing::new();
     inner.grow(8 + random.index(6), random);
-    let color = inner.source_for(&Type::Color, random).map_or("n0".to_owned(), |source| source.endpoint.clone());
+    let color = inner
+        .source_for(&Type::Color, random)
+        .map_or("n0".to_owned(), |source| source.endpoint.clone());
     let mut inner_wires = inner.wires;
     inner_wires.push(json!({"from": "inputs.amount", "to": "scale.b"}));
     inner_wires.push(json!({"from": color, "to": "scale.a"}));
@@ -183,9 +198,11 @@ fn random_look(seed: u64, count: usize) -> Json {
         outer.nodes.push(json!({"id": id, "kind": "tint", "values": {"amount": random.unit()}}));
         outer.sources.push(Source { endpoint: format!("{id}.color"), ty: Type::Color });
     }
-    let last = outer.sources.iter().rev().find(|source| source.ty.convert_to(&Type::Composite).is_some());
+    let last =
+        outer.sources.iter().rev().find(|source| source.ty.convert_to(&Type::Composite).is_some());
     let shown = last.map_or("n0".to_owned(), |source| source.endpoint.clone());
-    // Something half built that nothing needs: a light where a number belongs, and what hangs on it.
+    // Something half built that nothing needs: a light where a number belongs, and what hangs on
+    // it.
     outer.nodes.push(json!({"id": "loose", "kind": "sine"}));
     outer.nodes.push(json!({"id": "end", "kind": "arctangent"}));
     outer.wires.push(json!({"from": "n1.light", "to": "loose.angle"}));
@@ -242,10 +259,12 @@ fn check_valid(seed: u64, with_gpu: bool) -> Result<(), TestCaseError> {
     for stage in [Stage::Draw, Stage::Normals, Stage::DetailNormals, Stage::Eval] {
         for live in [Live::Keyed, Live::Exposed, Live::All] {
             for unspecialized in [false, true] {
-                let options = Options { stage, live: live.clone(), unspecialized, ..Options::default() };
+                let options =
+                    Options { stage, live: live.clone(), unspecialized, ..Options::default() };
                 // naga validates within.
-                compile(&look, library, &options)
-                    .map_err(|problems| fail(format!("{options:?}: {}", support::eval::told(&problems)), &json))?;
+                compile(&look, library, &options).map_err(|problems| {
+                    fail(format!("{options:?}: {}", support::eval::told(&problems)), &json)
+                })?;
             }
         }
     }
@@ -260,7 +279,8 @@ fn check_valid(seed: u64, with_gpu: bool) -> Result<(), TestCaseError> {
     let (mesh, matrix) = shape("torus");
     let scene = scene_of(vec![(setup, mesh, matrix)], Scene::default());
     let live = if seed.is_multiple_of(2) { Live::Keyed } else { Live::All };
-    let picture = draw(&scene, library, &live, [24, 24], if seed.is_multiple_of(3) { 4 } else { 1 });
+    let picture =
+        draw(&scene, library, &live, [24, 24], if seed.is_multiple_of(3) { 4 } else { 1 });
     if let Some(pixel) = picture.rgba.iter().find(|pixel| pixel.iter().any(|x| !x.is_finite())) {
         return Err(fail(format!("the pixel {pixel:?}"), &json));
     }
@@ -268,9 +288,16 @@ fn check_valid(seed: u64, with_gpu: bool) -> Result<(), TestCaseError> {
 }
 
 fn run(cases: u32, check: impl Fn(u64) -> Result<(), TestCaseError>) {
-    let config = ProptestConfig { cases, failure_persistence: None, max_shrink_iters: 0, ..ProptestConfig::default() };
-    let mut runner =
-        TestRunner::new_with_rng(config, proptest::test_runner::TestRng::deterministic_rng(Default::default()));
+    let config = ProptestConfig {
+        cases,
+        failure_persistence: None,
+        max_shrink_iters: 0,
+        ..ProptestConfig::default()
+    };
+    let mut runner = TestRunner::new_with_rng(
+        config,
+        proptest::test_runner::TestRng::deterministic_rng(Default::default()),
+    );
     if let Err(failure) = runner.run(&any::<u64>(), check) {
         panic!("{failure}");
     }
@@ -292,8 +319,8 @@ fn random_looks_soak() {
     run(3000, |seed| check_valid(seed, seed % 4 == 0));
 }
 
-/// Breaks a look in one way; says what a diagnostic of it must have: a place in the graph or in the file, or nothing
-/// where the look may still be whole.
+/// Breaks a look in one way; says what a diagnostic of it must have: a place in the graph or in the
+/// file, or nothing where the look may still be whole.
 fn break_it(look: &mut Json, random: &mut Random) -> &'static str {
     let nodes = look["nodes"].as_array().map_or(0, Vec::len);
     let wires = look["wires"].as_array().map_or(0, Vec::len);
@@ -329,7 +356,10 @@ fn break_it(look: &mut Json, random: &mut Random) -> &'static str {
         }
         5 => {
             // A light into a number.
-            look["nodes"].as_array_mut().expect("a list").push(json!({"id": "wrong", "kind": "sine"}));
+            look["nodes"]
+                .as_array_mut()
+                .expect("a list")
+                .push(json!({"id": "wrong", "kind": "sine"}));
             let wires = look["wires"].as_array_mut().expect("a list");
             wires.push(json!({"from": "n1", "to": "wrong.angle"}));
             wires.retain(|wire| wire["to"] != json!("output.color"));
@@ -355,8 +385,9 @@ fn break_it(look: &mut Json, random: &mut Random) -> &'static str {
             "must"
         }
         10 => {
-            look["lights"]["key"]["direction"] =
-                random.pick(&[json!([0, 0]), json!("up"), json!([true, 0, 0]), json!(null)]).clone();
+            look["lights"]["key"]["direction"] = random
+                .pick(&[json!([0, 0]), json!("up"), json!([true, 0, 0]), json!(null)])
+                .clone();
             "must"
         }
         _ => {
@@ -364,7 +395,10 @@ fn break_it(look: &mut Json, random: &mut Random) -> &'static str {
                 .as_array_mut()
                 .expect("a list")
                 .push(json!({"id": "again", "kind": "tint"}));
-            look["nodes"].as_array_mut().expect("a list").push(json!({"id": "group_9", "kind": "tint"}));
+            look["nodes"]
+                .as_array_mut()
+                .expect("a list")
+                .push(json!({"id": "group_9", "kind": "tint"}));
             "must"
         }
     }
@@ -396,7 +430,9 @@ fn check_broken(seed: u64) -> Result<(), TestCaseError> {
     if how == "must" && !has_errors(&problems) {
         return Err(fail("it is broken, and nobody says so", &json));
     }
-    if let Some(problem) = problems.iter().find(|problem| !is_placed(problem) && problem.code != "no-output") {
+    if let Some(problem) =
+        problems.iter().find(|problem| !is_placed(problem) && problem.code != "no-output")
+    {
         return Err(fail(format!("a problem without a place: {problem}"), &json));
     }
     // Truncated and garbled text.
@@ -404,7 +440,10 @@ fn check_broken(seed: u64) -> Result<(), TestCaseError> {
     let cut: String = text.chars().take(random.index(text.len())).collect();
     let problems = problems_of(&cut);
     if !has_errors(&problems) || !problems.iter().any(is_placed) {
-        return Err(fail(format!("cut short without a place: {}", support::eval::told(&problems)), &json!(cut)));
+        return Err(fail(
+            format!("cut short without a place: {}", support::eval::told(&problems)),
+            &json!(cut),
+        ));
     }
     let mut bytes = text.into_bytes();
     for _ in 0..1 + random.index(4) {

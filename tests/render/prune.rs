@@ -1,4 +1,5 @@
-//! What the compiler leaves out changes nothing: specialized looks against unspecialized ones, live against baked.
+//! What the compiler leaves out changes nothing: specialized looks against unspecialized ones, live
+//! against baked.
 #![cfg(feature = "gpu")]
 
 use std::path::Path;
@@ -36,7 +37,8 @@ fn samples(seed: u64, count: usize) -> Vec<EvalSample> {
 fn compare(errors: &mut Errors, look: &SetupLook, a: &Options, b: &Options) {
     let samples = samples(3, 300);
     let library = Library::built_in();
-    let (left, right) = (eval_with(look, library, a, &samples), eval_with(look, library, b, &samples));
+    let (left, right) =
+        (eval_with(look, library, a, &samples), eval_with(look, library, b, &samples));
     for ((x, y), sample) in left.iter().zip(&right).zip(&samples) {
         for (x, y) in x.iter().zip(y) {
             errors.note(*x, *y, || format!("{} at {sample:?}", look.look.name));
@@ -46,8 +48,10 @@ fn compare(errors: &mut Errors, look: &SetupLook, a: &Options, b: &Options) {
 
 fn examples() -> Vec<SetupLook> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
-    let paths: Vec<_> =
-        files::below(&folder).into_iter().filter(|path| path.extension().is_some_and(|e| e == "json")).collect();
+    let paths: Vec<_> = files::below(&folder)
+        .into_iter()
+        .filter(|path| path.extension().is_some_and(|e| e == "json"))
+        .collect();
     assert!(paths.len() >= 6, "{paths:?}");
     let open = |path: std::path::PathBuf| {
         let loaded = Look::load(&path);
@@ -81,9 +85,22 @@ fn random_stacks_are_the_same_unspecialized_and_live() {
     let mut removed = 0;
     for _ in 0..16 {
         let look = idle_stack(&mut random);
-        compare(&mut pruned, &look, &Options::default(), &Options { unspecialized: true, ..Options::default() });
-        compare(&mut live, &look, &Options::default(), &Options { live: Live::All, ..Options::default() });
-        removed += compile(&look.look, Library::built_in(), &Options::default()).expect("it compiles").removed.len();
+        compare(
+            &mut pruned,
+            &look,
+            &Options::default(),
+            &Options { unspecialized: true, ..Options::default() },
+        );
+        compare(
+            &mut live,
+            &look,
+            &Options::default(),
+            &Options { live: Live::All, ..Options::default() },
+        );
+        removed += compile(&look.look, Library::built_in(), &Options::default())
+            .expect("it compiles")
+            .removed
+            .len();
     }
     pruned.finish();
     live.finish();
@@ -97,7 +114,9 @@ fn ordinary(ty: &Type, random: &mut Random) -> Json {
         Type::Int => json!(random.index(4)),
         Type::Vec2 => json!([random.unit(), random.unit()]),
         Type::Vec3 => json!([random.unit(), random.unit(), random.unit()]),
-        Type::Color | Type::Composite => json!([random.unit(), random.unit(), random.unit(), random.unit()]),
+        Type::Color | Type::Composite => {
+            json!([random.unit(), random.unit(), random.unit(), random.unit()])
+        }
         _ => json!(random.unit()),
     }
 }
@@ -119,12 +138,15 @@ fn bypassed(def: &NodeDef, index: usize, ty: &Type, random: &mut Random) -> Setu
     // What a port takes: a node that is for any type takes this one.
     let type_of = |port: &chiaro::library::Input| {
         let is_wide = def.variants.iter().any(|variant| variant.width.as_ref() == Some(ty));
-        let is_first =
-            port.ty == Type::Float && is_wide && !matches!(port.name.as_str(), "factor" | "low" | "high" | "exponent");
+        let is_first = port.ty == Type::Float
+            && is_wide
+            && !matches!(port.name.as_str(), "factor" | "low" | "high" | "exponent");
         if is_first { ty.clone() } else { port.ty.clone() }
     };
     for input in def.visible_inputs() {
-        if matches!(input.fallback, Fallback::Value(_) | Fallback::Same(_)) && input.options.is_empty() {
+        if matches!(input.fallback, Fallback::Value(_) | Fallback::Same(_))
+            && input.options.is_empty()
+        {
             values.insert(input.name.to_string(), ordinary(&type_of(input), random));
         }
     }
@@ -144,11 +166,14 @@ fn bypassed(def: &NodeDef, index: usize, ty: &Type, random: &mut Random) -> Setu
             Test::AtMost(limit) | Test::AtLeast(limit) => {
                 let side = if matches!(condition.test, Test::AtMost(_)) { -1.0 } else { 1.0 };
                 match limit {
-                    Limit::Number(number) => drop(values.insert(name, constant(&type_of(input), number + 0.5 * side))),
+                    Limit::Number(number) => {
+                        drop(values.insert(name, constant(&type_of(input), number + 0.5 * side)))
+                    }
                     // Beyond whatever `ordinary` gives.
                     Limit::Input(other) => {
                         let other = &def.inputs[*other];
-                        values.insert(other.name.to_string(), constant(&type_of(other), 2.0 * -side));
+                        values
+                            .insert(other.name.to_string(), constant(&type_of(other), 2.0 * -side));
                     }
                 }
             }
@@ -190,7 +215,8 @@ fn bypassed(def: &NodeDef, index: usize, ty: &Type, random: &mut Random) -> Setu
     if let BypassResult::Input(port) = bypass.result {
         // What stands in the node's place is known to nobody before the fragment, where it can be.
         let input = &def.inputs[port];
-        let is_free = bypass.conditions.iter().all(|c| c.input != port && c.test != Test::Same(port));
+        let is_free =
+            bypass.conditions.iter().all(|c| c.input != port && c.test != Test::Same(port));
         let source = match type_of(input) {
             Type::Color => Some("vertex_color"),
             Type::Vec3 => Some("normal"),
@@ -225,14 +251,23 @@ fn every_bypass_gives_what_the_node_gives() {
                     let look = bypassed(def, index, &ty, &mut random);
                     let samples = samples(4, 40);
                     let with = eval_with(&look, library, &options("node"), &samples);
-                    let without =
-                        eval_with(&look, library, &Options { unspecialized: true, ..options("node") }, &samples);
+                    let without = eval_with(
+                        &look,
+                        library,
+                        &Options { unspecialized: true, ..options("node") },
+                        &samples,
+                    );
                     for (x, y) in with.iter().flatten().zip(without.iter().flatten()) {
                         // One step of f32 where a rule says what is true of the reals.
                         let step = f64::from(f32::EPSILON) * y.abs();
                         let excess = ((x - y).abs() - step).max(0.0);
                         errors.note(excess, 0.0, || {
-                            format!("{}, {} as {ty:?}\n{}", def.kind, def.bypasses[index].reason, look.look.to_text())
+                            format!(
+                                "{}, {} as {ty:?}\n{}",
+                                def.kind,
+                                def.bypasses[index].reason,
+                                look.look.to_text()
+                            )
                         });
                     }
                 }
@@ -253,8 +288,15 @@ fn every_bypass_is_taken() {
             let look = bypassed(def, index, &Type::Float, &mut random);
             let shader = compile(&look.look, library, &Options::default()).expect("it compiles");
             let (node, call) = (chiaro::ids::NodePath::parse("node"), format!("{}(", def.kind));
-            let is_gone = shader.removed.iter().any(|removal| removal.path == node) || !shader.wgsl.contains(&call);
-            assert!(is_gone, "{}: {} is not taken\n{}", def.kind, bypass.reason, look.look.to_text());
+            let is_gone = shader.removed.iter().any(|removal| removal.path == node)
+                || !shader.wgsl.contains(&call);
+            assert!(
+                is_gone,
+                "{}: {} is not taken\n{}",
+                def.kind,
+                bypass.reason,
+                look.look.to_text()
+            );
         }
     }
 }

@@ -1,5 +1,6 @@
-//! What surfaces show where they are cut out, lit in linear light, or mirrored, held against geometry and closed forms.
-//! Every picture is of files as an artist has them, opened and drawn as `chiaro render` does.
+//! What surfaces show where they are cut out, lit in linear light, or mirrored, held against
+//! geometry and closed forms. Every picture is of files as an artist has them, opened and drawn as
+//! `chiaro render` does.
 #![cfg(feature = "gpu")]
 
 use std::fs;
@@ -20,7 +21,8 @@ use serde_json::{Value as Json, json};
 
 /// Pixels along a side of every picture here. The camera sees a square of 2 by 2 scene units.
 const SIDE: u32 = 64;
-/// Half an 8-bit step: what is stored in half floats and comes by other arithmetic is nearer than this.
+/// Half an 8-bit step: what is stored in half floats and comes by other arithmetic is nearer than
+/// this.
 const NEAR: f32 = 0.5 / 255.0;
 const BACKDROP: [f32; 4] = [0.25, 0.5, 0.125, 1.0];
 
@@ -46,15 +48,24 @@ impl Folder {
 
     /// A PNG of `side` by `side` texels, rows from the top.
     fn image(&self, name: &str, side: u32, texel: impl Fn(u32, u32) -> [u8; 4]) {
-        RgbaImage::from_fn(side, side, |x, y| Rgba(texel(x, y))).save(self.path().join(name)).unwrap();
+        RgbaImage::from_fn(side, side, |x, y| Rgba(texel(x, y)))
+            .save(self.path().join(name))
+            .unwrap();
     }
 
-    /// Draws a scene of these objects, seen along -z without perspective; `change` has the last word on the scene.
+    /// Draws a scene of these objects, seen along -z without perspective; `change` has the last
+    /// word on the scene.
     fn draw_with(&self, objects: &Json, change: impl Fn(&mut Json)) -> Picture {
         self.draw_live(objects, change, &Live::Keyed, 0.0)
     }
 
-    fn draw_live(&self, objects: &Json, change: impl Fn(&mut Json), live: &Live, time: f64) -> Picture {
+    fn draw_live(
+        &self,
+        objects: &Json,
+        change: impl Fn(&mut Json),
+        live: &Live,
+        time: f64,
+    ) -> Picture {
         let mut scene = json!({
             "objects": objects, "backdrop": BACKDROP,
             "camera": {"projection": "orthographic", "height": 2}
@@ -90,7 +101,8 @@ impl Folder {
             block_on(renderer().picture(&plan)).unwrap_or_else(|error| panic!("{error}"))
         });
         let truth = plan(Planner::for_truth(assets.clone()), &Live::All);
-        let modules = Modules::new(&truth, Precision::F64).unwrap_or_else(|problem| panic!("{problem}"));
+        let modules =
+            Modules::new(&truth, Precision::F64).unwrap_or_else(|problem| panic!("{problem}"));
         let drawn = execute(&truth, &modules, &reference::Options::default(), &Control::none());
         [baked, edited, drawn.unwrap_or_else(|problem| panic!("{problem}")).to_picture()]
     }
@@ -129,9 +141,12 @@ fn assert_near(found: [f32; 4], expected: [f32; 4], near: f32, at: (u32, u32)) {
 /// A square that covers the picture, with UVs and a look of its own by material.
 fn write_square(folder: &Folder, name: &str, material: &Json) {
     let corners = [[-1f32, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
-    let mut bytes: Vec<u8> = corners.iter().flat_map(|[x, y]| [*x, *y, 0.0]).flat_map(f32::to_le_bytes).collect();
+    let mut bytes: Vec<u8> =
+        corners.iter().flat_map(|[x, y]| [*x, *y, 0.0]).flat_map(f32::to_le_bytes).collect();
     // A glTF counts v downward.
-    bytes.extend(corners.iter().flat_map(|[x, y]| [0.5 + 0.5 * x, 0.5 - 0.5 * y]).flat_map(f32::to_le_bytes));
+    bytes.extend(
+        corners.iter().flat_map(|[x, y]| [0.5 + 0.5 * x, 0.5 - 0.5 * y]).flat_map(f32::to_le_bytes),
+    );
     bytes.extend([0u16, 1, 2, 0, 2, 3].iter().flat_map(|i| i.to_le_bytes()));
     let binary = format!("{name}.bin");
     fs::write(folder.path().join(&binary), &bytes).unwrap();
@@ -187,8 +202,9 @@ fn leaf_folder() -> Folder {
     let [r, g, b] = LEAF;
     folder.image("leaf.png", 4, |x, y| [r, g, b, ALPHAS[((x + y) % 4) as usize]]);
     folder.json("paint.json", &flat_look([0.0, 0.25, 1.0, 1.0]));
-    // A wall behind the upper half. A speck of it before the leaf, beyond the picture, brings its middle before the leaf's
-    // too, so that it is drawn after it: what the leaf cuts out must be no depth either.
+    // A wall behind the upper half. A speck of it before the leaf, beyond the picture, brings its
+    // middle before the leaf's too, so that it is drawn after it: what the leaf cuts out must be no
+    // depth either.
     let speck = "v 3 0 3\nv 3.1 0 3\nv 3 0.1 3\nf 5 6 7\n";
     let wall = "v -1 0 -1\nv 1 0 -1\nv 1 1 -1\nv -1 1 -1\nf 1 2 3 4\n";
     folder.text("wall.obj", wall);
@@ -202,7 +218,12 @@ fn assert_cut(picture: &Picture, wall: [f32; 4]) {
     for (x, y, found) in pixels(picture) {
         let behind = if place(x, y).1 > 0.0 { wall } else { BACKDROP };
         let is_leaf = leaf_alpha(x, y) == 255;
-        assert_near(found, if is_leaf { [leaf[0], leaf[1], leaf[2], 1.0] } else { behind }, NEAR, (x, y));
+        assert_near(
+            found,
+            if is_leaf { [leaf[0], leaf[1], leaf[2], 1.0] } else { behind },
+            NEAR,
+            (x, y),
+        );
     }
 }
 
@@ -218,8 +239,13 @@ fn a_material_with_a_mask_is_cut_out() {
     assert_cut(&folder.draw(&json!([leaf, object("wall.obj", "paint.json")])), paint);
     assert_cut(&folder.draw(&json!([object("near_wall.obj", "paint.json"), leaf])), paint);
 
-    // The same look on a material without a mask blends by its alpha, and the two do not share a shader.
-    write_square(&folder, "veil.gltf", &json!({"name": "leaf", "alphaMode": "OPAQUE", "doubleSided": true}));
+    // The same look on a material without a mask blends by its alpha, and the two do not share a
+    // shader.
+    write_square(
+        &folder,
+        "veil.gltf",
+        &json!({"name": "leaf", "alphaMode": "OPAQUE", "doubleSided": true}),
+    );
     let mut veil = object("veil.gltf", "leaf.json");
     veil["transform"]["translate"] = json!([0, 0, 0.5]);
     let both = folder.draw(&json!([leaf, veil]));
@@ -268,9 +294,15 @@ fn the_greater_of_both_cutoffs_counts_and_alpha_equal_to_it_is_drawn() {
         for (x, y, found) in pixels(&picture) {
             assert_eq!(found[3] > 0.0, is_drawn, "{own} {material} at {x}, {y}");
             if is_drawn {
-                // A mask of the material leaves nothing half transparent; a look's own cutoff leaves alpha as it is.
+                // A mask of the material leaves nothing half transparent; a look's own cutoff
+                // leaves alpha as it is.
                 let is_masked = material["alphaCutoff"].as_f64().is_some_and(|cutoff| cutoff > 0.0);
-                assert_near(found, [1.0, 0.5, 0.0, if is_masked { 1.0 } else { 0.5 }], NEAR, (x, y));
+                assert_near(
+                    found,
+                    [1.0, 0.5, 0.0, if is_masked { 1.0 } else { 0.5 }],
+                    NEAR,
+                    (x, y),
+                );
             }
         }
     }
@@ -346,11 +378,13 @@ fn byte_at(x: u32, y: u32) -> u8 {
 }
 
 #[test]
-fn colours_come_through_linear_light_as_they_were_and_data_does_not() {
+fn colors_come_through_linear_light_as_they_were_and_data_does_not() {
     let folder = Folder::new();
     folder.image("bytes.png", 16, |x, y| [(y * 16 + x) as u8, 255 - (y * 16 + x) as u8, 128, 255]);
     write_square(&folder, "card.gltf", &json!({"doubleSided": true}));
-    for (space, encoding) in [("display", "color"), ("display", "data"), ("linear", "color"), ("linear", "data")] {
+    for (space, encoding) in
+        [("display", "color"), ("display", "data"), ("linear", "color"), ("linear", "data")]
+    {
         let mut look = image_look("bytes.png", &json!({}));
         look["color_space"] = json!(space);
         look["nodes"][0]["values"]["encoding"] = json!(encoding);
@@ -359,7 +393,8 @@ fn colours_come_through_linear_light_as_they_were_and_data_does_not() {
             let byte = byte_at(x, y);
             let shown = |byte: u8| {
                 let number = f64::from(byte) / 255.0;
-                (if space == "linear" && encoding == "data" { encoded(number) } else { number }) as f32
+                (if space == "linear" && encoding == "data" { encoded(number) } else { number })
+                    as f32
             };
             assert_near(found, [shown(byte), shown(255 - byte), shown(128), 1.0], NEAR, (x, y));
         }
@@ -373,7 +408,8 @@ fn light_adds_up_in_linear_light_and_is_encoded_once() {
     // Bent as it is seen, though it is flat: the normal at x is (x, 0, 1), made unit.
     folder.text(
         "bent.obj",
-        "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn -1 0 1\nvn 1 0 1\n\
+        "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn -1 0 1\nvn 1 0 \
+         1\n\
          f 1/1/1 2/2/2 3/3/2 4/4/1\n",
     );
     let look = |space: &str| {
@@ -415,12 +451,18 @@ fn light_adds_up_in_linear_light_and_is_encoded_once() {
 }
 
 #[test]
-fn vertex_colours_and_backdrops_are_display_colours_in_linear_looks_too() {
+fn vertex_colors_and_backdrops_are_display_colors_in_linear_looks_too() {
     let folder = Folder::new();
     let corner = |x: f32, y: f32| format!("v {x} {y} 0 0.25 0.5 0.75\n");
     folder.text(
         "left.obj",
-        &format!("{}{}{}{}f 1 2 3 4\n", corner(-1.0, -1.0), corner(0.0, -1.0), corner(0.0, 1.0), corner(-1.0, 1.0)),
+        &format!(
+            "{}{}{}{}f 1 2 3 4\n",
+            corner(-1.0, -1.0),
+            corner(0.0, -1.0),
+            corner(0.0, 1.0),
+            corner(-1.0, 1.0)
+        ),
     );
     let mut look = json!({
         "color_space": "linear",
@@ -437,9 +479,10 @@ fn vertex_colours_and_backdrops_are_display_colours_in_linear_looks_too() {
     }
 }
 
-/// However a `#rrggbb` comes into a look, it is as shown: a surface of nothing else shows it, in every colour space.
+/// However a `#rrggbb` comes into a look, it is as shown: a surface of nothing else shows it, in
+/// every color space.
 #[test]
-fn hex_colours_are_as_shown_in_every_colour_space() {
+fn hex_colors_are_as_shown_in_every_color_space() {
     let folder = Folder::new();
     write_square(&folder, "card.gltf", &json!({"doubleSided": true}));
     let key = |hex: &str| json!({"direction": [0, 0, 1], "values": {"paint.color": hex}});
@@ -471,12 +514,19 @@ fn hex_colours_are_as_shown_in_every_colour_space() {
                 {"time": 0, "value": orange}, {"time": 2, "value": blue}]}]});
             near(picture(&timed, &json!({}), 0.0), orange);
             near(picture(&timed, &json!({}), 2.0), blue);
-            // Half-way between the two in the look's own colours.
+            // Half-way between the two in the look's own colors.
             let half = picture(&timed, &json!({}), 1.0);
             for channel in 0..3 {
                 let [a, b] = [orange, blue].map(|hex| f64::from(shown(hex)[channel]));
-                let expected = if space == "linear" { encoded(0.5 * (decoded(a) + decoded(b))) } else { 0.5 * (a + b) };
-                assert!((f64::from(half[channel]) - expected).abs() < f64::from(NEAR), "{half:?} {expected}");
+                let expected = if space == "linear" {
+                    encoded(0.5 * (decoded(a) + decoded(b)))
+                } else {
+                    0.5 * (a + b)
+                };
+                assert!(
+                    (f64::from(half[channel]) - expected).abs() < f64::from(NEAR),
+                    "{half:?} {expected}"
+                );
             }
         }
     }
@@ -484,8 +534,10 @@ fn hex_colours_are_as_shown_in_every_colour_space() {
 
 // --- Mirrored objects
 
-/// A crooked tent without symmetry, open below, with UVs; its edges pass through no middle of a pixel.
-const TENT: &str = "v -0.71 -0.53 -0.31\nv 0.62 -0.41 -0.17\nv 0.33 0.68 -0.23\nv -0.47 0.57 -0.41\nv 0.11 -0.07 0.49\n\
+/// A crooked tent without symmetry, open below, with UVs; its edges pass through no middle of a
+/// pixel.
+const TENT: &str = "v -0.71 -0.53 -0.31\nv 0.62 -0.41 -0.17\nv 0.33 0.68 -0.23\nv -0.47 0.57 \
+                    -0.41\nv 0.11 -0.07 0.49\n\
     vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.6 0.4\n\
     f 1/1 2/2 5/5\nf 2/2 3/3 5/5\nf 3/3 4/4 5/5\nf 4/4 1/1 5/5\n";
 
@@ -547,7 +599,9 @@ fn assert_mirrored(straight: &Picture, mirrored: &Picture, flips: [bool; 2]) {
 
 fn tent_folder(look: &Json) -> Folder {
     let folder = Folder::new();
-    folder.image("paper.png", 4, |x, y| [(x * 60 + 40) as u8, (y * 50 + 90) as u8, ((x * y) * 20) as u8, 255]);
+    folder.image("paper.png", 4, |x, y| {
+        [(x * 60 + 40) as u8, (y * 50 + 90) as u8, ((x * y) * 20) as u8, 255]
+    });
     folder.text("tent.obj", TENT);
     folder.json("look.json", look);
     folder
@@ -566,7 +620,8 @@ fn a_mirrored_object_gives_the_mirrored_picture() {
     assert!(differs > 500, "{differs}");
 }
 
-/// The tangent frame is mirrored with its object: a normal map leans the same way along u and along v.
+/// The tangent frame is mirrored with its object: a normal map leans the same way along u and along
+/// v.
 #[test]
 fn normal_maps_are_mirrored_with_their_objects() {
     for color in [[0.5, 0.85, 0.8, 1.0], [0.8, 0.5, 0.85, 1.0]] {
@@ -583,7 +638,8 @@ fn normal_maps_are_mirrored_with_their_objects() {
     }
 }
 
-/// A square that is seen from its front alone is there from the front and gone from behind, mirrored or not.
+/// A square that is seen from its front alone is there from the front and gone from behind,
+/// mirrored or not.
 #[test]
 fn one_sided_fronts_stay_fronts() {
     let folder = Folder::new();
@@ -592,9 +648,11 @@ fn one_sided_fronts_stay_fronts() {
     for mirrored in [false, true] {
         for turned in [false, true] {
             let mut card = object("card.gltf", "paint.json");
-            card["transform"]["scale"] = if mirrored { json!([-1, 1, 1]) } else { json!([1, 1, 1]) };
+            card["transform"]["scale"] =
+                if mirrored { json!([-1, 1, 1]) } else { json!([1, 1, 1]) };
             if turned {
-                card["transform"]["rotate"] = json!({"axis": [0, 1, 0], "angle": std::f64::consts::PI});
+                card["transform"]["rotate"] =
+                    json!({"axis": [0, 1, 0], "angle": std::f64::consts::PI});
             }
             let expected = if turned { BACKDROP } else { [1.0, 0.0, 0.5, 1.0] };
             for (x, y, found) in pixels(&folder.draw(&json!([card]))) {
@@ -622,7 +680,9 @@ fn a_mirror_inside_a_file_is_as_one_in_the_scene() {
     let by_scene = folder.draw(&json!([card]));
     let by_file = folder.draw(&json!([object("mirrored.gltf", "look.json")]));
     assert_mirrored(&by_scene, &by_file, [false, false]);
-    assert!(by_file.pixel(SIDE / 2, SIDE / 2) != BACKDROP && by_file.pixel(SIDE / 2, 2) == BACKDROP);
+    assert!(
+        by_file.pixel(SIDE / 2, SIDE / 2) != BACKDROP && by_file.pixel(SIDE / 2, 2) == BACKDROP
+    );
 }
 
 /// Far beyond any distance that a GPU and the reference may differ by for their arithmetic alone.
@@ -657,9 +717,10 @@ fn shape_object(shape: &str) -> Json {
     json!({"id": "shape", "mesh": shape, "looks": "look.json", "transform": {"fit": false}})
 }
 
-/// Every ray from an eye that is so near to a sphere, or within it, meets its surface: the far plane of what such an eye
-/// sees is the horizon, and that lies beyond the corners of the picture. So nothing of the backdrop may be seen, neither
-/// where the near plane of a scene of that size would cut a hole, nor through that hole.
+/// Every ray from an eye that is so near to a sphere, or within it, meets its surface: the far
+/// plane of what such an eye sees is the horizon, and that lies beyond the corners of the picture.
+/// So nothing of the backdrop may be seen, neither where the near plane of a scene of that size
+/// would cut a hole, nor through that hole.
 #[test]
 fn a_surface_right_before_the_eye_is_whole_and_the_same_everywhere() {
     let folder = Folder::new();
@@ -669,7 +730,8 @@ fn a_surface_right_before_the_eye_is_whole_and_the_same_everywhere() {
         let corner = (0.5 * fov).tan();
         for x in [-corner, 0.0, corner] {
             let ray = DVec3::new(x, corner, -1.0).normalize();
-            // The discriminant of |eye + t ray| = 1, and that the nearest meeting is before the eye, if that is outside.
+            // The discriminant of |eye + t ray| = 1, and that the nearest meeting is before the
+            // eye, if that is outside.
             let (half_b, c) = (ray.z * eye, eye * eye - 1.0);
             assert!(half_b * half_b > c && (c < 0.0 || -half_b > 0.0), "a ray misses the sphere");
         }
@@ -684,7 +746,8 @@ fn a_surface_right_before_the_eye_is_whole_and_the_same_everywhere() {
     }
 }
 
-/// What an Output's alpha cut-off of 0 does not cut has one side where its file says so, whether the value is folded or not.
+/// What an Output's alpha cut-off of 0 does not cut has one side where its file says so, whether
+/// the value is folded or not.
 #[test]
 fn a_cutoff_of_nothing_shows_no_other_side() {
     let folder = Folder::new();
@@ -705,7 +768,8 @@ fn a_cutoff_of_nothing_shows_no_other_side() {
     }
 }
 
-/// A distance that no f32 holds is none of nothing: to a GPU it would mean a light that never fades.
+/// A distance that no f32 holds is none of nothing: to a GPU it would mean a light that never
+/// fades.
 #[test]
 fn distances_of_lights_that_no_f32_holds_mean_the_same_everywhere() {
     let folder = Folder::new();

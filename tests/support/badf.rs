@@ -1,5 +1,5 @@
-//! The BADF model in f64, from the paper's formulas and docs/math.md's decisions, with inverse trigonometry and
-//! powers: none of it has the form that the shaders use.
+//! The BADF model in f64, from the paper's formulas and docs/math.md's decisions, with inverse
+//! trigonometry and powers: none of it has the form that the shaders use.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -33,7 +33,8 @@ pub(crate) fn sanitised([tau, f, c]: [f64; 3]) -> [f64; 3] {
     [tau, f.clamp(tau, c), c]
 }
 
-/// alpha of BADF eq. 5 with eq. 10 and 11 to the letter, offsets absolute (reading B), after a warp (D3).
+/// alpha of BADF eq. 5 with eq. 10 and 11 to the letter, offsets absolute (reading B), after a warp
+/// (D3).
 pub(crate) fn alpha_by_the_letter(u: f64, shift: f64, parameters: [f64; 3]) -> f64 {
     limits(u, shift, parameters, |x, f, c| {
         let beta = -c.cos() / (1.0 - c.cos());
@@ -42,13 +43,13 @@ pub(crate) fn alpha_by_the_letter(u: f64, shift: f64, parameters: [f64; 3]) -> f
     })
 }
 
-/// The same without cancellation: cos x - cos c by half-angles, 1 - cos c cos f by squares of half-angles, and the
-/// power by ln(1 + y).
+/// The same without cancellation: cos x - cos c by half-angles, 1 - cos c cos f by squares of
+/// half-angles, and the power by ln(1 + y).
 pub(crate) fn alpha(u: f64, shift: f64, parameters: [f64; 3]) -> f64 {
     limits(u, shift, parameters, |x, f, c| {
         let q = (0.5 * x).sin() / (0.5 * c).sin();
-        // 1 - cos c cos f = (1 - cos c) + cos c (1 - cos f), and near pi the same of what is left to
-        // it: a turn by pi changes the sign of both cosines.
+        // 1 - cos c cos f = (1 - cos c) + cos c (1 - cos f), and near pi the same of what is left
+        // to it: a turn by pi changes the sign of both cosines.
         let (c_near, f_near) = if c < FRAC_PI_2 { (c, f) } else { (PI - c, PI - f) };
         let of_c = 2.0 * (0.5 * c_near).sin().powi(2);
         let of_f = 2.0 * (0.5 * f_near).sin().powi(2);
@@ -96,7 +97,8 @@ pub(crate) enum Mode {
 }
 
 impl Mode {
-    pub(crate) const ALL: [Self; 5] = [Self::Add, Self::Multiply, Self::Subtract, Self::Alpha, Self::Shade];
+    pub(crate) const ALL: [Self; 5] =
+        [Self::Add, Self::Multiply, Self::Subtract, Self::Alpha, Self::Shade];
 
     pub(crate) fn word(self) -> &'static str {
         match self {
@@ -109,9 +111,16 @@ impl Mode {
     }
 }
 
-/// A straight layer colour laid over a premultiplied backdrop. Shares count from 0 to 1: opacity, alpha, and the tone
-/// where it is a mask.
-pub(crate) fn blend(mode: Mode, below: DVec4, color: DVec4, rho: f64, opacity: f64, clamped: bool) -> DVec4 {
+/// A straight layer color laid over a premultiplied backdrop. Shares count from 0 to 1: opacity,
+/// alpha, and the tone where it is a mask.
+pub(crate) fn blend(
+    mode: Mode,
+    below: DVec4,
+    color: DVec4,
+    rho: f64,
+    opacity: f64,
+    clamped: bool,
+) -> DVec4 {
     let a = color.w.clamp(0.0, 1.0) * opacity.clamp(0.0, 1.0);
     let rho = if matches!(mode, Mode::Alpha | Mode::Shade) { rho.clamp(0.0, 1.0) } else { rho };
     if a <= 0.0 {

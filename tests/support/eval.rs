@@ -7,17 +7,23 @@ use chiaro::compile::{Live, Options};
 use chiaro::diag::Diagnostic;
 use chiaro::document::{Look, Scene};
 use chiaro::frame::{
-    Assets, EvalSample, PlanOptions, Planner, Setup, SetupLook, SetupObject, eval_batches, object_matrix,
+    Assets, EvalSample, PlanOptions, Planner, Setup, SetupLook, SetupObject, eval_batches,
+    object_matrix,
 };
 use chiaro::geometry::Mesh;
 use chiaro::ids::{NodePath, ObjectId, PortName};
 use chiaro::library::{Library, Type};
 use chiaro::render::{Gpu, Picture, Renderer, block_on};
 
-/// One of the test program's devices, whichever is free; with more tests at once than devices they take turns.
+/// One of the test program's devices, whichever is free; with more tests at once than devices they
+/// take turns.
 pub(crate) fn renderer() -> MutexGuard<'static, Renderer> {
     static RENDERERS: [OnceLock<Mutex<Renderer>>; 2] = [const { OnceLock::new() }; 2];
-    let make = || Mutex::new(Renderer::new(block_on(Gpu::headless()).expect("a Vulkan device, lavapipe for one")));
+    let make = || {
+        Mutex::new(Renderer::new(
+            block_on(Gpu::headless()).expect("a Vulkan device, lavapipe for one"),
+        ))
+    };
     for renderer in &RENDERERS {
         match renderer.get_or_init(make).try_lock() {
             Ok(free) => return free,
@@ -34,7 +40,11 @@ pub(crate) fn look(json: &serde_json::Value) -> SetupLook {
     let loaded = Look::read(&text, "test.json");
     let problems: Vec<String> = loaded.diagnostics.iter().map(ToString::to_string).collect();
     assert!(problems.is_empty(), "{}\n{text}", problems.join("\n"));
-    SetupLook { look: loaded.value.expect("a look"), source: loaded.source.into(), folder: PathBuf::new() }
+    SetupLook {
+        look: loaded.value.expect("a look"),
+        source: loaded.source.into(),
+        folder: PathBuf::new(),
+    }
 }
 
 /// Options that show one output, `node.port`, and keep exposed parameters live.
@@ -76,8 +86,9 @@ pub(crate) fn eval_on(
         .unwrap_or_else(|problems| panic!("{}\n{}", told(&problems), look.look.to_text()));
     let mut answers = vec![[f64::NAN; 4]; samples.len()];
     for batch in &batches {
-        let values = block_on(renderer.evaluate(batch))
-            .unwrap_or_else(|error| panic!("{error}\n{}\n{}", look.look.to_text(), batch.shader.wgsl));
+        let values = block_on(renderer.evaluate(batch)).unwrap_or_else(|error| {
+            panic!("{error}\n{}\n{}", look.look.to_text(), batch.shader.wgsl)
+        });
         for (&index, value) in batch.indices.iter().zip(values) {
             let [a, b, ..] = value.map(f64::from);
             answers[index] = match batch.shader.root_type {
@@ -89,11 +100,13 @@ pub(crate) fn eval_on(
     answers
 }
 
-/// [`eval`] on the reference in f64, of the exact tier as it is written: nothing folded, every value in f64.
+/// [`eval`] on the reference in f64, of the exact tier as it is written: nothing folded, every
+/// value in f64.
 pub(crate) fn truth(look: &SetupLook, output: &str, samples: &[EvalSample]) -> Vec<[f64; 4]> {
     let options = Options { unspecialized: true, ..options(output) };
-    let batches = eval_batches(look, Library::built_in(), samples, &options, &mut Assets::default())
-        .unwrap_or_else(|problems| panic!("{}\n{}", told(&problems), look.look.to_text()));
+    let batches =
+        eval_batches(look, Library::built_in(), samples, &options, &mut Assets::default())
+            .unwrap_or_else(|problems| panic!("{}\n{}", told(&problems), look.look.to_text()));
     let mut answers = vec![[f64::NAN; 4]; samples.len()];
     for batch in &batches {
         let values = chiaro::reference::evaluate(batch, chiaro::interp::Precision::F64)
@@ -132,13 +145,21 @@ pub(crate) fn scene_of(parts: Vec<(SetupLook, Mesh, glam::DMat4)>, scene: Scene)
 
 /// An own shape, fitted into a sphere of radius 1.
 pub(crate) fn shape(name: &str) -> (Mesh, glam::DMat4) {
-    let (mesh, _) = Assets::default().mesh(std::path::Path::new(""), &format!("shape:{name}")).expect("a shape");
+    let (mesh, _) = Assets::default()
+        .mesh(std::path::Path::new(""), &format!("shape:{name}"))
+        .expect("a shape");
     let matrix = object_matrix(&chiaro::document::Transform::default(), &mesh);
     (Mesh::clone(&mesh), matrix)
 }
 
 /// Draws a picture.
-pub(crate) fn draw(setup: &Setup, library: &Library, live: &Live, size: [u32; 2], samples: u32) -> Picture {
+pub(crate) fn draw(
+    setup: &Setup,
+    library: &Library,
+    live: &Live,
+    size: [u32; 2],
+    samples: u32,
+) -> Picture {
     let options = PlanOptions { size, samples, time: 0.0 };
     let plan = Planner::default()
         .plan(setup, library, live, &options)

@@ -4,12 +4,15 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Every file in `folder` and below, in order; none where there is no such folder. Panics where one cannot be read.
+/// Every file in `folder` and below, in order; none where there is no such folder. Panics where one
+/// cannot be read.
 pub(crate) fn below(folder: &Path) -> Vec<PathBuf> {
     let mut found = BTreeSet::new();
     let mut open: Vec<_> = folder.is_dir().then(|| folder.to_path_buf()).into_iter().collect();
     while let Some(next) = open.pop() {
-        for entry in fs::read_dir(&next).unwrap_or_else(|error| panic!("{}: {error}", next.display())) {
+        for entry in
+            fs::read_dir(&next).unwrap_or_else(|error| panic!("{}: {error}", next.display()))
+        {
             let path = entry.unwrap_or_else(|error| panic!("{}: {error}", next.display())).path();
             if path.is_dir() {
                 open.push(path);

@@ -33,17 +33,23 @@ pub(crate) fn generated(setup: &Setup, tier: Tier, size: [u32; 2]) -> FramePlan 
     plan.unwrap_or_else(|problems| panic!("{}", problems[0]))
 }
 
-/// The same picture with the module written by hand in the generated one's place: it takes the same bindings.
+/// The same picture with the module written by hand in the generated one's place: it takes the same
+/// bindings.
 pub(crate) fn by_hand(setup: &Setup, look: &str, plan: &FramePlan) -> FramePlan {
     let options = Options { display: true, ..Options::default() };
-    let mut shader = compile(&setup.looks[0].look, Library::built_in(), &options).expect("an example");
+    let mut shader =
+        compile(&setup.looks[0].look, Library::built_in(), &options).expect("an example");
     let path = root("benches/handwritten").join(format!("{look}.wgsl"));
     shader.wgsl = std::fs::read_to_string(&path).expect("a file that can be read");
-    shader.valid = wgsl::parse(&shader.wgsl).unwrap_or_else(|error| panic!("{}: {}", path.display(), error.message));
+    shader.valid = wgsl::parse(&shader.wgsl)
+        .unwrap_or_else(|error| panic!("{}: {}", path.display(), error.message));
     let shader = Arc::new(shader);
     let mut plan = plan.clone();
     plan.draws.iter_mut().for_each(|draw| draw.look = shader.clone());
     // Renderers remember what they drew last.
-    plan.passes.iter_mut().filter(|pass| pass.kind == PassKind::Look).for_each(|pass| pass.input_hash ^= 1);
+    plan.passes
+        .iter_mut()
+        .filter(|pass| pass.kind == PassKind::Look)
+        .for_each(|pass| pass.input_hash ^= 1);
     plan
 }

@@ -1,4 +1,5 @@
-//! One node at a time on the GPU: every number of it is set for each sample, and known to nobody before the fragment.
+//! One node at a time on the GPU: every number of it is set for each sample, and known to nobody
+//! before the fragment.
 
 use chiaro::document::{Value, Values};
 use chiaro::frame::{EvalSample, SetupLook};
@@ -9,17 +10,23 @@ use super::eval::{eval_with, look, options};
 
 /// Numbers of all inputs that are no choices, in order.
 pub(crate) type In<'a> = &'a [Vec<f64>];
-/// The library and a node that hands a value on at each fragment, so that nothing of it is known before.
+/// The library and a node that hands a value on at each fragment, so that nothing of it is known
+/// before.
 pub(crate) fn library() -> Library {
     let mut library = Library::built_in().clone();
-    for (name, ty, default) in
-        [("float", "f32", "0"), ("vec2", "vec2f", "0,0"), ("vec3", "vec3f", "0,0,0"), ("color", "Color", "0,0,0,1")]
-    {
+    for (name, ty, default) in [
+        ("float", "f32", "0"),
+        ("vec2", "vec2f", "0,0"),
+        ("vec3", "vec3f", "0,0,0"),
+        ("color", "Color", "0,0,0,1"),
+    ] {
         let code = format!(
             "import chiaro::types;\n\n/// Hold\n///\n/// Not known before the fragment.\n///\n\
-             /// @param value \"Value\" default={default} : Any.\n/// @param depth from=depth hidden\n\
+             /// @param value \"Value\" default={default} : Any.\n/// @param depth from=depth \
+             hidden\n\
              /// @return value \"Value\" : The same.\n\
-             fn hold_{name}(value: {ty}, depth: f32) -> {ty} {{\n    return select(value, value + 1.0, depth > 1e30);\n}}\n"
+             fn hold_{name}(value: {ty}, depth: f32) -> {ty} {{\n    return select(value, value + \
+             1.0, depth > 1e30);\n}}\n"
         );
         library.add_file(&format!("nodes/test/hold_{name}.wgsl"), &code);
     }
@@ -85,9 +92,12 @@ pub(crate) fn bench(def: &NodeDef, choice: &[(&str, &str)], types: &[Type]) -> S
         nodes.push(json!({"id": "light", "kind": "light", "values": {"light": "key"}}));
         nodes.push(json!({"id": "angle", "kind": "parametrization"}));
         wires.push(json!({"from": "light", "to": "angle.light"}));
-        wires.extend(feeds.iter().map(|(from, port)| json!({"from": from, "to": format!("node.{port}")})));
+        wires.extend(
+            feeds.iter().map(|(from, port)| json!({"from": from, "to": format!("node.{port}")})),
+        );
     }
-    let values: Map<String, Json> = choice.iter().map(|(port, word)| ((*port).to_owned(), json!(word))).collect();
+    let values: Map<String, Json> =
+        choice.iter().map(|(port, word)| ((*port).to_owned(), json!(word))).collect();
     nodes.push(json!({"id": "node", "kind": def.kind, "values": values}));
     let is_shown = def.outputs.first().is_some_and(|output| output.ty.width().is_some());
     nodes.push(json!({"id": "blank", "kind": "color_value"}));
@@ -101,8 +111,11 @@ pub(crate) fn sample(def: &NodeDef, inputs: In<'_>, at: &EvalSample) -> EvalSamp
         [x] => Value::Number(*x),
         more => Value::Vector(more.to_vec()),
     };
-    let values: Values =
-        numeric(def).iter().zip(inputs).map(|(input, numbers)| (input.name.clone(), value(numbers))).collect();
+    let values: Values = numeric(def)
+        .iter()
+        .zip(inputs)
+        .map(|(input, numbers)| (input.name.clone(), value(numbers)))
+        .collect();
     EvalSample { values, ..at.clone() }
 }
 
@@ -128,13 +141,17 @@ pub(crate) fn run_at(
     library: &Library,
 ) -> Vec<Vec<f64>> {
     let look = bench(def, choice, types);
-    let samples: Vec<EvalSample> = rows.iter().zip(at).map(|(row, at)| sample(def, row, at)).collect();
+    let samples: Vec<EvalSample> =
+        rows.iter().zip(at).map(|(row, at)| sample(def, row, at)).collect();
     let mut all = vec![Vec::new(); rows.len()];
     for output in &def.outputs {
         // A node for any width gives the width that it is fed.
-        let wide = types.first().filter(|_| output.ty == Type::Float && def.variants.iter().any(|v| v.width.is_some()));
+        let wide = types
+            .first()
+            .filter(|_| output.ty == Type::Float && def.variants.iter().any(|v| v.width.is_some()));
         let numbers = width(wide.unwrap_or(&output.ty));
-        let values = eval_with(&look, library, &options(&format!("node.{}", output.name)), &samples);
+        let values =
+            eval_with(&look, library, &options(&format!("node.{}", output.name)), &samples);
         for (row, value) in all.iter_mut().zip(values) {
             row.extend(&value[..numbers]);
         }
@@ -147,6 +164,8 @@ pub(crate) fn words(def: &NodeDef) -> Vec<(String, String)> {
     let choice = def.visible_inputs().find(|input| !input.options.is_empty());
     choice.map_or_else(
         || vec![(String::new(), String::new())],
-        |input| input.options.iter().map(|(word, _)| (input.name.to_string(), word.clone())).collect(),
+        |input| {
+            input.options.iter().map(|(word, _)| (input.name.to_string(), word.clone())).collect()
+        },
     )
 }

@@ -1,12 +1,15 @@
 //! What was proved already, so that nothing is proved twice: `tests/ledger/NAME.txt`.
 //!
-//! A long sweep is a list of cases. The key of a case is a hash of everything that its verdict depends on: the modules that
-//! it draws, their meshes and inputs, the source of the engines that judge it, and the driver. The ledger keeps a line a
-//! case, `KEY FIGURE CASE`: the figure is what the proof came to, mostly the largest error. A case whose key is another than
-//! its line's is proved anew; of the rest a tenth is, chosen by the commit, so that each line is checked within ten or so
-//! commits, and one that says what is not so is found then: the figure that comes out is held against the line's.
+//! A long sweep is a list of cases. The key of a case is a hash of everything that its verdict
+//! depends on: the modules that it draws, their meshes and inputs, the source of the engines that
+//! judge it, and the driver. The ledger keeps a line a case, `KEY FIGURE CASE`: the figure is what
+//! the proof came to, mostly the largest error. A case whose key is another than its line's is
+//! proved anew; of the rest a tenth is, chosen by the commit, so that each line is checked within
+//! ten or so commits, and one that says what is not so is found then: the figure that comes out is
+//! held against the line's.
 //!
-//! `CHIARO_LEDGER=write` writes the lines of what was proved; `CHIARO_LEDGER=all` proves all, as `scripts/soak` does.
+//! `CHIARO_LEDGER=write` writes the lines of what was proved; `CHIARO_LEDGER=all` proves all, as
+//! `scripts/soak` does.
 
 use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write as _;
@@ -22,7 +25,8 @@ use super::files;
 
 /// One in so many lines is proved anew in each commit.
 const TURNS: u64 = 10;
-/// Figures of two proofs of one case are alike up to this factor: drivers vectorize for the processor that they find.
+/// Figures of two proofs of one case are alike up to this factor: drivers vectorize for the
+/// processor that they find.
 const ALIKE: f64 = 2.0;
 /// Figures below this count as alike: three units in the last place of 1.
 const NOTHING: f64 = 4e-7;
@@ -32,7 +36,8 @@ const NOTHING: f64 = 4e-7;
 pub(crate) struct Key(SipHasher13);
 
 impl Key {
-    /// The key of what depends on the files under these folders of the project alone: Rust and WGSL, without comments.
+    /// The key of what depends on the files under these folders of the project alone: Rust and
+    /// WGSL, without comments.
     pub(crate) fn of_sources(folders: &[&str]) -> Self {
         Self::of_sources_in(Path::new(env!("CARGO_MANIFEST_DIR")), folders)
     }
@@ -65,7 +70,8 @@ impl Key {
     }
 }
 
-/// The hash of a folder's or file's sources, from their lines of code; read once where it lies in this project.
+/// The hash of a folder's or file's sources, from their lines of code; read once where it lies in
+/// this project.
 fn source_hash(folder: &Path) -> u128 {
     static KNOWN: Mutex<Option<HashMap<PathBuf, u128>>> = Mutex::new(None);
     let is_ours = folder.starts_with(env!("CARGO_MANIFEST_DIR"));
@@ -75,14 +81,18 @@ fn source_hash(folder: &Path) -> u128 {
         return *hash;
     }
     let kinds = ["rs", "wgsl", "json", "mjs"];
-    let is_source = |path: &PathBuf| kinds.iter().any(|kind| path.extension().is_some_and(|name| name == *kind));
+    let is_source = |path: &PathBuf| {
+        kinds.iter().any(|kind| path.extension().is_some_and(|name| name == *kind))
+    };
     let all = if folder.is_file() { vec![folder.to_path_buf()] } else { files::below(folder) };
     let sources: Vec<PathBuf> = all.into_iter().filter(is_source).collect();
     assert!(!sources.is_empty(), "{}: there are no sources to depend on", folder.display());
     let mut hasher = SipHasher13::new();
     for path in sources {
-        let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-        let name = path.strip_prefix(folder).expect("it was found there").to_string_lossy().into_owned();
+        let text =
+            fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        let name =
+            path.strip_prefix(folder).expect("it was found there").to_string_lossy().into_owned();
         for part in [name.as_str(), &code(&text)] {
             hasher.write_usize(part.len());
             hasher.write(part.as_bytes());
@@ -95,7 +105,8 @@ fn source_hash(folder: &Path) -> u128 {
 
 /// A source without lines that are comments or blank.
 fn code(text: &str) -> String {
-    let lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//"));
+    let lines =
+        text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//"));
     lines.fold(String::new(), |all, line| all + line + "\n")
 }
 
@@ -141,7 +152,9 @@ impl Ledger {
             _ => Mode::Turns,
         };
         let head = Command::new("git").args(["rev-parse", "HEAD"]).current_dir(root).output();
-        let commit = head.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned()).unwrap_or_default();
+        let commit = head
+            .map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned())
+            .unwrap_or_default();
         Self::at(&root.join("tests/ledger").join(format!("{name}.txt")), mode, &commit)
     }
 
@@ -154,7 +167,9 @@ impl Ledger {
             Some((case.to_owned(), Row { key: key.to_owned(), figure: figure.parse().ok()? }))
         };
         let lines = text.lines().filter(|line| !line.starts_with('#'));
-        let known = lines.map(|line| row(line).unwrap_or_else(|| panic!("{}: `{line}` is no line", path.display())));
+        let known = lines.map(|line| {
+            row(line).unwrap_or_else(|| panic!("{}: `{line}` is no line", path.display()))
+        });
         Self {
             path: path.to_path_buf(),
             mode,
@@ -169,7 +184,9 @@ impl Ledger {
 
     /// Whether a case has to be proved; where it has not, its line stands.
     pub(crate) fn is_due(&mut self, case: &str, key: &Key) -> bool {
-        let Some(row) = self.known.get(case).filter(|row| row.key == key.text()) else { return true };
+        let Some(row) = self.known.get(case).filter(|row| row.key == key.text()) else {
+            return true;
+        };
         let is_due = match self.mode {
             Mode::All => true,
             Mode::Write => false,
@@ -205,14 +222,20 @@ impl Ledger {
             && !are_alike(known.figure, figure)
         {
             let (path, said) = (self.path.display(), known.figure);
-            self.complaints
-                .push(format!("{case}: {path} says {said:e}, and it comes to {figure:e}: the line is false"));
+            self.complaints.push(format!(
+                "{case}: {path} says {said:e}, and it comes to {figure:e}: the line is false"
+            ));
         }
         self.now.insert(case.to_owned(), row);
     }
 
     /// Proves a case where it is due.
-    pub(crate) fn prove(&mut self, case: &str, key: &Key, proof: impl FnOnce() -> Result<f64, String>) {
+    pub(crate) fn prove(
+        &mut self,
+        case: &str,
+        key: &Key,
+        proof: impl FnOnce() -> Result<f64, String>,
+    ) {
         if self.is_due(case, key) {
             let proof = proof();
             self.note(case, key, proof);
@@ -231,11 +254,14 @@ impl Ledger {
         let [proved, stand] = self.counts();
         println!("{name}: {proved} proved, {stand} as the ledger has them");
         if self.mode == Mode::Write {
-            let mut text = String::from("# What was proved: key, figure, case. CHIARO_LEDGER=write writes it.\n");
+            let mut text = String::from(
+                "# What was proved: key, figure, case. CHIARO_LEDGER=write writes it.\n",
+            );
             for (case, row) in &self.now {
                 let _ = writeln!(text, "{} {:e} {case}", row.key, row.figure);
             }
-            fs::create_dir_all(self.path.parent().expect("it lies in a folder")).expect("the folder can be made");
+            fs::create_dir_all(self.path.parent().expect("it lies in a folder"))
+                .expect("the folder can be made");
             fs::write(&self.path, text).expect("the ledger can be written");
         }
         assert!(self.complaints.is_empty(), "{name}:\n{}", self.complaints.join("\n"));

@@ -45,13 +45,15 @@ pub(crate) fn noise(kind: &str, p: DVec3, seed: u32) -> f64 {
     let d = p - corner;
     let fade = |t: f64| t.powi(3) * (6.0 * t * t - 15.0 * t + 10.0);
     let corners = (0..8).map(|i| [i & 1, (i >> 1) & 1, i >> 2]);
-    let weight =
-        |at: [i64; 3]| -> f64 { (0..3).map(|i| if at[i] == 1 { fade(d[i]) } else { 1.0 - fade(d[i]) }).product() };
+    let weight = |at: [i64; 3]| -> f64 {
+        (0..3).map(|i| if at[i] == 1 { fade(d[i]) } else { 1.0 - fade(d[i]) }).product()
+    };
     let hash = |at: [i64; 3]| lattice(std::array::from_fn(|i| cell[i] + at[i]), seed);
     match kind {
         "value" => corners.map(|at| weight(at) * unit3(hash(at)).x).sum(),
         "perlin" => {
-            let reach = |at: [i64; 3]| gradient(hash(at)).dot(d - DVec3::from_array(at.map(|x| x as f64)));
+            let reach =
+                |at: [i64; 3]| gradient(hash(at)).dot(d - DVec3::from_array(at.map(|x| x as f64)));
             0.5 + 0.48244 * corners.map(|at| weight(at) * reach(at)).sum::<f64>()
         }
         "worley" => {
@@ -59,7 +61,8 @@ pub(crate) fn noise(kind: &str, p: DVec3, seed: u32) -> f64 {
             for i in -1..2 {
                 for j in -1..2 {
                     for k in -1..2 {
-                        let point = DVec3::new(i as f64, j as f64, k as f64) + unit3(hash([i, j, k]));
+                        let point =
+                            DVec3::new(i as f64, j as f64, k as f64) + unit3(hash([i, j, k]));
                         nearest = nearest.min(point.distance(d));
                     }
                 }
@@ -83,7 +86,8 @@ fn simplex(p: DVec3, seed: u32) -> f64 {
         let offset = DVec3::from_array(at.map(|x| x as f64));
         let reach = d - offset + f64::from(step) / 6.0;
         let cell = std::array::from_fn(|i| corner[i] as i64 + at[i]);
-        sum += (0.5 - reach.length_squared()).max(0.0).powi(4) * gradient(lattice(cell, seed)).dot(reach);
+        sum += (0.5 - reach.length_squared()).max(0.0).powi(4)
+            * gradient(lattice(cell, seed)).dot(reach);
         if step < 3 {
             at[order[step as usize]] += 1;
         }

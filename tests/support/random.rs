@@ -50,8 +50,11 @@ impl Random {
 
     /// Even among the rotations (Shoemake 1992).
     pub(crate) fn rotation(&mut self) -> glam::DQuat {
-        let (a, b, c) =
-            (self.unit(), self.between(0.0, std::f64::consts::TAU), self.between(0.0, std::f64::consts::TAU));
+        let (a, b, c) = (
+            self.unit(),
+            self.between(0.0, std::f64::consts::TAU),
+            self.between(0.0, std::f64::consts::TAU),
+        );
         let (p, q) = ((1.0 - a).sqrt(), a.sqrt());
         glam::DQuat::from_xyzw(p * b.sin(), p * b.cos(), q * c.sin(), q * c.cos())
     }

@@ -30,7 +30,10 @@ impl Errors {
     }
 
     /// Prints a row for the documentation, and fails beyond the bound.
-    #[allow(clippy::print_stdout, reason = "the documentation's table is made of what `--nocapture` shows")]
+    #[allow(
+        clippy::print_stdout,
+        reason = "the documentation's table is made of what `--nocapture` shows"
+    )]
     pub(crate) fn finish(self) {
         println!("| {} | {} | {:.1e} | {:.0e} |", self.name, self.count, self.largest, self.bound);
         assert!(self.count > 0, "{}: nothing was measured", self.name);

@@ -1,7 +1,8 @@
 //! Shader compilers and validators that are none of ours, for a second opinion on what we emit.
 //!
-//! They come from `scripts/setup`. Where one is missing its check says so on standard error and passes, so that
-//! `cargo test` works anywhere; with `CHIARO_REQUIRE_TOOLS=1`, which `scripts/test` sets, it fails.
+//! They come from `scripts/setup`. Where one is missing its check says so on standard error and
+//! passes, so that `cargo test` works anywhere; with `CHIARO_REQUIRE_TOOLS=1`, which `scripts/test`
+//! sets, it fails.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -23,14 +24,19 @@ impl Tool {
     /// Whether it can be started here.
     pub(crate) fn is_here(self) -> bool {
         let starts = |program: &str, argument: &str| {
-            let quiet = Command::new(program).arg(argument).stdout(Stdio::null()).stderr(Stdio::null()).status();
+            let quiet = Command::new(program)
+                .arg(argument)
+                .stdout(Stdio::null())
+                .stderr(Stdio::null())
+                .status();
             quiet.is_ok_and(|status| status.success())
         };
         match self {
             Self::Glslang => starts("glslangValidator", "--version"),
             Self::SpirvVal => starts("spirv-val", "--version"),
             Self::Tint => {
-                tint_folder().join("node_modules/webgpu/package.json").is_file() && starts("node", "--version")
+                tint_folder().join("node_modules/webgpu/package.json").is_file()
+                    && starts("node", "--version")
             }
         }
     }
@@ -73,8 +79,9 @@ pub(crate) enum Stage {
     Compute,
 }
 
-/// Has glslang compile `source`. `flags` are its own, e.g. `["-V"]` for the rules of Vulkan; without them the source's
-/// `#version` decides. Gives what glslang says, with the source's lines numbered, where it refuses.
+/// Has glslang compile `source`. `flags` are its own, e.g. `["-V"]` for the rules of Vulkan;
+/// without them the source's `#version` decides. Gives what glslang says, with the source's lines
+/// numbered, where it refuses.
 pub(crate) fn glslang(source: &str, stage: Stage, flags: &[&str]) -> Result<(), String> {
     if !Tool::Glslang.is_here() {
         return Tool::Glslang.missing();
@@ -89,22 +96,35 @@ pub(crate) fn glslang(source: &str, stage: Stage, flags: &[&str]) -> Result<(), 
     let mut command = Command::new("glslangValidator");
     command.args(["--stdin", "-S", stage]).args(flags).current_dir(folder.path());
     let output = feed(&mut command, source.as_bytes())?;
-    if output.status.success() { Ok(()) } else { Err(format!("{}\n{}", said(&output), numbered(source))) }
+    if output.status.success() {
+        Ok(())
+    } else {
+        Err(format!("{}\n{}", said(&output), numbered(source)))
+    }
 }
 
-/// Has glslang's front end for HLSL read the two entry points of `source`, with what it does not know said otherwise
-/// ([`for_glslang`]): a second opinion on every expression, type and declaration, but not that of a Direct3D compiler.
+/// Has glslang's front end for HLSL read the two entry points of `source`, with what it does not
+/// know said otherwise ([`for_glslang`]): a second opinion on every expression, type and
+/// declaration, but not that of a Direct3D compiler.
 pub(crate) fn glslang_hlsl(source: &str) -> Result<(), String> {
     let source = for_glslang(source);
-    let vulkan = ["--target-env", "vulkan1.1", "--auto-map-bindings", "--auto-map-locations", "-o", "out.spv"];
+    let vulkan = [
+        "--target-env",
+        "vulkan1.1",
+        "--auto-map-bindings",
+        "--auto-map-locations",
+        "-o",
+        "out.spv",
+    ];
     for (stage, entry) in [(Stage::Vertex, "vs_main"), (Stage::Fragment, "fs_main")] {
         glslang(&source, stage, &[&["-D", "-e", entry], &vulkan[..]].concat())?;
     }
     Ok(())
 }
 
-/// HLSL as glslang reads it: it takes a constant of the module that is made by a function for a recursion, and knows no zero
-/// that is cast to an array. Both become lists in braces, of the same values.
+/// HLSL as glslang reads it: it takes a constant of the module that is made by a function for a
+/// recursion, and knows no zero that is cast to an array. Both become lists in braces, of the same
+/// values.
 pub(crate) fn for_glslang(source: &str) -> String {
     let line = |line: &str| -> String {
         if line.starts_with("static const ") && line.contains(" = Construct") {
@@ -156,8 +176,8 @@ fn constructed_in_braces(line: &str) -> String {
     text
 }
 
-/// What glslang finds in the program that `files` of `folder` make together: names, offsets and types of its uniforms,
-/// a line each. `None` without glslang; panics where it cannot link them.
+/// What glslang finds in the program that `files` of `folder` make together: names, offsets and
+/// types of its uniforms, a line each. `None` without glslang; panics where it cannot link them.
 pub(crate) fn glslang_reflection(folder: &Path, files: &[String]) -> Option<String> {
     if !Tool::Glslang.is_here() {
         Tool::Glslang.missing().expect("a required tool");
@@ -170,8 +190,8 @@ pub(crate) fn glslang_reflection(folder: &Path, files: &[String]) -> Option<Stri
     Some(said(&output))
 }
 
-/// Has spirv-val check a SPIR-V module, little-endian words as written to a `.spv` file, by the rules of `environment`,
-/// e.g. `vulkan1.1`.
+/// Has spirv-val check a SPIR-V module, little-endian words as written to a `.spv` file, by the
+/// rules of `environment`, e.g. `vulkan1.1`.
 pub(crate) fn spirv_val(module: &[u8], environment: &str) -> Result<(), String> {
     if !Tool::SpirvVal.is_here() {
         return Tool::SpirvVal.missing();
@@ -182,8 +202,8 @@ pub(crate) fn spirv_val(module: &[u8], environment: &str) -> Result<(), String> 
     if output.status.success() { Ok(()) } else { Err(said(&output)) }
 }
 
-/// Has Tint compile WGSL files, all in one start of it. Gives `path:line:column: severity: message` for each message of
-/// each file that it refuses.
+/// Has Tint compile WGSL files, all in one start of it. Gives `path:line:column: severity: message`
+/// for each message of each file that it refuses.
 pub(crate) fn tint<P: AsRef<Path>>(files: &[P]) -> Result<(), String> {
     if !Tool::Tint.is_here() {
         return Tool::Tint.missing();
@@ -193,14 +213,18 @@ pub(crate) fn tint<P: AsRef<Path>>(files: &[P]) -> Result<(), String> {
     let mut command = Command::new("node");
     command.arg(script).env("CHIARO_TINT", tint_folder());
     let output = feed(&mut command, (list.join("\n") + "\n").as_bytes())?;
-    let answer: serde_json::Value =
-        serde_json::from_slice(&output.stdout).map_err(|error| format!("Tint: {error}\n{}", said(&output)))?;
+    let answer: serde_json::Value = serde_json::from_slice(&output.stdout)
+        .map_err(|error| format!("Tint: {error}\n{}", said(&output)))?;
     let reports = answer.as_array().ok_or("Tint: the answer is no list")?;
     let answered = reports.iter().map(|report| report["file"].as_str().unwrap_or_default());
     if !answered.eq(list.iter().map(String::as_str)) {
-        return Err(format!("Tint: the answer is not about the files asked for\n{}", said(&output)));
+        return Err(format!(
+            "Tint: the answer is not about the files asked for\n{}",
+            said(&output)
+        ));
     }
-    let refusals: Vec<_> = reports.iter().filter(|report| report["ok"] != true).map(refusal).collect();
+    let refusals: Vec<_> =
+        reports.iter().filter(|report| report["ok"] != true).map(refusal).collect();
     if refusals.is_empty() && output.status.success() {
         return Ok(());
     }
@@ -213,14 +237,21 @@ fn refusal(report: &serde_json::Value) -> String {
     let messages = report["messages"].as_array().into_iter().flatten();
     let line = |message: &serde_json::Value| {
         let text = |key: &str| message[key].as_str().unwrap_or_default().to_owned();
-        format!("{file}:{}:{}: {}: {}", message["line"], message["column"], text("severity"), text("message"))
+        format!(
+            "{file}:{}:{}: {}: {}",
+            message["line"],
+            message["column"],
+            text("severity"),
+            text("message")
+        )
     };
     messages.map(line).collect::<Vec<_>>().join("\n")
 }
 
 /// Where `scripts/setup` puts Tint, or where `CHIARO_TINT` says it is.
 fn tint_folder() -> PathBuf {
-    env::var_os("CHIARO_TINT").map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join(".tools/tint"), PathBuf::from)
+    env::var_os("CHIARO_TINT")
+        .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join(".tools/tint"), PathBuf::from)
 }
 
 /// Runs a program with `input` on its standard input.
@@ -228,7 +259,9 @@ fn feed(command: &mut Command, input: &[u8]) -> Result<Output, String> {
     let program = command.get_program().to_string_lossy().into_owned();
     // From a file, not a pipe: the program may answer at length before it has read everything.
     let mut file = tempfile::tempfile().map_err(|error| error.to_string())?;
-    file.write_all(input).and_then(|()| std::io::Seek::rewind(&mut file)).map_err(|error| error.to_string())?;
+    file.write_all(input)
+        .and_then(|()| std::io::Seek::rewind(&mut file))
+        .map_err(|error| error.to_string())?;
     command.stdin(file).output().map_err(|error| format!("{program}: {error}"))
 }
 

@@ -1,5 +1,5 @@
-//! The tile of blue noise that dither and dots share: made here, by void and cluster (Ulichney 1993), and held to what
-//! blue noise is. `CHIARO_BLESS=1` writes it.
+//! The tile of blue noise that dither and dots share: made here, by void and cluster (Ulichney
+//! 1993), and held to what blue noise is. `CHIARO_BLESS=1` writes it.
 
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
@@ -8,7 +8,8 @@ use std::path::Path;
 const SIDE: usize = 32;
 const CELLS: usize = SIDE * SIDE;
 
-/// How much a point is felt at each offset, on a torus. Whole numbers, so that every machine ranks alike.
+/// How much a point is felt at each offset, on a torus. Whole numbers, so that every machine ranks
+/// alike.
 fn weights() -> Vec<u64> {
     let apart = |d: usize| d.min(SIDE - d) as f64;
     let weight = |index: usize| {
@@ -54,7 +55,8 @@ impl Pattern {
 
 /// When each cell's turn is, from 0.
 fn ranks() -> Vec<usize> {
-    let mut pattern = Pattern { weights: weights(), is_set: vec![false; CELLS], felt: vec![0; CELLS] };
+    let mut pattern =
+        Pattern { weights: weights(), is_set: vec![false; CELLS], felt: vec![0; CELLS] };
     // Points anywhere, moved out of clusters into voids until that changes nothing.
     let mut state = 1_u32;
     let first = CELLS / 10;
@@ -91,26 +93,33 @@ fn ranks() -> Vec<usize> {
 }
 
 fn source(ranks: &[usize]) -> String {
-    let mut text = "// Made by tests/surfaces/blue_noise.rs: the turns of 32 by 32 cells, by void and cluster (Ulichney 1993). Whatever share of \
-                    them has\n// had its turn lies evenly, without a pattern and without clumps. Four turns of 0 to 255 to a \
+    let mut text = "// Made by tests/surfaces/blue_noise.rs: the turns of 32 by 32 cells, by void \
+                    and cluster (Ulichney 1993). Whatever share of \
+                    them has\n// had its turn lies evenly, without a pattern and without clumps. \
+                    Four turns of 0 to 255 to a \
                     number, the first lowest.\nconst BLUE_TILE = array<u32, 256>(\n"
         .to_owned();
     for row in ranks.chunks(SIDE) {
         let numbers = row.chunks(4).map(|four| {
-            let number = four.iter().enumerate().fold(0, |sum, (i, rank)| sum | (rank / 4) << (8 * i));
+            let number =
+                four.iter().enumerate().fold(0, |sum, (i, rank)| sum | (rank / 4) << (8 * i));
             format!("0x{number:08x}u")
         });
         let _ = writeln!(text, "    {},", numbers.collect::<Vec<_>>().join(", "));
     }
     text += ");\n\n/// The number of the tile, which repeats, that holds a cell's turn.\n\
-             fn blue_index(cell: vec2i) -> u32 {\n    let at = bitcast<vec2u>(cell) & vec2u(31u);\n    \
+             fn blue_index(cell: vec2i) -> u32 \
+             {\n    let at = bitcast<vec2u>(cell) & vec2u(31u);\n    \
              return 8u * at.y + (at.x >> 2u);\n}\n\n\
              /// The threshold of a cell in such a number, between 0 and 1.\n\
              fn blue_part(four: u32, cell: vec2i) -> f32 {\n    \
-             return (f32((four >> (8u * (bitcast<u32>(cell.x) & 3u))) & 0xffu) + 0.5) * 0.00390625;\n}\n\n\
-             /// The threshold of a cell: blue noise. What asks for several keeps a copy of the tile of its own, because\n\
+             return (f32((four >> (8u * (bitcast<u32>(cell.x) & 3u))) & 0xffu) + 0.5) * \
+             0.00390625;\n}\n\n\
+             /// The threshold of a cell: blue noise. What asks for several keeps a copy of the \
+             tile of its own, because\n\
              /// compilers make one at every place that asks.\n\
-             fn blue_threshold(cell: vec2i) -> f32 {\n    return blue_part(BLUE_TILE[blue_index(cell)], cell);\n}\n";
+             fn blue_threshold(cell: vec2i) -> f32 \
+             {\n    return blue_part(BLUE_TILE[blue_index(cell)], cell);\n}\n";
     text
 }
 
@@ -131,7 +140,9 @@ fn low_frequencies_have_no_power() {
     for share in [0.1, 0.3, 0.5, 0.8] {
         let power = |u: usize, v: usize| {
             let (mut re, mut im) = (0.0, 0.0);
-            for (at, _) in ranks.iter().enumerate().filter(|(_, rank)| (**rank as f64) < share * CELLS as f64) {
+            for (at, _) in
+                ranks.iter().enumerate().filter(|(_, rank)| (**rank as f64) < share * CELLS as f64)
+            {
                 let phase = TAU * ((u * (at % SIDE) + v * (at / SIDE)) % SIDE) as f64 / SIDE as f64;
                 re += phase.cos();
                 im += phase.sin();
@@ -139,8 +150,11 @@ fn low_frequencies_have_no_power() {
             // 1 for white noise.
             (re * re + im * im) / (CELLS as f64 * share * (1.0 - share))
         };
-        let low: Vec<f64> =
-            (0..=3).flat_map(|u| (0..=3).map(move |v| (u, v))).skip(1).map(|(u, v)| power(u, v)).collect();
+        let low: Vec<f64> = (0..=3)
+            .flat_map(|u| (0..=3).map(move |v| (u, v)))
+            .skip(1)
+            .map(|(u, v)| power(u, v))
+            .collect();
         let mean = low.iter().sum::<f64>() / low.len() as f64;
         assert!(mean < 0.08, "share {share}: {mean}");
     }

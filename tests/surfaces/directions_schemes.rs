@@ -1,12 +1,14 @@
 //! How far the three schemes of direction weights are from each other.
 //!
-//! `cargo test --test directions_schemes -- --ignored --nocapture` prints the figures that the documentation gives.
+//! `cargo test --test directions_schemes -- --ignored --nocapture` prints the figures that the
+//! documentation gives.
 
 use chiaro::directions::{KeyWeights, Tessellation};
 use chiaro::document::KeyScheme;
 use glam::DVec3;
 
-/// A small generator of random numbers (SplitMix64), so that the sets are the same on every machine and for ever.
+/// A small generator of random numbers (SplitMix64), so that the sets are the same on every machine
+/// and for ever.
 struct Random(u64);
 
 impl Random {
@@ -55,7 +57,8 @@ fn difference(a: &KeyWeights, b: &KeyWeights) -> f64 {
     largest
 }
 
-/// Mean and maximum, over 40 random sets of keys, of the largest difference between two ways to make weights.
+/// Mean and maximum, over 40 random sets of keys, of the largest difference between two ways to
+/// make weights.
 fn over_sets(a: impl Fn(&[DVec3]) -> KeyWeights, b: impl Fn(&[DVec3]) -> KeyWeights) -> (f64, f64) {
     let mut random = Random(1);
     let largest: Vec<f64> = (0..40)
@@ -96,8 +99,12 @@ fn the_papers_mesh_is_near_the_closed_form_and_far_from_the_biharmonic() {
 #[ignore = "prints figures for the documentation; takes seconds"]
 #[expect(clippy::print_stdout, reason = "figures for people")]
 fn figures() {
-    let show = |name: &str, (mean, max): (f64, f64)| println!("{name:45} mean {mean:.4}  max {max:.4}");
-    show("biharmonic | appendix-b", over_sets(closed(KeyScheme::Biharmonic), closed(KeyScheme::AppendixB)));
+    let show =
+        |name: &str, (mean, max): (f64, f64)| println!("{name:45} mean {mean:.4}  max {max:.4}");
+    show(
+        "biharmonic | appendix-b",
+        over_sets(closed(KeyScheme::Biharmonic), closed(KeyScheme::AppendixB)),
+    );
     for level in 2..=5 {
         for weighted in [false, true] {
             let name = format!("level {level}, area weights {weighted} | appendix-b");

@@ -1,5 +1,5 @@
-//! Weights of direction keys: partition of unity, interpolation, invariances, smoothness, and odd sets of keys
-//! (hard cases 22 and 23).
+//! Weights of direction keys: partition of unity, interpolation, invariances, smoothness, and odd
+//! sets of keys (hard cases 22 and 23).
 
 use chiaro::diag::has_errors;
 use chiaro::directions::{KeyWeights, MAX_KEYS, Tessellation, blend_direction};
@@ -29,7 +29,9 @@ fn spread(count: usize) -> impl Iterator<Item = DVec3> + Clone {
 }
 
 fn some_keys() -> Vec<DVec3> {
-    [[0.1, 0.9, 0.3], [-0.8, 0.2, 0.5], [0.3, -0.4, -0.9], [0.9, -0.3, 0.4]].map(DVec3::from).to_vec()
+    [[0.1, 0.9, 0.3], [-0.8, 0.2, 0.5], [0.3, -0.4, -0.9], [0.9, -0.3, 0.4]]
+        .map(DVec3::from)
+        .to_vec()
 }
 
 fn code(directions: &[DVec3], scheme: KeyScheme) -> Vec<&'static str> {
@@ -57,7 +59,10 @@ fn no_keys_give_no_weights_and_one_has_all() {
         let none = keys(&[], scheme);
         assert!(none.is_empty() && !none.has_weight() && none.weights(DVec3::X).is_empty());
         let one = keys(&[DVec3::new(0.0, 3.0, 4.0)], scheme);
-        assert!(spread(100).all(|direction| one.weights(direction) == [1.0] && one.raw(direction) == [1.0]));
+        assert!(
+            spread(100)
+                .all(|direction| one.weights(direction) == [1.0] && one.raw(direction) == [1.0])
+        );
     }
 }
 
@@ -74,7 +79,10 @@ fn a_duplicate_changes_nothing() {
             let [was, is] = [before.weights(direction), after.weights(direction)];
             assert_eq!(is[1], is[2]);
             let merged = [is[0], is[1] + is[2], is[3], is[4]];
-            assert!(merged.iter().zip(&was).all(|(a, b)| (a - b).abs() < 1e-14), "{merged:?} was {was:?}");
+            assert!(
+                merged.iter().zip(&was).all(|(a, b)| (a - b).abs() < 1e-14),
+                "{merged:?} was {was:?}"
+            );
         }
     }
 }
@@ -87,7 +95,10 @@ fn keys_a_millionth_apart_are_one() {
         let both = keys(&[a, b, DVec3::Z], scheme);
         for at in [a, b] {
             let weights = both.weights(at);
-            assert!((weights[0] - 0.5).abs() < 1e-6 && weights[0] == weights[1] && weights[2] < 1e-6, "{weights:?}");
+            assert!(
+                (weights[0] - 0.5).abs() < 1e-6 && weights[0] == weights[1] && weights[2] < 1e-6,
+                "{weights:?}"
+            );
         }
         check(&both, &[], 0.0);
     }
@@ -114,7 +125,8 @@ fn opposite_keys_give_symmetric_halves() {
 
 #[test]
 fn lengths_do_not_matter() {
-    let scaled: Vec<DVec3> = some_keys().iter().zip([1e-200, 3.0, 1e200, 0.5]).map(|(d, s)| *d * s).collect();
+    let scaled: Vec<DVec3> =
+        some_keys().iter().zip([1e-200, 3.0, 1e200, 0.5]).map(|(d, s)| *d * s).collect();
     for scheme in ALL {
         let (unit, any) = (keys(&some_keys(), scheme), keys(&scaled, scheme));
         for direction in spread(50) {
@@ -126,7 +138,8 @@ fn lengths_do_not_matter() {
 
 #[test]
 fn keys_without_direction_have_no_weight() {
-    let directions = [DVec3::ZERO, DVec3::X, DVec3::new(f64::NAN, 1.0, 0.0), DVec3::Y, DVec3::INFINITY];
+    let directions =
+        [DVec3::ZERO, DVec3::X, DVec3::new(f64::NAN, 1.0, 0.0), DVec3::Y, DVec3::INFINITY];
     for scheme in ALL {
         assert_eq!(code(&directions, scheme), ["key-without-direction"; 3]);
         let (odd, _) = KeyWeights::new(&directions, scheme);
@@ -163,7 +176,8 @@ fn keys_ten_degrees_apart_and_between_vertices_are_met() {
 #[test]
 fn close_keys_are_warned_of_and_still_met() {
     for angle in [2e-4f64, 1e-3, 0.01, 0.08] {
-        let directions = [DVec3::X, DVec3::new(angle.cos(), 0.0, angle.sin()), DVec3::Y, DVec3::NEG_Z];
+        let directions =
+            [DVec3::X, DVec3::new(angle.cos(), 0.0, angle.sin()), DVec3::Y, DVec3::NEG_Z];
         for scheme in CLOSED {
             assert_eq!(code(&directions, scheme), ["close-keys"]);
             check(&keys(&directions, scheme), &directions, 1e-9);
@@ -184,9 +198,12 @@ fn a_mesh_that_is_too_coarse_gives_way_to_the_closed_form() {
 fn a_mesh_may_have_a_key_at_every_vertex() {
     let (short, long) = (1.0, 0.5 * (1.0 + 5f64.sqrt()));
     let corners = [(short, long), (-short, long), (short, -long), (-short, -long)];
-    let directions: Vec<DVec3> =
-        corners.iter().flat_map(|&(s, l)| [[0.0, s, l], [s, l, 0.0], [l, 0.0, s]].map(DVec3::from)).collect();
-    let (full, problems) = KeyWeights::tessellated(&directions, Tessellation { level: 0, area_weighted: false });
+    let directions: Vec<DVec3> = corners
+        .iter()
+        .flat_map(|&(s, l)| [[0.0, s, l], [s, l, 0.0], [l, 0.0, s]].map(DVec3::from))
+        .collect();
+    let (full, problems) =
+        KeyWeights::tessellated(&directions, Tessellation { level: 0, area_weighted: false });
     assert!(problems.iter().all(|d| d.code == "keys-near-mesh-size"), "{problems:?}");
     check(&full, &directions, 1e-12);
 }
@@ -207,19 +224,27 @@ fn many_keys_are_fine_and_too_many_are_reported() {
 
 #[test]
 fn weights_are_flat_at_keys_from_every_side() {
-    // C1: one-sided derivatives along great circles agree at a key, being all 0 there. (Raw ones are not 0.)
+    // C1: one-sided derivatives along great circles agree at a key, being all 0 there. (Raw ones
+    // are not 0.)
     let directions = some_keys();
     for scheme in CLOSED {
         let weights = keys(&directions, scheme);
         for (key, center) in directions.iter().map(|d| d.normalize()).enumerate() {
-            for tangent in [center.any_orthonormal_vector(), center.cross(center.any_orthonormal_vector())] {
+            for tangent in
+                [center.any_orthonormal_vector(), center.cross(center.any_orthonormal_vector())]
+            {
                 let h = 1e-5;
                 let slope = |h: f64| {
                     let moved = weights.weights(center * h.abs().cos() + tangent * h.sin());
                     let at = weights.weights(center);
                     (0..at.len()).map(|k| ((moved[k] - at[k]) / h).abs()).fold(0.0, f64::max)
                 };
-                assert!(slope(h) < 1e-3 && slope(-h) < 1e-3, "{scheme:?} at key {key}: {} {}", slope(h), slope(-h));
+                assert!(
+                    slope(h) < 1e-3 && slope(-h) < 1e-3,
+                    "{scheme:?} at key {key}: {} {}",
+                    slope(h),
+                    slope(-h)
+                );
             }
         }
     }
@@ -227,8 +252,8 @@ fn weights_are_flat_at_keys_from_every_side() {
 
 #[test]
 fn weights_are_continuously_differentiable_everywhere() {
-    // On a great circle through keys and through lines where weights are clamped, neighbouring difference quotients
-    // differ by O(h log h): no kink.
+    // On a great circle through keys and through lines where weights are clamped, neighbouring
+    // difference quotients differ by O(h log h): no kink.
     let directions = some_keys();
     let from = directions[0].normalize();
     let toward = (directions[1] - directions[1].dot(from) * from).normalize();
@@ -263,7 +288,8 @@ fn the_second_derivative_of_raw_weights_grows_like_a_logarithm_at_keys() {
         let at = |h: f64| pair.raw(DVec3::new(0.0, h.sin(), h.cos()))[0];
         (at(h) - 2.0 * at(0.0) + at(-h)) / (h * h)
     };
-    // w = 1/2 + (K(x, x_1) - K(x, x_2)) / (-2 K(x_1, x_2)), K(y) ~ y ln y, and K(1/2) = -(pi^2 + 6 ln(2)^2) / 12.
+    // w = 1/2 + (K(x, x_1) - K(x, x_2)) / (-2 K(x_1, x_2)), K(y) ~ y ln y, and K(1/2) = -(pi^2 + 6
+    // ln(2)^2) / 12.
     let wanted = -6.0 * 10f64.ln() / (std::f64::consts::PI.powi(2) + 6.0 * 2f64.ln().powi(2));
     for h in [1e-1, 1e-2, 1e-3] {
         let step = second(h / 10.0) - second(h);
@@ -273,7 +299,9 @@ fn the_second_derivative_of_raw_weights_grows_like_a_logarithm_at_keys() {
 
 /// Directions uniform in a cube, short ones thrown away: any spread, clusters included.
 fn any_direction() -> impl Strategy<Value = DVec3> {
-    [-1.0..1.0, -1.0..1.0, -1.0f64..1.0].prop_map(DVec3::from).prop_filter("too short", |d| d.length() > 0.1)
+    [-1.0..1.0, -1.0..1.0, -1.0f64..1.0]
+        .prop_map(DVec3::from)
+        .prop_filter("too short", |d| d.length() > 0.1)
 }
 
 /// Infinities and NaN, subnormals and the largest numbers.

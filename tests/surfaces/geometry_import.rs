@@ -6,7 +6,8 @@ use glam::{Vec3, Vec4};
 use proptest::prelude::*;
 
 fn read(name: &str, bytes: impl AsRef<[u8]>) -> Imported {
-    import(name, bytes.as_ref(), &no_siblings).unwrap_or_else(|problems| panic!("{name}: {problems:#?}"))
+    import(name, bytes.as_ref(), &no_siblings)
+        .unwrap_or_else(|problems| panic!("{name}: {problems:#?}"))
 }
 
 fn errors(name: &str, bytes: impl AsRef<[u8]>) -> Vec<Diagnostic> {
@@ -27,9 +28,13 @@ fn fails(name: &str, bytes: impl AsRef<[u8]>, code: &str, line: Option<u32>, wor
 
 fn check(mesh: &Mesh) {
     let count = mesh.positions.len();
-    assert_eq!([mesh.normals.len(), mesh.tangents.len(), mesh.uvs.len(), mesh.colors.len()], [count; 4]);
+    assert_eq!(
+        [mesh.normals.len(), mesh.tangents.len(), mesh.uvs.len(), mesh.colors.len()],
+        [count; 4]
+    );
     assert!(mesh.indices.iter().all(|&i| (i as usize) < count));
-    let parts: Vec<u32> = mesh.parts.iter().flat_map(|p| [p.indices.start, p.indices.end]).collect();
+    let parts: Vec<u32> =
+        mesh.parts.iter().flat_map(|p| [p.indices.start, p.indices.end]).collect();
     assert!(parts.chunks(2).zip(parts[2..].chunks(2)).all(|(a, b)| a[1] == b[0]));
     assert_eq!((parts.first(), parts.last()), (Some(&0), Some(&(mesh.indices.len() as u32))));
     for v in 0..count {
@@ -38,13 +43,22 @@ fn check(mesh: &Mesh) {
         assert!((tangent.truncate().length() - 1.0).abs() < 1e-5);
         assert!(tangent.truncate().dot(normal).abs() < 1e-5);
         assert_eq!(tangent.w.abs(), 1.0);
-        assert!(mesh.positions[v].iter().chain(&mesh.uvs[v]).chain(&mesh.colors[v]).all(|x| x.is_finite()));
+        assert!(
+            mesh.positions[v]
+                .iter()
+                .chain(&mesh.uvs[v])
+                .chain(&mesh.colors[v])
+                .all(|x| x.is_finite())
+        );
     }
 }
 
 fn area(mesh: &Mesh) -> f32 {
     let at = |i: u32| Vec3::from(mesh.positions[i as usize]);
-    mesh.indices.chunks(3).map(|t| (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).length() / 2.0).sum()
+    mesh.indices
+        .chunks(3)
+        .map(|t| (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).length() / 2.0)
+        .sum()
 }
 
 const CUBE: &str = "\
@@ -83,7 +97,8 @@ fn a_faceted_ball_becomes_smooth() {
     for j in 0..12 {
         for i in 0..24 {
             let at = |j: i32, i: i32| j * 24 + i % 24 + 1;
-            text += &format!("f {} {} {} {}\n", at(j, i), at(j, i + 1), at(j + 1, i + 1), at(j + 1, i));
+            text +=
+                &format!("f {} {} {} {}\n", at(j, i), at(j, i + 1), at(j + 1, i + 1), at(j + 1, i));
         }
     }
     let Imported { mesh, notes } = read("ball.obj", &text);
@@ -135,7 +150,10 @@ f 1/1/1 2/2/1 3/3/1\n";
 
     let bytes = text.replace("1 0 0\nv 1", "255 0 0\nv 1").replace("0 1 0\nv 0", "0 51 0\nv 0");
     let colors = read("x.obj", bytes).mesh.colors;
-    assert!(colors[0] == [1.0, 0.0, 0.0, 1.0] && Vec4::from(colors[1]).distance(Vec4::new(0.0, 0.2, 0.0, 1.0)) < 1e-6);
+    assert!(
+        colors[0] == [1.0, 0.0, 0.0, 1.0]
+            && Vec4::from(colors[1]).distance(Vec4::new(0.0, 0.2, 0.0, 1.0)) < 1e-6
+    );
 }
 
 #[test]
@@ -150,7 +168,11 @@ f 1/1 2/2 5/4 4/3\nf 2/2 3/1 6/3 5/4\n";
     for (p, t) in mesh.positions.iter().zip(&mesh.tangents) {
         assert!(t[0].abs() > 0.999);
         if p[0] != 0.0 {
-            assert_eq!((t[0].signum(), t[3]), (p[0].signum(), p[0].signum()), "u grows outwards, v up");
+            assert_eq!(
+                (t[0].signum(), t[3]),
+                (p[0].signum(), p[0].signum()),
+                "u grows outwards, v up"
+            );
         }
     }
 }
@@ -174,17 +196,41 @@ fn wrong_obj_files() {
     );
     fails("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n", "mesh-index", Some(4), "vertex -4");
     fails("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "mesh-index", Some(4), "vertex 0");
-    fails("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1 2 3\n", "mesh-index", Some(4), "UV 1 is out of range");
+    fails(
+        "x.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1 2 3\n",
+        "mesh-index",
+        Some(4),
+        "UV 1 is out of range",
+    );
     fails("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//9 2 3\n", "mesh-index", Some(4), "normal 9");
-    fails("x.obj", "v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n", "mesh-not-finite", Some(2), "vertex 2");
-    fails("x.obj", "v 0 0 0\nv 1 1e99 0\nv 0 1 0\nf 1 2 3\n", "mesh-not-finite", Some(2), "vertex 2");
+    fails(
+        "x.obj",
+        "v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n",
+        "mesh-not-finite",
+        Some(2),
+        "vertex 2",
+    );
+    fails(
+        "x.obj",
+        "v 0 0 0\nv 1 1e99 0\nv 0 1 0\nf 1 2 3\n",
+        "mesh-not-finite",
+        Some(2),
+        "vertex 2",
+    );
     fails("x.obj", "v 0 0\n", "mesh-syntax", Some(1), "2 of its 3 numbers");
     fails("x.obj", "v 0 0,5 0\n", "mesh-syntax", Some(1), "`0,5`");
     fails("x.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "mesh-syntax", Some(3), "2 corners");
     fails("x.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 x\n", "mesh-syntax", Some(4), "`x`");
     fails("x.obj", "", "mesh-empty", None, "empty");
     fails("x.obj", "v 0 0 0\n", "mesh-empty", None, "no faces");
-    fails("x.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\nf 1 1 2\n", "mesh-empty", None, "none of the 2 triangles");
+    fails(
+        "x.obj",
+        "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\nf 1 1 2\n",
+        "mesh-empty",
+        None,
+        "none of the 2 triangles",
+    );
     fails("x.obj", "v 0 0 0\nv 1e30 0 0\nv 0 1e30 0\nf 1 2 3\n", "mesh-scale", None, "radius");
     fails("x.xyz", "v 0 0 0", "mesh-format", None, "`xyz`");
 
@@ -210,9 +256,12 @@ fn degenerate_triangles_are_counted() {
 
 fn ply_header(format: &str) -> String {
     format!(
-        "ply\nformat {format} 1.0\ncomment made by hand\nelement vertex 5\nproperty float x\nproperty double y\n\
-         property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nproperty float s\n\
-         property float t\nelement edge 1\nproperty int a\nproperty list uchar short more\nelement face 2\n\
+        "ply\nformat {format} 1.0\ncomment made by hand\nelement vertex 5\nproperty float \
+         x\nproperty double y\n\
+         property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nproperty \
+         float s\n\
+         property float t\nelement edge 1\nproperty int a\nproperty list uchar short more\nelement \
+         face 2\n\
          property list uchar int vertex_indices\nproperty uchar flags\nend_header\n"
     )
 }
@@ -229,7 +278,8 @@ fn ply_text() -> String {
 }
 
 fn ply_binary(big: bool) -> Vec<u8> {
-    let mut bytes = ply_header(if big { "binary_big_endian" } else { "binary_little_endian" }).into_bytes();
+    let mut bytes =
+        ply_header(if big { "binary_big_endian" } else { "binary_little_endian" }).into_bytes();
     let mut put = |little: &[u8]| {
         let mut little = little.to_vec();
         if big {
@@ -276,17 +326,21 @@ fn ply_of_every_encoding_is_the_same_mesh() {
 
 #[test]
 fn ply_strips_normals_and_corner_uvs() {
-    let strips = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n\
+    let strips = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float \
+                  y\nproperty float z\n\
         property float nx\nproperty float ny\nproperty float nz\nelement tristrips 1\n\
-        property list int int vertex_indices\nend_header\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n1 1 0 0 0 1\n\
+        property list int int vertex_indices\nend_header\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n1 \
+        1 0 0 0 1\n\
         8 0 1 2 3 -1 0 1 2\n";
     let Imported { mesh, notes } = read("x.ply", strips);
     check(&mesh);
     assert!(mesh.has_normals && notes.is_empty());
     assert_eq!(mesh.indices, [0, 1, 2, 2, 1, 3, 0, 1, 2]);
 
-    let wedges = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
-        element face 1\nproperty list uchar int vertex_index\nproperty list uchar float texcoord\nend_header\n\
+    let wedges = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float \
+                  y\nproperty float z\n\
+        element face 1\nproperty list uchar int vertex_index\nproperty list uchar float \
+        texcoord\nend_header\n\
         0 0 0\n1 0 0\n0 1 0\n3 0 1 2 6 0.25 0 1 0 0 1\n";
     let mesh = read("x.ply", wedges).mesh;
     check(&mesh);
@@ -300,19 +354,61 @@ fn wrong_ply_files() {
     fails("x.ply", lines("end_header", "end"), "mesh-truncated", None, "end_header");
     fails("x.ply", lines("ascii", "utf8"), "mesh-syntax", Some(2), "format utf8");
     fails("x.ply", lines("format ascii 1.0\n", ""), "mesh-syntax", None, "format");
-    fails("x.ply", lines("property float z\n", "property quad z\n"), "mesh-syntax", Some(7), "quad");
-    fails("x.ply", lines("property float z\n", "property float zed\n"), "mesh-syntax", None, "`x`, `y` and `z`");
+    fails(
+        "x.ply",
+        lines("property float z\n", "property quad z\n"),
+        "mesh-syntax",
+        Some(7),
+        "quad",
+    );
+    fails(
+        "x.ply",
+        lines("property float z\n", "property float zed\n"),
+        "mesh-syntax",
+        None,
+        "`x`, `y` and `z`",
+    );
     fails("x.ply", lines("vertex_indices", "corners"), "mesh-syntax", None, "vertex_indices");
-    fails("x.ply", lines("4 0 1 2 3 9", "4 0 1 2 5 9"), "mesh-index", Some(26), "face 0 names vertex 5; there are 5");
+    fails(
+        "x.ply",
+        lines("4 0 1 2 3 9", "4 0 1 2 5 9"),
+        "mesh-index",
+        Some(26),
+        "face 0 names vertex 5; there are 5",
+    );
     fails("x.ply", lines("4 0 1 2 3 9", "4 0 1 2 -1 9"), "mesh-index", Some(26), "vertex -1");
     fails("x.ply", lines("4 0 1 2 3 9", "99 0 1 2 3 9"), "mesh-truncated", Some(26), "list of 99");
-    fails("x.ply", lines("2 0 0 255 51", "2 nan 0 255 51"), "mesh-not-finite", Some(21), "vertex 1 has `y`");
-    fails("x.ply", lines("2 0 0 255 51", "2 0 oh 255 51"), "mesh-syntax", Some(21), "`oh` in vertex 1");
-    fails("x.ply", lines("vertex 5", "vertex 999999999999"), "mesh-too-large", None, "999999999999");
+    fails(
+        "x.ply",
+        lines("2 0 0 255 51", "2 nan 0 255 51"),
+        "mesh-not-finite",
+        Some(21),
+        "vertex 1 has `y`",
+    );
+    fails(
+        "x.ply",
+        lines("2 0 0 255 51", "2 0 oh 255 51"),
+        "mesh-syntax",
+        Some(21),
+        "`oh` in vertex 1",
+    );
+    fails(
+        "x.ply",
+        lines("vertex 5", "vertex 999999999999"),
+        "mesh-too-large",
+        None,
+        "999999999999",
+    );
     fails("x.ply", lines("vertex 5", "vertex 9999999"), "mesh-truncated", None, "9999999");
     fails("x.ply", lines("edge 1", "edge 18446744073709551615"), "mesh-truncated", None, "edge");
     fails("x.ply", lines("face 2", "face 0"), "mesh-empty", None, "no faces");
-    fails("x.ply", "ply\nformat ascii 1.0\nelement nothing 99999999999\nend_header\n", "mesh-empty", None, "empty");
+    fails(
+        "x.ply",
+        "ply\nformat ascii 1.0\nelement nothing 99999999999\nend_header\n",
+        "mesh-empty",
+        None,
+        "empty",
+    );
 }
 
 // --- STL
@@ -335,7 +431,10 @@ fn stl_binary() -> Vec<u8> {
     let mut bytes = [&b"solid binary, in spite of the word"[..], &[b' '; 46]].concat();
     bytes.extend(4u32.to_le_bytes());
     let text = stl_text();
-    let mut numbers = text.lines().filter_map(|l| l.trim().strip_prefix("vertex ")).flat_map(str::split_whitespace);
+    let mut numbers = text
+        .lines()
+        .filter_map(|l| l.trim().strip_prefix("vertex "))
+        .flat_map(str::split_whitespace);
     for _ in 0..4 {
         bytes.extend([0; 12]);
         for _ in 0..9 {
@@ -350,7 +449,11 @@ fn stl_binary() -> Vec<u8> {
 fn stl_of_either_kind_is_the_same_mesh() {
     let text = read("x.stl", stl_text()).mesh;
     check(&text);
-    assert_eq!((text.triangle_count(), text.positions.len()), (4, 12), "all edges of a tetrahedron are creases");
+    assert_eq!(
+        (text.triangle_count(), text.positions.len()),
+        (4, 12),
+        "all edges of a tetrahedron are creases"
+    );
     assert_eq!(read("x.STL", stl_binary()).mesh, text);
     // Welded: a fold of 45 degrees between two facets is smooth, so they share two vertices.
     let fold = "solid\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendfacet\n\
@@ -361,10 +464,34 @@ fn stl_of_either_kind_is_the_same_mesh() {
 #[test]
 fn wrong_stl_files() {
     let (text, binary) = (stl_text(), stl_binary());
-    fails("x.stl", text.replacen("vertex 0e0 0 0", "vertex 0e0 0", 1), "mesh-syntax", Some(4), "2 numbers");
-    fails("x.stl", text.replacen("vertex 0e0 0 0", "vertex 0e0 0 inf", 1), "mesh-not-finite", Some(4), "`inf`");
-    fails("x.stl", text.replacen("vertex 0e0 0 0", "vertex 0e0 0 o", 1), "mesh-syntax", Some(4), "`o`");
-    fails("x.stl", text.replacen("   vertex 0e0 0 0\n", "", 1), "mesh-syntax", Some(7), "2 vertices");
+    fails(
+        "x.stl",
+        text.replacen("vertex 0e0 0 0", "vertex 0e0 0", 1),
+        "mesh-syntax",
+        Some(4),
+        "2 numbers",
+    );
+    fails(
+        "x.stl",
+        text.replacen("vertex 0e0 0 0", "vertex 0e0 0 inf", 1),
+        "mesh-not-finite",
+        Some(4),
+        "`inf`",
+    );
+    fails(
+        "x.stl",
+        text.replacen("vertex 0e0 0 0", "vertex 0e0 0 o", 1),
+        "mesh-syntax",
+        Some(4),
+        "`o`",
+    );
+    fails(
+        "x.stl",
+        text.replacen("   vertex 0e0 0 0\n", "", 1),
+        "mesh-syntax",
+        Some(7),
+        "2 vertices",
+    );
     fails("x.stl", text.replacen("outer", "inner", 1), "mesh-syntax", Some(3), "`inner`");
     fails("x.stl", text.replace("endsolid corner\n", ""), "mesh-truncated", None, "endsolid");
     fails(
@@ -374,7 +501,13 @@ fn wrong_stl_files() {
         None,
         "after 3 of its 4 facets",
     );
-    fails("x.stl", [&[0u8; 80][..], &u32::MAX.to_le_bytes()].concat(), "mesh-truncated", None, "4294967295");
+    fails(
+        "x.stl",
+        [&[0u8; 80][..], &u32::MAX.to_le_bytes()].concat(),
+        "mesh-truncated",
+        None,
+        "4294967295",
+    );
     fails("x.stl", [0u8; 84], "mesh-empty", None, "empty");
     fails("x.stl", b"junk", "mesh-truncated", None, "4 bytes");
     let mut nan = binary;
@@ -386,12 +519,15 @@ fn wrong_stl_files() {
 
 const POINTS: [[f32; 3]; 4] = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]];
 
-/// Positions, normals, UVs (0,0 is the upper left), linear colours as normalised u8 with padding, u16 indices.
+/// Positions, normals, UVs (0,0 is the upper left), linear colors as normalised u8 with padding,
+/// u16 indices.
 fn gltf_bytes() -> Vec<u8> {
     let mut bytes = Vec::new();
     POINTS.iter().flatten().for_each(|c| bytes.extend(c.to_le_bytes()));
     (0..4).for_each(|_| [0f32, 0., 1.].iter().for_each(|c| bytes.extend(c.to_le_bytes())));
-    POINTS.iter().for_each(|p| [p[0], 1.0 - p[1]].iter().for_each(|c| bytes.extend(c.to_le_bytes())));
+    POINTS
+        .iter()
+        .for_each(|p| [p[0], 1.0 - p[1]].iter().for_each(|c| bytes.extend(c.to_le_bytes())));
     (0..4).for_each(|_| bytes.extend([255, 55, 0, 255]));
     [0u16, 1, 2, 0, 2, 3].iter().for_each(|i| bytes.extend(i.to_le_bytes()));
     bytes
@@ -423,9 +559,14 @@ fn base64(bytes: &[u8]) -> String {
     let digits = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::new();
     for chunk in bytes.chunks(3) {
-        let bits = chunk.iter().fold(0u32, |bits, b| bits << 8 | u32::from(*b)) << (8 * (3 - chunk.len()));
+        let bits =
+            chunk.iter().fold(0u32, |bits, b| bits << 8 | u32::from(*b)) << (8 * (3 - chunk.len()));
         for i in 0..4 {
-            text.push(if i <= chunk.len() { digits[(bits >> (18 - 6 * i) & 63) as usize] as char } else { '=' });
+            text.push(if i <= chunk.len() {
+                digits[(bits >> (18 - 6 * i) & 63) as usize] as char
+            } else {
+                '='
+            });
         }
     }
     text
@@ -449,15 +590,22 @@ fn glb(json: &str, binary: &[u8]) -> Vec<u8> {
 
 #[test]
 fn gltf_by_data_uri_file_and_glb_is_the_same_mesh() {
-    let embedded = gltf_json(&format!(r#", "uri": "data:application/octet-stream;base64,{}""#, base64(&gltf_bytes())));
+    let embedded = gltf_json(&format!(
+        r#", "uri": "data:application/octet-stream;base64,{}""#,
+        base64(&gltf_bytes())
+    ));
     let Imported { mesh, notes } = read("x.gltf", embedded);
     check(&mesh);
     assert!(notes.is_empty(), "{notes:?}");
     assert!(mesh.has_normals && mesh.has_uvs && mesh.has_colors);
     assert_eq!((mesh.name.as_str(), mesh.positions.len(), mesh.triangle_count()), ("card", 8, 4));
     let part = &mesh.parts[0];
-    assert_eq!((part.material.as_str(), part.two_sided, part.alpha_cutoff), ("leaf", true, Some(0.25)));
-    // Scaled by 2 and moved; UVs turned up; red stays, 55 of 255 in linear light is 0.5018 on the sRGB curve.
+    assert_eq!(
+        (part.material.as_str(), part.two_sided, part.alpha_cutoff),
+        ("leaf", true, Some(0.25))
+    );
+    // Scaled by 2 and moved; UVs turned up; red stays, 55 of 255 in linear light is 0.5018 on the
+    // sRGB curve.
     let corner = mesh.positions.iter().position(|p| *p == [12.0, 2.0, 0.0]).unwrap();
     assert_eq!((mesh.uvs[corner], mesh.normals[corner]), ([1.0, 1.0], [0.0, 0.0, 1.0]));
     assert!((mesh.colors[corner][1] - 0.5018).abs() < 1e-3 && mesh.colors[corner][0] == 1.0);
@@ -465,13 +613,21 @@ fn gltf_by_data_uri_file_and_glb_is_the_same_mesh() {
     // The mirrored one: x to -x, then a quarter turn about y takes -x to +z and the normal z to +x.
     let far = mesh.positions.iter().position(|p| p[2] > 0.9).unwrap();
     assert!(Vec3::from(mesh.normals[far]).distance(Vec3::X) < 1e-6, "{:?}", mesh.normals[far]);
-    assert!(Vec4::from(mesh.tangents[far]).distance(Vec4::new(0., 0., 1., -1.)) < 1e-6, "{:?}", mesh.tangents[far]);
+    assert!(
+        Vec4::from(mesh.tangents[far]).distance(Vec4::new(0., 0., 1., -1.)) < 1e-6,
+        "{:?}",
+        mesh.tangents[far]
+    );
     for t in mesh.indices.chunks(3) {
         let [a, b, c] = [t[0], t[1], t[2]].map(|i| Vec3::from(mesh.positions[i as usize]));
-        assert!((b - a).cross(c - a).dot(mesh.normals[t[0] as usize].into()) > 0.0, "winding follows the normal");
+        assert!(
+            (b - a).cross(c - a).dot(mesh.normals[t[0] as usize].into()) > 0.0,
+            "winding follows the normal"
+        );
     }
 
-    let beside: Siblings = &|name| (name == "my mesh.bin").then(gltf_bytes).ok_or_else(|| "not found".to_owned());
+    let beside: Siblings =
+        &|name| (name == "my mesh.bin").then(gltf_bytes).ok_or_else(|| "not found".to_owned());
     let named = gltf_json(r#", "uri": "my%20mesh.bin""#);
     assert_eq!(import("x.gltf", named.as_bytes(), beside).unwrap().mesh, mesh);
     assert_eq!(read("x.glb", glb(&gltf_json(""), &gltf_bytes())).mesh, mesh);
@@ -484,7 +640,10 @@ fn gltf_tangents_strips_and_sparse() {
     let mut bytes = Vec::new();
     [1u16, 2, 3].iter().for_each(|i| bytes.extend(i.to_le_bytes()));
     bytes.extend([0; 2]);
-    [[1f32, 0., 0.], [0., 1., 0.], [1., 1., 0.]].iter().flatten().for_each(|c| bytes.extend(c.to_le_bytes()));
+    [[1f32, 0., 0.], [0., 1., 0.], [1., 1., 0.]]
+        .iter()
+        .flatten()
+        .for_each(|c| bytes.extend(c.to_le_bytes()));
     (0..4).for_each(|_| [0f32, 1., 0., -1.].iter().for_each(|c| bytes.extend(c.to_le_bytes())));
     let json = r#"{"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}], "meshes": [{"primitives": [
       {"mode": 5, "attributes": {"POSITION": 0, "TANGENT": 1}}, {"mode": 0, "attributes": {"POSITION": 0}}]}],
@@ -500,7 +659,10 @@ fn gltf_tangents_strips_and_sparse() {
     assert_eq!(mesh.tangents, [[0.0, 1.0, 0.0, -1.0]; 4]);
     assert!(mesh.normals.iter().all(|n| *n == [0.0, 0.0, 1.0]));
     assert_eq!(mesh.parts[0].material, "default");
-    assert!(notes.iter().any(|n| n.message.contains("1 primitives of points or lines")), "{notes:?}");
+    assert!(
+        notes.iter().any(|n| n.message.contains("1 primitives of points or lines")),
+        "{notes:?}"
+    );
 }
 
 #[test]
@@ -514,14 +676,38 @@ fn wrong_gltf_files() {
     fails("x.gltf", "{\n\"asset\": 1}", "mesh-syntax", Some(2), "JSON");
     fails("x.gltf", "{\n", "mesh-truncated", Some(2), "JSON");
     fails("x.gltf", gltf_json(""), "mesh-reference", None, "buffer 0 is missing");
-    fails("x.gltf", gltf_json(r#", "uri": "a.bin""#), "mesh-reference", None, "only the file itself");
+    fails(
+        "x.gltf",
+        gltf_json(r#", "uri": "a.bin""#),
+        "mesh-reference",
+        None,
+        "only the file itself",
+    );
     fails("x.gltf", gltf_json(r#", "uri": "/etc/a.bin""#), "mesh-reference", None, "relative");
     fails("x.gltf", gltf_json(r#", "uri": "data:;base64,!!""#), "mesh-reference", None, "base64");
     fails("x.glb", with("\"count\": 6", "\"count\": 7"), "mesh-truncated", None, "accessor 4");
-    fails("x.glb", with("\"indices\": 4", "\"indices\": 3"), "mesh-syntax", None, "accessor 3 holds no indices");
-    fails("x.glb", with("\"byteOffset\": 144", "\"byteOffset\": 94"), "mesh-index", None, "there are 4");
+    fails(
+        "x.glb",
+        with("\"indices\": 4", "\"indices\": 3"),
+        "mesh-syntax",
+        None,
+        "accessor 3 holds no indices",
+    );
+    fails(
+        "x.glb",
+        with("\"byteOffset\": 144", "\"byteOffset\": 94"),
+        "mesh-index",
+        None,
+        "there are 4",
+    );
     fails("x.glb", with("\"mesh\": 0", "\"mesh\": 9"), "mesh-syntax", None, "not valid");
-    fails("x.glb", with("\"POSITION\": 0", "\"POSITION\": 7"), "mesh-syntax", None, "no accessor 7");
+    fails(
+        "x.glb",
+        with("\"POSITION\": 0", "\"POSITION\": 7"),
+        "mesh-syntax",
+        None,
+        "no accessor 7",
+    );
     fails("x.glb", with("[1, 2]", "[1, 0]"), "mesh-syntax", None, "two parents");
     fails("x.glb", with("[1, 2]", "[1, 1]"), "mesh-syntax", None, "two parents");
     fails(
@@ -559,10 +745,13 @@ fn wrong_gltf_files() {
     fails("x.glb", b"glTF\x02\0\0\0\x05\0\0\0", "mesh-truncated", None, "short");
 }
 
-/// A triangle in a glTF with more in its JSON: in the root, in the node, in the primitive, among its attributes.
+/// A triangle in a glTF with more in its JSON: in the root, in the node, in the primitive, among
+/// its attributes.
 fn triangle_gltf(root: &str, node: &str, primitive: &str, attributes: &str) -> String {
-    let points: Vec<u8> = [0f32, 0., 0., 1., 0., 0., 0., 1., 0.].iter().flat_map(|x| x.to_le_bytes()).collect();
-    let moves: Vec<u8> = [0f32, 0., 0., 0., 0., 5., 0., 0., 9.].iter().flat_map(|x| x.to_le_bytes()).collect();
+    let points: Vec<u8> =
+        [0f32, 0., 0., 1., 0., 0., 0., 1., 0.].iter().flat_map(|x| x.to_le_bytes()).collect();
+    let moves: Vec<u8> =
+        [0f32, 0., 0., 0., 0., 5., 0., 0., 9.].iter().flat_map(|x| x.to_le_bytes()).collect();
     let data = base64(&[points, moves].concat());
     format!(
         r#"{{"asset": {{"version": "2.0"}}, "nodes": [{{"mesh": 0{node}}}],
@@ -583,13 +772,19 @@ fn triangle_gltf(root: &str, node: &str, primitive: &str, attributes: &str) -> S
 fn gltf_takes_all_that_2_0_allows() {
     let plain = read("x.gltf", triangle_gltf("", "", "", "")).mesh;
     assert_eq!(plain.triangle_count(), 1);
-    // Attributes of the maker's own, of whatever count; extras of any kind; channels without a node; what is to come.
+    // Attributes of the maker's own, of whatever count; extras of any kind; channels without a
+    // node; what is to come.
     let channel = r#", "animations": [{"channels": [{"sampler": 0, "target": {"path": "pointer"}}], "samplers": []}],
         "cameras": [{}], "textures": 7, "extras": "made by hand", "future": {"a": [1]}"#;
     for json in [
         triangle_gltf("", "", "", r#", "_FEATURE_ID_0": 2, "_X": 99"#),
         triangle_gltf("", r#", "extras": [1]"#, r#", "extras": 5"#, ""),
-        triangle_gltf(r#", "extensionsRequired": ["KHR_materials_unlit", "KHR_texture_transform"]"#, "", "", ""),
+        triangle_gltf(
+            r#", "extensionsRequired": ["KHR_materials_unlit", "KHR_texture_transform"]"#,
+            "",
+            "",
+            "",
+        ),
         triangle_gltf(channel, r#", "camera": 9, "skin": 9"#, "", ""),
     ] {
         assert_eq!(read("x.gltf", json).mesh, plain);
@@ -599,7 +794,9 @@ fn gltf_takes_all_that_2_0_allows() {
 #[test]
 fn gltf_instances_are_copies() {
     let with = |attributes: &str| {
-        let node = format!(r#", "extensions": {{"EXT_mesh_gpu_instancing": {{"attributes": {{{attributes}}}}}}}"#);
+        let node = format!(
+            r#", "extensions": {{"EXT_mesh_gpu_instancing": {{"attributes": {{{attributes}}}}}}}"#
+        );
         triangle_gltf(r#", "extensionsRequired": ["EXT_mesh_gpu_instancing"]"#, &node, "", "")
     };
     let Imported { mesh, notes } = read("x.gltf", with(r#""TRANSLATION": 1, "_ID": 0"#));
@@ -611,9 +808,21 @@ fn gltf_instances_are_copies() {
     assert!(!notes.iter().any(Diagnostic::is_error));
     // Scales of (0, 0, 0), (1, 0, 0) and (0, 1, 0): nothing is left of any.
     fails("x.gltf", with(r#""SCALE": 0"#), "mesh-empty", None, "area");
-    fails("x.gltf", with(r#""TRANSLATION": 7"#), "mesh-syntax", None, "TRANSLATION names no accessor");
+    fails(
+        "x.gltf",
+        with(r#""TRANSLATION": 7"#),
+        "mesh-syntax",
+        None,
+        "TRANSLATION names no accessor",
+    );
     fails("x.gltf", with(r#""ROTATION": 0"#), "mesh-syntax", None, "ROTATION is of another type");
-    fails("x.gltf", with(r#""TRANSLATION": 1, "SCALE": 2"#), "mesh-syntax", None, "different counts");
+    fails(
+        "x.gltf",
+        with(r#""TRANSLATION": 1, "SCALE": 2"#),
+        "mesh-syntax",
+        None,
+        "different counts",
+    );
     // Rotations of length 0 turn to nowhere.
     fails("x.gltf", with(r#""ROTATION": 3"#), "mesh-not-finite", None, "vertex");
     // Refused before anything of it is read.
@@ -623,16 +832,28 @@ fn gltf_instances_are_copies() {
 
 #[test]
 fn gltf_names_what_it_requires_and_cannot_have() {
-    let requires = |names: &str| triangle_gltf(&format!(r#", "extensionsRequired": [{names}]"#), "", "", "");
-    let unknown = requires(r#""KHR_materials_ior", "CESIUM_RTC", "KHR_node_visibility", "CESIUM_RTC""#);
-    fails("x.gltf", unknown, "mesh-unsupported", None, "cannot be read: `CESIUM_RTC`, `KHR_node_visibility`");
+    let requires =
+        |names: &str| triangle_gltf(&format!(r#", "extensionsRequired": [{names}]"#), "", "", "");
+    let unknown =
+        requires(r#""KHR_materials_ior", "CESIUM_RTC", "KHR_node_visibility", "CESIUM_RTC""#);
+    fails(
+        "x.gltf",
+        unknown,
+        "mesh-unsupported",
+        None,
+        "cannot be read: `CESIUM_RTC`, `KHR_node_visibility`",
+    );
     let draco = requires(r#""KHR_draco_mesh_compression""#);
     assert_eq!(errors("x.gltf", &draco).len(), 1);
     fails("x.gltf", draco, "mesh-unsupported", None, "compressed with KHR_draco_mesh_compression");
     // Some writers do not list it, and the accessors have no bytes.
-    let extension = r#", "extensions": {"KHR_draco_mesh_compression": {"bufferView": 0, "attributes": {}}}"#;
-    let unlisted =
-        triangle_gltf("", "", extension, "").replacen("\"bufferView\": 0, \"componentType\"", "\"componentType\"", 1);
+    let extension =
+        r#", "extensions": {"KHR_draco_mesh_compression": {"bufferView": 0, "attributes": {}}}"#;
+    let unlisted = triangle_gltf("", "", extension, "").replacen(
+        "\"bufferView\": 0, \"componentType\"",
+        "\"componentType\"",
+        1,
+    );
     fails("x.gltf", unlisted, "mesh-unsupported", None, "compressed with KHR_draco");
     // Beside plain data it is no hindrance.
     assert_eq!(read("x.gltf", triangle_gltf("", "", extension, "")).mesh.triangle_count(), 1);
@@ -672,7 +893,9 @@ fn load_reads_the_file_and_those_beside_it() {
     let pipe = folder.path().join("pipe.obj");
     let made = std::process::Command::new("mkfifo").arg(&pipe).status();
     let pipe = made.is_ok_and(|status| status.success()).then_some(pipe);
-    for wrong in [folder.path().join("absent.obj"), folder.path().to_owned()].into_iter().chain(pipe) {
+    for wrong in
+        [folder.path().join("absent.obj"), folder.path().to_owned()].into_iter().chain(pipe)
+    {
         let problems = load(&wrong).unwrap_err();
         assert_eq!(
             (problems[0].code, problems[0].place.file.clone()),
@@ -703,7 +926,8 @@ fn files_cut_short_are_told_so() {
         read(name, &bytes);
         for length in 0..bytes.len() {
             let result = import(name, &bytes[..length], &no_siblings);
-            // OBJ has no end: what is there may be whole. Elsewhere only the last line's end may be missing.
+            // OBJ has no end: what is there may be whole. Elsewhere only the last line's end may be
+            // missing.
             let rest = bytes[length..].trim_ascii();
             if name != "x.obj" && rest.len() > 1 && !b"endsolid corner".ends_with(rest) {
                 assert!(result.is_err(), "{name} cut at {length} of {}", bytes.len());
@@ -719,8 +943,10 @@ proptest! {
     fn random_bytes_never_panic(kind in 0usize..8, bytes in prop::collection::vec(any::<u8>(), 0..600)) {
         let start: [(&str, &[u8]); 8] = [
             ("x.obj", b""), ("x.ply", b""), ("x.stl", b""), ("x.glb", b"glTF"), ("x.gltf", b"{"), ("x.stl", b"solid"), ("x", b""),
-            ("x.ply", b"ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
-              property float z\nelement face 2\nproperty list uchar uchar vertex_indices\nend_header\n"),
+            ("x.ply", b"ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float \
+                        x\nproperty float y\n\
+              property float z\nelement face 2\nproperty list uchar uchar \
+              vertex_indices\nend_header\n"),
         ];
         let (name, head) = start[kind];
         let _ = import(name, &[head, &bytes].concat(), &no_siblings);

@@ -9,7 +9,8 @@ use glam::{Vec3, Vec4};
 /// The file's text and what was read from it; `None` where the trial meshes are not at hand.
 fn model(name: &str) -> Option<(String, Imported)> {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
-    let path = ["../shared/models", "../../shared/models"].map(|folder| root.join(folder).join(name));
+    let path =
+        ["../shared/models", "../../shared/models"].map(|folder| root.join(folder).join(name));
     let path = path.into_iter().find(|path| path.exists())?;
     let imported = load(&path).unwrap_or_else(|problems| panic!("{name}: {}", problems[0]));
     Some((std::fs::read_to_string(&path).unwrap(), imported))
@@ -44,10 +45,12 @@ fn real_meshes_have_what_their_files_say() {
         let Some((text, Imported { mesh, notes })) = model(&format!("{name}.obj")) else { return };
         // Counted by other means: a polygon of n corners gives n - 2 triangles.
         let faces = text.lines().filter_map(|line| line.strip_prefix("f "));
-        let corners: Vec<usize> = faces.clone().map(|face| face.split_whitespace().count()).collect();
+        let corners: Vec<usize> =
+            faces.clone().map(|face| face.split_whitespace().count()).collect();
         let triangles: usize = corners.iter().map(|n| n - 2).sum();
         let dropped = notes.iter().find(|n| n.code == "mesh-degenerate");
-        let dropped: usize = dropped.map_or(0, |n| n.message.split(' ').next().unwrap().parse().unwrap());
+        let dropped: usize =
+            dropped.map_or(0, |n| n.message.split(' ').next().unwrap().parse().unwrap());
         assert_eq!(mesh.triangle_count() + dropped, triangles, "{name}");
         assert!(dropped * 1000 <= triangles, "{name}: {dropped} dropped");
         let points: HashSet<&str> =
@@ -62,7 +65,8 @@ fn real_meshes_have_what_their_files_say() {
             assert!(tangent.truncate().dot(normal).abs() < 1e-5, "{name} {v}");
         }
         let fit = mesh.fit().matrix();
-        let farthest = mesh.positions.iter().map(|p| fit.transform_point3(Vec3::from(*p).as_dvec3()).length());
+        let farthest =
+            mesh.positions.iter().map(|p| fit.transform_point3(Vec3::from(*p).as_dvec3()).length());
         assert!((farthest.fold(0.0, f64::max) - 1.0).abs() < 1e-9, "{name}");
     }
 }
@@ -73,10 +77,14 @@ fn scans_are_smooth_and_machines_have_creases() {
     let (_, nefertiti) = model("nefertiti.obj").unwrap();
     let (_, spot) = model("spot.obj").unwrap();
     let (_, rocker) = model("rocker-arm.obj").unwrap();
-    for (name, mesh) in [("bunny", &bunny.mesh), ("nefertiti", &nefertiti.mesh), ("spot", &spot.mesh)] {
+    for (name, mesh) in
+        [("bunny", &bunny.mesh), ("nefertiti", &nefertiti.mesh), ("spot", &spot.mesh)]
+    {
         assert!(creased(mesh) < 0.02, "{name}: {}", creased(mesh));
     }
-    for (name, mesh) in [("spot", &spot.mesh), ("rocker arm", &rocker.mesh), ("nefertiti", &nefertiti.mesh)] {
+    for (name, mesh) in
+        [("spot", &spot.mesh), ("rocker arm", &rocker.mesh), ("nefertiti", &nefertiti.mesh)]
+    {
         assert!(volume(mesh) > 0.0, "{name}: counter-clockwise from outside");
         let outward = mesh.indices.chunks(3).filter(|t| {
             let [a, b, c] = [t[0], t[1], t[2]].map(|i| Vec3::from(mesh.positions[i as usize]));

@@ -80,9 +80,15 @@ fn volume(mesh: &Mesh) -> f64 {
 
 #[test]
 fn closed_shapes_have_the_euler_characteristic_of_their_kind() {
-    for (name, expected) in
-        [("sphere", 2), ("torus", 0), ("blob", 2), ("knot", 0), ("creature", 2), ("cube", 2), ("vase", 2)]
-    {
+    for (name, expected) in [
+        ("sphere", 2),
+        ("torus", 0),
+        ("blob", 2),
+        ("knot", 0),
+        ("creature", 2),
+        ("cube", 2),
+        ("vase", 2),
+    ] {
         let mesh = shape(name).unwrap();
         assert_eq!(euler(&mesh, name), expected, "{name}");
         assert!(is_manifold(&mesh), "{name}");
@@ -111,7 +117,13 @@ fn volumes_are_those_of_the_formulas() {
     near("knot", length * pi * 0.2 * 0.2);
     // A cube grown by a radius: faces, edges (four quarter cylinders each way), corners (a ball).
     let (inner, r) = (1.28f64, 0.16f64);
-    near("cube", inner.powi(3) + 6.0 * inner * inner * r + 3.0 * inner * pi * r * r + 4.0 / 3.0 * pi * r.powi(3));
+    near(
+        "cube",
+        inner.powi(3)
+            + 6.0 * inner * inner * r
+            + 3.0 * inner * pi * r * r
+            + 4.0 / 3.0 * pi * r.powi(3),
+    );
     for name in ["blob", "creature", "vase"] {
         assert!(volume(&shape(name).unwrap()) > 0.1, "{name}");
     }
@@ -135,7 +147,10 @@ fn the_thesis_scenes_have_their_triangles() {
             let uv = city.uvs[v];
             assert!(!is_wall || uv.iter().all(|x| *x == x.round()), "{uv:?}");
             let p = city.positions[v];
-            assert!(p[0].abs() <= 1.0001 && p[2].abs() <= 1.0001 && (0.0..0.9).contains(&p[1]), "{p:?}");
+            assert!(
+                p[0].abs() <= 1.0001 && p[2].abs() <= 1.0001 && (0.0..0.9).contains(&p[1]),
+                "{p:?}"
+            );
         }
         // u goes to the right of who looks at the wall, v up: the tangent frame is right-handed.
         assert_eq!(city.tangents[quad[0] as usize][3], 1.0);
@@ -154,11 +169,18 @@ fn every_shape_is_sound() {
         assert_eq!(lengths, [count; 4], "{name}");
         assert!(mesh.indices.iter().all(|&i| (i as usize) < count), "{name}");
         assert!(mesh.has_uvs && mesh.has_normals && !mesh.has_colors, "{name}");
-        assert_eq!((mesh.parts.len(), mesh.parts[0].indices.clone()), (1, 0..mesh.indices.len() as u32), "{name}");
+        assert_eq!(
+            (mesh.parts.len(), mesh.parts[0].indices.clone()),
+            (1, 0..mesh.indices.len() as u32),
+            "{name}"
+        );
         assert!(mesh.colors.iter().all(|c| *c == [1.0; 4]), "{name}");
         for v in 0..count {
             let (normal, tangent) = (Vec3::from(mesh.normals[v]), Vec4::from(mesh.tangents[v]));
-            assert!(mesh.positions[v].iter().chain(&mesh.uvs[v]).all(|x| x.is_finite()), "{name} {v}");
+            assert!(
+                mesh.positions[v].iter().chain(&mesh.uvs[v]).all(|x| x.is_finite()),
+                "{name} {v}"
+            );
             assert!((normal.length() - 1.0).abs() < 1e-5, "{name} {v}: {normal}");
             assert!((tangent.truncate().length() - 1.0).abs() < 1e-5, "{name} {v}: {tangent}");
             assert!(tangent.truncate().dot(normal).abs() < 1e-5, "{name} {v}");
@@ -207,7 +229,11 @@ fn the_sphere_is_one() {
 fn the_organic_shapes_are_dense_and_hollow() {
     for name in ["blob", "creature"] {
         let mesh = shape(name).unwrap();
-        assert!((30_000..=90_000).contains(&mesh.triangle_count()), "{name}: {}", mesh.triangle_count());
+        assert!(
+            (30_000..=90_000).contains(&mesh.triangle_count()),
+            "{name}: {}",
+            mesh.triangle_count()
+        );
         // Concave edges: the neighbour's far point lies in front of the triangle.
         let places = places(&mesh);
         let mut apex: HashMap<(usize, usize), Vec3> = HashMap::new();

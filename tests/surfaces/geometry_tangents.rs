@@ -61,19 +61,34 @@ fn hold(name: &str, mesh: &Mesh) -> usize {
         let found = mesh.tangents[vertex as usize];
         let normal = Vec3::from(mesh.normals[vertex as usize]);
         let along = Vec4::from(found).truncate();
-        assert!((along.length() - 1.0).abs() < 1e-5 && along.dot(normal).abs() < 1e-5, "{name} {corner}: {found:?}");
+        assert!(
+            (along.length() - 1.0).abs() < 1e-5 && along.dot(normal).abs() < 1e-5,
+            "{name} {corner}: {found:?}"
+        );
         // Where the UVs say nothing the reference has no tangent, or one of length 0.
-        let Some(wanted) = wanted.filter(|t| Vec4::from(*t).truncate().length() > 0.5) else { continue };
+        let Some(wanted) = wanted.filter(|t| Vec4::from(*t).truncate().length() > 0.5) else {
+            continue;
+        };
         let is_upright = Vec4::from(wanted).truncate().dot(normal).abs() <= 1e-6;
-        let is_same = if is_upright { found == wanted } else { Vec4::from(found).distance(wanted.into()) < 1e-5 };
-        assert!(is_same, "{name}, corner {corner}: {found:?} for {wanted:?} at {:?}", mesh.positions[vertex as usize]);
+        let is_same = if is_upright {
+            found == wanted
+        } else {
+            Vec4::from(found).distance(wanted.into()) < 1e-5
+        };
+        assert!(
+            is_same,
+            "{name}, corner {corner}: {found:?} for {wanted:?} at {:?}",
+            mesh.positions[vertex as usize]
+        );
         held += 1;
     }
     held
 }
 
 fn read(text: &str) -> Mesh {
-    import("test.obj", text.as_bytes(), &no_siblings).unwrap_or_else(|problems| panic!("{problems:#?}")).mesh
+    import("test.obj", text.as_bytes(), &no_siblings)
+        .unwrap_or_else(|problems| panic!("{problems:#?}"))
+        .mesh
 }
 
 /// Corners (position, UV) as an OBJ in which every corner is written anew or, when `shares`, each
@@ -85,11 +100,12 @@ fn obj(triangles: &[[([f32; 3], [f32; 2]); 3]], shares: bool) -> String {
     for triangle in triangles {
         faces += "f";
         for (at, uv) in triangle {
-            let place = places.iter().position(|p| p == at).filter(|_| shares).unwrap_or_else(|| {
-                let _ = writeln!(text, "v {} {} {}", at[0], at[1], at[2]);
-                places.push(*at);
-                places.len() - 1
-            });
+            let place =
+                places.iter().position(|p| p == at).filter(|_| shares).unwrap_or_else(|| {
+                    let _ = writeln!(text, "v {} {} {}", at[0], at[1], at[2]);
+                    places.push(*at);
+                    places.len() - 1
+                });
             let uv = uvs.iter().position(|p| p == uv).filter(|_| shares).unwrap_or_else(|| {
                 let _ = writeln!(text, "vt {} {}", uv[0], uv[1]);
                 uvs.push(*uv);
@@ -112,7 +128,8 @@ fn waves(n: usize, uv: impl Fn(f32, f32) -> [f32; 2]) -> Vec<[([f32; 3], [f32; 2
     let cells = (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));
     cells
         .flat_map(|(i, j)| {
-            let [a, b, c, d] = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
+            let [a, b, c, d] =
+                [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
             [[a, b, c], [a, c, d]]
         })
         .collect()
@@ -123,7 +140,12 @@ fn own_shapes_have_the_references_tangents() {
     for about in SHAPES {
         let mesh = shape(about.name).unwrap();
         let held = hold(about.name, &mesh);
-        assert!(held * 10 > mesh.indices.len() * 9, "{}: {held} of {}", about.name, mesh.indices.len());
+        assert!(
+            held * 10 > mesh.indices.len() * 9,
+            "{}: {held} of {}",
+            about.name,
+            mesh.indices.len()
+        );
     }
 }
 
@@ -158,7 +180,8 @@ fn triangles_without_area_have_the_references_tangents() {
         let uvs: Vec<[f32; 2]> = (0..5).map(|_| [number(5), number(5)]).collect();
         let corners: Vec<_> = places.iter().map(|at| (*at, *random.pick(&uvs))).collect();
         let count = 2 + random.index(24);
-        let triangles: Vec<_> = (0..count).map(|_| [0; 3].map(|_| *random.pick(&corners))).collect();
+        let triangles: Vec<_> =
+            (0..count).map(|_| [0; 3].map(|_| *random.pick(&corners))).collect();
         for shares in [false, true] {
             // A file of nothing but triangles without area is refused.
             if let Ok(read) = import("test.obj", obj(&triangles, shares).as_bytes(), &no_siblings) {
@@ -177,7 +200,8 @@ fn opposite_directions_have_the_references_tangents() {
             let turn = std::f32::consts::TAU * (k % count) as f32 / count as f32;
             ([turn.cos(), turn.sin(), 0.0], [k as f32 / count as f32, 0.0])
         };
-        let cone: Vec<_> = (0..count).map(|k| [rim(k), rim(k + 1), ([0.0, 0.0, 1.0], [0.5, 1.0])]).collect();
+        let cone: Vec<_> =
+            (0..count).map(|k| [rim(k), rim(k + 1), ([0.0, 0.0, 1.0], [0.5, 1.0])]).collect();
         assert!(hold(&format!("a cone of {count}"), &read(&obj(&cone, true))) > 0);
     }
 }
@@ -190,7 +214,8 @@ fn a_point_of_many_triangles_is_no_harder_than_others() {
     let mut text = "v 0 0 1\nvt 0.5 0.5\n".to_owned();
     for k in 0..count {
         let turn = std::f64::consts::TAU * f64::from(k) / f64::from(count);
-        let _ = writeln!(text, "v {} {} 0\nvt {} {}", turn.cos(), turn.sin(), turn.cos(), turn.sin());
+        let _ =
+            writeln!(text, "v {} {} 0\nvt {} {}", turn.cos(), turn.sin(), turn.cos(), turn.sin());
     }
     for k in 0..count {
         let (a, b) = (k + 2, (k + 1) % count + 2);
@@ -248,7 +273,8 @@ fn frame_at(mesh: &Mesh, tangents: &[Option<[f32; 4]>], at: DVec2) -> glam::DMat
     panic!("{at} lies beside the mesh");
 }
 
-/// By how much a normal is off where a fragment reads it in an orthonormal frame, as Chiaro does, in place of the baker's.
+/// By how much a normal is off where a fragment reads it in an orthonormal frame, as Chiaro does,
+/// in place of the baker's.
 #[cfg(feature = "gpu")]
 fn off_by_frame(mesh: &Mesh, tangents: &[Option<[f32; 4]>], at: DVec2) -> f64 {
     let frame = frame_at(mesh, tangents, at);
@@ -271,14 +297,16 @@ fn a_baked_normal_map_brings_its_normals_back() {
     use chiaro::library::Library;
     use serde_json::json;
 
-    // Every corner is written anew, as many exporters do, so that only welding finds what is one vertex.
+    // Every corner is written anew, as many exporters do, so that only welding finds what is one
+    // vertex.
     let mesh = read(&obj(&waves(48, |x, y| [x.abs(), 0.5 + 0.4 * y + 0.1 * x.abs()]), false));
     assert!(hold("the mesh", &mesh) > 0);
     let tangents = expected(&mesh);
     let size = 256;
     let mut map = image::RgbImage::new(size, size);
     for (i, j, texel) in map.enumerate_pixels_mut() {
-        let [u, v] = [f64::from(i) + 0.5, f64::from(size - 1 - j) + 0.5].map(|x| x / f64::from(size));
+        let [u, v] =
+            [f64::from(i) + 0.5, f64::from(size - 1 - j) + 0.5].map(|x| x / f64::from(size));
         // The first half that is seen through this texel; nothing reads texels beside the mesh.
         let at = DVec2::new(u, ((v - 0.5 - 0.1 * u) / 0.4).clamp(-1.0, 1.0));
         let vector = (frame_at(&mesh, &tangents, at).inverse() * known(at)).normalize();

@@ -1,4 +1,5 @@
-//! A look that is baked onto an HCBTF shows, looked up at the grid's directions, what the look itself shows there.
+//! A look that is baked onto an HCBTF shows, looked up at the grid's directions, what the look
+//! itself shows there.
 #![cfg(feature = "gpu")]
 
 use std::path::{Path, PathBuf};
@@ -14,12 +15,20 @@ use chiaro::reference::{bake_look, bake_look_sampled};
 use glam::{DMat3, DQuat, DVec2, DVec3};
 use serde_json::json;
 
-const GRID: Grid = Grid { size: [3, 2], light: Directions { theta: 3, phi: 4 }, view: Directions { theta: 3, phi: 3 } };
+const GRID: Grid = Grid {
+    size: [3, 2],
+    light: Directions { theta: 3, phi: 4 },
+    view: Directions { theta: 3, phi: 3 },
+};
 
 fn example(name: &str) -> SetupLook {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks").join(name);
     let loaded = Look::read(&std::fs::read_to_string(&path).unwrap(), name);
-    SetupLook { look: loaded.value.unwrap(), source: loaded.source.into(), folder: path.parent().unwrap().into() }
+    SetupLook {
+        look: loaded.value.unwrap(),
+        source: loaded.source.into(),
+        folder: path.parent().unwrap().into(),
+    }
 }
 
 /// A look that shows an HCBTF and nothing else.
@@ -35,7 +44,8 @@ fn showing(path: &Path) -> SetupLook {
     }))
 }
 
-/// Every texel under every light and view of the grid; lights on the horizon itself are an edge, and left out.
+/// Every texel under every light and view of the grid; lights on the horizon itself are an edge,
+/// and left out.
 fn samples() -> Vec<EvalSample> {
     let mut samples = Vec::new();
     for address in GRID.addresses().filter(|address| address.light.theta + 1 < GRID.light.theta) {
@@ -71,7 +81,9 @@ fn a_baked_look_is_the_look_at_the_grids_directions() {
         let light = moving_light(&setup, Some("key")).unwrap();
         // With one sample, which is where the look is evaluated.
         let (assets, progress) = (Assets::default(), Progress::new());
-        let baked = bake_look_sampled(&setup, Library::built_in(), GRID, &light, &assets, 1, &progress).unwrap();
+        let baked =
+            bake_look_sampled(&setup, Library::built_in(), GRID, &light, &assets, 1, &progress)
+                .unwrap();
         let hcbtf = baked.hcbtf;
         assert_eq!(baked.halves_off, None);
         assert_eq!(hcbtf.painted.len() as u64, GRID.sample_count());
@@ -80,17 +92,20 @@ fn a_baked_look_is_the_look_at_the_grids_directions() {
         let samples = samples();
         let (own, shown) = (eval(&setup, "", &samples), eval(&showing(&path), "", &samples));
         let varies = own.iter().any(|color| (color[0] - own[0][0]).abs() > 0.1);
-        assert!(varies, "{name} shows one colour");
+        assert!(varies, "{name} shows one color");
         for ((own, shown), sample) in own.iter().zip(&shown).zip(&samples) {
-            let off = own.iter().zip(shown).map(|(own, shown)| (own - shown).abs()).fold(0.0, f64::max);
+            let off =
+                own.iter().zip(shown).map(|(own, shown)| (own - shown).abs()).fold(0.0, f64::max);
             assert!(off < 1.0 / 255.0, "{name}: {own:?} {shown:?} at {sample:?}");
         }
     }
 }
 
-/// A look of two colours that meet in a straight line at u = 0.3, and of an alpha that ends at v = 0.45.
+/// A look of two colors that meet in a straight line at u = 0.3, and of an alpha that ends at v =
+/// 0.45.
 fn edges(color_space: &str) -> SetupLook {
-    let code = "fn edges(at: vec2f) -> vec4f { return vec4f(select(vec3f(1.0), vec3f(0.0), at.x < 0.3), \
+    let code = "fn edges(at: vec2f) -> vec4f \
+                { return vec4f(select(vec3f(1.0), vec3f(0.0), at.x < 0.3), \
                 select(0.0, 1.0, at.y < 0.45)); }";
     look(&json!({
         "color_space": color_space,
@@ -104,39 +119,64 @@ fn edges(color_space: &str) -> SetupLook {
     }))
 }
 
-/// The share of a texel that an edge leaves is what it shows, as nearly as so many samples in rows of their own come.
+/// The share of a texel that an edge leaves is what it shows, as nearly as so many samples in rows
+/// of their own come.
 #[test]
 fn edges_are_smooth_with_samples_enough() {
     let one = Directions { theta: 1, phi: 1 };
     let grid = Grid { size: [4, 4], light: one, view: one };
     let (assets, progress) = (Assets::default(), Progress::new());
     let mut off = Vec::new();
-    for (color_space, samples) in [("display", 1), ("display", 4), ("display", 16), ("display", 64), ("linear", 64)] {
+    for (color_space, samples) in
+        [("display", 1), ("display", 4), ("display", 16), ("display", 64), ("linear", 64)]
+    {
         let setup = edges(color_space);
         let light = moving_light(&setup, None).unwrap();
-        let baked = bake_look_sampled(&setup, Library::built_in(), grid, &light, &assets, samples, &progress).unwrap();
+        let baked = bake_look_sampled(
+            &setup,
+            Library::built_in(),
+            grid,
+            &light,
+            &assets,
+            samples,
+            &progress,
+        )
+        .unwrap();
         let tile = baked.hcbtf.painted.values().next().unwrap().clone();
         let within = 0.5 / f64::from(samples) + 1.0 / 255.0;
-        // The second column has 0.3 - 0.25 of 0.25 black; of the third row from the top as much of v is below 0.45.
+        // The second column has 0.3 - 0.25 of 0.25 black; of the third row from the top as much of
+        // v is below 0.45.
         let (white, opaque) = (0.8, 0.8);
         let decoded = |byte: u8| match (color_space, f64::from(byte) / 255.0) {
             ("linear", shown) => chiaro::document::srgb_to_linear(shown),
             (_, shown) => shown,
         };
         let [r, _, _, a] = tile.texel(1, 3).map(|byte| byte);
-        assert!((decoded(r) - white).abs() < within && a == 255, "{samples} {color_space}: {r} {a}");
+        assert!(
+            (decoded(r) - white).abs() < within && a == 255,
+            "{samples} {color_space}: {r} {a}"
+        );
         let [r, _, _, a] = tile.texel(3, 2);
         assert!((f64::from(a) / 255.0 - opaque).abs() < within && r == 255, "{samples}: {r} {a}");
-        assert_eq!([tile.texel(0, 3), tile.texel(2, 3), tile.texel(2, 0)].map(|texel| texel[3]), [255, 255, 0]);
+        assert_eq!(
+            [tile.texel(0, 3), tile.texel(2, 3), tile.texel(2, 0)].map(|texel| texel[3]),
+            [255, 255, 0]
+        );
         assert_eq!([tile.texel(0, 3), tile.texel(2, 3)].map(|texel| texel[0]), [0, 255]);
         // Half of the samples are off where edges are, and nowhere else.
-        assert_eq!(baked.halves_off.is_some_and(|off| off > 0.001 && off < 0.2), samples > 1, "{:?}", baked.halves_off);
+        assert_eq!(
+            baked.halves_off.is_some_and(|off| off > 0.001 && off < 0.2),
+            samples > 1,
+            "{:?}",
+            baked.halves_off
+        );
         off.extend(baked.halves_off.filter(|_| color_space == "display"));
     }
     assert!(off[1] < 0.6 * off[0] && off[2] < 0.6 * off[1], "more samples are nearer: {off:?}");
     let setup = edges("display");
     let light = moving_light(&setup, None).unwrap();
-    let told = bake_look_sampled(&setup, Library::built_in(), grid, &light, &assets, 3, &progress).unwrap_err();
+    let told = bake_look_sampled(&setup, Library::built_in(), grid, &light, &assets, 3, &progress)
+        .unwrap_err();
     assert_eq!(told[0].code, "out-of-range");
 }
 
@@ -167,18 +207,29 @@ fn baking_is_the_same_on_any_number_of_threads_and_can_be_stopped() {
     let on = |threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
-            bake_look(&setup, Library::built_in(), GRID, &light, &Assets::default(), &Progress::new()).unwrap()
+            bake_look(
+                &setup,
+                Library::built_in(),
+                GRID,
+                &light,
+                &Assets::default(),
+                &Progress::new(),
+            )
+            .unwrap()
         })
     };
     assert_eq!(on(1), on(3));
     let stopped = Progress::new();
     stopped.stop();
-    let told = bake_look(&setup, Library::built_in(), GRID, &light, &Assets::default(), &stopped).unwrap_err();
+    let told = bake_look(&setup, Library::built_in(), GRID, &light, &Assets::default(), &stopped)
+        .unwrap_err();
     assert_eq!(told[0].code, "stopped");
     assert_eq!(moving_light(&setup, Some("kye")).unwrap_err().code, "bad-argument");
     let fine = Grid { size: [512, 512], ..Grid::THESIS };
     assert_eq!(
-        bake_look(&setup, Library::built_in(), fine, &light, &Assets::default(), &Progress::new()).unwrap_err()[0].code,
+        bake_look(&setup, Library::built_in(), fine, &light, &Assets::default(), &Progress::new())
+            .unwrap_err()[0]
+            .code,
         "too-large"
     );
 }
@@ -189,23 +240,31 @@ fn what_a_look_shows_is_filled_once_and_its_preparation_is_told() {
     let grid = Grid { size: [6, 6], light: directions, view: directions };
     let rules = vec![Rule::Relief(Box::new(PRESETS[0].1()))];
     let path = file("relief.hcbtf");
-    std::fs::write(&path, chiaro::hcbtf::write(&Hcbtf { rules, ..Hcbtf::new(grid) }).unwrap()).unwrap();
+    std::fs::write(&path, chiaro::hcbtf::write(&Hcbtf { rules, ..Hcbtf::new(grid) }).unwrap())
+        .unwrap();
     let setup = showing(&path);
     let light = moving_light(&setup, None).unwrap();
     let told: Arc<Mutex<Vec<[u64; 2]>>> = Arc::default();
     let listener = told.clone();
     let filling = Arc::new(Progress::telling(move |steps| listener.lock().unwrap().push(steps)));
-    let assets = tile_assets(&setup, Library::built_in(), &light, Assets::default(), &filling).unwrap();
+    let assets =
+        tile_assets(&setup, Library::built_in(), &light, Assets::default(), &filling).unwrap();
     let steps = told.lock().unwrap().clone();
     let total = steps[0][1];
     // All that is told before the 3 x 3 tiles of 6 rows is preparation, and there is much of it.
     let before = steps.iter().take_while(|[done, _]| *done < total - 9 * 6).count();
     assert!(before >= 12, "{steps:?}");
-    assert!(steps.iter().all(|[_, of]| *of == total) && steps.iter().any(|[done, _]| *done == total), "{steps:?}");
+    assert!(
+        steps.iter().all(|[_, of]| *of == total) && steps.iter().any(|[done, _]| *done == total),
+        "{steps:?}"
+    );
     // Every view finds it filled.
-    let baked = bake_look(&setup, Library::built_in(), GRID, &light, &assets, &Progress::new()).unwrap();
+    let baked =
+        bake_look(&setup, Library::built_in(), GRID, &light, &assets, &Progress::new()).unwrap();
     assert_eq!(told.lock().unwrap().len(), steps.len());
-    let alone = bake_look(&setup, Library::built_in(), GRID, &light, &Assets::default(), &Progress::new()).unwrap();
+    let alone =
+        bake_look(&setup, Library::built_in(), GRID, &light, &Assets::default(), &Progress::new())
+            .unwrap();
     assert!(baked == alone);
     filling.stop();
     let stopped = tile_assets(&setup, Library::built_in(), &light, Assets::default(), &filling);

@@ -1,4 +1,5 @@
-//! The HCBTFs of `examples/hcbtf`, and the looks beside them: small, found, bounded, and the same whenever they are filled.
+//! The HCBTFs of `examples/hcbtf`, and the looks beside them: small, found, bounded, and the same
+//! whenever they are filled.
 
 use std::path::{Path, PathBuf};
 
@@ -14,7 +15,8 @@ fn folder() -> PathBuf {
 
 fn files(ending: &str) -> Vec<PathBuf> {
     let all = std::fs::read_dir(folder()).unwrap().map(|entry| entry.unwrap().path());
-    let mut files: Vec<PathBuf> = all.filter(|path| path.extension().is_some_and(|found| found == ending)).collect();
+    let mut files: Vec<PathBuf> =
+        all.filter(|path| path.extension().is_some_and(|found| found == ending)).collect();
     files.sort();
     assert!(files.len() >= 4, "the examples are gone: {files:?}");
     files
@@ -29,10 +31,15 @@ fn the_files_are_small_and_nothing_is_odd_in_them() {
         let needed = layers_bytes(&hcbtf.grid, true);
         assert!(needed < 64 << 20, "{}: {} MiB", path.display(), needed >> 20);
         assert_eq!(estimate(&hcbtf).unwrap().samples, hcbtf.grid.sample_count());
-        // Seen straight from above in full light, and from low under a low light; nothing of it is empty.
+        // Seen straight from above in full light, and from low under a low light; nothing of it is
+        // empty.
         let grid = hcbtf.grid;
-        let low = Address::new([grid.light.theta - 1, grid.light.phi / 2], [grid.view.theta - 1, grid.view.phi / 3]);
-        let [above, low] = [Address::default(), low].map(|at| sample(&hcbtf, at, &Progress::new()).unwrap().unwrap());
+        let low = Address::new(
+            [grid.light.theta - 1, grid.light.phi / 2],
+            [grid.view.theta - 1, grid.view.phi / 3],
+        );
+        let [above, low] = [Address::default(), low]
+            .map(|at| sample(&hcbtf, at, &Progress::new()).unwrap().unwrap());
         assert_ne!(above, low, "{}", path.display());
     }
 }
@@ -44,12 +51,17 @@ fn the_looks_beside_them_show_them() {
         assert!(loaded.diagnostics.is_empty(), "{}: {:?}", path.display(), loaded.diagnostics);
         let mut look = loaded.value.unwrap();
         let sheets = look.graph.nodes.values().flat_map(|node| &node.values);
-        let sheets = sheets.filter(|(port, _)| port.as_str() == "sheet").map(|(_, value)| match value {
-            Value::Text(name) => folder().join(name),
-            other => panic!("{other:?}"),
-        });
+        let sheets =
+            sheets.filter(|(port, _)| port.as_str() == "sheet").map(|(_, value)| match value {
+                Value::Text(name) => folder().join(name),
+                other => panic!("{other:?}"),
+            });
         let sheets: Vec<PathBuf> = sheets.collect();
-        assert!(!sheets.is_empty() && sheets.iter().all(|sheet| sheet.is_file()), "{}: {sheets:?}", path.display());
+        assert!(
+            !sheets.is_empty() && sheets.iter().all(|sheet| sheet.is_file()),
+            "{}: {sheets:?}",
+            path.display()
+        );
         for tier in [Tier::Exact, Tier::Balanced, Tier::Fast] {
             look.tier = tier;
             let compiled = compile(&look, Library::built_in(), &Options::default());
@@ -62,17 +74,23 @@ fn the_looks_beside_them_show_them() {
 #[test]
 fn chalk_is_darker_by_other_strokes_and_not_by_dimmer_ones() {
     let (hcbtf, _) = load(&folder().join("chalk.hcbtf")).unwrap();
-    let shown = |ring: u32| sample(&hcbtf, Address::new([ring, 0], [0, 0]), &Progress::new()).unwrap().unwrap();
+    let shown = |ring: u32| {
+        sample(&hcbtf, Address::new([ring, 0], [0, 0]), &Progress::new()).unwrap().unwrap()
+    };
     let tiles = [0, 4, 7, 10].map(shown);
     let bright = |least: u8| {
         let count = |tile: &std::sync::Arc<chiaro::document::Tile>| {
-            tile.bytes().chunks(4).filter(|texel| texel[..3].iter().all(|channel| *channel > least)).count()
+            tile.bytes()
+                .chunks(4)
+                .filter(|texel| texel[..3].iter().all(|channel| *channel > least))
+                .count()
         };
         tiles.each_ref().map(count)
     };
     let [above, high, low, grazing] = bright(150);
     assert!(above > high && high > low && low > grazing, "{above} {high} {low} {grazing}");
-    // Where chalk is left it is chalk: halfway down its strokes are nearly as bright as under the light.
+    // Where chalk is left it is chalk: halfway down its strokes are nearly as bright as under the
+    // light.
     let [above, high, ..] = bright(180);
     assert!(above > 0 && high > 0, "{above} {high}");
 }

@@ -6,13 +6,18 @@ use std::sync::Arc;
 use crate::support::random::Random;
 use chiaro::diag::Diagnostic;
 use chiaro::document::{
-    Address, Bundle, Directions, Grid, Hcbtf, HcbtfAngle, Placement, Relief, Rule, StrokeTones, Strokes, Tile,
+    Address, Bundle, Directions, Grid, Hcbtf, HcbtfAngle, Placement, Relief, Rule, StrokeTones,
+    Strokes, Tile,
 };
 use chiaro::hcbtf::{Picture, Progress, fill::fill, read, sheet, write};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
-const GRID: Grid = Grid { size: [5, 3], light: Directions { theta: 3, phi: 4 }, view: Directions { theta: 2, phi: 6 } };
+const GRID: Grid = Grid {
+    size: [5, 3],
+    light: Directions { theta: 3, phi: 4 },
+    view: Directions { theta: 2, phi: 6 },
+};
 
 fn noise(random: &mut Random, size: [u32; 2]) -> Arc<Tile> {
     let bytes = (0..4 * size[0] * size[1]).map(|_| random.bits() as u8).collect();
@@ -24,7 +29,8 @@ fn sample() -> Hcbtf {
     let mut random = Random::new(7);
     let mut hcbtf = Hcbtf::new(GRID);
     hcbtf.is_tiling = false;
-    for address in [Address::default(), Address::new([2, 3], [1, 5]), Address::new([1, 0], [0, 0])] {
+    for address in [Address::default(), Address::new([2, 3], [1, 5]), Address::new([1, 0], [0, 0])]
+    {
         hcbtf.painted.insert(address, noise(&mut random, GRID.size));
     }
     let from = Address::new([2, 3], [1, 5]);
@@ -45,7 +51,9 @@ fn sample() -> Hcbtf {
     let paths = Placement::Paths(vec![vec![[0.1, 0.2, 0.3], [-1.0 / 3.0, 0.5, 0.0]], Vec::new()]);
     let tones = Some(StrokeTones { first: 0.1, all: 0.9, growth: 1.0 / 3.0 });
     let drawn = Bundle { place: paths, tones, curl: -0.1, ..Bundle::default() };
-    hcbtf.rules.push(Rule::Strokes(Box::new(Strokes { bundles: vec![drawn], ..Strokes::default() })));
+    hcbtf
+        .rules
+        .push(Rule::Strokes(Box::new(Strokes { bundles: vec![drawn], ..Strokes::default() })));
     hcbtf
 }
 
@@ -65,7 +73,9 @@ fn entries(bytes: &[u8]) -> Vec<(String, Vec<u8>)> {
 fn pack(entries: &[(String, Vec<u8>)], method: CompressionMethod) -> Vec<u8> {
     let mut writer = ZipWriter::new(Cursor::new(Vec::new()));
     for (name, content) in entries {
-        writer.start_file(name.as_str(), SimpleFileOptions::default().compression_method(method)).unwrap();
+        writer
+            .start_file(name.as_str(), SimpleFileOptions::default().compression_method(method))
+            .unwrap();
         writer.write_all(content).unwrap();
     }
     writer.finish().unwrap().into_inner()
@@ -100,7 +110,10 @@ fn errors(bytes: &[u8]) -> Vec<Diagnostic> {
 /// Each has one error of this code, with the file's name, a hint, and these words.
 fn expect(bytes: &[u8], code: &str, words: &[&str]) {
     let told = errors(bytes);
-    let error = told.iter().find(|problem| problem.code == code).unwrap_or_else(|| panic!("{code}: {told:?}"));
+    let error = told
+        .iter()
+        .find(|problem| problem.code == code)
+        .unwrap_or_else(|| panic!("{code}: {told:?}"));
     let text = error.to_string();
     assert!(text.starts_with("grass.hcbtf: error["), "{text}");
     words.iter().for_each(|word| assert!(text.contains(word), "`{word}` is in {text}"));
@@ -108,7 +121,11 @@ fn expect(bytes: &[u8], code: &str, words: &[&str]) {
 
 #[test]
 fn what_is_written_is_read() {
-    for hcbtf in [sample(), Hcbtf::new(Grid::THESIS), Hcbtf { rules: Vec::new(), is_tiling: true, ..sample() }] {
+    for hcbtf in [
+        sample(),
+        Hcbtf::new(Grid::THESIS),
+        Hcbtf { rules: Vec::new(), is_tiling: true, ..sample() },
+    ] {
         let bytes = write(&hcbtf).unwrap();
         let (back, notes) = read(&bytes, "grass.hcbtf").unwrap();
         assert_eq!(back, hcbtf);
@@ -124,20 +141,27 @@ fn a_file_is_a_zip_that_other_programs_open() {
     let samples = ["samples/l0.0_v0.0.png", "samples/l1.0_v0.0.png", "samples/l2.3_v1.5.png"];
     assert_eq!(names, [&["manifest.json", "thumbnail.png"][..], &samples[..]].concat());
     let text = std::str::from_utf8(&all[0].1).unwrap();
-    assert!(text.starts_with("{\n  \"chiaro\": \"hcbtf\",\n  \"version\": 1,\n  \"grid\": "), "{text}");
     assert!(
-        text.contains("    { \"light\": [2, 3], \"view\": [1, 5], \"file\": \"samples/l2.3_v1.5.png\" }\n  ]\n}\n")
+        text.starts_with("{\n  \"chiaro\": \"hcbtf\",\n  \"version\": 1,\n  \"grid\": "),
+        "{text}"
     );
+    assert!(text.contains(
+        "    { \"light\": [2, 3], \"view\": [1, 5], \"file\": \"samples/l2.3_v1.5.png\" }\n  ]\n}\n"
+    ));
     let image = image::load_from_memory(&all[4].1).unwrap();
     assert_eq!(image.color(), image::ColorType::Rgba8);
-    assert_eq!(image.into_rgba8().into_raw(), sample().painted[&Address::new([2, 3], [1, 5])].bytes());
+    assert_eq!(
+        image.into_rgba8().into_raw(),
+        sample().painted[&Address::new([2, 3], [1, 5])].bytes()
+    );
 }
 
 #[test]
 fn the_example_in_the_docs_is_read_and_every_rule_is_in_them() {
     let docs = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/format.md");
     let text = std::fs::read_to_string(docs).unwrap();
-    let example = text.split("```jsonc\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    let example =
+        text.split("```jsonc\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
     let image = png([32, 32], 200);
     let entry = |name: &str, content: &[u8]| (name.to_owned(), content.to_vec());
     let all = [
@@ -154,7 +178,10 @@ fn the_example_in_the_docs_is_read_and_every_rule_is_in_them() {
     for word in Rule::WORDS {
         assert!(text.contains(&format!("\n| `{word}` | ")), "{word}");
     }
-    let strokes = text.split("```jsonc\n").find(|block| block.starts_with("{ \"rule\": \"strokes\"")).unwrap();
+    let strokes = text
+        .split("```jsonc\n")
+        .find(|block| block.starts_with("{ \"rule\": \"strokes\""))
+        .unwrap();
     let strokes: Rule = serde_json::from_str(strokes.split("```").next().unwrap()).unwrap();
     strokes.check(&GRID).unwrap();
     assert!(sample().rules.iter().map(Rule::word).all(|word| Rule::WORDS.contains(&word)));
@@ -165,7 +192,8 @@ fn any_zip_and_any_png_that_comes_back_is_taken() {
     let all = entries(&write(&sample()).unwrap());
     for method in [CompressionMethod::Stored, CompressionMethod::Deflated] {
         // Another order, folders as entries, no thumbnail.
-        let mut shuffled: Vec<_> = all.iter().rev().filter(|(name, _)| name != "thumbnail.png").cloned().collect();
+        let mut shuffled: Vec<_> =
+            all.iter().rev().filter(|(name, _)| name != "thumbnail.png").cloned().collect();
         shuffled.insert(0, ("samples/".to_owned(), Vec::new()));
         assert_eq!(read(&pack(&shuffled, method), "g").unwrap(), (sample(), Vec::new()));
     }
@@ -211,12 +239,18 @@ fn odd_things_are_warned_of() {
     };
     let told = warned(&with_manifest("\"tiling\": false", "\"tilling\": 1, \"tiling\": false"));
     assert!(told.contains("unknown-field") && told.contains("did you mean `tiling`"), "{told}");
-    let told = warned(&with_manifest("\"file\": \"samples/l0.0", "\"by\": \"me\", \"file\": \"samples/l0.0"));
+    let told = warned(&with_manifest(
+        "\"file\": \"samples/l0.0",
+        "\"by\": \"me\", \"file\": \"samples/l0.0",
+    ));
     assert!(told.contains("painted[0].by"), "{told}");
     let told = warned(&with_manifest("\"phi\": 4 }", "\"phi\": 4, \"rho\": 1 }"));
     assert!(told.contains("grid.light.rho"), "{told}");
     let told = warned(&with(|all| all.push(("samples/new.png".to_owned(), png([5, 3], 9)))));
-    assert!(told.contains("hcbtf-stray") && told.contains("`samples/new.png` is not listed"), "{told}");
+    assert!(
+        told.contains("hcbtf-stray") && told.contains("`samples/new.png` is not listed"),
+        "{told}"
+    );
     let told = warned(&with_manifest(
         "\"rules\": [",
         "\"rules\": [{\"rule\":\"copy\",\"from\":{\"light\":[1,1],\"view\":[0,0]}},",
@@ -229,12 +263,24 @@ fn what_is_no_hcbtf_is_told() {
     expect(b"", "empty-file", &["empty"]);
     expect(b"{\"chiaro\": \"look\"}", "hcbtf-archive", &["no HCBTF"]);
     expect(b"PK\x03\x04 and nothing else", "hcbtf-archive", &["help:"]);
-    expect(&with(|all| all.retain(|(name, _)| name != "manifest.json")), "hcbtf-manifest", &["manifest.json"]);
-    expect(&with(|all| all[0].0 = "grass/manifest.json".to_owned()), "hcbtf-manifest", &["not in a folder"]);
+    expect(
+        &with(|all| all.retain(|(name, _)| name != "manifest.json")),
+        "hcbtf-manifest",
+        &["manifest.json"],
+    );
+    expect(
+        &with(|all| all[0].0 = "grass/manifest.json".to_owned()),
+        "hcbtf-manifest",
+        &["not in a folder"],
+    );
     let valid = write(&sample()).unwrap();
     expect(&valid[..valid.len() / 2], "hcbtf-archive", &["cut off"]);
     expect(&with_manifest("\"hcbtf\"", "\"look\""), "wrong-document", &["help:"]);
-    expect(&with_manifest("\"version\": 1", "\"version\": 2"), "newer-version", &["version 2", "newer Chiaro"]);
+    expect(
+        &with_manifest("\"version\": 1", "\"version\": 2"),
+        "newer-version",
+        &["version 2", "newer Chiaro"],
+    );
     expect(&with_manifest("\"version\": 1", "\"version\": 0"), "wrong-type", &["version"]);
     expect(&with_manifest("\"version\": 1", "\"version\": \"1\""), "wrong-type", &["version"]);
     expect(&with_manifest("{\n", "{\n,"), "not-json", &["line 2", "help:"]);
@@ -246,29 +292,74 @@ fn what_is_no_hcbtf_is_told() {
 fn a_wrong_manifest_is_told_by_its_place() {
     expect(&with_manifest("\"grid\"", "\"gird\""), "missing-field", &["grid"]);
     expect(&with_manifest("\"size\": [5, 3]", "\"size\": [5, 0]"), "hcbtf-grid", &["height is 0"]);
-    expect(&with_manifest("\"size\": [5, 3]", "\"size\": [5, 4096]"), "hcbtf-grid", &["from 1 to 4095"]);
+    expect(
+        &with_manifest("\"size\": [5, 3]", "\"size\": [5, 4096]"),
+        "hcbtf-grid",
+        &["from 1 to 4095"],
+    );
     expect(&with_manifest("\"theta\": 3", "\"theta\": -3"), "hcbtf-grid", &[]);
     expect(&with_manifest("\"phi\": 4", "\"phi\": 256"), "hcbtf-grid", &["light's phi"]);
     expect(&with_manifest("\"tiling\": false", "\"tiling\": \"no\""), "wrong-type", &["tiling"]);
-    expect(&with_manifest("\"rule\":\"blend\"", "\"rule\":\"blent\""), "unknown-word", &["rules[3]", "`blend`"]);
-    expect(&with_manifest("\"sharpness\":1.5", "\"sharpness\":-1"), "hcbtf-rule", &["rules[3]", "from 0 to 64"]);
-    expect(&with_manifest("\"sharpness\":1.5", "\"sharpnes\":1"), "hcbtf-rule", &["rules[3]", "sharpnes"]);
+    expect(
+        &with_manifest("\"rule\":\"blend\"", "\"rule\":\"blent\""),
+        "unknown-word",
+        &["rules[3]", "`blend`"],
+    );
+    expect(
+        &with_manifest("\"sharpness\":1.5", "\"sharpness\":-1"),
+        "hcbtf-rule",
+        &["rules[3]", "from 0 to 64"],
+    );
+    expect(
+        &with_manifest("\"sharpness\":1.5", "\"sharpnes\":1"),
+        "hcbtf-rule",
+        &["rules[3]", "sharpnes"],
+    );
     expect(&with_manifest("\"sharpness\":1.5", "\"sharpness\":1e999"), "not-json", &[]);
     expect(&with_manifest("\"width\":0.5", "\"width\":5"), "hcbtf-rule", &["rules[1]", "width"]);
-    expect(&with_manifest("\"light\":[2,3]", "\"light\":[2,4]"), "hcbtf-rule", &["rules[1]", "outside the grid"]);
+    expect(
+        &with_manifest("\"light\":[2,3]", "\"light\":[2,4]"),
+        "hcbtf-rule",
+        &["rules[1]", "outside the grid"],
+    );
     expect(&with_manifest("\"rules\": [", "\"rules\": {"), "not-json", &[]);
-    expect(&with_manifest("\"light\": [2, 3]", "\"light\": [3, 0]"), "out-of-range", &["painted[2]"]);
-    expect(&with_manifest("\"light\": [0, 0]", "\"light\": [0, 4]"), "out-of-range", &["painted[0]"]);
-    expect(&with_manifest("\"light\": [2, 3]", "\"light\": [2]"), "wrong-type", &["painted[2].light"]);
-    expect(&with_manifest("\"file\": \"samples/l2.3_v1.5.png\"", "\"file\": 3"), "missing-field", &["painted[2]"]);
-    let many: Vec<String> = (0..1001).map(|_| "{\"rule\":\"blend\",\"sharpness\":1}".to_owned()).collect();
-    expect(&with_manifest("\"rules\": [", &format!("\"rules\": [{},", many.join(","))), "too-many", &["1000"]);
+    expect(
+        &with_manifest("\"light\": [2, 3]", "\"light\": [3, 0]"),
+        "out-of-range",
+        &["painted[2]"],
+    );
+    expect(
+        &with_manifest("\"light\": [0, 0]", "\"light\": [0, 4]"),
+        "out-of-range",
+        &["painted[0]"],
+    );
+    expect(
+        &with_manifest("\"light\": [2, 3]", "\"light\": [2]"),
+        "wrong-type",
+        &["painted[2].light"],
+    );
+    expect(
+        &with_manifest("\"file\": \"samples/l2.3_v1.5.png\"", "\"file\": 3"),
+        "missing-field",
+        &["painted[2]"],
+    );
+    let many: Vec<String> =
+        (0..1001).map(|_| "{\"rule\":\"blend\",\"sharpness\":1}".to_owned()).collect();
+    expect(
+        &with_manifest("\"rules\": [", &format!("\"rules\": [{},", many.join(","))),
+        "too-many",
+        &["1000"],
+    );
 }
 
 #[test]
 fn wrong_samples_are_told_by_their_name() {
     let last = "samples/l2.3_v1.5.png";
-    expect(&with(|all| all.retain(|(name, _)| name != last)), "hcbtf-entry", &[last, "no such entry", "painted"]);
+    expect(
+        &with(|all| all.retain(|(name, _)| name != last)),
+        "hcbtf-entry",
+        &[last, "no such entry", "painted"],
+    );
     expect(&with(|all| all[4].1 = png([6, 3], 1)), "hcbtf-sample", &[last, "6 x 3", "5 x 3"]);
     expect(&with(|all| all[4].1 = b"GIF89a".to_vec()), "hcbtf-sample", &[last, "no PNG"]);
     expect(&with(|all| all[4].1.truncate(60)), "hcbtf-sample", &[last, "decoded"]);
@@ -276,8 +367,20 @@ fn wrong_samples_are_told_by_their_name() {
     expect(&huge, "hcbtf-sample", &[last, "2139062143 x 2139062143"]);
     // At the normal, a step around it is no other sample.
     let twice = with_manifest("\"light\": [1, 0]", "\"light\": [0, 2]");
-    expect(&twice, "duplicate-sample", &["samples/l0.0_v0.0.png", "samples/l1.0_v0.0.png", "light 0.0, view 0.0"]);
-    for path in ["../secret.png", "/etc/x.png", "C:/x.png", "samples/../../x.png", "a\\\\b.png", "samples//x.png", ""] {
+    expect(
+        &twice,
+        "duplicate-sample",
+        &["samples/l0.0_v0.0.png", "samples/l1.0_v0.0.png", "light 0.0, view 0.0"],
+    );
+    for path in [
+        "../secret.png",
+        "/etc/x.png",
+        "C:/x.png",
+        "samples/../../x.png",
+        "a\\\\b.png",
+        "samples//x.png",
+        "",
+    ] {
         expect(&with_manifest(last, path), "hcbtf-path", &["painted[2]", "leads outside"]);
     }
     // Everything is told, not only the first.
@@ -299,7 +402,8 @@ fn damage_is_noticed() {
 
 #[test]
 fn what_unpacks_to_too_much_is_refused_as_it_unpacks() {
-    // Zeros pack a thousandfold. A sample's bound is what a PNG of the tile's size and its notes can be.
+    // Zeros pack a thousandfold. A sample's bound is what a PNG of the tile's size and its notes
+    // can be.
     let bomb = vec![0_u8; 80 << 20];
     let bytes = with(|all| all[4].1 = bomb.clone());
     expect(&bytes, "too-large", &["samples/l2.3_v1.5.png", "help:"]);
@@ -307,8 +411,12 @@ fn what_unpacks_to_too_much_is_refused_as_it_unpacks() {
     // The same, by an entry that says it is small.
     let mut lying = bytes;
     let size = (80_u32 << 20).to_le_bytes();
-    let places: Vec<usize> =
-        lying.windows(4).enumerate().filter(|(_, window)| *window == size).map(|(at, _)| at).collect();
+    let places: Vec<usize> = lying
+        .windows(4)
+        .enumerate()
+        .filter(|(_, window)| *window == size)
+        .map(|(at, _)| at)
+        .collect();
     assert!(!places.is_empty());
     places.iter().for_each(|at| lying[*at..at + 4].copy_from_slice(&100_u32.to_le_bytes()));
     assert!(!errors(&lying).is_empty());
@@ -316,7 +424,11 @@ fn what_unpacks_to_too_much_is_refused_as_it_unpacks() {
     let listed: Vec<String> = (0..3)
         .flat_map(|t| (0..4).map(move |p| (t, p)))
         .filter(|(t, p)| *t > 0 || *p == 0)
-        .flat_map(|(t, p)| (1..6).map(move |v| format!("{{\"light\":[{t},{p}],\"view\":[1,{v}],\"file\":\"x.png\"}}")))
+        .flat_map(|(t, p)| {
+            (1..6).map(move |v| {
+                format!("{{\"light\":[{t},{p}],\"view\":[1,{v}],\"file\":\"x.png\"}}")
+            })
+        })
         .collect();
     let wide = with(|all| {
         let text = String::from_utf8(all[0].1.clone()).unwrap().replace("[5, 3]", "[4095, 4095]");
@@ -331,13 +443,16 @@ fn directories_that_lie_are_refused() {
     let valid = write(&sample()).unwrap();
     let mut huge = vec![0_u8; 200_000];
     huge[..valid.len().min(4)].copy_from_slice(b"PK\x03\x04");
-    // The larger end of a directory, with 150,000 entries that are not there; then its locator; then the plain end.
+    // The larger end of a directory, with 150,000 entries that are not there; then its locator;
+    // then the plain end.
     let at = huge.len() as u64;
     huge.extend(b"PK\x06\x06");
     huge.extend(44_u64.to_le_bytes());
     huge.extend([45, 0, 45, 0]);
     huge.extend([0; 8]);
-    huge.extend([150_000_u64, 150_000, u64::MAX >> 1, 180_000].into_iter().flat_map(u64::to_le_bytes));
+    huge.extend(
+        [150_000_u64, 150_000, u64::MAX >> 1, 180_000].into_iter().flat_map(u64::to_le_bytes),
+    );
     huge.extend(b"PK\x06\x07\0\0\0\0");
     huge.extend(at.to_le_bytes());
     huge.extend(1_u32.to_le_bytes());
@@ -385,7 +500,8 @@ fn mutated_files_never_panic() {
             _ => {}
         }
         for _ in 0..random.index(8) {
-            // Ends of directories lie at the end, and lengths and offsets in them are what hurts most.
+            // Ends of directories lie at the end, and lengths and offsets in them are what hurts
+            // most.
             let near_the_end = random.chance(0.5);
             let span = if near_the_end { bytes.len().min(500) } else { bytes.len() };
             if span > 0 {
@@ -409,8 +525,23 @@ fn mutated_files_never_panic() {
 fn mutated_manifests_never_panic() {
     let all = entries(&write(&sample()).unwrap());
     let mut random = Random::new(5);
-    let words =
-        ["0", "-1", "1e308", "4095", "255", "null", "[]", "{}", "\"\"", "true", ",", "]", "}", "\\", "99999999999"];
+    let words = [
+        "0",
+        "-1",
+        "1e308",
+        "4095",
+        "255",
+        "null",
+        "[]",
+        "{}",
+        "\"\"",
+        "true",
+        ",",
+        "]",
+        "}",
+        "\\",
+        "99999999999",
+    ];
     for _ in 0..4000 {
         let mut changed = all.clone();
         let text = &mut changed[0].1;

@@ -1,6 +1,6 @@
-//! The HCBTF node on the GPU and in f64 against a lookup written by hand, for every tier and way to look up: at random,
-//! at every sample's own direction, and where directions, frames and texture coordinates are hard (hard-cases.md 24
-//! and 25).
+//! The HCBTF node on the GPU and in f64 against a lookup written by hand, for every tier and way to
+//! look up: at random, at every sample's own direction, and where directions, frames and texture
+//! coordinates are hard (hard-cases.md 24 and 25).
 #![cfg(feature = "gpu")]
 #![allow(clippy::print_stdout, reason = "figures are worth reading when a bound is missed")]
 
@@ -36,7 +36,7 @@ fn grids() -> [(&'static str, Grid); 4] {
     ]
 }
 
-/// Every sample painted, each texel of its own colour.
+/// Every sample painted, each texel of its own color.
 fn painted(grid: Grid, is_opaque: bool) -> Hcbtf {
     let mut random = Random::new(7 + grid.texels() as u64);
     let mut tile = || {
@@ -47,7 +47,8 @@ fn painted(grid: Grid, is_opaque: bool) -> Hcbtf {
         let bytes = (0..grid.texels()).flat_map(|_| texel(&mut random)).collect();
         Arc::new(Tile::new(grid.size, bytes).unwrap())
     };
-    let painted: BTreeMap<Address, Arc<Tile>> = grid.addresses().map(|address| (address, tile())).collect();
+    let painted: BTreeMap<Address, Arc<Tile>> =
+        grid.addresses().map(|address| (address, tile())).collect();
     Hcbtf { painted, ..Hcbtf::new(grid) }
 }
 
@@ -65,7 +66,8 @@ fn wearing(path: &Path, lookup: &str, tier: &str) -> SetupLook {
 }
 
 fn stored_as(storage: &str, path: &Path, lookup: &str, tier: &str) -> SetupLook {
-    let mut values = json!({"sheet": path.display().to_string(), "unlit": BELOW, "storage": storage});
+    let mut values =
+        json!({"sheet": path.display().to_string(), "unlit": BELOW, "storage": storage});
     let kind = if lookup == "nearest" { "hcbtf_nearest" } else { "hcbtf_lookup" };
     if lookup != "nearest" {
         values["lookup"] = json!(lookup);
@@ -81,7 +83,14 @@ fn stored_as(storage: &str, path: &Path, lookup: &str, tier: &str) -> SetupLook 
     }))
 }
 
-fn sample(normal: DVec3, tangent: DVec3, is_mirrored: bool, light: DVec3, view: DVec3, uv: DVec2) -> EvalSample {
+fn sample(
+    normal: DVec3,
+    tangent: DVec3,
+    is_mirrored: bool,
+    light: DVec3,
+    view: DVec3,
+    uv: DVec2,
+) -> EvalSample {
     let light = LightOverride { direction: Some(light), ..LightOverride::default() };
     EvalSample {
         normal,
@@ -106,7 +115,14 @@ fn at_angles(random: &mut Random, light: [f64; 2], view: [f64; 2], uv: DVec2) ->
     let lean = random.between(-2.0, 2.0);
     let tangent = turn * DVec3::new(1.0, 0.0, lean) * random.between(0.1, 10.0);
     let normal = turn * DVec3::Z * random.between(0.2, 5.0);
-    sample(normal, tangent, is_mirrored, vector(light) * random.between(0.3, 3.0), vector(view) * 2.0, uv)
+    sample(
+        normal,
+        tangent,
+        is_mirrored,
+        vector(light) * random.between(0.3, 3.0),
+        vector(view) * 2.0,
+        uv,
+    )
 }
 
 // The lookup once more, by hand.
@@ -224,11 +240,12 @@ fn at_random(hcbtf: &Hcbtf, count: usize) -> Vec<EvalSample> {
     (0..count).map(one).collect()
 }
 
-/// Compares an answer with what was found by hand, as painted over black: where nearly nothing is painted, its colour
-/// does not matter.
+/// Compares an answer with what was found by hand, as painted over black: where nearly nothing is
+/// painted, its color does not matter.
 fn note(errors: &mut Errors, got: [f64; 4], wanted: [f64; 4], place: impl Fn() -> String) {
     for channel in 0..4 {
-        let over = |color: [f64; 4]| if channel == 3 { color[3] } else { color[channel] * color[3] };
+        let over =
+            |color: [f64; 4]| if channel == 3 { color[3] } else { color[channel] * color[3] };
         errors.note(over(got), over(wanted), || format!("{} channel {channel}", place()));
     }
 }
@@ -246,7 +263,9 @@ fn the_node_in_f64_is_the_lookup_by_hand() {
         let samples = at_random(&hcbtf, 400);
         for lookup in LOOKUPS {
             let mut errors = Errors::new(format!("{name}, {lookup}, f64"), 1e-7);
-            for (got, sample) in truth(&wearing(&path, lookup, "exact"), "", &samples).into_iter().zip(&samples) {
+            for (got, sample) in
+                truth(&wearing(&path, lookup, "exact"), "", &samples).into_iter().zip(&samples)
+            {
                 note(&mut errors, got, by_hand(&hcbtf, sample, lookup), || format!("{sample:?}"));
             }
             errors.finish();
@@ -262,12 +281,15 @@ fn every_tier_on_the_gpu_is_as_near_as_it_says() {
             let path = file(&format!("{name}_{is_opaque}"), &hcbtf);
             let samples = at_random(&hcbtf, 4000);
             for lookup in LOOKUPS {
-                // A texture coordinate of 32 bits knows the less of its place in a texel the more texels there are.
+                // A texture coordinate of 32 bits knows the less of its place in a texel the more
+                // texels there are.
                 let bound = 1e-6 * f64::from(grid.size[0] + grid.size[1]);
-                let mut exact = Errors::new(format!("{name}, {lookup}, exact, opaque {is_opaque}"), bound);
+                let mut exact =
+                    Errors::new(format!("{name}, {lookup}, exact, opaque {is_opaque}"), bound);
                 let mut balanced = Errors::new(format!("{name}, {lookup}, balanced"), 5e-3);
                 let of = |tier| seen(&path, lookup, tier, &samples);
-                for (index, (got, near)) in of("exact").into_iter().zip(of("balanced")).enumerate() {
+                for (index, (got, near)) in of("exact").into_iter().zip(of("balanced")).enumerate()
+                {
                     let wanted = by_hand(&hcbtf, &samples[index], lookup);
                     note(&mut exact, got, wanted, || format!("{:?}", samples[index]));
                     if is_opaque {
@@ -283,24 +305,31 @@ fn every_tier_on_the_gpu_is_as_near_as_it_says() {
     }
 }
 
-/// However it is stored, with views that share layers and with palettes, it looks as it was painted.
+/// However it is stored, with views that share layers and with palettes, it looks as it was
+/// painted.
 #[test]
 fn every_storage_looks_the_same() {
     let mut random = Random::new(77);
     let directions = Directions { theta: 3, phi: 5 };
     let grid = Grid { size: [20, 12], light: directions, view: Directions { theta: 4, phi: 6 } };
-    // Of few colours, of many, and alike for many lights and views.
+    // Of few colors, of many, and alike for many lights and views.
     let tiles: Vec<Arc<Tile>> = (0..7)
         .map(|kind| {
             let mut texel = || match kind {
                 0..4 => [255, 40 * random.index(6) as u8, 30 * kind, 255],
-                _ => [random.index(256) as u8, random.index(256) as u8, random.index(256) as u8, 255],
+                _ => {
+                    [random.index(256) as u8, random.index(256) as u8, random.index(256) as u8, 255]
+                }
             };
-            Arc::new(Tile::new(grid.size, (0..grid.texels()).flat_map(|_| texel()).collect()).unwrap())
+            Arc::new(
+                Tile::new(grid.size, (0..grid.texels()).flat_map(|_| texel()).collect()).unwrap(),
+            )
         })
         .collect();
     let alike = |address: Address| {
-        tiles[((address.view.theta + 2 * (address.view.phi / 3) + address.light.theta) % 7) as usize].clone()
+        tiles
+            [((address.view.theta + 2 * (address.view.phi / 3) + address.light.theta) % 7) as usize]
+            .clone()
     };
     let painted = grid.addresses().map(|address| (address, alike(address))).collect();
     let hcbtf = Hcbtf { painted, ..Hcbtf::new(grid) };
@@ -314,7 +343,8 @@ fn every_storage_looks_the_same() {
         errors.finish();
     };
     for lookup in LOOKUPS {
-        let wanted: Vec<[f64; 4]> = samples.iter().map(|sample| by_hand(&hcbtf, sample, lookup)).collect();
+        let wanted: Vec<[f64; 4]> =
+            samples.iter().map(|sample| by_hand(&hcbtf, sample, lookup)).collect();
         for storage in ["quick", "compact"] {
             let on_gpu = |tier: &str| {
                 let look = stored_as(storage, &path, lookup, tier);
@@ -339,17 +369,29 @@ fn what_lies_in_a_second_layer_is_found() {
     let one = Directions { theta: 1, phi: 1 };
     let grid = Grid { size: [1024, 840], light: Directions { theta: 5, phi: 1 }, view: one };
     let tile = |address: Address| {
-        let texel = |at: u32| [at as u8, (at >> 8) as u8, (at >> 16) as u8 + 40 * address.light.theta as u8, 255];
+        let texel = |at: u32| {
+            [at as u8, (at >> 8) as u8, (at >> 16) as u8 + 40 * address.light.theta as u8, 255]
+        };
         Arc::new(Tile::new(grid.size, (0..grid.texels() as u32).flat_map(texel).collect()).unwrap())
     };
-    let hcbtf =
-        Hcbtf { painted: grid.addresses().map(|address| (address, tile(address))).collect(), ..Hcbtf::new(grid) };
+    let hcbtf = Hcbtf {
+        painted: grid.addresses().map(|address| (address, tile(address))).collect(),
+        ..Hcbtf::new(grid)
+    };
     let path = file("layers", &hcbtf);
     let samples = at_random(&hcbtf, 200);
-    let got = eval_with(&stored_as("compact", &path, "nearest", "exact"), Library::built_in(), &options(""), &samples);
+    let got = eval_with(
+        &stored_as("compact", &path, "nearest", "exact"),
+        Library::built_in(),
+        &options(""),
+        &samples,
+    );
     for (got, sample) in got.iter().zip(&samples) {
         // f32 knows a texture coordinate of a few repeats to a thousandth of these texels.
-        assert!(got.iter().zip(by_hand(&hcbtf, sample, "nearest")).all(|(a, b)| (a - b).abs() < 1e-6), "{sample:?}");
+        assert!(
+            got.iter().zip(by_hand(&hcbtf, sample, "nearest")).all(|(a, b)| (a - b).abs() < 1e-6),
+            "{sample:?}"
+        );
     }
 }
 
@@ -413,19 +455,22 @@ fn the_nodes_beside_it_do_what_they_say() {
     for (show, directions) in [("light", grid.light), ("view", grid.view)] {
         let got = of("hcbtf_directions", &json!({"sheet": sheet, "show": show}), "node.color");
         for (got, sample) in got.iter().zip(&samples) {
-            let toward = if show == "light" { sample.lights["key"].direction.unwrap() } else { sample.view };
+            let toward =
+                if show == "light" { sample.lights["key"].direction.unwrap() } else { sample.view };
             let near = nearest(directions, angles(sample, toward));
             let hue = f64::from(near.phi) / f64::from(directions.phi) * 6.0;
             let part = f64::from(near.theta) / f64::from(directions.theta - 1);
             for (channel, offset) in [0.0, 4.0, 2.0].into_iter().enumerate() {
                 let pure = (((hue + offset) % 6.0 - 3.0).abs() - 1.0).clamp(0.0, 1.0);
-                errors.note(got[channel], 1.0 + (pure - 1.0) * part, || format!("{show} {sample:?}"));
+                errors
+                    .note(got[channel], 1.0 + (pure - 1.0) * part, || format!("{show} {sample:?}"));
             }
         }
     }
     let got = of("hcbtf_directions", &json!({"sheet": sheet, "show": "weights"}), "node.color");
     for (got, sample) in got.iter().zip(&samples) {
-        let weights: Vec<f64> = around(grid.view, angles(sample, sample.view)).into_iter().map(|(_, w)| w).collect();
+        let weights: Vec<f64> =
+            around(grid.view, angles(sample, sample.view)).into_iter().map(|(_, w)| w).collect();
         // By hand the two steps of a ring come first; in the node the two rings of a step.
         let [a, b, c, d] = [weights[0], weights[2], weights[1], weights[3]];
         for (got, wanted) in got.iter().zip([a + d, b + d, c + d]) {
@@ -437,14 +482,17 @@ fn the_nodes_beside_it_do_what_they_say() {
     for (got, sample) in of("dominant_light", &json!({}), "parts.direction").iter().zip(&samples) {
         let n = sample.normal.normalize();
         let key = sample.lights["key"].direction.unwrap().normalize();
-        let wanted = if 0.6 * DVec3::Y.dot(n).max(0.0) > key.dot(n).max(0.0) { DVec3::Y } else { key };
+        let wanted =
+            if 0.6 * DVec3::Y.dot(n).max(0.0) > key.dot(n).max(0.0) { DVec3::Y } else { key };
         for (got, wanted) in got.iter().zip(wanted.to_array()) {
             errors.note(*got, wanted, || format!("{sample:?}"));
         }
     }
     errors.finish();
     let mut errors = Errors::new("light by tone", 1e-4);
-    for (got, sample) in of("light_by_tone", &json!({"tone": 0.3}), "parts.direction").iter().zip(&samples) {
+    for (got, sample) in
+        of("light_by_tone", &json!({"tone": 0.3}), "parts.direction").iter().zip(&samples)
+    {
         let n = sample.normal.normalize();
         let key = sample.lights["key"].direction.unwrap().normalize();
         let wanted = 0.3 * n + (1.0_f64 - 0.09).sqrt() * (key - n * key.dot(n)).normalize();
@@ -455,21 +503,30 @@ fn the_nodes_beside_it_do_what_they_say() {
     errors.finish();
 }
 
-/// hard-cases.md 24: the pole has one colour, and nothing jumps where phi begins anew.
+/// hard-cases.md 24: the pole has one color, and nothing jumps where phi begins anew.
 #[test]
 fn poles_and_seams_are_whole() {
     let hcbtf = painted(Grid { size: [4, 4], ..Grid::THESIS }, true);
     let path = file("seams", &hcbtf);
     let uv = DVec2::new(0.99, 0.01);
     let still = |light: [f64; 2], view: [f64; 2]| {
-        let vector = |[theta, phi]: [f64; 2]| DVec3::new(theta.sin() * phi.sin(), theta.sin() * phi.cos(), theta.cos());
+        let vector = |[theta, phi]: [f64; 2]| {
+            DVec3::new(theta.sin() * phi.sin(), theta.sin() * phi.cos(), theta.cos())
+        };
         sample(DVec3::Z, DVec3::X, false, vector(light), vector(view), uv)
     };
-    let pole: Vec<EvalSample> =
-        (0..64).map(|i| still([0.0, f64::from(i)], [1e-9 * f64::from(i % 3), 2.0 + f64::from(i)])).collect();
+    let pole: Vec<EvalSample> = (0..64)
+        .map(|i| still([0.0, f64::from(i)], [1e-9 * f64::from(i % 3), 2.0 + f64::from(i)]))
+        .collect();
     let seam: Vec<EvalSample> = [-1e-7, -0.0, 0.0, 1e-7, TAU - 1e-7, TAU, TAU + 1e-7]
         .into_iter()
-        .flat_map(|phi| [still([0.7, phi], [0.4, 1.0]), still([0.7, 1.0], [0.4, phi]), still([0.7, phi], [0.4, phi])])
+        .flat_map(|phi| {
+            [
+                still([0.7, phi], [0.4, 1.0]),
+                still([0.7, 1.0], [0.4, phi]),
+                still([0.7, phi], [0.4, phi]),
+            ]
+        })
         .collect();
     for lookup in LOOKUPS {
         for one in ["exact", "balanced", "fast"] {
@@ -484,14 +541,19 @@ fn poles_and_seams_are_whole() {
             let seams = seen(&path, lookup, one, &seam);
             for (index, value) in seams.iter().enumerate() {
                 for (a, b) in value.iter().zip(&seams[index % 3]) {
-                    assert!((a - b).abs() < 4e-3, "{lookup} {one}: {value:?} beside {:?}", seams[index % 3]);
+                    assert!(
+                        (a - b).abs() < 4e-3,
+                        "{lookup} {one}: {value:?} beside {:?}",
+                        seams[index % 3]
+                    );
                 }
             }
         }
     }
 }
 
-/// hard-cases.md 25: grazing and back-facing views, lights on and below the horizon, odd lengths, far coordinates.
+/// hard-cases.md 25: grazing and back-facing views, lights on and below the horizon, odd lengths,
+/// far coordinates.
 #[test]
 fn hard_places_have_a_color() {
     let hcbtf = painted(Grid { size: [4, 4], ..Grid::THESIS }, true);
@@ -519,16 +581,25 @@ fn hard_places_have_a_color() {
     // A tangent along the normal is none.
     samples.push(sample(DVec3::Z, DVec3::Z, true, up, up, DVec2::splat(0.4)));
     for lookup in LOOKUPS {
-        for (storage, one) in [("quick", "exact"), ("quick", "balanced"), ("quick", "fast"), ("compact", "balanced")] {
+        for (storage, one) in
+            [("quick", "exact"), ("quick", "balanced"), ("quick", "fast"), ("compact", "balanced")]
+        {
             let look = stored_as(storage, &path, lookup, one);
             let values = eval_with(&look, Library::built_in(), &options(""), &samples);
             for (index, value) in values.iter().enumerate() {
                 let is_below = (lit..lit + 3).contains(&index);
                 assert_eq!(*value == BELOW, is_below, "{lookup} {one} {index}: {value:?}");
-                assert!(value.iter().all(|c| (0.0..=1.0).contains(c)), "{lookup} {one} {index}: {value:?}");
+                assert!(
+                    value.iter().all(|c| (0.0..=1.0).contains(c)),
+                    "{lookup} {one} {index}: {value:?}"
+                );
             }
             // A view below the horizon counts as on it.
-            assert_eq!(values[0].map(|c| (c * 500.0).round()), values[7].map(|c| (c * 500.0).round()), "{lookup}");
+            assert_eq!(
+                values[0].map(|c| (c * 500.0).round()),
+                values[7].map(|c| (c * 500.0).round()),
+                "{lookup}"
+            );
         }
     }
 }

@@ -1,4 +1,5 @@
-//! The ledger finds what it is there to find: changed shaders, changed engines, and lines that are false.
+//! The ledger finds what it is there to find: changed shaders, changed engines, and lines that are
+//! false.
 #![cfg(feature = "gpu")]
 
 use std::fs;
@@ -14,7 +15,8 @@ use crate::support::ledger::{Key, Ledger, Mode};
 
 fn written(folder: &Path, lines: &[(&str, &Key, f64)]) -> PathBuf {
     let path = folder.join("sweep.txt");
-    let line = |(case, key, figure): &(&str, &Key, f64)| format!("{} {figure:e} {case}\n", key.text());
+    let line =
+        |(case, key, figure): &(&str, &Key, f64)| format!("{} {figure:e} {case}\n", key.text());
     fs::write(&path, lines.iter().map(line).collect::<String>()).unwrap();
     path
 }
@@ -52,7 +54,9 @@ fn a_forged_line_is_found_when_its_turn_comes() {
         ledger.complaints
     };
     let honest = (0..100).filter(|commit| !run(*commit, 1.1e-7).is_empty()).count();
-    let forged = (0..100).filter(|commit| run(*commit, 3e-3).iter().any(|told| told.contains("is false"))).count();
+    let forged = (0..100)
+        .filter(|commit| run(*commit, 3e-3).iter().any(|told| told.contains("is false")))
+        .count();
     assert_eq!(honest, 0);
     assert!((3..25).contains(&forged), "{forged} of 100 commits find it");
 }
@@ -64,10 +68,14 @@ fn a_line_with_another_key_counts_for_nothing() {
     let path = written(folder.path(), &[("node add", &key.with(b"another"), 1e-7)]);
     let mut ledger = Ledger::at(&path, Mode::Turns, "");
     ledger.prove("node add", &key, || Err("off by 3".into()));
-    assert_eq!((ledger.counts(), ledger.complaints), ([1, 0], vec!["node add: off by 3".to_owned()]));
+    assert_eq!(
+        (ledger.counts(), ledger.complaints),
+        ([1, 0], vec!["node add: off by 3".to_owned()])
+    );
 }
 
-/// The interpreter judges; with one sign of it changed nothing that it judged stands. Comments judge nothing.
+/// The interpreter judges; with one sign of it changed nothing that it judged stands. Comments
+/// judge nothing.
 #[test]
 fn a_changed_interpreter_is_another_key() {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/language/interp");
@@ -92,12 +100,14 @@ fn a_changed_interpreter_is_another_key() {
     assert_ne!(key(), before);
 }
 
-/// One digit of a shader is another: what was proved with it stands no more, and what was proved of other nodes does.
+/// One digit of a shader is another: what was proved with it stands no more, and what was proved of
+/// other nodes does.
 #[test]
 fn a_changed_constant_in_a_shader_is_another_key() {
     let with = |constant: &str| {
         let text = format!(
-            "/// Half\n///\n/// @param x \"Value\" default=0 : A number.\nfn half_of(x: f32) -> f32 {{\n    return {constant} * x;\n}}\n"
+            "/// Half\n///\n/// @param x \"Value\" default=0 : A number.\nfn half_of(x: f32) -> \
+             f32 {{\n    return {constant} * x;\n}}\n"
         );
         let mut library = Library::built_in().clone();
         library.add_file("nodes/math/half_of.wgsl", &text);

@@ -1,4 +1,5 @@
-//! The example looks against their truth: over lights and views, at many sizes, and from frame to frame.
+//! The example looks against their truth: over lights and views, at many sizes, and from frame to
+//! frame.
 #![cfg(feature = "gpu")]
 #![allow(clippy::print_stdout, reason = "figures are worth reading when a bound is missed")]
 
@@ -7,7 +8,9 @@ use std::path::Path;
 use crate::support::eval::{renderer, told};
 use crate::support::ledger::{Key, Ledger};
 use chiaro::accuracy::sweep::looks::content;
-use chiaro::accuracy::sweep::{LookEffort, StabilityEffort, looks_in, measure_look, measure_stability, stability};
+use chiaro::accuracy::sweep::{
+    LookEffort, StabilityEffort, looks_in, measure_look, measure_stability, stability,
+};
 use chiaro::accuracy::{Colors, Progress, Stopped, Truth};
 use chiaro::diag::Diagnostic;
 use chiaro::document::{Projection, Tier};
@@ -39,7 +42,9 @@ const JUDGES: &[&str] = &[
 
 /// What the verdict on a look's pictures depends on.
 fn key(path: &Path, precise: &Renderer, effort: &str, meshes: &[&str], tiers: &[Tier]) -> Key {
-    let mut key = Key::of_sources(JUDGES).with(precise.gpu().info.driver_info.as_bytes()).with(effort.as_bytes());
+    let mut key = Key::of_sources(JUDGES)
+        .with(precise.gpu().info.driver_info.as_bytes())
+        .with(effort.as_bytes());
     let told = content(path, meshes, tiers, Library::built_in(), &mut |bytes| key.add(bytes));
     told.unwrap_or_else(|problems| panic!("{}", self::told(&problems)));
     key
@@ -59,10 +64,17 @@ fn hold_looks(effort: &LookEffort, ledger: &str) {
             let mut go_on = |_, _| true;
             let mut progress = Progress::new(&mut go_on);
             let mut worst = 0.0_f64;
-            for measured in flawless(measure_look(&path, Library::built_in(), &mut precise, effort, &mut progress)) {
+            for measured in flawless(measure_look(
+                &path,
+                Library::built_in(),
+                &mut precise,
+                effort,
+                &mut progress,
+            )) {
                 let e = &measured.error;
                 let line = format!(
-                    "{:24} {:8} {:3} pictures, NaN {}, max {:.1e}, p999 {:.1e}, rms {:.1e}, edges {} of {} up to {:.1e}; {}",
+                    "{:24} {:8} {:3} pictures, NaN {}, max {:.1e}, p999 {:.1e}, rms {:.1e}, edges \
+                     {} of {} up to {:.1e}; {}",
                     measured.look,
                     format!("{:?}", measured.tier),
                     measured.pictures,
@@ -97,8 +109,14 @@ fn hold_stability(effort: &StabilityEffort, ledger: &str) {
             ledger.prove(&format!("{} on {mesh}", stem(&path)), &key, || {
                 let mut go_on = |_, _| true;
                 let mut progress = Progress::new(&mut go_on);
-                let measured =
-                    flawless(measure_stability(&path, mesh, Library::built_in(), &mut precise, effort, &mut progress));
+                let measured = flawless(measure_stability(
+                    &path,
+                    mesh,
+                    Library::built_in(),
+                    &mut precise,
+                    effort,
+                    &mut progress,
+                ));
                 let told = |f: &stability::Flicker| {
                     format!("{:.1e} of {:.1e}, {} of {} seen", f.max, f.truth, f.visible, f.count)
                 };
@@ -165,21 +183,31 @@ fn shifted(setup: &Setup, pixels: f64, side: u32) -> Setup {
 fn only_what_a_step_of_the_grid_explains_is_settled() {
     let side = 96;
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks/hatching.json");
-    let (setup, _) =
-        open(&file, Some("shape:sphere"), &mut Assets::default()).unwrap_or_else(|p| panic!("{}", told(&p)));
+    let (setup, _) = open(&file, Some("shape:sphere"), &mut Assets::default())
+        .unwrap_or_else(|p| panic!("{}", told(&p)));
     let options = PlanOptions { size: [side; 2], samples: 1, time: 0.0 };
     let mut planner = Planner::for_truth(Assets::default());
     let mut truth_of = |setup: &Setup| {
         let mut go_on = |_, _| true;
-        flawless(Truth::of(setup, Library::built_in(), &mut planner, &options, &mut Progress::new(&mut go_on)))
+        flawless(Truth::of(
+            setup,
+            Library::built_in(),
+            &mut planner,
+            &options,
+            &mut Progress::new(&mut go_on),
+        ))
     };
     let aside = truth_of(&shifted(&setup, 1.0 / 256.0, side));
     let mut truth = truth_of(&setup);
     let [here, there] = [truth.colors().rgba.into_owned(), aside.colors().rgba.into_owned()];
-    let apart = |index: usize| (0..4).map(|c| (here[index][c] - there[index][c]).abs()).fold(0.0, f64::max);
-    let inside: Vec<usize> = (0..here.len()).filter(|&index| !truth.is_edge(index) && here[index][3] > 0.0).collect();
-    let leaping = inside.iter().copied().max_by(|a, b| apart(*a).total_cmp(&apart(*b))).expect("pixels");
-    let still = inside.iter().copied().min_by(|a, b| apart(*a).total_cmp(&apart(*b))).expect("pixels");
+    let apart =
+        |index: usize| (0..4).map(|c| (here[index][c] - there[index][c]).abs()).fold(0.0, f64::max);
+    let inside: Vec<usize> =
+        (0..here.len()).filter(|&index| !truth.is_edge(index) && here[index][3] > 0.0).collect();
+    let leaping =
+        inside.iter().copied().max_by(|a, b| apart(*a).total_cmp(&apart(*b))).expect("pixels");
+    let still =
+        inside.iter().copied().min_by(|a, b| apart(*a).total_cmp(&apart(*b))).expect("pixels");
     assert!(apart(leaping) > 1e-3 && apart(still) < 1e-5);
 
     // What leaps is as the camera aside sees it; what does not is wrong.
@@ -189,7 +217,8 @@ fn only_what_a_step_of_the_grid_explains_is_settled() {
     got.rgba.to_mut()[still][1] += wrong;
     let above = 0.5 * apart(leaping);
     let mut again = Planner::for_truth(Assets::default());
-    let settled = flawless(truth.settle(&got, |_| above, &setup, Library::built_in(), &mut again, &options));
+    let settled =
+        flawless(truth.settle(&got, |_| above, &setup, Library::built_in(), &mut again, &options));
     assert_eq!(settled, 1);
     assert!(truth.is_edge(leaping) && !truth.is_edge(still));
     let figures = truth.figures(&got);
@@ -200,7 +229,8 @@ fn only_what_a_step_of_the_grid_explains_is_settled() {
 #[test]
 fn some_rows_of_a_truth_are_those_of_the_whole() {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks/contours.json");
-    let (setup, _) = open(&file, None, &mut Assets::default()).unwrap_or_else(|p| panic!("{}", told(&p)));
+    let (setup, _) =
+        open(&file, None, &mut Assets::default()).unwrap_or_else(|p| panic!("{}", told(&p)));
     let options = PlanOptions { size: [80, 64], samples: 1, time: 0.0 };
     let mut planner = Planner::for_truth(Assets::default());
     let mut rows_of = |rows| {

@@ -4,14 +4,17 @@
 
 use crate::support::eval::{renderer, told};
 use crate::support::ledger::{Key, Ledger};
-use chiaro::accuracy::sweep::{Case, Effort, Lab, LookEffort, Measured, StabilityEffort, Survey, survey};
+use chiaro::accuracy::sweep::{
+    Case, Effort, Lab, LookEffort, Measured, StabilityEffort, Survey, survey,
+};
 use chiaro::accuracy::{Progress, Stopped};
 use chiaro::diag::Diagnostic;
 use chiaro::library::Library;
 
 fn sweep(effort: &Effort) -> Vec<Measured> {
     let mut renderer = renderer();
-    let mut lab = Lab::new(Library::built_in(), &mut renderer).unwrap_or_else(|problems| panic!("{}", told(&problems)));
+    let mut lab = Lab::new(Library::built_in(), &mut renderer)
+        .unwrap_or_else(|problems| panic!("{}", told(&problems)));
     let mut kinds: Vec<&str> = Library::built_in().nodes.keys().map(String::as_str).collect();
     kinds.sort_unstable();
     let mut all = Vec::new();
@@ -80,15 +83,19 @@ fn every_node_keeps_its_bound() {
     let effort = Effort::QUICK;
     let mut ledger = Ledger::open("nodes");
     let mut renderer = renderer();
-    let mut lab = Lab::new(Library::built_in(), &mut renderer).unwrap_or_else(|problems| panic!("{}", told(&problems)));
+    let mut lab = Lab::new(Library::built_in(), &mut renderer)
+        .unwrap_or_else(|problems| panic!("{}", told(&problems)));
     let mut kinds: Vec<&str> = Library::built_in().nodes.keys().map(String::as_str).collect();
     kinds.sort_unstable();
     for case in kinds.into_iter().flat_map(|kind| Case::of(&Library::built_in().nodes[kind])) {
         let name = format!("{}, {:?}", case.name(), case.tier);
         let key = key(&mut lab, &case, &effort);
         ledger.prove(&name, &key, || {
-            let measured = lab.measure(&case, &effort).map_err(|stopped| told(&Vec::<Diagnostic>::from(stopped)))?;
-            // Of what is documented alone: elsewhere it depends on the thread whether denormals count as 0.
+            let measured = lab
+                .measure(&case, &effort)
+                .map_err(|stopped| told(&Vec::<Diagnostic>::from(stopped)))?;
+            // Of what is documented alone: elsewhere it depends on the thread whether denormals
+            // count as 0.
             if measured.holds() { Ok(measured.p999) } else { Err(line(&measured)) }
         });
     }
@@ -104,13 +111,19 @@ fn soak_every_node_keeps_its_bound() {
 /// What the GPU and the truth give where every slot has these numbers.
 fn one(node: &str, inputs: &[(&str, &[f64])]) -> [Vec<f64>; 2] {
     let mut renderer = renderer();
-    let mut lab = Lab::new(Library::built_in(), &mut renderer).unwrap_or_else(|problems| panic!("{}", told(&problems)));
+    let mut lab = Lab::new(Library::built_in(), &mut renderer)
+        .unwrap_or_else(|problems| panic!("{}", told(&problems)));
     let case = Case::of(&Library::built_in().nodes[node]).remove(0);
     let bench = lab.bench(&case).unwrap_or_else(|problems| panic!("{}", told(&problems)));
     let of = |name: &str| inputs.iter().find(|input| input.0 == name).map(|input| input.1.to_vec());
-    let numbers = bench.slots.iter().map(|slot| of(&slot.name).unwrap_or_else(|| vec![0.0; slot.width])).collect();
+    let numbers = bench
+        .slots
+        .iter()
+        .map(|slot| of(&slot.name).unwrap_or_else(|| vec![0.0; slot.width]))
+        .collect();
     let findings = lab.compare(&bench, &[numbers]);
-    let mut findings = findings.unwrap_or_else(|stopped| panic!("{}", told(&Vec::<Diagnostic>::from(stopped))));
+    let mut findings =
+        findings.unwrap_or_else(|stopped| panic!("{}", told(&Vec::<Diagnostic>::from(stopped))));
     let finding = findings.remove(0);
     [finding.got, finding.truth]
 }
@@ -130,8 +143,11 @@ fn a_turn_by_pi_beyond_pi_ends_at_pi() {
 #[test]
 fn a_tangent_beside_the_normal_gives_a_frame_at_right_angles() {
     let normal = [-1.0, -2.3e-4, 2.4e-4];
-    let inputs: [(&str, &[f64]); 3] =
-        [("normal", &normal), ("surface_normal", &[0.0, 1.0, 0.0]), ("surface_tangent", &[-1.0, 0.0, 1.2e-4])];
+    let inputs: [(&str, &[f64]); 3] = [
+        ("normal", &normal),
+        ("surface_normal", &[0.0, 1.0, 0.0]),
+        ("surface_tangent", &[-1.0, 0.0, 1.2e-4]),
+    ];
     for frame in one("tangent_frame", &inputs) {
         let along: f64 = (0..3).map(|i| frame[i] * frame[6 + i]).sum();
         assert!(along.abs() < 3e-7, "{along} of {frame:?}");
@@ -158,7 +174,12 @@ fn a_survey_by_several_workers_is_that_of_one() {
         let look = include_str!("../../examples/looks/figure3-profile.json");
         std::fs::write(folder.path().join(format!("{name}.json")), look).expect("it is written");
     }
-    let tiny = LookEffort { meshes: vec!["shape:sphere"], stations: 2, sides: vec![24], ..LookEffort::quick() };
+    let tiny = LookEffort {
+        meshes: vec!["shape:sphere"],
+        stations: 2,
+        sides: vec![24],
+        ..LookEffort::quick()
+    };
     let wanted = Survey {
         nodes: kinds.map(str::to_owned).to_vec(),
         effort,
@@ -172,10 +193,11 @@ fn a_survey_by_several_workers_is_that_of_one() {
         steps.push((done, total));
         true
     };
-    let report = survey(&wanted, library, &mut Progress::new(&mut told)).unwrap_or_else(|stopped| {
-        let problems: Vec<Diagnostic> = stopped.into();
-        panic!("{}", self::told(&problems))
-    });
+    let report =
+        survey(&wanted, library, &mut Progress::new(&mut told)).unwrap_or_else(|stopped| {
+            let problems: Vec<Diagnostic> = stopped.into();
+            panic!("{}", self::told(&problems))
+        });
     let names = |all: &[chiaro::accuracy::sweep::LookMeasured]| -> Vec<String> {
         all.iter().map(|one| format!("{} {:?}", one.look, one.tier)).collect()
     };
@@ -184,20 +206,31 @@ fn a_survey_by_several_workers_is_that_of_one() {
         (names(&report.looks), names(&report.large)),
         (all.map(str::to_owned).to_vec(), all.map(str::to_owned).to_vec())
     );
-    assert!(report.large.iter().all(|one| one.worst_words.is_empty() || one.worst_words.contains("48 px")));
+    assert!(
+        report
+            .large
+            .iter()
+            .all(|one| one.worst_words.is_empty() || one.worst_words.contains("48 px"))
+    );
     assert_eq!(report.stability.iter().map(|one| one.look.as_str()).collect::<String>(), "aabb");
     let mut renderer = renderer();
-    let mut lab = Lab::new(library, &mut renderer).unwrap_or_else(|problems| panic!("{}", self::told(&problems)));
+    let mut lab = Lab::new(library, &mut renderer)
+        .unwrap_or_else(|problems| panic!("{}", self::told(&problems)));
     let mut alone = Vec::new();
     for kind in ["add", "facing", "profile"] {
         for case in Case::of(&library.nodes[kind]) {
-            let measured = lab.measure(&case, &effort).unwrap_or_else(|_| panic!("{}", case.name()));
+            let measured =
+                lab.measure(&case, &effort).unwrap_or_else(|_| panic!("{}", case.name()));
             alone.push(serde_json::json!(measured));
         }
     }
     assert_eq!(report.nodes.iter().map(|one| serde_json::json!(one)).collect::<Vec<_>>(), alone);
     let total = alone.len() as u64 + 2 * (2 + 2 + 2 * 2);
-    assert_eq!(steps, (1..=total).map(|done| (done, total)).collect::<Vec<_>>(), "every step is told, once");
+    assert_eq!(
+        steps,
+        (1..=total).map(|done| (done, total)).collect::<Vec<_>>(),
+        "every step is told, once"
+    );
 
     // Nobody goes on who was told to stop.
     let mut most = 0;

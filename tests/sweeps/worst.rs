@@ -22,13 +22,17 @@ fn the_worst_inputs_stay_within_their_bounds() {
     }
     assert!(by_case.len() > 150, "only {} cases are kept", by_case.len());
     let mut renderer = renderer();
-    let mut lab = Lab::new(Library::built_in(), &mut renderer).unwrap_or_else(|problems| panic!("{}", told(&problems)));
+    let mut lab = Lab::new(Library::built_in(), &mut renderer)
+        .unwrap_or_else(|problems| panic!("{}", told(&problems)));
     let mut ledger = Ledger::open("worst");
     for (case, kept) in by_case {
         let bench = lab.bench(&case).unwrap_or_else(|problems| panic!("{}", told(&problems)));
-        let all: Vec<_> =
-            kept.iter().map(|worst| worst.numbers(&bench).unwrap_or_else(|problem| panic!("{problem}"))).collect();
-        let mut key = Key::of_sources(nodes::JUDGES).with(lab.renderer.gpu().info.driver_info.as_bytes());
+        let all: Vec<_> = kept
+            .iter()
+            .map(|worst| worst.numbers(&bench).unwrap_or_else(|problem| panic!("{problem}")))
+            .collect();
+        let mut key =
+            Key::of_sources(nodes::JUDGES).with(lab.renderer.gpu().info.driver_info.as_bytes());
         let content = lab.content_of(&bench, &all, &mut |bytes| key.add(bytes));
         content.unwrap_or_else(|problems| panic!("{}", told(&problems)));
         ledger.prove(&format!("{}, {:?}", case.name(), case.tier), &key, || {
@@ -38,10 +42,14 @@ fn the_worst_inputs_stay_within_their_bounds() {
             for (finding, worst) in findings.iter().zip(&kept) {
                 let is_finite = finding.got.iter().all(|x| x.is_finite());
                 if !is_finite || finding.error > most {
-                    return Err(format!("{:.1e} of {most:.0e}, was {:.1e}: {finding:?}", finding.error, worst.error));
+                    return Err(format!(
+                        "{:.1e} of {most:.0e}, was {:.1e}: {finding:?}",
+                        finding.error, worst.error
+                    ));
                 }
             }
-            // The verdict alone: many of these inputs are denormal, and whether those count as 0 depends on the thread.
+            // The verdict alone: many of these inputs are denormal, and whether those count as 0
+            // depends on the thread.
             Ok(0.0)
         });
     }

@@ -1,4 +1,5 @@
-//! Every formula of the BADF model, as the GPU computes it, against f64 from the paper's own formulas.
+//! Every formula of the BADF model, as the GPU computes it, against f64 from the paper's own
+//! formulas.
 #![cfg(feature = "gpu")]
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
@@ -20,13 +21,15 @@ fn numbers(values: &[(&str, f64)]) -> Values {
 }
 
 fn toward(direction: DVec3) -> indexmap::IndexMap<chiaro::ids::LightId, LightOverride> {
-    [("key".into(), LightOverride { direction: Some(direction), ..LightOverride::default() })].into_iter().collect()
+    [("key".into(), LightOverride { direction: Some(direction), ..LightOverride::default() })]
+        .into_iter()
+        .collect()
 }
 
 /// A light, a parametrization and a profile whose parameters each sample sets.
 fn profile_look() -> SetupLook {
-    let exposed =
-        ["offset", "falloff", "cutoff", "shift"].map(|name| json!({"name": name, "target": format!("tone.{name}")}));
+    let exposed = ["offset", "falloff", "cutoff", "shift"]
+        .map(|name| json!({"name": name, "target": format!("tone.{name}")}));
     look(&json!({
         "lights": {"key": {"direction": [0, 0, 1]}},
         "exposed": exposed,
@@ -44,7 +47,8 @@ fn profile_look() -> SetupLook {
     }))
 }
 
-/// The same with the profile's parameters wired from the surface, so that `prepare` runs in the fragment in f32.
+/// The same with the profile's parameters wired from the surface, so that `prepare` runs in the
+/// fragment in f32.
 fn profile_look_per_fragment() -> SetupLook {
     look(&json!({
         "lights": {"key": {"direction": [0, 0, 1]}},
@@ -78,8 +82,17 @@ fn at_angle(u: f64) -> (DVec3, f64) {
 
 fn sample_of(u: f64, shift: f64, [offset, falloff, cutoff]: [f64; 3]) -> (EvalSample, f64) {
     let (normal, u) = at_angle(u);
-    let values = numbers(&[("offset", offset), ("falloff", falloff), ("cutoff", cutoff), ("shift", shift)]);
-    (EvalSample { normal, values, position: DVec3::new(offset, falloff, cutoff), ..EvalSample::default() }, u)
+    let values =
+        numbers(&[("offset", offset), ("falloff", falloff), ("cutoff", cutoff), ("shift", shift)]);
+    (
+        EvalSample {
+            normal,
+            values,
+            position: DVec3::new(offset, falloff, cutoff),
+            ..EvalSample::default()
+        },
+        u,
+    )
 }
 
 /// Angles from 0 to pi, denser at both ends.
@@ -123,7 +136,8 @@ fn the_angles_of_all_parametrizations() {
                     _ => turn.inverse() * mirrored(v, n),
                 };
                 let apart = 10_f64.powf(random.between(-7.0, -1.0));
-                own = (near + apart * random.direction()) * if random.chance(0.3) { -1.0 } else { 1.0 };
+                own = (near + apart * random.direction())
+                    * if random.chance(0.3) { -1.0 } else { 1.0 };
             }
             let l = turn * own.normalize();
             wanted.push(match *kind {
@@ -142,8 +156,13 @@ fn the_angles_of_all_parametrizations() {
             });
         }
         // Rounding a unit vector to f32 turns it by up to 1e-7, the camera's matrix turns it again.
-        let mut errors = Errors::new(format!("angle u, {kind}"), if *kind == "half_vector" { 4e-7 } else { 5e-7 });
-        for ((value, u), sample) in eval(&look, "angle.angle", &samples).iter().zip(&wanted).zip(&samples) {
+        let mut errors = Errors::new(
+            format!("angle u, {kind}"),
+            if *kind == "half_vector" { 4e-7 } else { 5e-7 },
+        );
+        for ((value, u), sample) in
+            eval(&look, "angle.angle", &samples).iter().zip(&wanted).zip(&samples)
+        {
             // Where light and eye are opposite, the half-vector's direction is rounding's.
             let l = sample.frame * sample.lights["key"].direction.unwrap_or(DVec3::Z).normalize();
             if *kind == "half_vector" && (l + sample.view).length() < 0.5 {
@@ -156,18 +175,27 @@ fn the_angles_of_all_parametrizations() {
     }
 }
 
-fn check_alpha(name: &str, bound: f64, look: &SetupLook, cases: &[(f64, f64, [f64; 3])], round: bool) {
+fn check_alpha(
+    name: &str,
+    bound: f64,
+    look: &SetupLook,
+    cases: &[(f64, f64, [f64; 3])],
+    round: bool,
+) {
     let held_case = |&(u, shift, p): &(f64, f64, [f64; 3])| {
         if round { (u, f32_of(shift), p.map(f32_of)) } else { (u, shift, p) }
     };
     let cases: Vec<_> = cases.iter().map(held_case).collect();
-    let (mut samples, angles): (Vec<_>, Vec<_>) = cases.iter().map(|&(u, shift, p)| sample_of(u, shift, p)).unzip();
+    let (mut samples, angles): (Vec<_>, Vec<_>) =
+        cases.iter().map(|&(u, shift, p)| sample_of(u, shift, p)).unzip();
     if look.look.exposed.is_empty() {
         samples.iter_mut().for_each(|sample| sample.values.clear());
     }
     let mut errors = Errors::new(name, bound);
     let mut steepest = Errors::new(format!("{name}, at the cut-off where f' > pi/2"), 5e-4);
-    for ((value, (_, shift, parameters)), u) in eval(look, "tone.tone", &samples).iter().zip(&cases).zip(angles) {
+    for ((value, (_, shift, parameters)), u) in
+        eval(look, "tone.tone", &samples).iter().zip(&cases).zip(angles)
+    {
         let [tau, f, c] = badf::sanitised(*parameters);
         let x = (u - shift).clamp(0.0, PI) - tau;
         // At a step's very edge one rounding of u decides; hard cases hold those one by one.
@@ -175,12 +203,14 @@ fn check_alpha(name: &str, bound: f64, look: &SetupLook, cases: &[(f64, f64, [f6
             assert!(value[0] == 0.0 || value[0] == 1.0);
             continue;
         }
-        // Beyond pi/2 the exponent lies between 1/2 and 1, and the slope at the cut-off is infinite: 1e-7 in the base
-        // is up to 3e-4 in alpha.
+        // Beyond pi/2 the exponent lies between 1/2 and 1, and the slope at the cut-off is
+        // infinite: 1e-7 in the base is up to 3e-4 in alpha.
         let base = 1.0 - ((0.5 * x).sin() / (0.5 * (c - tau)).sin()).powi(2);
         let is_steepest = f - tau > FRAC_PI_2 && base < 1e-3;
         let errors = if is_steepest { &mut steepest } else { &mut errors };
-        errors.note(value[0], badf::alpha(u, *shift, *parameters), || format!("u {u} shift {shift} {parameters:?}"));
+        errors.note(value[0], badf::alpha(u, *shift, *parameters), || {
+            format!("u {u} shift {shift} {parameters:?}")
+        });
     }
     if steepest.has_any() {
         steepest.finish();
@@ -195,7 +225,9 @@ fn grid(offsets: &[f64], least: f64) -> Vec<(f64, f64, [f64; 3])> {
         for c in [0.05, 0.3, 0.7, 1.0, FRAC_PI_2, 2.0, 2.6, 3.0, PI] {
             for part in [0.01, 0.1, 0.3, 0.5, 0.8, 1.0] {
                 if c * part >= least && tau + c <= PI + 1e-9 {
-                    cases.extend(angles().into_iter().map(|u| (u, 0.0, [tau, tau + c * part, tau + c])));
+                    cases.extend(
+                        angles().into_iter().map(|u| (u, 0.0, [tau, tau + c * part, tau + c])),
+                    );
                 }
             }
         }
@@ -210,7 +242,13 @@ fn alpha_without_an_offset() {
 
 #[test]
 fn alpha_with_offsets() {
-    check_alpha("alpha, tau > 0, f' >= .2", 2e-6, &profile_look(), &grid(&[0.01, 0.4, 1.3, 2.5], 0.2), false);
+    check_alpha(
+        "alpha, tau > 0, f' >= .2",
+        2e-6,
+        &profile_look(),
+        &grid(&[0.01, 0.4, 1.3, 2.5], 0.2),
+        false,
+    );
 }
 
 #[test]
@@ -225,7 +263,13 @@ fn alpha_of_narrow_profiles() {
                 (f * random.between(0.0, 3.0), 0.0, [0.0, f, c])
             })
             .collect();
-        check_alpha(&format!("alpha, tau = 0, {least} <= f < {most}"), bound, &profile_look(), &cases, false);
+        check_alpha(
+            &format!("alpha, tau = 0, {least} <= f < {most}"),
+            bound,
+            &profile_look(),
+            &cases,
+            false,
+        );
         let moved: Vec<_> = cases
             .iter()
             .map(|&(u, _, [_, f, c])| {
@@ -273,8 +317,8 @@ fn alpha_of_parameters_out_of_order() {
     while cases.len() < 8000 {
         let parameters = [odd(&mut random), odd(&mut random), odd(&mut random)];
         let [tau, f, c] = badf::sanitised(parameters);
-        // Narrow ones and near-ambient ones have tests of their own; at the corner f' = c' = pi the exponent hangs on the
-        // last digit of pi.
+        // Narrow ones and near-ambient ones have tests of their own; at the corner f' = c' = pi the
+        // exponent hangs on the last digit of pi.
         let is_plain = |x: f64| x == 0.0 || (0.2..3.0).contains(&x);
         if is_plain(f - tau) && is_plain(c - tau) && !(PI - 1e-4..PI).contains(&tau) {
             cases.push((random.between(0.0, PI), 0.0, parameters));
@@ -286,7 +330,13 @@ fn alpha_of_parameters_out_of_order() {
 #[test]
 fn alpha_of_parameters_wired_per_fragment() {
     let cases: Vec<_> = grid(&[0.0, 0.4, 1.3], 0.2);
-    check_alpha("alpha, prepare in the fragment, f' >= .2", 4e-6, &profile_look_per_fragment(), &cases, true);
+    check_alpha(
+        "alpha, prepare in the fragment, f' >= .2",
+        4e-6,
+        &profile_look_per_fragment(),
+        &cases,
+        true,
+    );
 }
 
 /// Angles near 0, in the middle and near pi, as f32 holds them; the last is the f32 next to pi.
@@ -332,10 +382,18 @@ fn alpha_of_parameters_wired_near_0_and_near_pi() {
     let mut errors = Errors::new("alpha, prepare in f32 on the CPU, everywhere", 2e-5);
     for &(u, _, parameters) in &cases {
         let parameters = parameters.map(f32_of);
-        errors.note(in_f32(u, parameters), badf::alpha(u, 0.0, parameters), || format!("u {u} {parameters:?}"));
+        errors.note(in_f32(u, parameters), badf::alpha(u, 0.0, parameters), || {
+            format!("u {u} {parameters:?}")
+        });
     }
     errors.finish();
-    check_alpha("alpha, prepare in the fragment, everywhere", 2e-5, &profile_look_per_fragment(), &cases, true);
+    check_alpha(
+        "alpha, prepare in the fragment, everywhere",
+        2e-5,
+        &profile_look_per_fragment(),
+        &cases,
+        true,
+    );
 }
 
 #[test]
@@ -345,9 +403,11 @@ fn the_two_forms_of_the_truth_agree() {
         let [tau, _, c] = parameters;
         // At c itself a base of 1e-17 in place of 0 is raised to less than 1.
         if (u - c).abs() > 1e-3 && c - tau > 0.1 {
-            errors.note(badf::alpha_by_the_letter(u, shift, parameters), badf::alpha(u, shift, parameters), || {
-                format!("{u} {parameters:?}")
-            });
+            errors.note(
+                badf::alpha_by_the_letter(u, shift, parameters),
+                badf::alpha(u, shift, parameters),
+                || format!("{u} {parameters:?}"),
+            );
         }
     }
     errors.finish();
@@ -367,7 +427,8 @@ fn the_special_cases_of_section_3_2() {
     for (name, parameters, shape) in cases {
         let us = angles().into_iter().filter(|u| name != "cartoon" || (u - FRAC_PI_4).abs() > 1e-6);
         let (samples, us): (Vec<_>, Vec<_>) = us.map(|u| sample_of(u, 0.0, parameters)).unzip();
-        let mut errors = Errors::new(format!("3.2 {name}"), if name == "Phong" { 1e-6 } else { 5e-7 });
+        let mut errors =
+            Errors::new(format!("3.2 {name}"), if name == "Phong" { 1e-6 } else { 5e-7 });
         for (value, u) in eval(&profile_look(), "tone.tone", &samples).iter().zip(us) {
             errors.note(value[0], shape(u), || format!("{u}"));
         }
@@ -381,9 +442,9 @@ fn the_special_cases_of_section_3_2() {
     }
 }
 
-/// Transition, colour and warp of a curvature.
+/// Transition, color and warp of a curvature.
 #[test]
-fn curvature_moves_and_colours() {
+fn curvature_moves_and_colors() {
     let curved = look(&json!({
         "exposed": [
             {"name": "slope", "target": "convexity.slope"},
@@ -409,12 +470,18 @@ fn curvature_moves_and_colours() {
     };
     let samples: Vec<EvalSample> = (0..6000)
         .map(|_| {
-            let mut values =
-                numbers(&[("slope", signed_power(&mut random, -6.0, 2.0)), ("amount", random.between(-4.0, 4.0))]);
+            let mut values = numbers(&[
+                ("slope", signed_power(&mut random, -6.0, 2.0)),
+                ("amount", random.between(-4.0, 4.0)),
+            ]);
             for name in ["convex", "concave"] {
                 values.insert(name.into(), Value::Vector((0..4).map(|_| random.unit()).collect()));
             }
-            EvalSample { kappa: f32_of(signed_power(&mut random, -3.0, 5.0)), values, ..EvalSample::default() }
+            EvalSample {
+                kappa: f32_of(signed_power(&mut random, -3.0, 5.0)),
+                values,
+                ..EvalSample::default()
+            }
         })
         .collect();
     let number = |sample: &EvalSample, name: &str| match &sample.values[name] {
@@ -427,13 +494,16 @@ fn curvature_moves_and_colours() {
     };
     let mut transition = Errors::new("curvature transition lambda (eq. 7)", 2e-7);
     let mut warp = Errors::new("curvature warp T (eq. 8)", 1e-6);
-    let mut mixed = Errors::new("curvature colour (eq. 7)", 3e-7);
+    let mut mixed = Errors::new("curvature color (eq. 7)", 3e-7);
     let all = |output| eval(&curved, output, &samples);
-    let (lambdas, warps, colors) = (all("convexity.convexity"), all("warp.shift"), all("color.color"));
+    let (lambdas, warps, colors) =
+        (all("convexity.convexity"), all("warp.shift"), all("color.color"));
     for (index, sample) in samples.iter().enumerate() {
         let lambda = badf::lambda(sample.kappa, number(sample, "slope"));
         transition.note(lambdas[index][0], lambda, || format!("{sample:?}"));
-        warp.note(warps[index][0], badf::warp(lambda, number(sample, "amount")), || format!("{sample:?}"));
+        warp.note(warps[index][0], badf::warp(lambda, number(sample, "amount")), || {
+            format!("{sample:?}")
+        });
         let wanted = lambda * color(sample, "convex") + (1.0 - lambda) * color(sample, "concave");
         for (got, wanted) in colors[index].iter().zip(wanted.to_array()) {
             mixed.note(*got, wanted, || format!("{sample:?}"));
@@ -442,9 +512,9 @@ fn curvature_moves_and_colours() {
     [transition, warp, mixed].into_iter().for_each(Errors::finish);
 }
 
-/// While unset, the concave colour is the convex one: a value, a wire, or what a scene sets.
+/// While unset, the concave color is the convex one: a value, a wire, or what a scene sets.
 #[test]
-fn an_unset_concave_colour_is_the_convex_one() {
+fn an_unset_concave_color_is_the_convex_one() {
     let base = json!({
         "lights": {"key": {"direction": [0, 0, 1]}},
         "exposed": [{"name": "convex", "target": "layer.convex"}],
@@ -459,7 +529,10 @@ fn an_unset_concave_colour_is_the_convex_one() {
     });
     let at = |kappa: f64| EvalSample { kappa, ..EvalSample::default() };
     let mut samples = vec![at(0.0), at(3.0), at(-3.0), at(0.3)];
-    let check = |case: &str, edited: &serde_json::Value, samples: &[EvalSample], wanted: fn(f64) -> [f64; 3]| {
+    let check = |case: &str,
+                 edited: &serde_json::Value,
+                 samples: &[EvalSample],
+                 wanted: fn(f64) -> [f64; 3]| {
         for (sample, got) in samples.iter().zip(eval(&look(edited), "", samples)) {
             let wanted = wanted(sample.kappa);
             let far = got.iter().zip(wanted).any(|(got, wanted)| (got - wanted).abs() > 1e-6);
@@ -473,7 +546,10 @@ fn an_unset_concave_colour_is_the_convex_one() {
     check("wire", &wired, &samples, |_| [0.2, 0.6, 0.4]);
     // An exposed one has a value of its own, which begins with the convex one.
     let mut exposed = base.clone();
-    exposed["exposed"].as_array_mut().unwrap().push(json!({"name": "concave", "target": "layer.concave"}));
+    exposed["exposed"]
+        .as_array_mut()
+        .unwrap()
+        .push(json!({"name": "concave", "target": "layer.concave"}));
     check("exposed", &exposed, &samples, |_| [0.2, 0.6, 0.4]);
     for sample in &mut samples {
         sample.values.insert("convex".into(), Value::Vector(vec![0.9, 0.1, 0.5]));
@@ -521,18 +597,29 @@ fn the_blends() {
                 let mut values = numbers(&[("tone", rho), ("opacity", opacity)]);
                 values.insert("base".into(), Value::Vector(base.to_array().to_vec()));
                 values.insert("color".into(), Value::Vector(layer.to_array().to_vec()));
-                wanted.push(badf::blend(mode, badf::premultiplied(base), layer, rho, opacity, clamped));
+                wanted.push(badf::blend(
+                    mode,
+                    badf::premultiplied(base),
+                    layer,
+                    rho,
+                    opacity,
+                    clamped,
+                ));
                 samples.push(EvalSample { values, ..EvalSample::default() });
             }
             let clamping = if clamped { "clamped" } else { "free" };
-            let mut errors = Errors::new(format!("blend {}, {clamping} (eq. 2, D8)", mode.word()), 4e-7);
-            for ((value, wanted), sample) in eval(&look, "blend.below", &samples).iter().zip(&wanted).zip(&samples) {
+            let mut errors =
+                Errors::new(format!("blend {}, {clamping} (eq. 2, D8)", mode.word()), 4e-7);
+            for ((value, wanted), sample) in
+                eval(&look, "blend.below", &samples).iter().zip(&wanted).zip(&samples)
+            {
                 for (got, wanted) in value.iter().zip(wanted.to_array()) {
                     errors.note(*got, wanted, || format!("{:?}", sample.values));
                 }
             }
             errors.finish();
-            let mut errors = Errors::new(format!("the same, straight: {} {clamping}", mode.word()), 2e-6);
+            let mut errors =
+                Errors::new(format!("the same, straight: {} {clamping}", mode.word()), 2e-6);
             for (value, wanted) in eval(&look, "", &samples).iter().zip(&wanted) {
                 // Dividing by a small alpha multiplies rounding.
                 let scale = wanted.w.clamp(1e-3, 1.0);
@@ -545,7 +632,8 @@ fn the_blends() {
     }
 }
 
-/// A look of a base and a layer whose opacity, tone and alphas are wired from the surface, or exposed.
+/// A look of a base and a layer whose opacity, tone and alphas are wired from the surface, or
+/// exposed.
 fn look_of_shares(mode: Mode, is_wired: bool) -> SetupLook {
     let mut json = json!({
         "nodes": [
@@ -560,17 +648,24 @@ fn look_of_shares(mode: Mode, is_wired: bool) -> SetupLook {
             {"from": "blend", "to": "output.color"}
         ]
     });
-    let ports = ["opacity", "tone", "alpha"].iter().zip(["blend.opacity", "blend.tone", "color.alpha"]);
+    let ports =
+        ["opacity", "tone", "alpha"].iter().zip(["blend.opacity", "blend.tone", "color.alpha"]);
     if is_wired {
-        let more = [json!({"id": "place", "kind": "position"}), json!({"id": "parts", "kind": "separate_vector"})];
+        let more = [
+            json!({"id": "place", "kind": "position"}),
+            json!({"id": "parts", "kind": "separate_vector"}),
+        ];
         json["nodes"].as_array_mut().expect("nodes").extend(more);
         let wires = json["wires"].as_array_mut().expect("wires");
         wires.push(json!({"from": "place", "to": "parts.vector"}));
         wires.extend(
-            ports.zip(["x", "y", "z"]).map(|((_, port), axis)| json!({"from": format!("parts.{axis}"), "to": port})),
+            ports
+                .zip(["x", "y", "z"])
+                .map(|((_, port), axis)| json!({"from": format!("parts.{axis}"), "to": port})),
         );
     } else {
-        json["exposed"] = ports.map(|(name, target)| json!({"name": name, "target": target})).collect();
+        json["exposed"] =
+            ports.map(|(name, target)| json!({"name": name, "target": target})).collect();
     }
     look(&json)
 }
@@ -597,23 +692,36 @@ fn shares_count_from_0_to_1() {
             if is_wired {
                 samples.iter_mut().for_each(|sample| sample.values.clear());
             }
-            let mut errors = Errors::new(format!("shares, {}, wired {is_wired}", mode.word()), 4e-7);
+            let mut errors =
+                Errors::new(format!("shares, {}, wired {is_wired}", mode.word()), 4e-7);
             let truth = crate::support::eval::truth(&look, "blend.below", &samples);
-            for ((value, in_f64), sample) in eval(&look, "blend.below", &samples).iter().zip(truth).zip(&samples) {
+            for ((value, in_f64), sample) in
+                eval(&look, "blend.below", &samples).iter().zip(truth).zip(&samples)
+            {
                 let [opacity, tone, alpha] = sample.position.to_array();
                 let color = DVec4::new(0.2, 0.4, 0.6, alpha);
                 let wanted = badf::blend(mode, base, color, tone, opacity, true).to_array();
                 for k in 0..4 {
                     errors.note(value[k], wanted[k], || format!("{:?}", sample.position));
-                    assert!((in_f64[k] - wanted[k]).abs() < 1e-12, "{mode:?} {:?}", sample.position);
+                    assert!(
+                        (in_f64[k] - wanted[k]).abs() < 1e-12,
+                        "{mode:?} {:?}",
+                        sample.position
+                    );
                 }
             }
             errors.finish();
         }
     }
     // The issue's numbers: they covered with (0, 0, 0.3).
-    let issue =
-        badf::blend(Mode::Alpha, DVec4::new(0.9, 0.9, 0.9, 1.0), DVec4::new(0.2, 0.4, 0.6, 1.0), 1.0, 2.0, true);
+    let issue = badf::blend(
+        Mode::Alpha,
+        DVec4::new(0.9, 0.9, 0.9, 1.0),
+        DVec4::new(0.2, 0.4, 0.6, 1.0),
+        1.0,
+        2.0,
+        true,
+    );
     assert!(issue.distance(DVec4::new(0.2, 0.4, 0.6, 1.0)) < 1e-15);
 }
 
@@ -660,7 +768,13 @@ fn bounds_that_change_nothing_are_left_out() {
     let text = |look: &SetupLook| {
         let samples = [EvalSample::default()];
         let library = chiaro::library::Library::built_in();
-        let batches = chiaro::frame::eval_batches(look, library, &samples, &options(""), &mut Default::default());
+        let batches = chiaro::frame::eval_batches(
+            look,
+            library,
+            &samples,
+            &options(""),
+            &mut Default::default(),
+        );
         batches.unwrap_or_else(|problems| panic!("{problems:?}"))[0].shader.wgsl.clone()
     };
     let wired = text(&look_of_shares(Mode::Alpha, true));
@@ -681,9 +795,12 @@ fn bounds_that_change_nothing_are_left_out() {
     }));
     assert!(!text(&exposed).contains("unit_"), "{}", text(&exposed));
     for mode in Mode::ALL {
-        for (tier, kind) in
-            [("exact", "directional"), ("balanced", "directional"), ("fast", "directional"), ("exact", "point")]
-        {
+        for (tier, kind) in [
+            ("exact", "directional"),
+            ("balanced", "directional"),
+            ("fast", "directional"),
+            ("exact", "point"),
+        ] {
             let layered = look(&json!({
                 "tier": tier,
                 "lights": {"key": {"type": kind, "direction": [0, 0, 1]}},
@@ -728,7 +845,9 @@ struct Stack {
 impl Stack {
     fn random(random: &mut Random) -> Self {
         let color = |random: &mut Random| DVec4::from_array([(); 4].map(|()| random.unit()));
-        let lights = (0..3).map(|_| (random.direction(), color(random).truncate(), random.between(0.0, 2.0))).collect();
+        let lights = (0..3)
+            .map(|_| (random.direction(), color(random).truncate(), random.between(0.0, 2.0)))
+            .collect();
         let layer = |random: &mut Random| {
             let tau = random.between(0.0, 1.5) * f64::from(u8::from(random.chance(0.6)));
             let c = random.between(tau + 0.3, PI);
@@ -745,13 +864,15 @@ impl Stack {
                 clamped: random.chance(0.7),
             }
         };
-        let base = color(random).truncate().extend(if random.chance(0.5) { 1.0 } else { random.unit() });
+        let base =
+            color(random).truncate().extend(if random.chance(0.5) { 1.0 } else { random.unit() });
         let layers = (0..1 + random.index(6)).map(|_| layer(random)).collect();
         Self { base, lights, layers }
     }
 
     fn look(&self) -> SetupLook {
-        let mut nodes = vec![json!({"id": "base", "kind": "base", "values": {"color": self.base.to_array()}})];
+        let mut nodes =
+            vec![json!({"id": "base", "kind": "base", "values": {"color": self.base.to_array()}})];
         let mut wires = Vec::new();
         let mut below = "base".to_owned();
         for (index, layer) in self.layers.iter().enumerate() {
@@ -795,7 +916,8 @@ impl Stack {
                 _ => angle(n, l + v),
             };
             let lambda = badf::lambda(sample.kappa, layer.slope);
-            let rho = badf::alpha(u, badf::warp(lambda, layer.amount), layer.profile) * intensity.min(1.0);
+            let rho = badf::alpha(u, badf::warp(lambda, layer.amount), layer.profile)
+                * intensity.min(1.0);
             let color = lambda * layer.convex + (1.0 - lambda) * layer.concave;
             let lit = (color.truncate() * light_color * intensity.max(1.0)).extend(color.w);
             stack = badf::blend(layer.mode, stack, lit, rho, layer.opacity, layer.clamped);
@@ -833,11 +955,12 @@ fn stacks_of_light_layers() {
     errors.finish();
 }
 
-/// Distance and cone attenuation by the formulas of docs and document: half at the half distance, ended by a quartic
-/// window, smoothstep between the cosines of the cone.
+/// Distance and cone attenuation by the formulas of docs and document: half at the half distance,
+/// ended by a quartic window, smoothstep between the cosines of the cone.
 fn faded(distance: f64, half: f64, range: f64) -> f64 {
     let fading = if half > 0.0 { 1.0 / (1.0 + (distance / half).powi(2)) } else { 1.0 };
-    let window = if range > 0.0 { (1.0 - (distance / range).powi(4)).max(0.0).powi(2) } else { 1.0 };
+    let window =
+        if range > 0.0 { (1.0 - (distance / range).powi(4)).max(0.0).powi(2) } else { 1.0 };
     fading * window
 }
 
@@ -873,7 +996,10 @@ fn lights_of_every_kind_in_every_space() {
             let samples: Vec<EvalSample> = (0..1200)
                 .map(|_| EvalSample {
                     normal: held(random.direction()),
-                    position: (random.direction() * random.between(0.0, 8.0)).to_array().map(f32_of).into(),
+                    position: (random.direction() * random.between(0.0, 8.0))
+                        .to_array()
+                        .map(f32_of)
+                        .into(),
                     frame: random.rotation(),
                     camera: DMat3::from_quat(random.rotation()),
                     ..EvalSample::default()
@@ -899,19 +1025,26 @@ fn lights_of_every_kind_in_every_space() {
                 };
                 if kind == "spot" {
                     let away = angle(-direction, world_from_own * unit([-0.5, -0.6, -1.0])).cos();
-                    let t = ((away - 0.9_f64.cos()) / (0.3_f64.cos() - 0.9_f64.cos())).clamp(0.0, 1.0);
+                    let t =
+                        ((away - 0.9_f64.cos()) / (0.3_f64.cos() - 0.9_f64.cos())).clamp(0.0, 1.0);
                     intensity *= t * t * (3.0 - 2.0 * t);
                 }
                 for axis in 0..3 {
-                    direction_errors.note(directions[index][axis], direction[axis], || format!("{sample:?}"));
+                    direction_errors
+                        .note(directions[index][axis], direction[axis], || format!("{sample:?}"));
                 }
                 intensity_errors.note(intensities[index][0], intensity, || format!("{sample:?}"));
                 let own = world_from_own.transpose() * direction;
-                screen_errors
-                    .note(screen[index][0], angle(sample.camera * sample.normal, own), || format!("{sample:?}"));
+                screen_errors.note(
+                    screen[index][0],
+                    angle(sample.camera * sample.normal, own),
+                    || format!("{sample:?}"),
+                );
                 assert_eq!(colors[index], [0.2, 0.5, 0.9, 1.0].map(f32_of));
             }
-            [direction_errors, intensity_errors, screen_errors].into_iter().for_each(Errors::finish);
+            [direction_errors, intensity_errors, screen_errors]
+                .into_iter()
+                .for_each(Errors::finish);
         }
     }
 }
@@ -933,7 +1066,11 @@ fn lights_without_fading_and_with_hard_cones() {
     let values = eval(&look(&json), "parts.intensity", &samples);
     assert_eq!(values.iter().map(|v| v[0]).collect::<Vec<_>>()[..4], [1.0, 1.0, 0.0, 0.0]);
     json["lights"]["key"]["type"] = json!("point");
-    for sample in [at(0.0), at(1e6), EvalSample { position: DVec3::new(0.0, 0.0, 2.0), ..EvalSample::default() }] {
+    for sample in [
+        at(0.0),
+        at(1e6),
+        EvalSample { position: DVec3::new(0.0, 0.0, 2.0), ..EvalSample::default() },
+    ] {
         let look = look(&json);
         let value = eval(&look, "parts.intensity", std::slice::from_ref(&sample))[0][0];
         assert_eq!(value, 1.0, "a light without fading fades at {:?}", sample.position);
@@ -942,7 +1079,7 @@ fn lights_without_fading_and_with_hard_cones() {
     }
 }
 
-/// Below 1 the intensity fades the tone, above 1 it brightens the colour.
+/// Below 1 the intensity fades the tone, above 1 it brightens the color.
 #[test]
 fn intensity_fades_or_brightens() {
     let look = look(&json!({
@@ -964,9 +1101,12 @@ fn intensity_fades_or_brightens() {
     }));
     let intensities = [0.0, 0.25, 1.0, 1.5, 4.0, -2.0];
     let samples = intensities.map(|intensity| EvalSample {
-        lights: [("key".into(), LightOverride { intensity: Some(intensity), ..LightOverride::default() })]
-            .into_iter()
-            .collect(),
+        lights: [(
+            "key".into(),
+            LightOverride { intensity: Some(intensity), ..LightOverride::default() },
+        )]
+        .into_iter()
+        .collect(),
         ..EvalSample::default()
     });
     let mut errors = Errors::new("light_apply: intensity", 2e-7);
@@ -993,10 +1133,13 @@ fn the_illumination_frame_turns_its_lights_together() {
     }
     for node in look.look.graph.nodes.values_mut().filter(|node| node.kind == "light_layer") {
         // Screen-aligned layers do not see the frame.
-        node.values
-            .insert("type".into(), Value::Text((*random.pick(&["diffuse", "specular", "half_vector"])).to_owned()));
+        node.values.insert(
+            "type".into(),
+            Value::Text((*random.pick(&["diffuse", "specular", "half_vector"])).to_owned()),
+        );
     }
-    // Turning frame, surface and eye together changes nothing; so does turning the lights by hand in place of the frame.
+    // Turning frame, surface and eye together changes nothing; so does turning the lights by hand
+    // in place of the frame.
     let turn = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, -0.5).normalize(), 1.1);
     let still: Vec<EvalSample> = (0..200)
         .map(|_| EvalSample {
@@ -1008,9 +1151,15 @@ fn the_illumination_frame_turns_its_lights_together() {
         .collect();
     let turned: Vec<EvalSample> = still
         .iter()
-        .map(|s| EvalSample { normal: turn * s.normal, view: turn * s.view, frame: turn, ..s.clone() })
+        .map(|s| EvalSample {
+            normal: turn * s.normal,
+            view: turn * s.view,
+            frame: turn,
+            ..s.clone()
+        })
         .collect();
-    let by_frame: Vec<EvalSample> = still.iter().map(|s| EvalSample { frame: turn, ..s.clone() }).collect();
+    let by_frame: Vec<EvalSample> =
+        still.iter().map(|s| EvalSample { frame: turn, ..s.clone() }).collect();
     let by_hand: Vec<EvalSample> = still
         .iter()
         .map(|s| {
@@ -1021,7 +1170,9 @@ fn the_illumination_frame_turns_its_lights_together() {
             EvalSample { lights: lights.collect(), ..s.clone() }
         })
         .collect();
-    let all = |samples: &[EvalSample]| eval_with(&look, chiaro::library::Library::built_in(), &options(""), samples);
+    let all = |samples: &[EvalSample]| {
+        eval_with(&look, chiaro::library::Library::built_in(), &options(""), samples)
+    };
     let mut errors = Errors::new("illumination frame turned", 5e-6);
     for (a, b) in [(all(&still), all(&turned)), (all(&by_frame), all(&by_hand))] {
         for (a, b) in a.iter().flatten().zip(b.iter().flatten()) {

@@ -1,10 +1,12 @@
-//! Three whole looks against their closed forms: every pixel computed here, in f64, from the paper's formulas
-//! (`formulas`), for surfaces that are known in every point (`surfaces`), and held against what the reference draws.
+//! Three whole looks against their closed forms: every pixel computed here, in f64, from the
+//! paper's formulas (`formulas`), for surfaces that are known in every point (`surfaces`), and held
+//! against what the reference draws.
 //!
-//! `cargo test --no-default-features --test reference_closed_forms -- --nocapture` prints the largest difference of
-//! each. On a plane whose normals turn linearly everything has a closed form, the curvature pass included, so that
-//! only the polynomials of the shader library are between the two: the least accurate of them are atan2's series (3e-9)
-//! and the logarithm's (2e-10, times a profile's exponent). On a sphere made of triangles it is the triangles.
+//! `cargo test --no-default-features --test reference_closed_forms -- --nocapture` prints the
+//! largest difference of each. On a plane whose normals turn linearly everything has a closed form,
+//! the curvature pass included, so that only the polynomials of the shader library are between the
+//! two: the least accurate of them are atan2's series (3e-9) and the logarithm's (2e-10, times a
+//! profile's exponent). On a sphere made of triangles it is the triangles.
 
 mod formulas;
 mod surfaces;
@@ -36,9 +38,14 @@ fn example(name: &str, change: impl Fn(&mut Json)) -> Json {
     json
 }
 
-/// All layers' colours and warps without curvature.
+/// All layers' colors and warps without curvature.
 fn flat(json: &mut Json) {
-    for node in json["nodes"].as_array_mut().expect("nodes").iter_mut().filter(|node| node["kind"] == "light_layer") {
+    for node in json["nodes"]
+        .as_array_mut()
+        .expect("nodes")
+        .iter_mut()
+        .filter(|node| node["kind"] == "light_layer")
+    {
         node["values"]["slope"] = 0.0.into();
     }
 }
@@ -52,7 +59,11 @@ fn between_keys(json: &mut Json) {
 
 fn plan(look: &Json, mesh: Mesh, camera: Camera) -> FramePlan {
     let loaded = Look::read(&look.to_string(), "closed-form.json");
-    let look = SetupLook { look: loaded.value.expect("a look"), source: loaded.source.into(), folder: PathBuf::new() };
+    let look = SetupLook {
+        look: loaded.value.expect("a look"),
+        source: loaded.source.into(),
+        folder: PathBuf::new(),
+    };
     let object = SetupObject {
         id: "surface".into(),
         looks: vec![Some(0); mesh.parts.len()],
@@ -69,7 +80,8 @@ fn plan(look: &Json, mesh: Mesh, camera: Camera) -> FramePlan {
 
 fn picture(plan: &FramePlan) -> ReferencePicture {
     let modules = Modules::new(plan, Precision::F64).expect("it compiles");
-    reference::execute(plan, &modules, &reference::Options::default(), &Control::none()).expect("it is drawn")
+    reference::execute(plan, &modules, &reference::Options::default(), &Control::none())
+        .expect("it is drawn")
 }
 
 /// Holds the picture of a look against its closed form, where `surface` says that it can be told.
@@ -86,7 +98,9 @@ fn compare(errors: &mut Errors, look: &Json, surface: &dyn Surface, camera: Came
             let wanted = stack.color(&points, own);
             let got = DVec4::from_array(picture.straight(x, y));
             for channel in 0..4 {
-                errors.note(got[channel], wanted[channel], || format!("pixel ({x}, {y}), channel {channel}"));
+                errors.note(got[channel], wanted[channel], || {
+                    format!("pixel ({x}, {y}), channel {channel}")
+                });
             }
         }
     }
@@ -128,10 +142,10 @@ fn a_plane_of_turning_normals_with_curvature_from_the_pass() {
     }
 }
 
-/// Ray and sphere meet where an equation says; the mesh is as fine as its triangles, which are 1/120 wide: at most 1e-5
-/// below the sphere, so that angles differ by up to 4e-5 toward the rim, twice that where the view is mirrored. A
-/// highlight that falls within 0.1 makes ten times that of it; cartoon edges take the width of their ramp from the
-/// triangles' planes, which lean by 1/240.
+/// Ray and sphere meet where an equation says; the mesh is as fine as its triangles, which are
+/// 1/120 wide: at most 1e-5 below the sphere, so that angles differ by up to 4e-5 toward the rim,
+/// twice that where the view is mirrored. A highlight that falls within 0.1 makes ten times that of
+/// it; cartoon edges take the width of their ramp from the triangles' planes, which lean by 1/240.
 #[test]
 fn a_sphere_by_its_equation() {
     for (look, bound) in LOOKS.into_iter().zip([1e-4, 2e-3, 4e-4]) {
@@ -148,8 +162,8 @@ fn a_sphere_by_its_equation() {
     }
 }
 
-/// kappa = (1 + nz^2) / (2 R nz^3), against differences over up to three pixels of a sphere of 160: 2e-4 of it in the
-/// middle, 1e-3 where n.z is 0.8.
+/// kappa = (1 + nz^2) / (2 R nz^3), against differences over up to three pixels of a sphere of 160:
+/// 2e-4 of it in the middle, 1e-3 where n.z is 0.8.
 #[test]
 fn a_sphere_with_curvature_from_the_pass() {
     for (look, bound) in LOOKS.into_iter().zip([2e-4, 5e-3, 2e-4]) {

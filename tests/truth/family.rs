@@ -1,4 +1,5 @@
-//! The nodes of the techniques that the two sources build on, on the GPU against f64 from their papers' own formulas.
+//! The nodes of the techniques that the two sources build on, on the GPU against f64 from their
+//! papers' own formulas.
 #![cfg(feature = "gpu")]
 
 use crate::support;
@@ -41,7 +42,8 @@ fn bent(i: In<'_>) -> [DVec3; 3] {
     [0, 1, 2].map(|k| v3(&i[k]).normalize())
 }
 
-/// Over how much of a circle of radius 1 a star reaches, found as where a ray meets the line between two corners.
+/// Over how much of a circle of radius 1 a star reaches, found as where a ray meets the line
+/// between two corners.
 fn star(turn: f64, rays: f64, inner: f64, round: f64) -> f64 {
     let sector = TAU / rays;
     let theta = turn.rem_euclid(sector);
@@ -73,7 +75,8 @@ fn rgb_of_oklab(lab: [f64; 3]) -> [f64; 3] {
         let f = |c: DVec3| DVec3::from_array(oklab(c.to_array()));
         let off = DVec3::from_array(lab) - f(rgb);
         let h = 1e-7;
-        let columns = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| (f(rgb + h * axis) - f(rgb - h * axis)) / (2.0 * h));
+        let columns = [DVec3::X, DVec3::Y, DVec3::Z]
+            .map(|axis| (f(rgb + h * axis) - f(rgb - h * axis)) / (2.0 * h));
         let step = glam::DMat3::from_cols(columns[0], columns[1], columns[2]).inverse() * off;
         rgb += step.clamp_length_max(0.2);
     }
@@ -124,7 +127,8 @@ fn steps(x: f64, count: f64) -> f64 {
 /// [`steps`] with a ramp around each edge, which takes so much of a step.
 fn soft_steps(x: f64, count: f64, softness: f64) -> f64 {
     let n = count.max(2.0);
-    let risen = (1..n as i32).map(|edge| (0.5 + (x * n - f64::from(edge)) / softness).clamp(0.0, 1.0));
+    let risen =
+        (1..n as i32).map(|edge| (0.5 + (x * n - f64::from(edge)) / softness).clamp(0.0, 1.0));
     risen.sum::<f64>() / (n - 1.0)
 }
 
@@ -152,7 +156,9 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
         },
         ("stretch_direction", _) => |i, _| {
             let [d, x, y] = bent(i);
-            list((d - i[3][0].min(1.0) * d.dot(x) * x - i[4][0].min(1.0) * d.dot(y) * y).normalize())
+            list(
+                (d - i[3][0].min(1.0) * d.dot(x) * x - i[4][0].min(1.0) * d.dot(y) * y).normalize(),
+            )
         },
         ("split_direction", _) => |i, _| {
             let [d, x, y] = bent(i);
@@ -161,7 +167,8 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
         },
         ("square_direction", _) => |i, _| {
             let [d, x, y] = bent(i);
-            // Anjyo and Hiramitsu measure the angle of the place within the axes from the nearer axis.
+            // Anjyo and Hiramitsu measure the angle of the place within the axes from the nearer
+            // axis.
             let (a, b) = (d.dot(x), d.dot(y));
             let theta = b.abs().atan2(a.abs());
             let corner = (2.0 * theta.min(0.5 * PI - theta)).sin().powf(i[4][0].clamp(1.0, 1024.0));
@@ -171,7 +178,8 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
         ("star_angle", _) => |i, _| {
             let [d, m, x, y] = [0, 1, 2, 3].map(|k| v3(&i[k]).normalize());
             let turn = d.dot(y).atan2(d.dot(x)) - i[7][0];
-            let reach = star(turn, i[4][0].clamp(2.0, 64.0), i[5][0].clamp(0.01, 1.0), unit(i[6][0]));
+            let reach =
+                star(turn, i[4][0].clamp(2.0, 64.0), i[5][0].clamp(0.01, 1.0), unit(i[6][0]));
             vec![(angle(d, m) / reach).min(PI)]
         },
         ("polar_place", _) => |i, _| {
@@ -184,7 +192,9 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
         ("combine_tones", "difference") => |i, _| vec![unit(i[0][0]).min(1.0 - unit(i[1][0]))],
         ("combine_tones", "exclusion") => |i, _| vec![(unit(i[0][0]) - unit(i[1][0])).abs()],
         ("reflectance", "lambert") => |i, p| vec![v3(&i[0]).normalize().dot(p.l).max(0.0)],
-        ("reflectance", "half_lambert") => |i, p| vec![(0.5 * v3(&i[0]).normalize().dot(p.l) + 0.5).powi(2)],
+        ("reflectance", "half_lambert") => {
+            |i, p| vec![(0.5 * v3(&i[0]).normalize().dot(p.l) + 0.5).powi(2)]
+        }
         ("reflectance", "wrap") => |i, p| {
             let w = unit(i[5][0]);
             vec![((v3(&i[0]).normalize().dot(p.l) + w) / (1.0 + w)).max(0.0)]
@@ -195,7 +205,9 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
             let flat = |v: DVec3| (v - v.dot(n) * n).normalize();
             let s2 = unit(i[2][0]).powi(2);
             let (a, b) = (1.0 - 0.5 * s2 / (s2 + 0.33), 0.45 * s2 / (s2 + 0.09));
-            let rough = flat(p.l).dot(flat(p.v)).max(0.0) * to_light.max(to_eye).sin() * to_light.min(to_eye).tan();
+            let rough = flat(p.l).dot(flat(p.v)).max(0.0)
+                * to_light.max(to_eye).sin()
+                * to_light.min(to_eye).tan();
             vec![if n.dot(p.l) <= 0.0 { 0.0 } else { n.dot(p.l) * (a + b * rough) }]
         },
         ("reflectance", "phong") => |i, p| {
@@ -205,7 +217,10 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
         },
         ("reflectance", "blinn_phong") => |i, p| {
             let (n, e) = (v3(&i[0]).normalize(), (2.0 / wide(i[2][0]).powi(2) - 2.0).max(0.0));
-            vec![((e + 8.0) / 8.0 * n.dot(half(p.l, p.v)).max(0.0).powf(e) * n.dot(p.l).max(0.0)).min(1e6)]
+            vec![
+                ((e + 8.0) / 8.0 * n.dot(half(p.l, p.v)).max(0.0).powf(e) * n.dot(p.l).max(0.0))
+                    .min(1e6),
+            ]
         },
         ("reflectance", "ggx") => |i, p| {
             let (n, h) = (v3(&i[0]).normalize(), half(p.l, p.v));
@@ -245,7 +260,11 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
             let n = v3(&i[0]).normalize();
             let (reach, soft, follow) = (unit(i[1][0]), unit(i[2][0]), unit(i[3][0]));
             let inside = n.dot(p.v).clamp(0.0, 1.0);
-            let line = if soft > 0.0 { unit((reach - inside) / (reach * soft)) } else { f64::from(inside < reach) };
+            let line = if soft > 0.0 {
+                unit((reach - inside) / (reach * soft))
+            } else {
+                f64::from(inside < reach)
+            };
             let across = (p.l - p.l.dot(p.v) * p.v).normalize();
             let side = unit(n.dot(across) / 0.5);
             let side = side * side * (3.0 - 2.0 * side);
@@ -256,7 +275,11 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
             let outside = angle(v3(&i[2]), p.v).min(0.5 * PI);
             let inside = (outside.sin() / n).asin();
             let path = 2.0 * n * i[0][0].clamp(0.0, 2000.0) * inside.cos();
-            [650.0, 532.0, 450.0].map(|wave| 0.5 - 0.5 * (TAU * path / wave).cos()).into_iter().chain([1.0]).collect()
+            [650.0, 532.0, 450.0]
+                .map(|wave| 0.5 - 0.5 * (TAU * path / wave).cos())
+                .into_iter()
+                .chain([1.0])
+                .collect()
         },
         ("gooch", _) => |i, p| {
             let t = 0.5 * (1.0 + v3(&i[0]).normalize().dot(p.l));
@@ -275,18 +298,33 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
             let (near, far) = (i[0][0].max(1.2e-38), i[1][0].max(1.2e-38));
             vec![1.0 - unit((p.depth.max(1.2e-38) / near).ln().abs() / (far / near).ln().abs())]
         },
-        ("detail", "orientation") => |i, p| vec![v3(&i[4]).normalize().dot(p.v).abs().powf(i[2][0].max(0.0))],
+        ("detail", "orientation") => {
+            |i, p| vec![v3(&i[4]).normalize().dot(p.v).abs().powf(i[2][0].max(0.0))]
+        }
         ("detail", "place") => |i, p| {
             let (near, far) = (i[0][0].max(1.2e-38), i[1][0].max(1.2e-38));
-            vec![1.0 - unit((v3(&i[3]).distance(DVec3::new(0.0, 0.0, -p.depth)) / near).ln() / (far / near).ln())]
+            vec![
+                1.0 - unit(
+                    (v3(&i[3]).distance(DVec3::new(0.0, 0.0, -p.depth)) / near).ln()
+                        / (far / near).ln(),
+                ),
+            ]
         },
-        ("detail", "highlight") => {
-            |i, p| vec![mirrored(v3(&i[4]).normalize(), p.v).dot(p.l).max(0.0).powf(i[2][0].max(0.0)).min(1.0)]
-        }
+        ("detail", "highlight") => |i, p| {
+            vec![
+                mirrored(v3(&i[4]).normalize(), p.v)
+                    .dot(p.l)
+                    .max(0.0)
+                    .powf(i[2][0].max(0.0))
+                    .min(1.0),
+            ]
+        },
         ("nearby", _) => |i, _| vec![near(&i[0], &i[1], i[2][0], i[3][0])],
-        ("local_tone", _) => {
-            |i, _| vec![unit(unit(i[0][0]) + i[1][0].clamp(-1.0, 1.0) * near(&i[5], &i[2], i[3][0], i[4][0]))]
-        }
+        ("local_tone", _) => |i, _| {
+            vec![unit(
+                unit(i[0][0]) + i[1][0].clamp(-1.0, 1.0) * near(&i[5], &i[2], i[3][0], i[4][0]),
+            )]
+        },
         ("mix_colors", "exclusion") => |i, _| mixed(i, each(i, |a, b| a + b - 2.0 * a * b)),
         ("mix_colors", "color_dodge") => |i, _| {
             let dodge = |a: f64, b: f64| if a == 0.0 { 0.0 } else { (a / (1.0 - b)).min(1.0) };
@@ -297,15 +335,25 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
             mixed(i, each(i, burn))
         },
         ("mix_colors", "hue") => |i, _| mixed(i, non_separable("hue", three(&i[0]), three(&i[1]))),
-        ("mix_colors", "saturation") => |i, _| mixed(i, non_separable("saturation", three(&i[0]), three(&i[1]))),
-        ("mix_colors", "color") => |i, _| mixed(i, non_separable("color", three(&i[0]), three(&i[1]))),
-        ("mix_colors", "luminosity") => |i, _| mixed(i, non_separable("luminosity", three(&i[0]), three(&i[1]))),
+        ("mix_colors", "saturation") => {
+            |i, _| mixed(i, non_separable("saturation", three(&i[0]), three(&i[1])))
+        }
+        ("mix_colors", "color") => {
+            |i, _| mixed(i, non_separable("color", three(&i[0]), three(&i[1])))
+        }
+        ("mix_colors", "luminosity") => {
+            |i, _| mixed(i, non_separable("luminosity", three(&i[0]), three(&i[1])))
+        }
         ("color_space", "srgb_to_oklab") => {
             |i, _| oklab(three(&i[0]).map(to_linear)).into_iter().chain([i[0][3]]).collect()
         }
-        ("posterize", "channel") => {
-            |i, _| three(&i[0]).map(|c| soft_steps(unit(c), i[1][0], i[2][0])).into_iter().chain([i[0][3]]).collect()
-        }
+        ("posterize", "channel") => |i, _| {
+            three(&i[0])
+                .map(|c| soft_steps(unit(c), i[1][0], i[2][0]))
+                .into_iter()
+                .chain([i[0][3]])
+                .collect()
+        },
         ("mix_evenly", "linear") => |i, _| {
             let t = unit(i[2][0]);
             let mix = |k: usize| to_srgb((1.0 - t) * to_linear(i[0][k]) + t * to_linear(i[1][k]));
@@ -331,7 +379,8 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
             // Vergne et al. 2010, eq. 5.
             let (delta, alpha) = (unit(i[0][0]), i[4][0].clamp(0.001, 0.999));
             let e = (i[2][0] * (i[1][0] * i[3][0]).tanh()).exp();
-            let scale = (alpha * e + delta * (1.0 - alpha * (1.0 + e))) / (alpha + delta * (e - alpha * (1.0 + e)));
+            let scale = (alpha * e + delta * (1.0 - alpha * (1.0 + e)))
+                / (alpha + delta * (e - alpha * (1.0 + e)));
             vec![unit(delta * scale)]
         },
         ("inner_contour", "valleys") => |i, p| vec![lined(-eigenvalues(&i[3])[1], i, p)],
@@ -351,11 +400,14 @@ fn near(position: &[f64], center: &[f64], radius: f64, hardness: f64) -> f64 {
     1.0 - t * t * (3.0 - 2.0 * t)
 }
 
-/// Rusinkiewicz et al. 2006, section 3: detail at each scale, and the smoothest normal under the light itself.
+/// Rusinkiewicz et al. 2006, section 3: detail at each scale, and the smoothest normal under the
+/// light itself.
 fn exaggerated(i: In<'_>, l: DVec3, scales: usize) -> f64 {
     let (contrast, detail) = (i[1][0].max(0.0), i[2][0]);
-    let normals: Vec<DVec3> =
-        std::iter::once(&i[0]).chain(&i[3..3 + scales]).map(|numbers| v3(numbers).normalize()).collect();
+    let normals: Vec<DVec3> = std::iter::once(&i[0])
+        .chain(&i[3..3 + scales])
+        .map(|numbers| v3(numbers).normalize())
+        .collect();
     let mut lit: Vec<f64> = normals
         .windows(2)
         .map(|pair| {
@@ -372,7 +424,8 @@ fn exaggerated(i: In<'_>, l: DVec3, scales: usize) -> f64 {
 
 /// The greatest and the least eigenvalue of xx, xy, yy, as roots of the characteristic polynomial.
 fn eigenvalues(tensor: &[f64]) -> [f64; 2] {
-    let (trace, determinant) = (tensor[0] + tensor[2], tensor[0] * tensor[2] - tensor[1] * tensor[1]);
+    let (trace, determinant) =
+        (tensor[0] + tensor[2], tensor[0] * tensor[2] - tensor[1] * tensor[1]);
     let root = (trace * trace - 4.0 * determinant).max(0.0).sqrt();
     [0.5 * (trace + root), 0.5 * (trace - root)]
 }
@@ -399,7 +452,9 @@ fn random_value(def: &NodeDef, name: &str, ty: &Type, random: &mut Random) -> Ve
         (_, "radius") => random.between(0.5, 5.0),
         (_, "near") => random.between(0.5, 3.0),
         (_, "far") => random.between(3.5, 9.0),
-        ("mix_colors" | "color_space" | "posterize" | "mix_evenly", _) => random.between(0.01, 0.99),
+        ("mix_colors" | "color_space" | "posterize" | "mix_evenly", _) => {
+            random.between(0.01, 0.99)
+        }
         (_, "turn") => random.between(-7.0, 7.0),
         (_, "inner") => random.between(0.1, 1.0),
         (_, "factor") => random.between(-0.2, 3.0),
@@ -453,17 +508,27 @@ fn every_technique_is_its_papers_formula() {
                 places.push(place);
                 samples.push(sample);
             }
-            let mut errors = Errors::new(format!("{} {word}", def.kind), tolerance(&def.kind, &word));
+            let mut errors =
+                Errors::new(format!("{} {word}", def.kind), tolerance(&def.kind, &word));
             let mut left_out = 0;
-            for ((got, row), place) in
-                run_at(def, choice, &types, &rows, &samples, &library).iter().zip(&rows).zip(&places)
+            for ((got, row), place) in run_at(def, choice, &types, &rows, &samples, &library)
+                .iter()
+                .zip(&rows)
+                .zip(&places)
             {
                 let wanted = truth(row, place);
                 assert_eq!(got.len(), wanted.len(), "{} {word}", def.kind);
-                assert!(got.iter().all(|x| x.is_finite()), "{} {word}: {got:?} of {row:?}", def.kind);
-                // Where a last digit of the input changes much, a jump is near: both sides are right.
-                let moved: Vec<Vec<f64>> =
-                    row.iter().map(|v| v.iter().map(|x| x * (1.0 + 3e-7) + 1e-7).collect()).collect();
+                assert!(
+                    got.iter().all(|x| x.is_finite()),
+                    "{} {word}: {got:?} of {row:?}",
+                    def.kind
+                );
+                // Where a last digit of the input changes much, a jump is near: both sides are
+                // right.
+                let moved: Vec<Vec<f64>> = row
+                    .iter()
+                    .map(|v| v.iter().map(|x| x * (1.0 + 3e-7) + 1e-7).collect())
+                    .collect();
                 let other = truth(&moved, place);
                 for ((got, wanted), other) in got.iter().zip(&wanted).zip(&other) {
                     let scale = wanted.abs().max(1.0);
@@ -474,7 +539,11 @@ fn every_technique_is_its_papers_formula() {
                     errors.note(got / scale, wanted / scale, || format!("{row:?} {:?}", place.l));
                 }
             }
-            assert!(left_out < 60, "{} {word}: {left_out} samples are too near to a jump", def.kind);
+            assert!(
+                left_out < 60,
+                "{} {word}: {left_out} samples are too near to a jump",
+                def.kind
+            );
             errors.finish();
         }
     }
@@ -489,17 +558,26 @@ fn results(kind: &str, choice: &[(&str, &str)], rows: &[Vec<Vec<f64>>]) -> Vec<V
 
 fn colors(count: usize, seed: u64) -> Vec<Vec<f64>> {
     let mut random = Random::new(seed);
-    (0..count).map(|_| (0..4).map(|_| f64::from(random.between(0.02, 0.98) as f32)).collect()).collect()
+    (0..count)
+        .map(|_| (0..4).map(|_| f64::from(random.between(0.02, 0.98) as f32)).collect())
+        .collect()
 }
 
 #[test]
 fn oklab_comes_back() {
     let wanted = colors(400, 501);
-    let coded =
-        |c: &Vec<f64>| oklab(three(c).map(to_linear)).map(|x| f64::from(x as f32)).into_iter().chain([c[3]]).collect();
+    let coded = |c: &Vec<f64>| {
+        oklab(three(c).map(to_linear))
+            .map(|x| f64::from(x as f32))
+            .into_iter()
+            .chain([c[3]])
+            .collect()
+    };
     let rows: Vec<Vec<Vec<f64>>> = wanted.iter().map(|c| vec![coded(c)]).collect();
     let mut errors = Errors::new("color_space oklab_to_srgb", 1e-5);
-    for (got, wanted) in results("color_space", &[("conversion", "oklab_to_srgb")], &rows).iter().zip(&wanted) {
+    for (got, wanted) in
+        results("color_space", &[("conversion", "oklab_to_srgb")], &rows).iter().zip(&wanted)
+    {
         (0..4).for_each(|k| errors.note(got[k], wanted[k], || format!("{wanted:?}")));
     }
     errors.finish();
@@ -508,13 +586,15 @@ fn oklab_comes_back() {
 /// The steps are even in lightness, and what was of one hue stays of it.
 #[test]
 fn posters_keep_their_hues() {
-    let rows: Vec<Vec<Vec<f64>>> = colors(600, 502).into_iter().map(|c| vec![c, vec![4.0], vec![0.0]]).collect();
+    let rows: Vec<Vec<Vec<f64>>> =
+        colors(600, 502).into_iter().map(|c| vec![c, vec![4.0], vec![0.0]]).collect();
     let mut lightness = Errors::new("posterize lightness", 1e-4);
     let mut hue = Errors::new("posterize lightness, hue", 1e-3);
     for (got, row) in results("posterize", &[("by", "lightness")], &rows).iter().zip(&rows) {
         let [was, is] = [&row[0], got].map(|c| oklab(three(c).map(to_linear)));
         let step = steps(was[0], 4.0);
-        // Beside a step both are right; what would leave the screen's colours is the nearest that does not.
+        // Beside a step both are right; what would leave the screen's colors is the nearest that
+        // does not.
         let is_near = ((was[0] * 4.0).round() - was[0] * 4.0).abs() < 1e-4;
         let is_outside = three(got).into_iter().any(|c| c <= 1e-6 || c >= 1.0 - 1e-6);
         if is_near || is_outside {
@@ -529,7 +609,8 @@ fn posters_keep_their_hues() {
     hue.finish();
 }
 
-/// Around the hues chroma goes straight from one to the other, and the hue turns evenly, the shorter way.
+/// Around the hues chroma goes straight from one to the other, and the hue turns evenly, the
+/// shorter way.
 #[test]
 fn hues_turn_evenly() {
     let (from, to) = (colors(400, 503), colors(400, 504));
@@ -547,11 +628,14 @@ fn hues_turn_evenly() {
         let side = (a[1] * b[2] - a[2] * b[1]).signum();
         let turned = DVec2::from_angle(side * apart * factor).rotate(DVec2::new(a[1], a[2]) / ca);
         let chroma = ca + factor * (cb - ca);
-        let wanted = rgb_of_oklab([a[0] + factor * (b[0] - a[0]), chroma * turned.x, chroma * turned.y]).map(to_srgb);
+        let wanted =
+            rgb_of_oklab([a[0] + factor * (b[0] - a[0]), chroma * turned.x, chroma * turned.y])
+                .map(to_srgb);
         (0..3).for_each(|k| errors.note(got[k], wanted[k], || format!("{row:?}")));
     }
     errors.finish();
-    for (kind, space) in [("mix_evenly", "oklab"), ("mix_evenly", "hue"), ("mix_evenly", "linear")] {
+    for (kind, space) in [("mix_evenly", "oklab"), ("mix_evenly", "hue"), ("mix_evenly", "linear")]
+    {
         for (factor, end) in [(0.0, 0), (1.0, 1)] {
             let row = vec![rows[0][0].clone(), rows[0][1].clone(), vec![factor]];
             let got = &results(kind, &[("space", space)], &[row])[0];
@@ -560,8 +644,8 @@ fn hues_turn_evenly() {
     }
 }
 
-/// Light warping in the tangent plane: along each principal direction the light's stereographic place is scaled by a power
-/// of two, found here from the tensor's eigenvectors.
+/// Light warping in the tangent plane: along each principal direction the light's stereographic
+/// place is scaled by a power of two, found here from the tensor's eigenvectors.
 #[test]
 fn warped_lights_are_drawn_along_the_principal_directions() {
     let look = support::eval::look(&serde_json::json!({
@@ -589,7 +673,8 @@ fn warped_lights_are_drawn_along_the_principal_directions() {
         let camera = glam::DMat3::from_quat(random.rotation());
         let tensor = [(); 3].map(|()| f64::from((6.0 * random.unit() - 3.0) as f32));
         let (n, l, v) = (place.n.normalize(), place.l, place.v);
-        // Facing away nothing is seen; opposite the normal a light has no place; the picture's axes need a line of sight.
+        // Facing away nothing is seen; opposite the normal a light has no place; the picture's axes
+        // need a line of sight.
         let right = camera.transpose() * DVec3::X;
         if n.dot(v) < -0.5 || n.dot(l) < -0.95 || right.dot(v).abs() > 0.95 {
             continue;
@@ -598,23 +683,31 @@ fn warped_lights_are_drawn_along_the_principal_directions() {
         let tilt = glam::DQuat::from_rotation_arc(v, n);
         let axes = [tilt * x, tilt * v.cross(x)];
         let theta = 0.5 * (2.0 * tensor[1]).atan2(tensor[0] - tensor[2]);
-        let principal = [theta, theta + 0.5 * PI].map(|theta| theta.cos() * axes[0] + theta.sin() * axes[1]);
+        let principal =
+            [theta, theta + 0.5 * PI].map(|theta| theta.cos() * axes[0] + theta.sin() * axes[1]);
         let curvatures = [theta, theta + 0.5 * PI].map(|theta| {
             let (s, c) = theta.sin_cos();
             tensor[0] * c * c + 2.0 * tensor[1] * c * s + tensor[2] * s * s
         });
         let seen = unit((n.dot(v) - 0.05) / 0.25);
         let most = 1.5 * seen * seen * (3.0 - 2.0 * seen);
-        let scaled =
-            |k: usize| 2f64.powf(-most * (0.4 * curvatures[k]).tanh()) * l.dot(principal[k]) / (1.0 + l.dot(n));
+        let scaled = |k: usize| {
+            2f64.powf(-most * (0.4 * curvatures[k]).tanh()) * l.dot(principal[k]) / (1.0 + l.dot(n))
+        };
         let q = [scaled(0), scaled(1)];
         let square = q[0] * q[0] + q[1] * q[1];
-        wanted.push((2.0 * (q[0] * principal[0] + q[1] * principal[1]) + (1.0 - square) * n) / (1.0 + square));
+        wanted.push(
+            (2.0 * (q[0] * principal[0] + q[1] * principal[1]) + (1.0 - square) * n)
+                / (1.0 + square),
+        );
         sample.camera = camera;
-        sample.values = [("tensor".into(), chiaro::document::Value::Vector(tensor.to_vec()))].into_iter().collect();
+        sample.values = [("tensor".into(), chiaro::document::Value::Vector(tensor.to_vec()))]
+            .into_iter()
+            .collect();
         samples.push(sample);
     }
-    for (got, wanted) in support::eval::eval(&look, "parts.direction", &samples).iter().zip(&wanted) {
+    for (got, wanted) in support::eval::eval(&look, "parts.direction", &samples).iter().zip(&wanted)
+    {
         (0..3).for_each(|k| errors.note(got[k], wanted[k], || format!("{wanted}")));
     }
     errors.finish();
@@ -640,22 +733,30 @@ fn local_lights_change_around_their_place() {
     }));
     let mut random = Random::new(506);
     let samples: Vec<EvalSample> = (0..300)
-        .map(|_| EvalSample { position: random.direction() * random.unit(), ..EvalSample::default() })
+        .map(|_| EvalSample {
+            position: random.direction() * random.unit(),
+            ..EvalSample::default()
+        })
         .collect();
-    let [directions, intensities] =
-        ["direction", "intensity"].map(|port| support::eval::eval(&look, &format!("parts.{port}"), &samples));
+    let [directions, intensities] = ["direction", "intensity"]
+        .map(|port| support::eval::eval(&look, &format!("parts.{port}"), &samples));
     let mut errors = Errors::new("local_light", 2e-6);
     for ((direction, intensity), sample) in directions.iter().zip(&intensities).zip(&samples) {
         let weight = near(&list(sample.position), &[0.2, 0.0, 0.0], 0.8, 0.25);
         let wanted = (DVec3::Z + weight * DVec3::new(1.0, -0.5, 0.0)).normalize();
-        (0..3).for_each(|k| errors.note(direction[k], wanted[k], || format!("{}", sample.position)));
+        (0..3)
+            .for_each(|k| errors.note(direction[k], wanted[k], || format!("{}", sample.position)));
         errors.note(intensity[0], 0.5 * (1.0 + 2.0 * weight), || format!("{}", sample.position));
     }
     errors.finish();
 }
 
 /// A node that reads a ramp or curves, with one exposed input, at 200 values of that.
-fn over(node: &serde_json::Value, input: &str, values: &[chiaro::document::Value]) -> Vec<[f64; 4]> {
+fn over(
+    node: &serde_json::Value,
+    input: &str,
+    values: &[chiaro::document::Value],
+) -> Vec<[f64; 4]> {
     let look = support::eval::look(&serde_json::json!({
         "nodes": [node, {"id": "output", "kind": "output"}],
         "wires": [{"from": "node", "to": "output.color"}],
@@ -668,7 +769,7 @@ fn over(node: &serde_json::Value, input: &str, values: &[chiaro::document::Value
     support::eval::eval(&look, "", &values.iter().map(at).collect::<Vec<_>>())
 }
 
-/// Between two stops a ramp goes as the two colours mix in its space.
+/// Between two stops a ramp goes as the two colors mix in its space.
 #[test]
 fn ramps_go_through_their_space() {
     let stops = [[0.9, 0.1, 0.2, 1.0], [0.1, 0.3, 0.8, 0.5], [0.95, 0.9, 0.3, 1.0]];
@@ -682,8 +783,11 @@ fn ramps_go_through_their_space() {
         for (got, value) in over(&node, "value", &values).iter().zip(&values) {
             let chiaro::document::Value::Number(x) = value else { continue };
             let x = x.clamp(0.0, 1.0);
-            let (a, b, t) =
-                if x < 0.25 { (stops[0], stops[1], x / 0.25) } else { (stops[1], stops[2], (x - 0.25) / 0.75) };
+            let (a, b, t) = if x < 0.25 {
+                (stops[0], stops[1], x / 0.25)
+            } else {
+                (stops[1], stops[2], (x - 0.25) / 0.75)
+            };
             let mix = |a: [f64; 3], b: [f64; 3]| [0, 1, 2].map(|k| a[k] + t * (b[k] - a[k]));
             let (light_a, light_b) = (three(&a).map(to_linear), three(&b).map(to_linear));
             let turned = |one: f64, other: f64, whole: f64| {
@@ -694,10 +798,17 @@ fn ramps_go_through_their_space() {
                 "light" => mix(light_a, light_b).map(to_srgb),
                 "oklab" => rgb_of_oklab(mix(oklab(light_a), oklab(light_b))).map(to_srgb),
                 "hue" => {
-                    let polar = |lab: [f64; 3]| (lab[0], lab[1].hypot(lab[2]), lab[2].atan2(lab[1]));
+                    let polar =
+                        |lab: [f64; 3]| (lab[0], lab[1].hypot(lab[2]), lab[2].atan2(lab[1]));
                     let (one, other) = (polar(oklab(light_a)), polar(oklab(light_b)));
-                    let (chroma, hue) = (one.1 + t * (other.1 - one.1), turned(one.2, other.2, TAU));
-                    rgb_of_oklab([one.0 + t * (other.0 - one.0), chroma * hue.cos(), chroma * hue.sin()]).map(to_srgb)
+                    let (chroma, hue) =
+                        (one.1 + t * (other.1 - one.1), turned(one.2, other.2, TAU));
+                    rgb_of_oklab([
+                        one.0 + t * (other.0 - one.0),
+                        chroma * hue.cos(),
+                        chroma * hue.sin(),
+                    ])
+                    .map(to_srgb)
                 }
                 _ => {
                     let hsv = |c: [f64; 3]| {
@@ -722,7 +833,7 @@ fn ramps_go_through_their_space() {
                 }
             };
             let alpha = a[3] + t * (b[3] - a[3]);
-            // Colours that no screen shows have no Newton of ours.
+            // Colors that no screen shows have no Newton of ours.
             if wanted.iter().all(|c| (0.0..=1.0).contains(c)) {
                 (0..3).for_each(|k| errors.note(got[k], wanted[k], || format!("{x}")));
             }
@@ -732,12 +843,17 @@ fn ramps_go_through_their_space() {
     }
 }
 
-/// A palette gives the nearest colour in Oklab, those nearly as near blended there, or one by its number.
+/// A palette gives the nearest color in Oklab, those nearly as near blended there, or one by its
+/// number.
 #[test]
 fn palettes_judge_as_eyes_do() {
     let inks = colors(7, 507);
     let at = |k: usize| 0.1 * k as f64;
-    let stops: Vec<_> = inks.iter().enumerate().map(|(k, c)| serde_json::json!({"at": at(k), "color": c})).collect();
+    let stops: Vec<_> = inks
+        .iter()
+        .enumerate()
+        .map(|(k, c)| serde_json::json!({"at": at(k), "color": c}))
+        .collect();
     let node = |values: serde_json::Value| {
         let mut values = values;
         values["palette"] = serde_json::json!({"stops": stops});
@@ -747,19 +863,25 @@ fn palettes_judge_as_eyes_do() {
     let values: Vec<_> = asked.iter().map(|c| chiaro::document::Value::Vector(c.clone())).collect();
     let labs: Vec<DVec3> = inks.iter().map(|c| oklab(three(c).map(to_linear)).into()).collect();
     let nearest = over(&node(serde_json::json!({"by": "nearest"})), "color", &values);
-    let blended = over(&node(serde_json::json!({"by": "blended", "softness": 0.2})), "color", &values);
+    let blended =
+        over(&node(serde_json::json!({"by": "blended", "softness": 0.2})), "color", &values);
     let mut errors = Errors::new("palette", 3e-5);
     for ((row, nearest), blended) in asked.iter().zip(&nearest).zip(&blended) {
         let lab = DVec3::from(oklab(three(row).map(to_linear)));
         let far: Vec<f64> = labs.iter().map(|ink| ink.distance(lab)).collect();
         let least = far.iter().copied().fold(f64::MAX, f64::min);
         let found = far.iter().position(|far| *far == least).expect("one of them");
-        let runner_up =
-            far.iter().enumerate().filter(|(k, _)| *k != found).map(|(_, far)| *far).fold(f64::MAX, f64::min);
+        let runner_up = far
+            .iter()
+            .enumerate()
+            .filter(|(k, _)| *k != found)
+            .map(|(_, far)| *far)
+            .fold(f64::MAX, f64::min);
         if runner_up - least > 1e-5 {
             (0..3).for_each(|k| errors.note(nearest[k], inks[found][k], || format!("{row:?}")));
         }
-        let weights: Vec<f64> = far.iter().map(|far| unit(1.0 - (far - least) / 0.2).powi(2)).collect();
+        let weights: Vec<f64> =
+            far.iter().map(|far| unit(1.0 - (far - least) / 0.2).powi(2)).collect();
         let sum: DVec3 = labs.iter().zip(&weights).map(|(lab, weight)| *lab * *weight).sum();
         let wanted = rgb_of_oklab((sum / weights.iter().sum::<f64>()).to_array());
         if wanted.iter().all(|c| (0.0..=1.0).contains(c)) {
@@ -780,7 +902,8 @@ fn palettes_judge_as_eyes_do() {
 #[test]
 fn curves_redraw_channels() {
     let points = |rows: &[[f64; 2]]| serde_json::json!({"points": rows});
-    let (all, red, blue) = ([[0.0, 0.1], [0.5, 0.7], [1.0, 0.9]], [[0.0, 1.0], [1.0, 0.0]], [[0.2, 0.0], [0.6, 0.5]]);
+    let (all, red, blue) =
+        ([[0.0, 0.1], [0.5, 0.7], [1.0, 0.9]], [[0.0, 1.0], [1.0, 0.0]], [[0.2, 0.0], [0.6, 0.5]]);
     let node = serde_json::json!({"id": "node", "kind": "color_curves", "values":
         {"all": points(&all), "red": points(&red), "blue": points(&blue)}});
     let asked = colors(200, 509);
@@ -793,7 +916,12 @@ fn curves_redraw_channels() {
     };
     let mut errors = Errors::new("color_curves", 2e-6);
     for (got, row) in over(&node, "color", &values).iter().zip(&asked) {
-        let wanted = [along(&red, along(&all, row[0])), along(&all, row[1]), along(&blue, along(&all, row[2])), row[3]];
+        let wanted = [
+            along(&red, along(&all, row[0])),
+            along(&all, row[1]),
+            along(&blue, along(&all, row[2])),
+            row[3],
+        ];
         (0..4).for_each(|k| errors.note(got[k], wanted[k], || format!("{row:?}")));
     }
     errors.finish();
@@ -819,7 +947,12 @@ fn a_bent_light_arrives_from_there() {
         ]
     }));
     let at = |position: DVec3| EvalSample { position, ..EvalSample::default() };
-    let places = [DVec3::new(3.0, 0.0, 4.0), DVec3::ZERO, DVec3::new(0.0, -1e-3, 0.0), DVec3::new(1e12, 0.0, 0.0)];
+    let places = [
+        DVec3::new(3.0, 0.0, 4.0),
+        DVec3::ZERO,
+        DVec3::new(0.0, -1e-3, 0.0),
+        DVec3::new(1e12, 0.0, 0.0),
+    ];
     let got = support::eval::eval(&look, "parts.direction", &places.map(at));
     for (got, place) in got.iter().zip(places) {
         let wanted = if place == DVec3::ZERO { DVec3::Z } else { place.normalize() };

@@ -1,4 +1,5 @@
-//! What generated modules are measured against draws the same pictures: `benches/handwritten.rs` tells the rest.
+//! What generated modules are measured against draws the same pictures: `benches/handwritten.rs`
+//! tells the rest.
 #![cfg(feature = "gpu")]
 
 use crate::support::eval::renderer;
@@ -16,7 +17,8 @@ fn handwritten_modules_draw_what_generated_ones_draw() {
         let hand = by_hand(&setup, look, &plan);
         let gpu = renderer().gpu().precise();
         let mut renderer = Renderer::new(gpu);
-        let mut draw = |plan| block_on(renderer.picture(plan)).unwrap_or_else(|error| panic!("{error}"));
+        let mut draw =
+            |plan| block_on(renderer.picture(plan)).unwrap_or_else(|error| panic!("{error}"));
         let (wanted, got) = (draw(&plan), draw(&hand));
         let mut worst = (0.0_f32, 0);
         let mut over = 0;

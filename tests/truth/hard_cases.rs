@@ -1,5 +1,6 @@
-//! The hard cases of the BADF model, each where a straightforward implementation gives NaN, sparkle or the wrong picture.
-//! All run on the GPU; those that are one function run through the interpreter in f64 and f32 as well.
+//! The hard cases of the BADF model, each where a straightforward implementation gives NaN, sparkle
+//! or the wrong picture. All run on the GPU; those that are one function run through the
+//! interpreter in f64 and f32 as well.
 #![cfg(feature = "gpu")]
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI};
@@ -29,7 +30,13 @@ fn number(x: f64) -> Number {
 }
 
 /// The angle u and alpha as the library's functions give them, in f64 or f32.
-fn interpreted(n: DVec3, l: DVec3, shift: f64, [tau, f, c]: [f64; 3], precision: Precision) -> (f64, f64) {
+fn interpreted(
+    n: DVec3,
+    l: DVec3,
+    shift: f64,
+    [tau, f, c]: [f64; 3],
+    precision: Precision,
+) -> (f64, f64) {
     let of = |v: DVec3| Number::vec(&v.to_array());
     let n = call("normalize_or", &[of(n), of(DVec3::Z)], precision);
     let u = call("angle_between", &[n, of(l)], precision);
@@ -56,7 +63,8 @@ impl Case {
     }
 }
 
-/// The tone of a directional light at +z with parameters that each sample sets; the normal is a wired value, as it is.
+/// The tone of a directional light at +z with parameters that each sample sets; the normal is a
+/// wired value, as it is.
 fn profile_look() -> SetupLook {
     let exposed = ["normal.vector", "tone.offset", "tone.falloff", "tone.cutoff", "tone.shift"]
         .map(|target| json!({"name": target.split('.').next_back(), "target": target}));
@@ -82,18 +90,24 @@ fn profile_look() -> SetupLook {
 fn sample_of(case: &Case) -> EvalSample {
     let [offset, falloff, cutoff] = case.profile;
     let light = chiaro::frame::LightOverride { direction: Some(case.light), ..Default::default() };
-    let numbers = [("offset", offset), ("falloff", falloff), ("cutoff", cutoff), ("shift", case.shift)];
+    let numbers =
+        [("offset", offset), ("falloff", falloff), ("cutoff", cutoff), ("shift", case.shift)];
     let mut values: chiaro::document::Values =
         numbers.into_iter().map(|(name, x)| (name.into(), Value::Number(x))).collect();
     values.insert("vector".into(), Value::Vector(case.normal.to_array().to_vec()));
-    EvalSample { values, lights: [("key".into(), light)].into_iter().collect(), ..EvalSample::default() }
+    EvalSample {
+        values,
+        lights: [("key".into(), light)].into_iter().collect(),
+        ..EvalSample::default()
+    }
 }
 
-/// The tiers, and how much farther from what is wanted each may be than the exact one: of the tone, for profiles as
-/// narrow as these cases have.
+/// The tiers, and how much farther from what is wanted each may be than the exact one: of the tone,
+/// for profiles as narrow as these cases have.
 const TIERS: [(Tier, f64); 3] = [(Tier::Exact, 0.0), (Tier::Balanced, 2e-5), (Tier::Fast, 1e-4)];
 
-/// Holds alpha on the GPU in every tier and in the interpreter against what is wanted; gives the GPU's exact angles.
+/// Holds alpha on the GPU in every tier and in the interpreter against what is wanted; gives the
+/// GPU's exact angles.
 fn check(cases: &[Case]) -> Vec<f64> {
     let samples: Vec<EvalSample> = cases.iter().map(sample_of).collect();
     let look = profile_look();
@@ -101,7 +115,9 @@ fn check(cases: &[Case]) -> Vec<f64> {
         let mut of_tier = profile_look();
         of_tier.look.tier = tier;
         for (case, tone) in cases.iter().zip(eval(&of_tier, "tone.tone", &samples)) {
-            let told = || format!("n {} l {} T {} {:?}", case.normal, case.light, case.shift, case.profile);
+            let told = || {
+                format!("n {} l {} T {} {:?}", case.normal, case.light, case.shift, case.profile)
+            };
             // A warp turns the angle, and the steeper the profile, the more of its error is seen.
             let [tau, f, _] = badf::sanitised(case.profile);
             let turned = if case.shift == 0.0 || f <= tau { 0.0 } else { 0.05 * more / (f - tau) };
@@ -117,15 +133,24 @@ fn check(cases: &[Case]) -> Vec<f64> {
     }
     for (case, tone) in cases.iter().zip(truth(&look, "tone.tone", &samples)) {
         let error = (tone[0] - case.wanted).abs();
-        let told = || format!("n {} l {} T {} {:?}", case.normal, case.light, case.shift, case.profile);
+        let told =
+            || format!("n {} l {} T {} {:?}", case.normal, case.light, case.shift, case.profile);
         // The library's series end where f32 does, and so do they in f64.
-        assert!(error <= case.tolerance + 1e-8, "whole look in f64: {} for {} at {}", tone[0], case.wanted, told());
+        assert!(
+            error <= case.tolerance + 1e-8,
+            "whole look in f64: {} for {} at {}",
+            tone[0],
+            case.wanted,
+            told()
+        );
     }
     for case in cases {
-        let told = || format!("n {} l {} T {} {:?}", case.normal, case.light, case.shift, case.profile);
+        let told =
+            || format!("n {} l {} T {} {:?}", case.normal, case.light, case.shift, case.profile);
         let close = |got: f64| (got - case.wanted).abs() <= case.tolerance;
         for precision in [Precision::F64, Precision::F32] {
-            let (_, got) = interpreted(case.normal, case.light, case.shift, case.profile, precision);
+            let (_, got) =
+                interpreted(case.normal, case.light, case.shift, case.profile, precision);
             assert!(close(got), "{precision:?}: {got} for {} at {}", case.wanted, told());
         }
     }
@@ -143,7 +168,14 @@ fn case_01_a_dot_product_above_one() {
         let n = held(random.direction());
         let [x, y, z] = n.to_array().map(|x| x as f32);
         if x * x + y * y + z * z > 1.0 {
-            cases.push(Case { normal: n, light: n, shift: 0.0, profile: LAMBERT, wanted: 1.0, tolerance: 2e-7 });
+            cases.push(Case {
+                normal: n,
+                light: n,
+                shift: 0.0,
+                profile: LAMBERT,
+                wanted: 1.0,
+                tolerance: 2e-7,
+            });
         }
     }
     assert!(check(&cases).into_iter().all(|u| u <= 3e-7));
@@ -173,7 +205,8 @@ fn case_02_directions_that_nearly_agree() {
 fn case_03_opposite_directions() {
     let mut random = Random::new(3);
     let profile = [0.0, FRAC_PI_2, PI];
-    let opposite = |n| Case { normal: n, light: -n, shift: 0.0, profile, wanted: 0.0, tolerance: 1e-12 };
+    let opposite =
+        |n| Case { normal: n, light: -n, shift: 0.0, profile, wanted: 0.0, tolerance: 1e-12 };
     let cases: Vec<Case> = (0..200).map(|_| opposite(held(random.direction()))).collect();
     assert!(check(&cases).into_iter().all(|u| (u - PI).abs() < 3e-7));
 }
@@ -181,8 +214,14 @@ fn case_03_opposite_directions() {
 #[test]
 fn case_04_interpolated_normals_are_short() {
     let mut random = Random::new(4);
-    let short =
-        |n: DVec3| Case { normal: 0.95 * n, light: n, shift: 0.0, profile: LAMBERT, wanted: 1.0, tolerance: 2e-7 };
+    let short = |n: DVec3| Case {
+        normal: 0.95 * n,
+        light: n,
+        shift: 0.0,
+        profile: LAMBERT,
+        wanted: 1.0,
+        tolerance: 2e-7,
+    };
     let cases: Vec<Case> = (0..200).map(|_| short(random.direction())).collect();
     assert!(check(&cases).into_iter().all(|u| u <= 5e-7));
     // Long, tiny and huge ones too.
@@ -195,7 +234,11 @@ fn case_04_interpolated_normals_are_short() {
 #[test]
 fn case_05_a_step_is_inclusive() {
     let step = [1.0, 1.0, 1.0];
-    check(&[Case::at(0.999, step, 1.0, 0.0), Case::at(1.0, step, 1.0, 0.0), Case::at(1.001, step, 0.0, 0.0)]);
+    check(&[
+        Case::at(0.999, step, 1.0, 0.0),
+        Case::at(1.0, step, 1.0, 0.0),
+        Case::at(1.001, step, 0.0, 0.0),
+    ]);
     // At its very edge in every direction, though each rounds in its own way.
     let mut random = Random::new(5);
     let cases: Vec<Case> = (0..500)
@@ -223,7 +266,11 @@ fn case_06_ambient_is_everywhere() {
         })
         .collect();
     cases.push(Case { shift: -1.0, ..Case::at(PI, [PI, 0.3, 0.6], 1.0, 0.0) });
-    cases.push(Case { shift: -PI, normal: -DVec3::Z, ..Case::at(PI, [f32_of(PI), 0.0, 0.0], 1.0, 0.0) });
+    cases.push(Case {
+        shift: -PI,
+        normal: -DVec3::Z,
+        ..Case::at(PI, [f32_of(PI), 0.0, 0.0], 1.0, 0.0)
+    });
     // As people write pi: it is ambient too.
     let written = ["3.14159".parse().unwrap(), 0.0, 0.0];
     cases.push(Case { shift: -1.0, ..Case::at(PI, written, 1.0, 0.0) });
@@ -242,7 +289,9 @@ fn case_07_offsets_are_absolute() {
     // The inflection lies at the fall-off: the second difference changes its sign there.
     let h = 1e-3;
     let bend = |u: f64| {
-        let at = |u: f64| interpreted(DVec3::new(u.sin(), 0.0, u.cos()), DVec3::Z, 0.0, profile, Precision::F64).1;
+        let at = |u: f64| {
+            interpreted(DVec3::new(u.sin(), 0.0, u.cos()), DVec3::Z, 0.0, profile, Precision::F64).1
+        };
         (at(u - h) - 2.0 * at(u) + at(u + h)) / (h * h)
     };
     assert!(bend(0.65) < -1.0 && bend(0.75) > 1.0, "{} {}", bend(0.65), bend(0.75));
@@ -253,8 +302,10 @@ fn case_07_offsets_are_absolute() {
 fn case_08_everything_at_pi() {
     let angles = [0.0_f64, 0.3, 1.0, FRAC_PI_2, 2.5, 3.1, PI];
     for pi in [PI, f32_of(PI)] {
-        let cases: Vec<Case> =
-            angles.iter().map(|&u| Case::at(u, [0.0, pi, pi], (0.5 * u).cos().powi(2), 3e-7)).collect();
+        let cases: Vec<Case> = angles
+            .iter()
+            .map(|&u| Case::at(u, [0.0, pi, pi], (0.5 * u).cos().powi(2), 3e-7))
+            .collect();
         check(&cases);
     }
 }
@@ -262,8 +313,10 @@ fn case_08_everything_at_pi() {
 #[test]
 fn case_09_falloff_at_the_cutoff() {
     let line = |u: f64| ((u.cos() - 0.7_f64.cos()) / (1.0 - 0.7_f64.cos())).max(0.0);
-    let cases: Vec<Case> =
-        (0..=80).map(|i| 0.01 * f64::from(i)).map(|u| Case::at(u, [0.0, 0.7, 0.7], line(u), 1e-6)).collect();
+    let cases: Vec<Case> = (0..=80)
+        .map(|i| 0.01 * f64::from(i))
+        .map(|u| Case::at(u, [0.0, 0.7, 0.7], line(u), 1e-6))
+        .collect();
     check(&cases);
 }
 
@@ -272,7 +325,9 @@ fn case_10_tiny_cutoffs() {
     check(&[Case::at(3e-5, [0.0, 5e-5, 1e-4], (1.0 - 0.09_f64).powf(2.5), 2e-5)]);
     let small: Vec<Case> = (0..=10)
         .map(|i| 1e-5 * f64::from(i))
-        .map(|u| Case::at(u, [0.0, 5e-5, 1e-4], (1.0 - (u / 1e-4).powi(2)).max(0.0).powf(2.5), 2e-5))
+        .map(|u| {
+            Case::at(u, [0.0, 5e-5, 1e-4], (1.0 - (u / 1e-4).powi(2)).max(0.0).powf(2.5), 2e-5)
+        })
         .collect();
     check(&small);
 }
@@ -293,7 +348,11 @@ fn case_11_a_gaussian() {
 fn case_12_no_falloff_is_a_step() {
     check(&[Case::at(0.0, [0.0, 0.0, 1.0], 1.0, 0.0), Case::at(1e-3, [0.0, 0.0, 1.0], 0.0, 0.0)]);
     let moved = [0.4, 0.4, 1.0];
-    check(&[Case::at(0.3999, moved, 1.0, 0.0), Case::at(0.4, moved, 1.0, 0.0), Case::at(0.4001, moved, 0.0, 0.0)]);
+    check(&[
+        Case::at(0.3999, moved, 1.0, 0.0),
+        Case::at(0.4, moved, 1.0, 0.0),
+        Case::at(0.4001, moved, 0.0, 0.0),
+    ]);
 }
 
 #[test]
@@ -331,11 +390,16 @@ fn case_13_parameters_out_of_order() {
 fn case_14_an_infinite_slope() {
     let profile = [0.0, 2.5, 3.0];
     let us: Vec<f64> = (0..400).map(|i| 2.99 + 5e-5 * f64::from(i)).collect();
-    let cases: Vec<Case> = us.iter().map(|&u| Case::at(u, profile, alpha(u, 0.0, profile), 3e-4)).collect();
+    let cases: Vec<Case> =
+        us.iter().map(|&u| Case::at(u, profile, alpha(u, 0.0, profile), 3e-4)).collect();
     check(&cases);
-    let tones = eval(&profile_look(), "tone.tone", &cases.iter().map(sample_of).collect::<Vec<_>>());
+    let tones =
+        eval(&profile_look(), "tone.tone", &cases.iter().map(sample_of).collect::<Vec<_>>());
     assert!(tones.windows(2).all(|pair| pair[1][0] <= pair[0][0]), "not falling");
-    assert!(tones.iter().zip(&us).all(|(tone, u)| *u < 3.0 || tone[0] == 0.0), "not 0 from the cut-off on");
+    assert!(
+        tones.iter().zip(&us).all(|(tone, u)| *u < 3.0 || tone[0] == 0.0),
+        "not 0 from the cut-off on"
+    );
 }
 
 #[test]
@@ -368,15 +432,24 @@ fn case_15_curvature_without_bounds() {
     for tier in [Tier::Balanced, Tier::Fast] {
         let mut of_tier = look(&serde_json::from_str(&curved.look.to_text()).expect("JSON"));
         of_tier.look.tier = tier;
-        for ((kappa, slope, wanted), value) in cases.iter().zip(eval(&of_tier, "convexity.convexity", &samples)) {
+        for ((kappa, slope, wanted), value) in
+            cases.iter().zip(eval(&of_tier, "convexity.convexity", &samples))
+        {
             assert_eq!(value[0], *wanted, "GPU, {tier:?}: kappa {kappa}, slope {slope}");
         }
     }
-    for ((kappa, slope, wanted), value) in cases.iter().zip(eval(&curved, "convexity.convexity", &samples)) {
+    for ((kappa, slope, wanted), value) in
+        cases.iter().zip(eval(&curved, "convexity.convexity", &samples))
+    {
         assert_eq!(value[0], *wanted, "GPU: kappa {kappa}, slope {slope}");
         for precision in [Precision::F64, Precision::F32] {
-            let got = call("transition", &[number(*kappa), number(*slope)], precision).as_f64().unwrap_or(f64::NAN);
-            assert!((got - wanted).abs() < 1e-12, "{precision:?}: {got} for kappa {kappa}, slope {slope}");
+            let got = call("transition", &[number(*kappa), number(*slope)], precision)
+                .as_f64()
+                .unwrap_or(f64::NAN);
+            assert!(
+                (got - wanted).abs() < 1e-12,
+                "{precision:?}: {got} for kappa {kappa}, slope {slope}"
+            );
         }
     }
 }
@@ -457,7 +530,8 @@ fn one_part(mut mesh: Mesh) -> Mesh {
 const HEIGHT: f64 = 2.5;
 
 fn parallel() -> Scene {
-    let camera = Camera { projection: Projection::Orthographic, height: HEIGHT, ..Camera::default() };
+    let camera =
+        Camera { projection: Projection::Orthographic, height: HEIGHT, ..Camera::default() };
     Scene { camera, backdrop: None, ..Scene::default() }
 }
 
@@ -468,7 +542,10 @@ fn picture(parts: Vec<(SetupLook, Mesh, DMat4)>, size: [u32; 2], samples: u32) -
 /// Where the middle of a pixel lies on the plane through the origin.
 fn place(size: [u32; 2], x: f64, y: f64) -> DVec2 {
     let pixel = HEIGHT / f64::from(size[1]);
-    DVec2::new((x + 0.5 - 0.5 * f64::from(size[0])) * pixel, (0.5 * f64::from(size[1]) - y - 0.5) * pixel)
+    DVec2::new(
+        (x + 0.5 - 0.5 * f64::from(size[0])) * pixel,
+        (0.5 * f64::from(size[1]) - y - 0.5) * pixel,
+    )
 }
 
 fn pixels(picture: &Picture) -> impl Iterator<Item = (u32, u32, [f32; 4])> + '_ {
@@ -513,8 +590,14 @@ fn case_17_silhouettes_and_depth_edges() {
         let mut pair = ball();
         let second = ball();
         let offset = pair.positions.len() as u32;
-        for ((position, normal), tangent) in second.positions.iter().zip(&second.normals).zip(&second.tangents) {
-            pair.positions.push([0.35 + 0.5 * position[0], 0.1 + 0.5 * position[1], 1.6 + 0.5 * position[2]]);
+        for ((position, normal), tangent) in
+            second.positions.iter().zip(&second.normals).zip(&second.tangents)
+        {
+            pair.positions.push([
+                0.35 + 0.5 * position[0],
+                0.1 + 0.5 * position[1],
+                1.6 + 0.5 * position[2],
+            ]);
             pair.normals.push(*normal);
             pair.tangents.push(*tangent);
             pair.uvs.push([0.0; 2]);
@@ -530,13 +613,19 @@ fn case_17_silhouettes_and_depth_edges() {
         let picture = picture(parts, size, 1);
         let (mut on_plane, mut compared, mut worst) = (0, 0, 0.0_f64);
         for (x, y, pixel) in pixels(&picture) {
-            assert!(pixel.iter().all(|c| c.is_finite() && (0.0..=1.0).contains(c)), "{pixel:?} at {x}, {y}");
+            assert!(
+                pixel.iter().all(|c| c.is_finite() && (0.0..=1.0).contains(c)),
+                "{pixel:?} at {x}, {y}"
+            );
             let at = place(size, f64::from(x), f64::from(y));
             let (far, near) = (at.length(), (at - DVec2::new(0.35, 0.1)).length() / 0.5);
             let margin = 2.0 * HEIGHT / f64::from(size[1]);
             if far > 1.0 + margin && near > 1.0 + 2.0 * margin {
                 let off = (f64::from(pixel[0]) - 0.5).abs();
-                assert!(off <= kappa_noise(tier) * SLOPE, "{tier:?}: the plane is not flat at {x}, {y}: {off}");
+                assert!(
+                    off <= kappa_noise(tier) * SLOPE,
+                    "{tier:?}: the plane is not flat at {x}, {y}: {off}"
+                );
                 on_plane += 1;
             } else if (near - 1.0).abs() > 2.0 * margin && (near < 1.0 || far < 1.0 - margin) {
                 // The facing halves of both balls, also right beside the depth edge between them.
@@ -560,11 +649,13 @@ fn case_17_silhouettes_and_depth_edges() {
 fn case_17_planes_are_flat_however_they_lie() {
     for tier in KAPPA_TIERS {
         for normal in [DVec3::Z, DVec3::new(0.3, 0.5, 0.8), DVec3::new(-0.7, 0.2, 0.4)] {
-            let parts = vec![(convexity_look(2.0, tier), plane(normal.normalize()), DMat4::IDENTITY)];
+            let parts =
+                vec![(convexity_look(2.0, tier), plane(normal.normalize()), DMat4::IDENTITY)];
             let drawn = picture(parts, [120, 120], 1);
             let flat: Vec<f32> = pixels(&drawn).filter(|p| p.2[3] == 1.0).map(|p| p.2[0]).collect();
             assert!(
-                flat.len() > 8000 && flat.iter().all(|x| f64::from(x - 0.5).abs() <= 2.0 * kappa_noise(tier)),
+                flat.len() > 8000
+                    && flat.iter().all(|x| f64::from(x - 0.5).abs() <= 2.0 * kappa_noise(tier)),
                 "{normal}: not flat"
             );
         }
@@ -589,7 +680,10 @@ fn case_17_a_ball_has_its_curvature() {
                 worst[class] = worst[class].max(error);
             } else if r < 0.99 {
                 // Beyond nz = .2 the division is clamped, so kappa stays bounded.
-                assert!(t > 0.0 && t.atanh() / SLOPE < 2.0 * ball_kappa(1.0 / HEIGHT, 0.2), "{t} at nz {nz}");
+                assert!(
+                    t > 0.0 && t.atanh() / SLOPE < 2.0 * ball_kappa(1.0 / HEIGHT, 0.2),
+                    "{t} at nz {nz}"
+                );
             }
         }
         let stated = Library::built_in().nodes["kappa"].error_of(tier).map(|error| error.bound);
@@ -601,14 +695,16 @@ fn case_17_a_ball_has_its_curvature() {
 #[test]
 fn case_18_curvature_at_twice_the_resolution() {
     for tier in KAPPA_TIERS {
-        let at = |side: u32| picture(vec![(convexity_look(SLOPE, tier), ball(), DMat4::IDENTITY)], [side, side], 1);
+        let at = |side: u32| {
+            picture(vec![(convexity_look(SLOPE, tier), ball(), DMat4::IDENTITY)], [side, side], 1)
+        };
         let (small, large) = (at(200), at(400));
         let (mut worst, mut count) = (0.0_f64, 0);
         for (x, y, pixel) in pixels(&small) {
             let r = place([200, 200], f64::from(x), f64::from(y)).length();
             if r < 0.85 {
-                let four =
-                    [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(i, j)| f64::from(large.pixel(2 * x + i, 2 * y + j)[0]));
+                let four = [(0, 0), (1, 0), (0, 1), (1, 1)]
+                    .map(|(i, j)| f64::from(large.pixel(2 * x + i, 2 * y + j)[0]));
                 worst = worst.max((four.iter().sum::<f64>() / 4.0 - f64::from(pixel[0])).abs());
                 count += 1;
             }
@@ -618,7 +714,14 @@ fn case_18_curvature_at_twice_the_resolution() {
 }
 
 /// The part of a pixel within a cartoon's lit area, by 32 x 32 points of the exact ball.
-fn exact_coverage(size: [u32; 2], x: u32, y: u32, center: DVec2, light: DVec3, edge: f64) -> Option<f64> {
+fn exact_coverage(
+    size: [u32; 2],
+    x: u32,
+    y: u32,
+    center: DVec2,
+    light: DVec3,
+    edge: f64,
+) -> Option<f64> {
     let mut lit = 0;
     for i in 0..32 {
         for j in 0..32 {
@@ -629,7 +732,8 @@ fn exact_coverage(size: [u32; 2], x: u32, y: u32, center: DVec2, light: DVec3, e
             );
             let p = at - center;
             let z2 = 1.0 - p.length_squared();
-            // Two pixels inside of the silhouette, where the normals of a pixel's neighbours are the ball's.
+            // Two pixels inside of the silhouette, where the normals of a pixel's neighbours are
+            // the ball's.
             if z2 < 0.06 {
                 return None;
             }
@@ -642,17 +746,23 @@ fn exact_coverage(size: [u32; 2], x: u32, y: u32, center: DVec2, light: DVec3, e
 #[test]
 fn case_19_cartoon_edges_are_covered() {
     cartoon_edges(Tier::Exact, 0.06, 0.02);
-    // The width by the sum of both derivatives is too wide on diagonals, by as much as the square root of 2.
+    // The width by the sum of both derivatives is too wide on diagonals, by as much as the square
+    // root of 2.
     cartoon_edges(Tier::Balanced, 0.06, 0.02);
     cartoon_edges(Tier::Fast, 0.15, 0.07);
 }
 
-/// Draws cartoons in a tier, and bounds how far pixels on and beside their edges are from what the edge covers: the
-/// worst, and the mean of those on the edge.
+/// Draws cartoons in a tier, and bounds how far pixels on and beside their edges are from what the
+/// edge covers: the worst, and the mean of those on the edge.
 fn cartoon_edges(tier: Tier, most: f64, most_mean: f64) {
     let size = [160, 160];
     let mut errors = Vec::new();
-    let lights = [DVec3::Z, DVec3::new(0.5, 0.4, 1.0), DVec3::new(-0.9, 0.1, 0.7), DVec3::new(0.6, -0.6, 0.2)];
+    let lights = [
+        DVec3::Z,
+        DVec3::new(0.5, 0.4, 1.0),
+        DVec3::new(-0.9, 0.1, 0.7),
+        DVec3::new(0.6, -0.6, 0.2),
+    ];
     for (step, light) in lights.into_iter().enumerate() {
         // The ball moves by parts of a pixel.
         let center = DVec2::new(0.37, -0.21) * step as f64 * HEIGHT / f64::from(size[1]);
@@ -675,8 +785,13 @@ fn cartoon_edges(tier: Tier, most: f64, most_mean: f64) {
             let moved = DMat4::from_translation(center.extend(0.0));
             let drawn = picture(vec![(cartoon, ball(), moved)], size, 1);
             for (x, y, pixel) in pixels(&drawn) {
-                assert!(pixel.iter().all(|c| c.is_finite() && (0.0..=1.0).contains(c)), "{pixel:?} at {x}, {y}");
-                let Some(wanted) = exact_coverage(size, x, y, center, light, edge) else { continue };
+                assert!(
+                    pixel.iter().all(|c| c.is_finite() && (0.0..=1.0).contains(c)),
+                    "{pixel:?} at {x}, {y}"
+                );
+                let Some(wanted) = exact_coverage(size, x, y, center, light, edge) else {
+                    continue;
+                };
                 let error = (f64::from(pixel[0]) - wanted).abs();
                 if wanted > 0.0 && wanted < 1.0 {
                     errors.push(error);
@@ -690,22 +805,28 @@ fn cartoon_edges(tier: Tier, most: f64, most_mean: f64) {
     let worst = errors.iter().copied().fold(0.0, f64::max);
     let mean = errors.iter().sum::<f64>() / errors.len() as f64;
     assert!(errors.len() > 1000, "{}", errors.len());
-    assert!(worst <= most && mean <= most_mean, "{tier:?}: worst {worst}, mean {mean} over {}", errors.len());
+    assert!(
+        worst <= most && mean <= most_mean,
+        "{tier:?}: worst {worst}, mean {mean} over {}",
+        errors.len()
+    );
 }
 
 #[test]
 fn case_19_thresholds_and_bands_are_covered() {
     let size = [160, 160];
-    for (kind, input, values) in
-        [("threshold", "value", json!({"edge": 0.7})), ("bands", "value", json!({"count": 2, "softness": 0}))]
-    {
+    for (kind, input, values) in [
+        ("threshold", "value", json!({"edge": 0.7})),
+        ("bands", "value", json!({"count": 2, "softness": 0})),
+    ] {
         let edge = if kind == "threshold" { 0.7_f64 } else { 0.5 };
         let stated = |tier| Library::built_in().nodes[kind].error_of(tier).map(|error| error.bound);
         for tier in [Tier::Exact, Tier::Balanced, Tier::Fast] {
             let bound = stated(tier).unwrap_or(0.06);
             let mut worst = 0.0_f64;
             for step in 0..4 {
-                let center = DVec2::new(0.37, -0.21) * f64::from(step) * HEIGHT / f64::from(size[1]);
+                let center =
+                    DVec2::new(0.37, -0.21) * f64::from(step) * HEIGHT / f64::from(size[1]);
                 let mut cut = look(&json!({
                     "nodes": [
                         {"id": "facing", "kind": "facing"},
@@ -718,15 +839,25 @@ fn case_19_thresholds_and_bands_are_covered() {
                     ]
                 }));
                 cut.look.tier = tier;
-                let drawn = picture(vec![(cut, ball(), DMat4::from_translation(center.extend(0.0)))], size, 1);
+                let drawn = picture(
+                    vec![(cut, ball(), DMat4::from_translation(center.extend(0.0)))],
+                    size,
+                    1,
+                );
                 for (x, y, pixel) in pixels(&drawn) {
-                    let Some(wanted) = exact_coverage(size, x, y, center, DVec3::Z, edge.acos()) else { continue };
+                    let Some(wanted) = exact_coverage(size, x, y, center, DVec3::Z, edge.acos())
+                    else {
+                        continue;
+                    };
                     worst = worst.max((f64::from(pixel[0]) - wanted).abs());
                 }
             }
             assert!(worst <= bound, "{kind}, {tier:?}: {worst} beyond {bound}");
             // What is stated is no more than half as large again as what is found.
-            assert!(tier == Tier::Exact || worst >= bound / 1.5, "{kind}, {tier:?}: {worst} far below {bound}");
+            assert!(
+                tier == Tier::Exact || worst >= bound / 1.5,
+                "{kind}, {tier:?}: {worst} far below {bound}"
+            );
         }
     }
 }
@@ -754,7 +885,10 @@ fn value(look: &SetupLook) -> DVec4 {
 
 #[test]
 fn case_20_multiply_without_tone_is_black() {
-    let look = chain([0.7, 0.6, 0.5, 1.0], &[json!({"mode": "multiply", "tone": 0, "color": [1, 1, 1, 1]})]);
+    let look = chain(
+        [0.7, 0.6, 0.5, 1.0],
+        &[json!({"mode": "multiply", "tone": 0, "color": [1, 1, 1, 1]})],
+    );
     assert_eq!(value(&look), DVec4::new(0.0, 0.0, 0.0, 1.0));
 }
 
@@ -765,7 +899,11 @@ fn case_20_opacity_zero_changes_nothing() {
             json!({"mode": mode.word(), "tone": 0.7, "color": [0.2, 0.9, 0.4, 0.0]}),
             json!({"mode": mode.word(), "tone": 0.7, "color": [0.2, 0.9, 0.4, 1.0], "opacity": 0}),
         ] {
-            assert_eq!(value(&chain([0.75, 0.5, 0.25, 1.0], &[layer])), DVec4::new(0.75, 0.5, 0.25, 1.0), "{mode:?}");
+            assert_eq!(
+                value(&chain([0.75, 0.5, 0.25, 1.0], &[layer])),
+                DVec4::new(0.75, 0.5, 0.25, 1.0),
+                "{mode:?}"
+            );
         }
     }
 }
@@ -773,7 +911,8 @@ fn case_20_opacity_zero_changes_nothing() {
 #[test]
 fn case_20_every_layer_is_clamped() {
     let layers = |clamped: bool| {
-        let layer = |mode: &str, x: f64| json!({"mode": mode, "color": [x, x, x, 1], "clamped": clamped});
+        let layer =
+            |mode: &str, x: f64| json!({"mode": mode, "color": [x, x, x, 1], "clamped": clamped});
         [layer("add", 0.8), layer("add", 0.8), layer("subtract", 0.5)]
     };
     let black = [0.0, 0.0, 0.0, 1.0];
@@ -782,7 +921,8 @@ fn case_20_every_layer_is_clamped() {
     assert!((free - DVec4::new(1.1, 1.1, 1.1, 1.0)).abs().max_element() < 1e-6, "{free}");
 }
 
-/// Every source of NaN that the paper's formulas have, in one layer of five; the other four must not notice.
+/// Every source of NaN that the paper's formulas have, in one layer of five; the other four must
+/// not notice.
 #[test]
 fn case_21_no_layer_poisons_the_stack() {
     let layers = |profile: Json, kind: &str| {
@@ -809,7 +949,9 @@ fn case_21_no_layer_poisons_the_stack() {
     ];
     for profile in odd_profiles {
         for kind in ["diffuse", "specular", "screen_aligned", "half_vector"] {
-            let mut nodes = vec![json!({"id": "base", "kind": "base", "values": {"color": [0.3, 0.4, 0.5, 1]}})];
+            let mut nodes = vec![
+                json!({"id": "base", "kind": "base", "values": {"color": [0.3, 0.4, 0.5, 1]}}),
+            ];
             let mut wires = Vec::new();
             let mut below = "base.below".to_owned();
             for (index, values) in layers(profile.clone(), kind).iter().enumerate() {
@@ -819,16 +961,30 @@ fn case_21_no_layer_poisons_the_stack() {
             }
             nodes.push(json!({"id": "output", "kind": "output"}));
             wires.push(json!({"from": below, "to": "output.color"}));
-            let look = look(&json!({"lights": {"key": {"direction": [0, 0, 1]}}, "nodes": nodes, "wires": wires}));
-            let places = [DVec3::Z, -DVec3::Z, DVec3::X, DVec3::new(1e-6, 0.0, 1.0), DVec3::new(0.3, -0.5, 0.6)];
+            let look = look(
+                &json!({"lights": {"key": {"direction": [0, 0, 1]}}, "nodes": nodes, "wires": wires}),
+            );
+            let places = [
+                DVec3::Z,
+                -DVec3::Z,
+                DVec3::X,
+                DVec3::new(1e-6, 0.0, 1.0),
+                DVec3::new(0.3, -0.5, 0.6),
+            ];
             let samples: Vec<EvalSample> = places
                 .iter()
                 .flat_map(|&normal| {
-                    places.map(|view| EvalSample { normal, view, kappa: f64::INFINITY, ..EvalSample::default() })
+                    places.map(|view| EvalSample {
+                        normal,
+                        view,
+                        kappa: f64::INFINITY,
+                        ..EvalSample::default()
+                    })
                 })
                 .collect();
             let tones = eval(&look, "layer_2.tone", &samples);
-            for ((value, tone), sample) in eval(&look, "", &samples).iter().zip(tones).zip(&samples) {
+            for ((value, tone), sample) in eval(&look, "", &samples).iter().zip(tones).zip(&samples)
+            {
                 let rho = tone[0];
                 assert!((0.0..=1.0).contains(&rho), "{rho} of {profile} {kind} at {sample:?}");
                 let lambert = sample.normal.normalize().z.max(0.0);
@@ -841,7 +997,8 @@ fn case_21_no_layer_poisons_the_stack() {
                     (badf::Mode::Subtract, [0.05, 0.0, 0.0], lambert),
                 ];
                 for (mode, color, rho) in steps {
-                    stack = badf::blend(mode, stack, DVec3::from(color).extend(1.0), rho, 1.0, true);
+                    stack =
+                        badf::blend(mode, stack, DVec3::from(color).extend(1.0), rho, 1.0, true);
                 }
                 let error = (DVec4::from_array(*value) - stack).abs().max_element();
                 assert!(error < 1e-6, "{value:?} for {stack} of {profile} {kind} at {sample:?}");
@@ -852,7 +1009,8 @@ fn case_21_no_layer_poisons_the_stack() {
 
 #[test]
 fn case_21_output_clears_what_a_custom_node_lets_through() {
-    let code = "/// Nothing\n///\n/// Not a number.\n///\n/// @param value \"Value\" default=0 : Any.\n/// @return value \"Value\" : NaN.\n\
+    let code = "/// Nothing\n///\n/// Not a number.\n///\n/// @param value \"Value\" default=0 : \
+                Any.\n/// @return value \"Value\" : NaN.\n\
                 fn nothing(value: f32) -> f32 { return bitcast<f32>(0x7fc00000u + u32(value)); }";
     let look = look(&json!({
         "nodes": [
@@ -887,7 +1045,8 @@ fn keyed(keys: &Json) -> SetupLook {
 }
 
 fn seen_from(look: &SetupLook, views: &[DVec3]) -> Vec<f64> {
-    let samples: Vec<EvalSample> = views.iter().map(|&view| EvalSample { view, ..EvalSample::default() }).collect();
+    let samples: Vec<EvalSample> =
+        views.iter().map(|&view| EvalSample { view, ..EvalSample::default() }).collect();
     eval(look, "number.value", &samples).iter().map(|value| value[0]).collect()
 }
 
@@ -899,9 +1058,15 @@ fn key(direction: DVec3, value: f64) -> Json {
 fn case_22_odd_sets_of_keys() {
     let mut random = Random::new(22);
     let views: Vec<DVec3> = (0..100).map(|_| random.direction()).collect();
-    assert!(seen_from(&keyed(&json!([])), &views).iter().all(|x| *x == 7.0), "no keys: the look's own");
+    assert!(
+        seen_from(&keyed(&json!([])), &views).iter().all(|x| *x == 7.0),
+        "no keys: the look's own"
+    );
     let one = keyed(&json!([key(DVec3::X, 3.0)]));
-    assert!(seen_from(&one, &views).iter().all(|x| (x - 3.0).abs() < 1e-6), "one key holds everywhere");
+    assert!(
+        seen_from(&one, &views).iter().all(|x| (x - 3.0).abs() < 1e-6),
+        "one key holds everywhere"
+    );
     for apart in [0.0, 1e-6] {
         // Duplicates share a weight, so together they weigh as one.
         let near = (DVec3::X + apart * DVec3::Y) * 5.0;
@@ -940,8 +1105,11 @@ fn case_23_keys_hold_where_they_are() {
         }
         // w_k(key_j) is 1 for k = j and 0 otherwise.
         for k in 0..count {
-            let keys: Vec<Json> =
-                places.iter().enumerate().map(|(j, &place)| key(place, f64::from(u8::from(j == k)))).collect();
+            let keys: Vec<Json> = places
+                .iter()
+                .enumerate()
+                .map(|(j, &place)| key(place, f64::from(u8::from(j == k))))
+                .collect();
             let look = keyed(&json!(keys));
             for (j, weight) in seen_from(&look, &places).into_iter().enumerate() {
                 assert!(
@@ -971,10 +1139,14 @@ fn case_23_light_directions_never_average_to_nothing() {
         ]}]
     }));
     let mut random = Random::new(24);
-    let mut samples: Vec<EvalSample> =
-        (0..100).map(|_| EvalSample { view: random.direction(), ..EvalSample::default() }).collect();
+    let mut samples: Vec<EvalSample> = (0..100)
+        .map(|_| EvalSample { view: random.direction(), ..EvalSample::default() })
+        .collect();
     samples.push(EvalSample { view: DVec3::Y, ..EvalSample::default() });
-    samples.push(EvalSample { view: DVec3::new(0.0, FRAC_1_SQRT_2, FRAC_1_SQRT_2), ..EvalSample::default() });
+    samples.push(EvalSample {
+        view: DVec3::new(0.0, FRAC_1_SQRT_2, FRAC_1_SQRT_2),
+        ..EvalSample::default()
+    });
     for (value, sample) in eval(&look, "parts.direction", &samples).iter().zip(&samples) {
         let direction = DVec3::from_slice(&value[..3]);
         assert!((direction.length() - 1.0).abs() < 1e-6, "{direction} from {}", sample.view);

@@ -22,7 +22,7 @@ const SCHEMES: [(&str, KeyScheme); 3] = [
     ("tessellated", KeyScheme::Tessellated),
 ];
 
-/// A number and a colour with keys at directions.
+/// A number and a color with keys at directions.
 fn keyed(by: &Json, scheme: &str, keys: &[Json]) -> SetupLook {
     look(&json!({
         "lights": {"key": {"direction": [0, 0, 1]}},
@@ -56,10 +56,12 @@ fn places(random: &mut Random, count: usize) -> Vec<DVec3> {
 }
 
 fn toward(direction: DVec3) -> indexmap::IndexMap<chiaro::ids::LightId, LightOverride> {
-    [("key".into(), LightOverride { direction: Some(direction), ..LightOverride::default() })].into_iter().collect()
+    [("key".into(), LightOverride { direction: Some(direction), ..LightOverride::default() })]
+        .into_iter()
+        .collect()
 }
 
-/// Numbers and colours between keys of the view (world space) and of a light (screen space).
+/// Numbers and colors between keys of the view (world space) and of a light (screen space).
 #[test]
 fn keys_hold_their_values_and_blend_by_weight() {
     for (word, scheme) in SCHEMES {
@@ -67,13 +69,15 @@ fn keys_hold_their_values_and_blend_by_weight() {
             let mut random = Random::new(60);
             let places = places(&mut random, 5);
             let numbers: Vec<f64> = (0..5).map(|_| random.between(-2.0, 2.0)).collect();
-            let colors: Vec<DVec3> = (0..5).map(|_| DVec3::from_array([(); 3].map(|()| random.unit()))).collect();
+            let colors: Vec<DVec3> =
+                (0..5).map(|_| DVec3::from_array([(); 3].map(|()| random.unit()))).collect();
             let keys: Vec<Json> = (0..5)
                 .map(|k| json!({"direction": places[k].to_array(), "values": {"number.value": numbers[k], "paint.color": colors[k].to_array()}}))
                 .collect();
             let by = if by_view { json!("view") } else { json!({"light": "key"}) };
             let look = keyed(&by, word, &keys);
-            let directions: Vec<DVec3> = places.iter().copied().chain((0..100).map(|_| random.direction())).collect();
+            let directions: Vec<DVec3> =
+                places.iter().copied().chain((0..100).map(|_| random.direction())).collect();
             let samples: Vec<EvalSample> = directions
                 .iter()
                 .map(|&direction| {
@@ -102,7 +106,8 @@ fn keys_hold_their_values_and_blend_by_weight() {
             for (index, direction) in directions.iter().enumerate() {
                 let w = weights.weights(*direction);
                 assert!(
-                    (w.iter().sum::<f64>() - 1.0).abs() < 1e-9 && w.iter().all(|w| (0.0..=1.0).contains(w)),
+                    (w.iter().sum::<f64>() - 1.0).abs() < 1e-9
+                        && w.iter().all(|w| (0.0..=1.0).contains(w)),
                     "{w:?}"
                 );
                 let number: f64 = w.iter().zip(&numbers).map(|(w, x)| w * x).sum();
@@ -110,10 +115,13 @@ fn keys_hold_their_values_and_blend_by_weight() {
                 let got_color = DVec3::from_slice(&got_colors[index][..3]);
                 if index < 5 {
                     at_keys.note(got_numbers[index][0], numbers[index], || format!("key {index}"));
-                    at_keys.note((got_color - colors[index]).abs().max_element(), 0.0, || format!("key {index}"));
+                    at_keys.note((got_color - colors[index]).abs().max_element(), 0.0, || {
+                        format!("key {index}")
+                    });
                 }
                 between.note(got_numbers[index][0], number, || format!("{direction}"));
-                between.note((got_color - color).abs().max_element(), 0.0, || format!("{direction}"));
+                between
+                    .note((got_color - color).abs().max_element(), 0.0, || format!("{direction}"));
             }
             at_keys.finish();
             between.finish();
@@ -121,12 +129,14 @@ fn keys_hold_their_values_and_blend_by_weight() {
     }
 }
 
-/// Every key sets offset, fall-off and cut-off in an order of its own; what is blended is in order everywhere.
+/// Every key sets offset, fall-off and cut-off in an order of its own; what is blended is in order
+/// everywhere.
 #[test]
 fn blended_profiles_stay_in_order() {
     let mut random = Random::new(61);
     let places = places(&mut random, 4);
-    let triples: Vec<[f64; 3]> = (0..4).map(|_| [(); 3].map(|()| random.between(-0.5, 3.5))).collect();
+    let triples: Vec<[f64; 3]> =
+        (0..4).map(|_| [(); 3].map(|()| random.between(-0.5, 3.5))).collect();
     let keys: Vec<Json> = places
         .iter()
         .zip(&triples)
@@ -160,14 +170,18 @@ fn blended_profiles_stay_in_order() {
         .collect();
     for (value, sample) in eval(&look, "tone.tone", &samples).iter().zip(&samples) {
         let w = weights.weights(sample.view);
-        let sanitised: Vec<[f64; 3]> = triples.iter().map(|triple| support::badf::sanitised(*triple)).collect();
-        let blended = [0, 1, 2].map(|i| w.iter().zip(&sanitised).map(|(w, triple)| w * triple[i]).sum::<f64>());
+        let sanitised: Vec<[f64; 3]> =
+            triples.iter().map(|triple| support::badf::sanitised(*triple)).collect();
+        let blended = [0, 1, 2]
+            .map(|i| w.iter().zip(&sanitised).map(|(w, triple)| w * triple[i]).sum::<f64>());
         let [tau, f, c] = blended;
         assert!(tau <= f + 1e-12 && f <= c + 1e-12);
         // Narrow profiles multiply the rounding of u.
         if f - tau > 0.05 {
             let u = support::badf::angle(sample.normal, DVec3::Z);
-            errors.note(value[0], support::badf::alpha(u, 0.0, blended), || format!("{blended:?} at {u}"));
+            errors.note(value[0], support::badf::alpha(u, 0.0, blended), || {
+                format!("{blended:?} at {u}")
+            });
         }
     }
     errors.finish();
@@ -177,7 +191,8 @@ fn blended_profiles_stay_in_order() {
 fn keyed_light_directions_are_unit_sums() {
     let mut random = Random::new(62);
     let places = places(&mut random, 4);
-    let targets: Vec<DVec3> = (0..4).map(|_| random.direction() * random.between(0.1, 5.0)).collect();
+    let targets: Vec<DVec3> =
+        (0..4).map(|_| random.direction() * random.between(0.1, 5.0)).collect();
     let keys: Vec<Json> = places
         .iter()
         .zip(&targets)
@@ -221,7 +236,8 @@ fn timed(target: &str, keys: &Json) -> SetupLook {
 }
 
 fn at_times(look: &SetupLook, output: &str, times: &[f64]) -> Vec<f64> {
-    let samples: Vec<EvalSample> = times.iter().map(|&time| EvalSample { time, ..EvalSample::default() }).collect();
+    let samples: Vec<EvalSample> =
+        times.iter().map(|&time| EvalSample { time, ..EvalSample::default() }).collect();
     eval(look, output, &samples).iter().map(|value| value[0]).collect()
 }
 
@@ -229,10 +245,13 @@ fn at_times(look: &SetupLook, output: &str, times: &[f64]) -> Vec<f64> {
 fn keys_over_time() {
     let times: Vec<f64> = (0..60).map(|i| 0.1 * f64::from(i) - 1.0).collect();
     let ease = |t: f64| t * t * (3.0 - 2.0 * t);
-    for (word, between) in
-        [("linear", (|t| t) as fn(f64) -> f64), ("smooth", ease as fn(f64) -> f64), ("stepped", |_| 0.0)]
-    {
-        let key = |time: f64, value: f64| json!({"time": time, "value": value, "interpolation": word});
+    for (word, between) in [
+        ("linear", (|t| t) as fn(f64) -> f64),
+        ("smooth", ease as fn(f64) -> f64),
+        ("stepped", |_| 0.0),
+    ] {
+        let key =
+            |time: f64, value: f64| json!({"time": time, "value": value, "interpolation": word});
         let look = timed("number.value", &json!([key(0.0, 1.0), key(2.0, -3.0), key(3.0, 8.0)]));
         let mut errors = Errors::new(format!("keys over time, {word}"), 1e-6);
         for (got, time) in at_times(&look, "number.value", &times).into_iter().zip(&times) {
@@ -259,7 +278,8 @@ fn words_step_in_time() {
     assert!(values.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-6), "{values:?}");
 }
 
-/// Exposed values reach the shader whether they are numbers or words, through the binary and in scenes.
+/// Exposed values reach the shader whether they are numbers or words, through the binary and in
+/// scenes.
 #[test]
 fn exposed_values_are_heard() {
     let look_json = json!({
@@ -287,11 +307,16 @@ fn exposed_values_are_heard() {
     let answers: Vec<Json> = serde_json::from_slice(&output.stdout).expect("JSON");
     let reds: Vec<f64> = answers.iter().filter_map(|answer| answer["value"][0].as_f64()).collect();
     assert_eq!(reds.len(), 4, "{answers:?}");
-    assert!(reds.iter().zip([0.5, 0.75, 0.125, 0.0]).all(|(a, b)| (a - b).abs() < 1e-6), "{reds:?}");
+    assert!(
+        reds.iter().zip([0.5, 0.75, 0.125, 0.0]).all(|(a, b)| (a - b).abs() < 1e-6),
+        "{reds:?}"
+    );
 
     let (mesh, matrix) = shape("sphere");
     let mut setup = scene_of(vec![(look(&look_json), mesh, matrix)], Scene::default());
-    for (live, amount, wanted) in [(Live::Keyed, 1.0, 0.75), (Live::Keyed, 0.25, 0.375), (Live::All, 0.5, 0.5)] {
+    for (live, amount, wanted) in
+        [(Live::Keyed, 1.0, 0.75), (Live::Keyed, 0.25, 0.375), (Live::All, 0.5, 0.5)]
+    {
         setup.objects[0].values = [("amount".into(), Value::Number(amount))].into_iter().collect();
         let middle = draw(&setup, Library::built_in(), &live, [32, 32], 1).pixel(16, 16);
         assert!((middle[0] - wanted).abs() < 1e-3, "{middle:?} for {wanted}");
@@ -300,7 +325,8 @@ fn exposed_values_are_heard() {
 
 /// A number with keys by drivers.
 fn driven(drivers: &Json, keys: &[(&[f64], f64)]) -> SetupLook {
-    let keys: Vec<Json> = keys.iter().map(|(at, x)| json!({"at": at, "values": {"number.value": x}})).collect();
+    let keys: Vec<Json> =
+        keys.iter().map(|(at, x)| json!({"at": at, "values": {"number.value": x}})).collect();
     look(&json!({
         "lights": {"key": {"direction": [0, 0, 1]}},
         "nodes": [
@@ -330,7 +356,9 @@ fn one_driver_goes_from_key_to_key() {
     let sample = |&distance: &f64| EvalSample { distance, ..EvalSample::default() };
     let samples: Vec<EvalSample> = distances.iter().map(sample).collect();
     let mut errors = Errors::new("keys by distance", 1e-5);
-    for (got, distance) in eval(&driven(&json!(["distance"]), &keys), "", &samples).iter().zip(&distances) {
+    for (got, distance) in
+        eval(&driven(&json!(["distance"]), &keys), "", &samples).iter().zip(&distances)
+    {
         errors.note(got[0], wanted(*distance), || format!("{distance}"));
     }
     errors.finish();
@@ -343,10 +371,15 @@ fn keys_of_several_drivers_hold_their_values() {
     let drivers = json!([{"height": "key"}, "facing", {"near": "friend"}]);
     for axes in 1..=3 {
         let places: Vec<Vec<f64>> = (0..7)
-            .map(|_| [random.between(-1.4, 1.4), random.between(0.1, 3.0), random.between(0.5, 9.0)][..axes].to_vec())
+            .map(|_| {
+                [random.between(-1.4, 1.4), random.between(0.1, 3.0), random.between(0.5, 9.0)]
+                    [..axes]
+                    .to_vec()
+            })
             .collect();
         let values: Vec<f64> = (0..7).map(|_| random.between(-3.0, 3.0)).collect();
-        let keys: Vec<(&[f64], f64)> = places.iter().zip(&values).map(|(at, x)| (at.as_slice(), *x)).collect();
+        let keys: Vec<(&[f64], f64)> =
+            places.iter().zip(&values).map(|(at, x)| (at.as_slice(), *x)).collect();
         let look = driven(&json!(drivers.as_array().expect("drivers")[..axes]), &keys);
         let samples: Vec<EvalSample> = places
             .iter()
@@ -355,21 +388,32 @@ fn keys_of_several_drivers_hold_their_values() {
                 let view = random.direction();
                 let aside = view.any_orthonormal_vector();
                 EvalSample {
-                    lights: toward(DVec3::new(0.6 * height.cos(), height.sin(), -0.8 * height.cos())),
+                    lights: toward(DVec3::new(
+                        0.6 * height.cos(),
+                        height.sin(),
+                        -0.8 * height.cos(),
+                    )),
                     view,
                     front: 3.0 * (facing.cos() * view + facing.sin() * aside),
-                    near: [("friend".into(), place.get(2).copied().unwrap_or(1.0))].into_iter().collect(),
+                    near: [("friend".into(), place.get(2).copied().unwrap_or(1.0))]
+                        .into_iter()
+                        .collect(),
                     ..EvalSample::default()
                 }
             })
             .collect();
         for (got, value) in eval(&look, "", &samples).iter().zip(&values) {
-            assert!((got[0] - value).abs() < 1e-4, "{axes} drivers: {} in place of {value}", got[0]);
+            assert!(
+                (got[0] - value).abs() < 1e-4,
+                "{axes} drivers: {} in place of {value}",
+                got[0]
+            );
         }
     }
 }
 
-/// Weights between keys of drivers lie in [0, 1], sum to 1, have no jumps or kinks, and do not know the axes' units.
+/// Weights between keys of drivers lie in [0, 1], sum to 1, have no jumps or kinks, and do not know
+/// the axes' units.
 #[test]
 fn weights_between_drivers_are_smooth_and_know_no_units() {
     let mut random = Random::new(67);
@@ -389,10 +433,12 @@ fn weights_between_drivers_are_smooth_and_know_no_units() {
         let units = DVec3::new(1000.0, 0.02, 7.0);
         let (weights, problems) = KeyWeights::at_places(&places);
         assert!(problems.is_empty(), "{problems:?}");
-        let (scaled, _) = KeyWeights::at_places(&places.iter().map(|place| *place * units).collect::<Vec<_>>());
+        let (scaled, _) =
+            KeyWeights::at_places(&places.iter().map(|place| *place * units).collect::<Vec<_>>());
         for _ in 0..40 {
             let (from, to) = (2.0 * place(), 2.0 * place());
-            let rows: Vec<Vec<f64>> = (0..=200).map(|k| weights.weights(from.lerp(to, f64::from(k) / 200.0))).collect();
+            let rows: Vec<Vec<f64>> =
+                (0..=200).map(|k| weights.weights(from.lerp(to, f64::from(k) / 200.0))).collect();
             for row in &rows {
                 assert!(row.iter().all(|w| (-1e-9..=1.0 + 1e-9).contains(w)), "{row:?}");
                 assert!((row.iter().sum::<f64>() - 1.0).abs() < 1e-9);
@@ -408,7 +454,8 @@ fn weights_between_drivers_are_smooth_and_know_no_units() {
             assert!((weights.weights(*place)[key] - 1.0).abs() < 1e-9);
         }
     }
-    // Two keys in one place share a weight, one alone has it all, and no number at all favours none.
+    // Two keys in one place share a weight, one alone has it all, and no number at all favours
+    // none.
     let (shared, problems) = KeyWeights::at_places(&[DVec3::X, DVec3::X, DVec3::Y]);
     assert!(problems.iter().any(|problem| problem.code == "merged-keys"));
     assert_eq!(shared.weights(DVec3::X), [0.5, 0.5, 0.0]);
@@ -416,7 +463,8 @@ fn weights_between_drivers_are_smooth_and_know_no_units() {
     assert_eq!(shared.weights(DVec3::NAN), [0.25, 0.25, 0.5]);
 }
 
-/// In a scene each object has its own distance, front and neighbours; an object that is not there is told of.
+/// In a scene each object has its own distance, front and neighbours; an object that is not there
+/// is told of.
 #[test]
 fn every_object_is_driven_by_its_own_place() {
     let (mesh, matrix) = shape("sphere");
@@ -424,22 +472,32 @@ fn every_object_is_driven_by_its_own_place() {
     let pictured = |drivers: Json, keys: &[(&[f64], f64)]| {
         let look = || driven(&drivers, keys);
         let scene = Scene { backdrop: None, ..Scene::default() };
-        let setup = scene_of(vec![(look(), mesh.clone(), moved(-3.0)), (look(), mesh.clone(), moved(3.0))], scene);
+        let setup = scene_of(
+            vec![(look(), mesh.clone(), moved(-3.0)), (look(), mesh.clone(), moved(3.0))],
+            scene,
+        );
         let mut planner = chiaro::frame::Planner::default();
         let options = chiaro::frame::PlanOptions { size: [96, 48], samples: 1, time: 0.0 };
-        let plan = planner.plan(&setup, Library::built_in(), &Live::Keyed, &options).expect("it is planned");
-        let picture = chiaro::render::block_on(support::eval::renderer().picture(&plan)).expect("it is drawn");
+        let plan = planner
+            .plan(&setup, Library::built_in(), &Live::Keyed, &options)
+            .expect("it is planned");
+        let picture = chiaro::render::block_on(support::eval::renderer().picture(&plan))
+            .expect("it is drawn");
         let mut seen: Vec<f32> = picture.rgba.iter().filter(|p| p[3] > 0.5).map(|p| p[0]).collect();
         seen.sort_by(f32::total_cmp);
         seen.dedup_by(|a, b| (*a - *b).abs() < 1e-3);
         (seen, planner.warnings)
     };
     // The two are 6 apart, and one is no neighbour of itself.
-    let (seen, warnings) = pictured(json!([{"near": "object_0"}]), &[(&[6.0], 0.25), (&[7.0], 0.75)]);
+    let (seen, warnings) =
+        pictured(json!([{"near": "object_0"}]), &[(&[6.0], 0.25), (&[7.0], 0.75)]);
     assert_eq!(seen, [0.25, 0.75], "the neighbour, and what is far from any");
     assert!(warnings.iter().any(|problem| problem.code == "unknown-object"), "{warnings:?}");
     let (_, warnings) = pictured(json!([{"near": "nobody"}]), &[(&[6.0], 0.25)]);
-    assert!(warnings.iter().any(|p| p.message.contains("nobody") && p.hints[0].contains("object_1")), "{warnings:?}");
+    assert!(
+        warnings.iter().any(|p| p.message.contains("nobody") && p.hints[0].contains("object_1")),
+        "{warnings:?}"
+    );
     // Both stand with their fronts as they were made.
     let (seen, warnings) = pictured(json!(["facing"]), &[(&[0.0], 0.25), (&[3.0], 0.75)]);
     assert!(warnings.is_empty() && seen.len() <= 2, "{seen:?} {warnings:?}");
@@ -458,7 +516,10 @@ fn drivers_are_read_written_and_checked() {
     let json = |text: &str| serde_json::from_str::<Json>(text).expect("JSON");
     for (by, key) in [
         (r#"{ "drivers": ["distance"] }"#, r#""at": [2.5]"#),
-        (r#"{ "drivers": ["facing", { "height": "key" }, { "near": "tree" }] }"#, r#""at": [0, -0.5, 3]"#),
+        (
+            r#"{ "drivers": ["facing", { "height": "key" }, { "near": "tree" }] }"#,
+            r#""at": [0, -0.5, 3]"#,
+        ),
     ] {
         let loaded = Look::read(&text(by, key), "keys.json");
         assert!(loaded.diagnostics.is_empty(), "{:?}", loaded.diagnostics);
@@ -470,7 +531,11 @@ fn drivers_are_read_written_and_checked() {
     }
     for (by, key, code) in [
         (r#"{ "drivers": [] }"#, r#""at": []"#, "wrong-count"),
-        (r#"{ "drivers": ["distance", "facing", { "near": "a" }, { "near": "b" }] }"#, r#""at": [1]"#, "wrong-count"),
+        (
+            r#"{ "drivers": ["distance", "facing", { "near": "a" }, { "near": "b" }] }"#,
+            r#""at": [1]"#,
+            "wrong-count",
+        ),
         (r#"{ "drivers": ["speed"] }"#, r#""at": [1]"#, "wrong-type"),
         (r#"{ "drivers": ["distance"] }"#, r#""at": [1, 2]"#, "wrong-count"),
         (r#"{ "drivers": ["distance"] }"#, r#""direction": [1, 0, 0]"#, "missing-field"),
@@ -478,6 +543,10 @@ fn drivers_are_read_written_and_checked() {
         (r#"{ "drivers": [{ "height": "sun" }] }"#, r#""at": [1]"#, "unknown-light"),
     ] {
         let loaded = Look::read(&text(by, key), "keys.json");
-        assert!(loaded.diagnostics.iter().any(|problem| problem.code == code), "{by} {key}: {:?}", loaded.diagnostics);
+        assert!(
+            loaded.diagnostics.iter().any(|problem| problem.code == code),
+            "{by} {key}: {:?}",
+            loaded.diagnostics
+        );
     }
 }

@@ -1,5 +1,5 @@
-//! Half-tones, dither, paper and marks on the GPU against f64: every dot and every stroke is found by looking through all
-//! that could be there, and means are what the tone says.
+//! Half-tones, dither, paper and marks on the GPU against f64: every dot and every stroke is found
+//! by looking through all that could be there, and means are what the tone says.
 #![cfg(feature = "gpu")]
 
 use crate::support;
@@ -28,7 +28,8 @@ fn v2(v: &[f64]) -> DVec2 {
 
 // Half-tones
 
-/// The share of a cell that lies within a disk of its middle, by halving the cell's quarter into strips.
+/// The share of a cell that lies within a disk of its middle, by halving the cell's quarter into
+/// strips.
 fn covered_by_disk(radius: f64) -> f64 {
     const STRIPS: usize = 4000;
     let strip = |i: usize| {
@@ -59,8 +60,12 @@ fn halftone(shape: &str, i: In<'_>) -> Vec<f64> {
 /// The tile as the shader has it; tests/surfaces/blue_noise.rs holds it to what makes it.
 fn blue_tile() -> Vec<f64> {
     let text = include_str!("../../shaders/lib/blue_noise.wgsl");
-    let numbers = text.split("0x").skip(1).filter_map(|rest| u32::from_str_radix(rest.get(..8)?, 16).ok());
-    numbers.take(256).flat_map(|n| n.to_le_bytes().map(|turn| (f64::from(turn) + 0.5) / 256.0)).collect()
+    let numbers =
+        text.split("0x").skip(1).filter_map(|rest| u32::from_str_radix(rest.get(..8)?, 16).ok());
+    numbers
+        .take(256)
+        .flat_map(|n| n.to_le_bytes().map(|turn| (f64::from(turn) + 0.5) / 256.0))
+        .collect()
 }
 
 fn blue(cell: [i64; 2], tile: &[f64]) -> f64 {
@@ -84,7 +89,8 @@ fn dither(pattern: &str, i: In<'_>, tile: &[f64]) -> Vec<f64> {
         "blue" => blue(cell, tile),
         "white" => unit3(lattice([cell[0], cell[1], 0], 77)).x,
         _ => {
-            let side: usize = pattern.rsplit('_').next().and_then(|n| n.parse().ok()).expect("a size");
+            let side: usize =
+                pattern.rsplit('_').next().and_then(|n| n.parse().ok()).expect("a size");
             let [x, y] = cell.map(|c| c.rem_euclid(side as i64) as usize);
             (bayer(side)[y][x] + 0.5) / (side * side) as f64
         }
@@ -103,7 +109,10 @@ fn dither(pattern: &str, i: In<'_>, tile: &[f64]) -> Vec<f64> {
 fn spaced(place: &[f64], stretch: &[f64], count: f64) -> (DVec2, [f64; 3]) {
     // A sample's picture is one pixel high.
     let is_pixel = stretch[0] + stretch[2] <= 0.0;
-    (v2(place) * count.max(0.0), if is_pixel { [1.0, 0.0, 1.0] } else { [stretch[0], stretch[1], stretch[2]] })
+    (
+        v2(place) * count.max(0.0),
+        if is_pixel { [1.0, 0.0, 1.0] } else { [stretch[0], stretch[1], stretch[2]] },
+    )
 }
 
 struct Stroke {
@@ -119,7 +128,10 @@ fn stroke(line: [i64; 2], x: f64, level: f64, [length, taper]: [f64; 2], seed: u
             return (own.y, 1.0);
         }
         let along = x * 2_f64.powi(zoom) / length + own.x;
-        let chance = unit3(lattice([line[0], line[1], along.floor() as i64], seed.wrapping_add(zoom as u32)));
+        let chance = unit3(lattice(
+            [line[0], line[1], along.floor() as i64],
+            seed.wrapping_add(zoom as u32),
+        ));
         let end = (along - along.floor()).min(along.ceil() - along);
         let slope = unit(end / (0.5 * taper).max(1e-6));
         (chance.x, 1.0 - (1.0 - slope).powi(2))
@@ -169,7 +181,8 @@ fn hatching(i: In<'_>) -> Vec<f64> {
             let power = if k == 0 { 1 } else { 1 << k.trailing_zeros() };
             let octave = i64::from(whole + 1) - i64::from(k.trailing_zeros());
             let line = if k == 0 { [0, 0] } else { [k / power, octave] };
-            let Stroke { turn, profile } = stroke(line, x, level, [number(7), unit(number(8))], seed);
+            let Stroke { turn, profile } =
+                stroke(line, x, level, [number(7), unit(number(8))], seed);
             let late = 0.75 * variation;
             let grown = if k % 2 == 0 { 1.0 } else { unit((growth - late * turn) / (1.0 - late)) };
             let half = 0.5 * width * amount.powf(pressure) * 2_f64.powf(-level) * grown * profile;
@@ -191,8 +204,8 @@ fn picture_length(offset: DVec2, s: [f64; 3]) -> f64 {
     (offset.dot(m.inverse() * offset).max(0.0) * m.determinant() / area_square(s)).sqrt()
 }
 
-/// The square of the area that a stretch makes of a unit's, by its two principal stretches; drawn out more than eight times
-/// counts as eight.
+/// The square of the area that a stretch makes of a unit's, by its two principal stretches; drawn
+/// out more than eight times counts as eight.
 fn area_square(s: [f64; 3]) -> f64 {
     let spread = (0.5 * (s[0] - s[2])).hypot(s[1]);
     let [most, least] = [1.0, -1.0].map(|sign| 0.5 * (s[0] + s[2]) + sign * spread);
@@ -222,10 +235,14 @@ fn stippling(i: In<'_>, tile: &[f64]) -> Vec<f64> {
             let [x, y] = cell.to_array().map(|c| c as i64);
             let chance = unit3(lattice([x, y, i64::from(octave)], seed));
             let offset = q - (cell + 0.5 + scatter * (DVec2::new(chance.x, chance.y) - 0.5));
-            let turn = blue([x + i64::from(seed & 31), y + 7 * i64::from(octave)], tile) * 31.0 / 32.0;
+            let turn =
+                blue([x + i64::from(seed & 31), y + 7 * i64::from(octave)], tile) * 31.0 / 32.0;
             let radius = 0.5 * size * unit(((1.0 - unit(i[0][0])) * share - turn) * 32.0).sqrt();
             let is_cut = offset.length() > 1.0 - 0.5 * scatter;
-            if radius > 0.0 && picture_length(offset, stretch.map(|s| s * scale * scale)) <= radius && !is_cut {
+            if radius > 0.0
+                && picture_length(offset, stretch.map(|s| s * scale * scale)) <= radius
+                && !is_cut
+            {
                 return vec![1.0];
             }
         }
@@ -251,8 +268,8 @@ fn paper_grain(i: In<'_>) -> Vec<f64> {
     vec![1.0 - unit(ink + unit(i[4][0]) * (2.0 * height - 1.0) * 4.0 * ink * (1.0 - ink)), height]
 }
 
-/// Where a place is, and how its coordinates change along the picture: by stepping aside in the picture and going on
-/// along the line of sight to the surface.
+/// Where a place is, and how its coordinates change along the picture: by stepping aside in the
+/// picture and going on along the line of sight to the surface.
 fn mark_place(follow: &str, i: In<'_>, at: &EvalSample) -> Vec<f64> {
     let (n, v) = (at.normal.normalize(), at.view.normalize());
     let turned = |place: DVec2, angle: f64| DVec2::from_angle(-angle).rotate(place);
@@ -281,16 +298,21 @@ fn mark_place(follow: &str, i: In<'_>, at: &EvalSample) -> Vec<f64> {
         answer(turned(here, angle), changes)
     };
     match follow {
-        "light" => {
-            across_axis(at.lights[0].direction.expect("a direction"), DVec3::from_slice(&i[3]).normalize(), i[4][0])
+        "light" => across_axis(
+            at.lights[0].direction.expect("a direction"),
+            DVec3::from_slice(&i[3]).normalize(),
+            i[4][0],
+        ),
+        "axis" => {
+            across_axis(DVec3::from_slice(&i[0]), DVec3::from_slice(&i[3]).normalize(), i[4][0])
         }
-        "axis" => across_axis(DVec3::from_slice(&i[0]), DVec3::from_slice(&i[3]).normalize(), i[4][0]),
         "uv" => {
             let tangent = at.tangent.expect("a tangent");
             let t = (tangent - n * n.dot(tangent)).normalize();
             let b = n.cross(t);
             let normal = DVec3::from_slice(&i[3]).normalize();
-            let (_, changes) = on_surface(&|p| turned(DVec2::new(p.dot(t), p.dot(b)), i[4][0]), normal);
+            let (_, changes) =
+                on_surface(&|p| turned(DVec2::new(p.dot(t), p.dot(b)), i[4][0]), normal);
             answer(turned(v2(&i[1]) * i[2][0].clamp(1e-3, 1e3), i[4][0]), changes)
         }
         _ => {
@@ -323,7 +345,8 @@ fn truth(kind: &str, word: &str, i: In<'_>, at: &EvalSample, tile: &[f64]) -> Op
 
 /// Numbers that an input would be given.
 fn random_value(kind: &str, name: &str, ty: &Type, random: &mut Random) -> Vec<f64> {
-    let between = |low: f64, high: f64, random: &mut Random| vec![f32_of(random.between(low, high))];
+    let between =
+        |low: f64, high: f64, random: &mut Random| vec![f32_of(random.between(low, high))];
     match (kind, name) {
         (_, "stretch") => {
             // A symmetric matrix that stretches both ways.
@@ -337,7 +360,9 @@ fn random_value(kind: &str, name: &str, ty: &Type, random: &mut Random) -> Vec<f
                 vec![f32_of(m.x_axis.x), f32_of(m.x_axis.y), f32_of(m.y_axis.y)]
             }
         }
-        (_, "axis" | "normal") => held(random.direction()).to_array().map(|x| f32_of(1.5 * x)).to_vec(),
+        (_, "axis" | "normal") => {
+            held(random.direction()).to_array().map(|x| f32_of(1.5 * x)).to_vec()
+        }
         ("dither", "place") => (0..2).map(|_| f32_of(random.between(-70.0, 70.0))).collect(),
         (_, "levels") => vec![2.0 + random.index(6) as f64],
         ("dither", "size") => between(1.0, 4.0, random),
@@ -369,14 +394,19 @@ fn sample(random: &mut Random) -> EvalSample {
             break view;
         }
     };
-    let light = LightOverride { direction: Some(held(random.direction())), ..LightOverride::default() };
+    let light =
+        LightOverride { direction: Some(held(random.direction())), ..LightOverride::default() };
     EvalSample {
         normal,
         view,
         tangent: Some(held(random.direction())),
         position: held(random.direction()),
         pixel: DVec2::new(f32_of(random.unit()), f32_of(random.unit())),
-        anchor: DVec3::new(f32_of(random.unit()), f32_of(random.unit()), f32_of(random.between(0.1, 2.0))),
+        anchor: DVec3::new(
+            f32_of(random.unit()),
+            f32_of(random.unit()),
+            f32_of(random.between(0.1, 2.0)),
+        ),
         magnification: f32_of(random.between(0.05, 2.0)),
         lights: [("key".into(), light)].into_iter().collect(),
         ..EvalSample::default()
@@ -387,7 +417,11 @@ fn sample(random: &mut Random) -> EvalSample {
 fn every_mark_is_where_it_must_be() {
     let (library, tile) = (library(), blue_tile());
     assert_eq!(tile.len(), 1024);
-    for def in Library::built_in().nodes.values().filter(|def| matches!(def.category.as_str(), "screen" | "marks")) {
+    for def in Library::built_in()
+        .nodes
+        .values()
+        .filter(|def| matches!(def.category.as_str(), "screen" | "marks"))
+    {
         for (port, word) in words(def) {
             let choice: &[(&str, &str)] = if word.is_empty() { &[] } else { &[(&port, &word)] };
             let types: Vec<Type> = numeric(def).iter().map(|input| input.ty.clone()).collect();
@@ -409,16 +443,25 @@ fn every_mark_is_where_it_must_be() {
             }
             let mut errors = Errors::new(format!("{} {word}", def.kind), 2e-5);
             let mut left_out = 0;
-            for ((got, row), at) in run_at(def, choice, &types, &rows, &places, &library).iter().zip(&rows).zip(&places)
+            for ((got, row), at) in
+                run_at(def, choice, &types, &rows, &places, &library).iter().zip(&rows).zip(&places)
             {
-                assert!(got.iter().all(|x| x.is_finite()), "{} {word}: {got:?} of {row:?}", def.kind);
+                assert!(
+                    got.iter().all(|x| x.is_finite()),
+                    "{} {word}: {got:?} of {row:?}",
+                    def.kind
+                );
                 let wanted = truth(&def.kind, &word, row, at, &tile).expect("one");
                 assert_eq!(got.len(), wanted.len(), "{} {word}", def.kind);
                 // Where a last digit of the input decides, both sides are right.
                 let is_near = [3e-6, -3e-6].into_iter().any(|by| {
                     let moved: Vec<Vec<f64>> = row
                         .iter()
-                        .map(|v| v.iter().map(|x| if x.fract() == 0.0 { *x } else { x * (1.0 + by) }).collect())
+                        .map(|v| {
+                            v.iter()
+                                .map(|x| if x.fract() == 0.0 { *x } else { x * (1.0 + by) })
+                                .collect()
+                        })
                         .collect();
                     let other = truth(&def.kind, &word, &moved, at, &tile).expect("one");
                     wanted.iter().zip(&other).any(|(a, b)| (a - b).abs() > 0.1)
@@ -432,7 +475,11 @@ fn every_mark_is_where_it_must_be() {
                     errors.note(got / scale, wanted / scale, || format!("{row:?}"));
                 }
             }
-            assert!(left_out < 30, "{} {word}: {left_out} samples are too near to an edge", def.kind);
+            assert!(
+                left_out < 30,
+                "{} {word}: {left_out} samples are too near to an edge",
+                def.kind
+            );
             errors.finish();
         }
     }
@@ -451,13 +498,20 @@ fn over(kind: &str, choice: &[(&str, &str)], places: &[DVec2], sets: &[Set<'_>])
                 return place.to_array().map(f32_of).to_vec();
             }
             let set = set.iter().find(|(name, _)| *name == input.name.as_str());
-            set.map_or_else(|| vec![0.0; support::held::width(&input.ty)], |(_, numbers)| numbers.clone())
+            set.map_or_else(
+                || vec![0.0; support::held::width(&input.ty)],
+                |(_, numbers)| numbers.clone(),
+            )
         };
         numeric(def).iter().map(value).collect::<Vec<_>>()
     };
-    let rows: Vec<_> = sets.iter().flat_map(|set| places.iter().map(move |place| row(place, set))).collect();
+    let rows: Vec<_> =
+        sets.iter().flat_map(|set| places.iter().map(move |place| row(place, set))).collect();
     let at = vec![EvalSample::default(); rows.len()];
-    let got: Vec<f64> = run_at(def, choice, &types, &rows, &at, &library()).iter().map(|values| values[0]).collect();
+    let got: Vec<f64> = run_at(def, choice, &types, &rows, &at, &library())
+        .iter()
+        .map(|values| values[0])
+        .collect();
     got.chunks(places.len()).map(<[f64]>::to_vec).collect()
 }
 
@@ -478,7 +532,11 @@ fn mean(values: &[f64]) -> f64 {
 fn evenly(count: usize, scale: f64) -> Vec<DVec2> {
     (1..=count)
         .map(|k| {
-            scale * DVec2::new((k as f64 * 0.754_877_666_246_69).fract(), (k as f64 * 0.569_840_290_998_05).fract())
+            scale
+                * DVec2::new(
+                    (k as f64 * 0.754_877_666_246_69).fract(),
+                    (k as f64 * 0.569_840_290_998_05).fract(),
+                )
         })
         .collect()
 }
@@ -490,7 +548,12 @@ fn halftones_have_the_tones_mean() {
     let tones = [0.0, 0.03, 0.2, 0.25, 0.5, 0.7, 0.95, 1.0];
     for shape in ["dots", "lines", "crosses"] {
         let base = set(&[("lines", &[20.0])]);
-        let got = over("halftone", &[("shape", shape)], &places, &tones.map(|tone| with(&base, "value", tone)));
+        let got = over(
+            "halftone",
+            &[("shape", shape)],
+            &places,
+            &tones.map(|tone| with(&base, "value", tone)),
+        );
         for (got, tone) in got.iter().zip(tones) {
             errors.note(mean(got), tone, || format!("{shape} {tone}"));
         }
@@ -500,13 +563,21 @@ fn halftones_have_the_tones_mean() {
 
 #[test]
 fn dithers_have_the_tones_mean() {
-    let places: Vec<DVec2> = (0..1024).map(|k| DVec2::new(f64::from(k % 32) + 0.5, f64::from(k / 32) + 0.5)).collect();
+    let places: Vec<DVec2> =
+        (0..1024).map(|k| DVec2::new(f64::from(k % 32) + 0.5, f64::from(k / 32) + 0.5)).collect();
     let base = set(&[("levels", &[3.0]), ("size", &[1.0]), ("spread", &[1.0])]);
     let tones = [0.0, 0.1, 0.37, 0.5, 0.81, 1.0];
-    for (pattern, bound) in [("blue", 2e-3), ("bayer_8", 8e-3), ("bayer_4", 0.032), ("bayer_2", 0.13), ("white", 0.05)]
+    for (pattern, bound) in
+        [("blue", 2e-3), ("bayer_8", 8e-3), ("bayer_4", 0.032), ("bayer_2", 0.13), ("white", 0.05)]
     {
-        let mut errors = Errors::new(format!("dither {pattern}: mean over a tile against the tone"), bound);
-        let got = over("dither", &[("pattern", pattern)], &places, &tones.map(|tone| with(&base, "value", tone)));
+        let mut errors =
+            Errors::new(format!("dither {pattern}: mean over a tile against the tone"), bound);
+        let got = over(
+            "dither",
+            &[("pattern", pattern)],
+            &places,
+            &tones.map(|tone| with(&base, "value", tone)),
+        );
         for (got, tone) in got.iter().zip(tones) {
             errors.note(mean(got), tone, || format!("{tone}"));
         }
@@ -514,7 +585,12 @@ fn dithers_have_the_tones_mean() {
     }
     // Without a spread bands are flat, and with some only their edges are sprinkled.
     let base = set(&[("value", &[0.36]), ("levels", &[2.0]), ("size", &[1.0])]);
-    let got = over("dither", &[("pattern", "blue")], &places, &[0.0, 0.2, 0.9].map(|s| with(&base, "spread", s)));
+    let got = over(
+        "dither",
+        &[("pattern", "blue")],
+        &places,
+        &[0.0, 0.2, 0.9].map(|s| with(&base, "spread", s)),
+    );
     assert_eq!([0, 1, 2].map(|k| got[k].iter().any(|x| *x > 0.5)), [false, false, true]);
 }
 
@@ -532,13 +608,20 @@ fn lighter_marks_are_among_darker_ones() {
         ("pressure", &[0.3]),
         ("variation", &[1.0]),
     ]);
-    let dots = set(&[("stretch", &[1.7, 0.3, 0.9]), ("count", &[30.0]), ("size", &[0.9]), ("scatter", &[0.8])]);
+    let dots = set(&[
+        ("stretch", &[1.7, 0.3, 0.9]),
+        ("count", &[30.0]),
+        ("size", &[0.9]),
+        ("scatter", &[0.8]),
+    ]);
     let tones = [1.0, 0.9, 0.77, 0.6, 0.5, 0.41, 0.25, 0.1, 0.0];
     for (kind, base) in [("hatching", strokes), ("stippling", dots)] {
-        let inked = over(kind, &[], &evenly(1200, 1.0), &tones.map(|tone| with(&base, "value", tone)));
+        let inked =
+            over(kind, &[], &evenly(1200, 1.0), &tones.map(|tone| with(&base, "value", tone)));
         assert!(inked[0].iter().all(|ink| *ink == 0.0), "{kind}: paper is bare");
         for (pair, tone) in inked.windows(2).zip(&tones[1..]) {
-            let lost = pair[0].iter().zip(&pair[1]).filter(|(lighter, darker)| lighter > darker).count();
+            let lost =
+                pair[0].iter().zip(&pair[1]).filter(|(lighter, darker)| lighter > darker).count();
             assert_eq!(lost, 0, "{kind} at {tone}: ink is lost where it gets darker");
             assert!(mean(&pair[1]) > mean(&pair[0]), "{kind} at {tone}: no ink is added");
         }
@@ -575,7 +658,8 @@ fn ink_is_as_much_at_every_distance() {
     dots.finish();
 }
 
-/// From one octave to the next nothing jumps: just before and just after, ink is the same but at edges.
+/// From one octave to the next nothing jumps: just before and just after, ink is the same but at
+/// edges.
 #[test]
 fn octaves_go_over_without_a_jump() {
     let base = set(&[
@@ -608,13 +692,21 @@ fn octaves_go_over_without_a_jump() {
 #[test]
 fn paper_keeps_both_ends() {
     let base = set(&[("count", &[40.0]), ("fiber", &[0.5]), ("tooth", &[0.5])]);
-    let got = over("paper_grain", &[], &evenly(1200, 1.0), &[0.0, 1.0, 0.5, 0.1, 0.9].map(|t| with(&base, "value", t)));
+    let got = over(
+        "paper_grain",
+        &[],
+        &evenly(1200, 1.0),
+        &[0.0, 1.0, 0.5, 0.1, 0.9].map(|t| with(&base, "value", t)),
+    );
     assert!(got[0].iter().all(|tone| *tone == 0.0) && got[1].iter().all(|tone| *tone == 1.0));
     let spread = |tones: &[f64]| {
         let middle = mean(tones);
         (tones.iter().map(|x| (x - middle).powi(2)).sum::<f64>() / tones.len() as f64).sqrt()
     };
-    assert!(spread(&got[2]) > 1.5 * spread(&got[3]) && spread(&got[2]) > 1.5 * spread(&got[4]), "most at middle tones");
+    assert!(
+        spread(&got[2]) > 1.5 * spread(&got[3]) && spread(&got[2]) > 1.5 * spread(&got[4]),
+        "most at middle tones"
+    );
     assert!((mean(&got[2]) - 0.5).abs() < 0.01);
 }
 
@@ -623,13 +715,25 @@ fn paper_keeps_both_ends() {
 const SIDE: u32 = 96;
 
 /// A square of 2 by 2 units at `middle`, seen straight on, and what each of its pixels is.
-fn picture(nodes: &Json, wires: &Json, middle: [f64; 3], perspective: bool) -> Vec<(DVec2, [f32; 4])> {
+fn picture(
+    nodes: &Json,
+    wires: &Json,
+    middle: [f64; 3],
+    perspective: bool,
+) -> Vec<(DVec2, [f32; 4])> {
     let folder = tempfile::tempdir().expect("a folder");
-    let write = |name: &str, text: String| std::fs::write(folder.path().join(name), text).expect("written");
-    write("square.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvn 0 0 1\nf 1//1 2//1 3//1 4//1\n".to_owned());
+    let write =
+        |name: &str, text: String| std::fs::write(folder.path().join(name), text).expect("written");
+    write(
+        "square.obj",
+        "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvn 0 0 1\nf 1//1 2//1 3//1 4//1\n".to_owned(),
+    );
     let mut all = vec![json!({"id": "output", "kind": "output"})];
     all.extend(nodes.as_array().expect("a list").iter().cloned());
-    write("look.json", json!({"chiaro": "look", "version": 1, "nodes": all, "wires": wires}).to_string());
+    write(
+        "look.json",
+        json!({"chiaro": "look", "version": 1, "nodes": all, "wires": wires}).to_string(),
+    );
     let projection = if perspective { "perspective" } else { "orthographic" };
     let scene = json!({
         "chiaro": "scene", "version": 1, "backdrop": [0, 0, 0, 0],
@@ -647,7 +751,8 @@ fn picture(nodes: &Json, wires: &Json, middle: [f64; 3], perspective: bool) -> V
         .unwrap_or_else(|problems| panic!("{}", told(&problems)));
     let picture = block_on(renderer().picture(&plan)).unwrap_or_else(|error| panic!("{error}"));
     let all = (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y)));
-    let seen = all.map(|(x, y)| (DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5), picture.pixel(x, y)));
+    let seen =
+        all.map(|(x, y)| (DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5), picture.pixel(x, y)));
     seen.filter(|(_, pixel)| pixel[3] > 0.5).collect()
 }
 
@@ -692,17 +797,21 @@ fn anchored_places_go_along() {
     }
 }
 
-/// Antialiased dots, lines and crosses are as light on average as their tone, down to cells of less than two pixels.
+/// Antialiased dots, lines and crosses are as light on average as their tone, down to cells of less
+/// than two pixels.
 #[test]
 fn antialiased_halftones_have_the_tones_mean() {
     let mut errors = Errors::new("halftone: mean of pixels against the tone", 0.012);
     for shape in ["dots", "lines", "crosses"] {
-        for (lines, tone) in [(31.0, 0.1), (31.0, 0.6), (17.0, 0.25), (17.0, 0.9), (9.0, 0.45), (60.0, 0.3)] {
+        for (lines, tone) in
+            [(31.0, 0.1), (31.0, 0.6), (17.0, 0.25), (17.0, 0.9), (9.0, 0.45), (60.0, 0.3)]
+        {
             let nodes = json!([{"id": "dots", "kind": "halftone", "values":
                 {"shape": shape, "value": tone, "lines": lines, "angle": 0.4}}]);
             let wires = json!([{"from": "dots.tone", "to": "output.color"}]);
             let pixels = picture(&nodes, &wires, [0.0; 3], false);
-            let mean = pixels.iter().map(|(_, p)| f64::from(p[0])).sum::<f64>() / pixels.len() as f64;
+            let mean =
+                pixels.iter().map(|(_, p)| f64::from(p[0])).sum::<f64>() / pixels.len() as f64;
             errors.note(mean, tone, || format!("{shape}, {lines} lines"));
         }
     }
@@ -756,36 +865,48 @@ fn bristles_lie_in_their_cells() {
     for k in 0..900 {
         let uv = DVec2::new(f32_of(random.between(-3.0, 3.0)), f32_of(random.between(-3.0, 3.0)));
         let tone = chiaro::document::Value::Number([0.0, 0.45, 0.8][k % 3]);
-        samples.push(EvalSample { uv, values: [("tone".into(), tone)].into_iter().collect(), ..EvalSample::default() });
+        samples.push(EvalSample {
+            uv,
+            values: [("tone".into(), tone)].into_iter().collect(),
+            ..EvalSample::default()
+        });
     }
     let inks = eval_with(&look, Library::built_in(), &options("node.ink"), &samples);
     let colors = eval_with(&look, Library::built_in(), &options("node.color"), &samples);
-    let (mut errors, mut shades) = (Errors::new("bristles: ink", 2e-4), Errors::new("bristles: shade", 2e-4));
+    let (mut errors, mut shades) =
+        (Errors::new("bristles: ink", 2e-4), Errors::new("bristles: shade", 2e-4));
     let mut covered = [0.0; 3];
     for (k, ((ink, color), at)) in inks.iter().zip(&colors).zip(&samples).enumerate() {
         let p = at.uv * count / DVec2::new(aspect, 1.0);
         let wanted_ink = 1.0 - [0.0, 0.45, 0.8][k % 3];
         // Cells lie on one another by their places within three by three, rows first.
-        let mut cells: Vec<[i64; 2]> =
-            (0..9).map(|i| [p.x.floor() as i64 + i % 3 - 1, p.y.floor() as i64 + i / 3 - 1]).collect();
+        let mut cells: Vec<[i64; 2]> = (0..9)
+            .map(|i| [p.x.floor() as i64 + i % 3 - 1, p.y.floor() as i64 + i / 3 - 1])
+            .collect();
         cells.sort_by_key(|[x, y]| (y.rem_euclid(3), x.rem_euclid(3)));
         let mut paint = [0.0; 2];
         for [x, y] in cells {
             let chance = unit3(lattice([x, y, 0], seed));
-            let middle = DVec2::new(x as f64, y as f64) + 0.5 + scatter * (DVec2::new(chance.x, chance.y) - 0.5);
+            let middle = DVec2::new(x as f64, y as f64)
+                + 0.5
+                + scatter * (DVec2::new(chance.x, chance.y) - 0.5);
             let offset = p - middle;
             let far = offset.abs().max_element() / (1.0 - 0.5 * scatter);
             let way = if unit3(lattice([x, y, 0], seed + 1)).x < 0.5 { 1.0 } else { -1.0 };
-            let turned = DVec2::from_angle(turn * (0.5 - chance.z)).rotate(offset * DVec2::new(aspect, 1.0));
+            let turned =
+                DVec2::from_angle(turn * (0.5 - chance.z)).rotate(offset * DVec2::new(aspect, 1.0));
             let laid = 0.5 + turned * DVec2::new(way, -1.0) / (DVec2::new(aspect, 1.0) * size);
             let inside = unit(64.0 * laid.min(1.0 - laid).min_element());
-            let drawn = unit((wanted_ink - blue([x + i64::from(seed & 31), y], &tile) * 31.0 / 32.0) * 32.0);
+            let drawn = unit(
+                (wanted_ink - blue([x + i64::from(seed & 31), y], &tile) * 31.0 / 32.0) * 32.0,
+            );
             let fade = unit((far - 0.85) / 0.15);
             let share = drawn * inside * (1.0 - fade * fade * (3.0 - 2.0 * fade));
             if share > 0.0 {
                 let [shade, covers] = bristles(laid, lattice([x, y, 0], seed + 2)[0]);
                 let cover = share * covers;
-                paint = [shade * cover + paint[0] * (1.0 - cover), cover + paint[1] * (1.0 - cover)];
+                paint =
+                    [shade * cover + paint[0] * (1.0 - cover), cover + paint[1] * (1.0 - cover)];
             }
         }
         errors.note(ink[0], paint[1], || format!("{}", at.uv));
@@ -796,10 +917,13 @@ fn bristles_lie_in_their_cells() {
     }
     errors.finish();
     shades.finish();
-    assert!(covered[0] > 0.8 && covered[0] > covered[1] && covered[1] > covered[2] && covered[2] > 0.05, "{covered:?}");
+    assert!(
+        covered[0] > 0.8 && covered[0] > covered[1] && covered[1] > covered[2] && covered[2] > 0.05,
+        "{covered:?}"
+    );
 }
 
-/// A stroke of one colour lies wherever a search through all cells finds one, and nowhere else.
+/// A stroke of one color lies wherever a search through all cells finds one, and nowhere else.
 #[test]
 fn brush_strokes_lie_in_their_cells() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -847,9 +971,11 @@ fn brush_strokes_lie_in_their_cells() {
             let chance = unit3(lattice([x, y, 0], seed));
             let offset = p - (cell + 0.5 + scatter * (DVec2::new(chance.x, chance.y) - 0.5));
             let far = offset.abs().max_element() / (1.0 - 0.5 * scatter);
-            let laid = DVec2::from_angle(turn * (0.5 - chance.z)).rotate(offset * DVec2::new(aspect, 1.0));
+            let laid =
+                DVec2::from_angle(turn * (0.5 - chance.z)).rotate(offset * DVec2::new(aspect, 1.0));
             let part = (laid / (DVec2::new(aspect, 1.0) * size)).abs().max_element();
-            let drawn = unit((ink - blue([x + i64::from(seed & 31), y], &tile) * 31.0 / 32.0) * 32.0);
+            let drawn =
+                unit((ink - blue([x + i64::from(seed & 31), y], &tile) * 31.0 / 32.0) * 32.0);
             let fade = unit((far - 0.85) / 0.15);
             let share = drawn * (1.0 - fade * fade * (3.0 - 2.0 * fade));
             free *= 1.0 - share * unit(64.0 * (0.5 - part));
@@ -861,5 +987,8 @@ fn brush_strokes_lie_in_their_cells() {
         }
     }
     errors.finish();
-    assert!(covered[0] > 0.9 && covered[0] > covered[1] && covered[1] > covered[2] && covered[2] > 0.1, "{covered:?}");
+    assert!(
+        covered[0] > 0.9 && covered[0] > covered[1] && covered[1] > covered[2] && covered[2] > 0.1,
+        "{covered:?}"
+    );
 }

@@ -1,5 +1,6 @@
-//! Every node of the library on the GPU against f64: at ordinary values, at edges, and finite everywhere. The nodes of
-//! the BADF model itself are in `truth_badf.rs`. A kind that nothing holds fails the last test.
+//! Every node of the library on the GPU against f64: at ordinary values, at edges, and finite
+//! everywhere. The nodes of the BADF model itself are in `truth_badf.rs`. A kind that nothing holds
+//! fails the last test.
 #![cfg(feature = "gpu")]
 
 use std::collections::BTreeSet;
@@ -37,7 +38,8 @@ fn each(inputs: In<'_>, f: impl Fn(f64) -> f64) -> Vec<f64> {
     inputs[0].iter().map(|x| bounded(f(*x))).collect()
 }
 
-/// A function of two numbers, component by component; of a colour (four numbers) the first one's alpha stays.
+/// A function of two numbers, component by component; of a color (four numbers) the first one's
+/// alpha stays.
 fn pair(inputs: In<'_>, f: impl Fn(f64, f64) -> f64) -> Vec<f64> {
     let (a, b) = (&inputs[0], &inputs[1]);
     let at = |i: usize| if i == 3 { a[3] } else { bounded(f(a[i], b[i.min(b.len() - 1)])) };
@@ -104,10 +106,16 @@ fn rgb_of([h, s, v]: [f64; 3]) -> [f64; 3] {
 /// Blend modes of the W3C's compositing.
 fn mixed_colors(mode: &str, inputs: In<'_>) -> Vec<f64> {
     let (a, b, factor) = (&inputs[0], &inputs[1], inputs[2][0].clamp(0.0, 1.0));
-    let hard = |cb: f64, cs: f64| if cs <= 0.5 { cb * 2.0 * cs } else { cb + (2.0 * cs - 1.0) - cb * (2.0 * cs - 1.0) };
+    let hard = |cb: f64, cs: f64| {
+        if cs <= 0.5 { cb * 2.0 * cs } else { cb + (2.0 * cs - 1.0) - cb * (2.0 * cs - 1.0) }
+    };
     let soft = |cb: f64, cs: f64| {
         let d = if cb <= 0.25 { ((16.0 * cb - 12.0) * cb + 4.0) * cb } else { cb.sqrt() };
-        if cs <= 0.5 { cb - (1.0 - 2.0 * cs) * cb * (1.0 - cb) } else { cb + (2.0 * cs - 1.0) * (d - cb) }
+        if cs <= 0.5 {
+            cb - (1.0 - 2.0 * cs) * cb * (1.0 - cb)
+        } else {
+            cb + (2.0 * cs - 1.0) * (d - cb)
+        }
     };
     let f = |a: f64, b: f64| match mode {
         "normal" => b,
@@ -141,7 +149,9 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
         ("absolute", _) => |i| each(i, f64::abs),
         ("negate", _) => |i| each(i, |x| -x),
         ("sign_of", _) => |i| each(i, |x| if x == 0.0 { 0.0 } else { x.signum() }),
-        ("invert", _) => |i| if i[0].len() == 4 { rgb(i, |x| 1.0 - x) } else { each(i, |x| 1.0 - x) },
+        ("invert", _) => {
+            |i| if i[0].len() == 4 { rgb(i, |x| 1.0 - x) } else { each(i, |x| 1.0 - x) }
+        }
         ("square_root", _) => |i| each(i, |x| x.max(0.0).sqrt()),
         ("exponential", _) => |i| each(i, f64::exp),
         ("sine", _) => |i| each(i, f64::sin),
@@ -179,7 +189,9 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
             (0..i[0].len()).map(|k| (1.0 - t) * i[0][k] + t * i[1][k]).collect()
         },
         ("switch_value", _) => |i| if i[2][0] > 0.5 { i[1].clone() } else { i[0].clone() },
-        ("smooth_step_value", _) => |i| each(i, |x| ease(place(x, i[1][0], i[2][0]).clamp(0.0, 1.0))),
+        ("smooth_step_value", _) => {
+            |i| each(i, |x| ease(place(x, i[1][0], i[2][0]).clamp(0.0, 1.0)))
+        }
         ("map_range", _) => |i| {
             let is_clamped = i[5][0] > 0.5;
             let map = |x: f64| {
@@ -188,13 +200,21 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
                 i[3][0] + t * (i[4][0] - i[3][0])
             };
             match i[0].as_slice() {
-                [r, g, b, a] => vec![map(*r), map(*g), map(*b), if is_clamped { a.clamp(0.0, 1.0) } else { *a }],
+                [r, g, b, a] => {
+                    vec![map(*r), map(*g), map(*b), if is_clamped { a.clamp(0.0, 1.0) } else { *a }]
+                }
                 _ => each(i, map),
             }
         },
-        ("compare", "less") => |i| vec![f64::from(u8::from(bounded_f32(i[0][0] - i[1][0]) < -i[2][0].abs()))],
-        ("compare", "greater") => |i| vec![f64::from(u8::from(bounded_f32(i[0][0] - i[1][0]) > i[2][0].abs()))],
-        ("compare", "equal") => |i| vec![f64::from(u8::from(bounded_f32(i[0][0] - i[1][0]).abs() <= i[2][0].abs()))],
+        ("compare", "less") => {
+            |i| vec![f64::from(u8::from(bounded_f32(i[0][0] - i[1][0]) < -i[2][0].abs()))]
+        }
+        ("compare", "greater") => {
+            |i| vec![f64::from(u8::from(bounded_f32(i[0][0] - i[1][0]) > i[2][0].abs()))]
+        }
+        ("compare", "equal") => {
+            |i| vec![f64::from(u8::from(bounded_f32(i[0][0] - i[1][0]).abs() <= i[2][0].abs()))]
+        }
         ("combine_vector", _) => |i| vec![i[0][0], i[1][0], i[2][0]],
         ("combine_color", _) => |i| vec![i[0][0], i[1][0], i[2][0], i[3][0]],
         ("separate_vector" | "separate_color", _) => |i| i[0].clone(),
@@ -233,7 +253,9 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
             );
             (turn * v3(&i[0])).to_array().to_vec()
         },
-        ("brightness_contrast", _) => |i| rgb(i, |c| i[3][0] + (c - i[3][0]) * (1.0 + i[2][0]) + i[1][0]),
+        ("brightness_contrast", _) => {
+            |i| rgb(i, |c| i[3][0] + (c - i[3][0]) * (1.0 + i[2][0]) + i[1][0])
+        }
         ("color_luminance", _) => |i| vec![0.2126 * i[0][0] + 0.7152 * i[0][1] + 0.0722 * i[0][2]],
         ("color_space", "srgb_to_linear") => |i| rgb(i, to_linear),
         ("color_space", "linear_to_srgb") => |i| rgb(i, to_srgb),
@@ -242,7 +264,11 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
         ("set_alpha", _) => |i| vec![i[0][0], i[0][1], i[0][2], i[1][0]],
         ("hsv_adjust", _) => |i| {
             let [h, s, v] = hsv_of([i[0][0], i[0][1], i[0][2]]);
-            let shifted = [modulo(h + i[1][0] / TAU, 1.0), (s * i[2][0].max(0.0)).min(1.0), v * i[3][0].max(0.0)];
+            let shifted = [
+                modulo(h + i[1][0] / TAU, 1.0),
+                (s * i[2][0].max(0.0)).min(1.0),
+                v * i[3][0].max(0.0),
+            ];
             rgb_of(shifted).into_iter().chain([i[0][3]]).collect()
         },
         ("mix_colors", mode) => match mode {
@@ -263,28 +289,41 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
         ("threshold", _) => |i| {
             let d = i[0][0] - i[1][0];
             let soft = i[2][0].max(0.0);
-            vec![if soft == 0.0 { f64::from(u8::from(d >= 0.0)) } else { (0.5 + d / soft).clamp(0.0, 1.0) }]
+            vec![if soft == 0.0 {
+                f64::from(u8::from(d >= 0.0))
+            } else {
+                (0.5 + d / soft).clamp(0.0, 1.0)
+            }]
         },
         ("checker", _) => |i| {
             let squares = (i[0][0] * i[1][0]).floor() + (i[0][1] * i[1][0]).floor();
             if modulo(squares, 2.0) == 0.0 { i[2].clone() } else { i[3].clone() }
         },
         ("gradient", "straight") => |i| {
-            let (p, a, b) = (DVec2::from_slice(&i[0]), DVec2::from_slice(&i[1]), DVec2::from_slice(&i[2]));
+            let (p, a, b) =
+                (DVec2::from_slice(&i[0]), DVec2::from_slice(&i[1]), DVec2::from_slice(&i[2]));
             let line = b - a;
-            vec![if line == DVec2::ZERO { 0.0 } else { ((p - a).dot(line) / line.length_squared()).clamp(0.0, 1.0) }]
+            vec![if line == DVec2::ZERO {
+                0.0
+            } else {
+                ((p - a).dot(line) / line.length_squared()).clamp(0.0, 1.0)
+            }]
         },
         ("gradient", "round") => |i| {
-            let (p, a, b) = (DVec2::from_slice(&i[0]), DVec2::from_slice(&i[1]), DVec2::from_slice(&i[2]));
+            let (p, a, b) =
+                (DVec2::from_slice(&i[0]), DVec2::from_slice(&i[1]), DVec2::from_slice(&i[2]));
             vec![if a == b { 0.0 } else { (p.distance(a) / b.distance(a)).min(1.0) }]
         },
         ("gradient", "around") => |i| {
-            let (p, a, b) = (DVec2::from_slice(&i[0]), DVec2::from_slice(&i[1]), DVec2::from_slice(&i[2]));
+            let (p, a, b) =
+                (DVec2::from_slice(&i[0]), DVec2::from_slice(&i[1]), DVec2::from_slice(&i[2]));
             vec![modulo(((p - a).to_angle() - (b - a).to_angle()) / TAU, 1.0)]
         },
         ("transform_uv", _) => |i| {
             let [uv, scale, offset, middle] = [0, 1, 3, 4].map(|k| DVec2::from_slice(&i[k]));
-            (DVec2::from_angle(i[2][0]).rotate((uv - middle) * scale) + middle + offset).to_array().to_vec()
+            (DVec2::from_angle(i[2][0]).rotate((uv - middle) * scale) + middle + offset)
+                .to_array()
+                .to_vec()
         },
         _ => return None,
     })
@@ -333,7 +372,8 @@ fn type_rows(def: &NodeDef) -> Vec<Vec<Type>> {
         let mut row = own.clone();
         for parameter in &variant.parameters {
             if let chiaro::library::Parameter::Input(index, ty) = parameter
-                && let Some(place) = inputs.iter().position(|input| input.name == def.inputs[*index].name)
+                && let Some(place) =
+                    inputs.iter().position(|input| input.name == def.inputs[*index].name)
             {
                 row[place] = ty.clone();
             }
@@ -353,7 +393,11 @@ fn random_row(types: &[Type], inputs: &[&Input], random: &mut Random) -> Vec<Vec
         _ if input.unit == "rad" => f32_of(random.between(-7.0, 7.0)),
         _ => f32_of(random.between(-3.0, 3.0)),
     };
-    types.iter().zip(inputs).map(|(ty, input)| (0..width(ty)).map(|_| number(ty, input, random)).collect()).collect()
+    types
+        .iter()
+        .zip(inputs)
+        .map(|(ty, input)| (0..width(ty)).map(|_| number(ty, input, random)).collect())
+        .collect()
 }
 
 #[test]
@@ -367,13 +411,17 @@ fn ordinary_values() {
             let mut errors = Errors::new(format!("{} {word}", def.kind), tolerance(&def.kind));
             for types in type_rows(def) {
                 let mut random = Random::new(80);
-                let rows: Vec<Vec<Vec<f64>>> = (0..400).map(|_| random_row(&types, &inputs, &mut random)).collect();
+                let rows: Vec<Vec<Vec<f64>>> =
+                    (0..400).map(|_| random_row(&types, &inputs, &mut random)).collect();
                 for (got, row) in run(def, choice, &types, &rows, &library).iter().zip(&rows) {
                     let wanted = truth(row);
                     assert_eq!(got.len(), wanted.len(), "{} {types:?}", def.kind);
-                    // Near a jump both sides are right; far up a power, rounding of the exponent is multiplied.
-                    let shaken: Vec<Vec<f64>> =
-                        row.iter().map(|v| v.iter().map(|x| x * (1.0 + 3e-7) + 1e-7).collect()).collect();
+                    // Near a jump both sides are right; far up a power, rounding of the exponent is
+                    // multiplied.
+                    let shaken: Vec<Vec<f64>> = row
+                        .iter()
+                        .map(|v| v.iter().map(|x| x * (1.0 + 3e-7) + 1e-7).collect())
+                        .collect();
                     let other = truth(&shaken);
                     for ((got, wanted), other) in got.iter().zip(&wanted).zip(&other) {
                         let scale = wanted.abs().max(1.0);
@@ -398,8 +446,10 @@ fn ordinary_values() {
 }
 
 /// Numbers at which arithmetic goes wrong.
-const EDGES: [f64; 17] =
-    [0.0, -0.0, 1.0, -1.0, 0.5, 2.0, -2.0, 3.0, -0.5, 1e-40, -1e-40, 1e-20, 1e19, -1e19, 1e30, MOST, -MOST];
+const EDGES: [f64; 17] = [
+    0.0, -0.0, 1.0, -1.0, 0.5, 2.0, -2.0, 3.0, -0.5, 1e-40, -1e-40, 1e-20, 1e19, -1e19, 1e30, MOST,
+    -MOST,
+];
 
 #[test]
 fn edges_give_what_is_documented_and_everything_is_finite() {
@@ -436,8 +486,13 @@ fn edges_give_what_is_documented_and_everything_is_finite() {
             let choice: &[(&str, &str)] = if word.is_empty() { &[] } else { &[(&port, &word)] };
             for types in type_rows(def) {
                 let mut random = Random::new(81);
-                // Layers and their colours are no maths nodes: what leaves f32 there is cleared by the Output.
-                let most = if matches!(def.category.as_str(), "curvature" | "layer") { 1e12 } else { MOST };
+                // Layers and their colors are no maths nodes: what leaves f32 there is cleared by
+                // the Output.
+                let most = if matches!(def.category.as_str(), "curvature" | "layer") {
+                    1e12
+                } else {
+                    MOST
+                };
                 let edges: Vec<f64> = EDGES.into_iter().filter(|x| x.abs() <= most).collect();
                 let mut edge = |ty: &Type| -> Vec<f64> {
                     (0..width(ty))
@@ -450,29 +505,47 @@ fn edges_give_what_is_documented_and_everything_is_finite() {
                         })
                         .collect()
                 };
-                let mut rows: Vec<Vec<Vec<f64>>> = (0..600).map(|_| types.iter().map(&mut edge).collect()).collect();
+                let mut rows: Vec<Vec<Vec<f64>>> =
+                    (0..600).map(|_| types.iter().map(&mut edge).collect()).collect();
                 if types.len() <= 2 {
                     for a in &edges {
                         for b in &edges {
-                            rows.push(types.iter().enumerate().map(|(i, ty)| vec![[*a, *b][i]; width(ty)]).collect());
+                            rows.push(
+                                types
+                                    .iter()
+                                    .enumerate()
+                                    .map(|(i, ty)| vec![[*a, *b][i]; width(ty)])
+                                    .collect(),
+                            );
                         }
                     }
                 }
                 let truth = truth(&def.kind, &word).filter(|_| exact.contains(&def.kind.as_str()));
                 for (got, row) in run(def, choice, &types, &rows, &library).iter().zip(&rows) {
-                    assert!(got.iter().all(|x| x.is_finite()), "{} {word} {types:?}: {got:?} of {row:?}", def.kind);
+                    assert!(
+                        got.iter().all(|x| x.is_finite()),
+                        "{} {word} {types:?}: {got:?} of {row:?}",
+                        def.kind
+                    );
                     let Some(truth) = truth else { continue };
                     // The GPU is fed with f32, which keeps few digits of a denormal.
-                    let held: Vec<Vec<f64>> =
-                        row.iter().map(|v| v.iter().map(|x| f64::from(*x as f32)).collect()).collect();
+                    let held: Vec<Vec<f64>> = row
+                        .iter()
+                        .map(|v| v.iter().map(|x| f64::from(*x as f32)).collect())
+                        .collect();
                     // A denormal may count as 0, and is then divided by as 0.
                     let flushed: Vec<Vec<f64>> = row
                         .iter()
                         .map(|v| v.iter().map(|x| if x.abs() < 1e-38 { 0.0 } else { *x }).collect())
                         .collect();
                     for ((got, a), b) in got.iter().zip(truth(&held)).zip(truth(&flushed)) {
-                        let near = |wanted: f64| (got - wanted).abs() <= 1e-6 * wanted.abs().max(1e-30);
-                        assert!(near(a) || near(b), "{} {word}: {got} for {a} or {b} of {row:?}", def.kind);
+                        let near =
+                            |wanted: f64| (got - wanted).abs() <= 1e-6 * wanted.abs().max(1e-30);
+                        assert!(
+                            near(a) || near(b),
+                            "{} {word}: {got} for {a} or {b} of {row:?}",
+                            def.kind
+                        );
                     }
                 }
             }
@@ -514,24 +587,35 @@ fn documented_results() {
         ("clamp_range", vec![0.3, 2.0, 1.0], 1.0),
     ] {
         let got = one(kind, &inputs);
-        assert!((got - wanted).abs() <= 1e-5 * wanted.abs().max(0.1), "{kind} of {inputs:?}: {got} for {wanted}");
+        assert!(
+            (got - wanted).abs() <= 1e-5 * wanted.abs().max(0.1),
+            "{kind} of {inputs:?}: {got} for {wanted}"
+        );
     }
 }
 
-/// Bands: steps of equal width from 0 to 1, flat but for a ramp as wide as softness says around each edge.
+/// Bands: steps of equal width from 0 to 1, flat but for a ramp as wide as softness says around
+/// each edge.
 #[test]
 fn bands_are_flat() {
     let library = library();
     let def = &Library::built_in().nodes["bands"];
     let types: Vec<Type> = numeric(def).iter().map(|input| input.ty.clone()).collect();
-    for (count, softness) in [(2, 0.0), (3, 0.0), (5, 0.0), (64, 0.0), (2, 0.5), (3, 1.0), (5, 0.3), (7, 0.85)] {
+    for (count, softness) in
+        [(2, 0.0), (3, 0.0), (5, 0.0), (64, 0.0), (2, 0.5), (3, 1.0), (5, 0.3), (7, 0.85)]
+    {
         let n = f64::from(count);
-        let rows: Vec<Vec<Vec<f64>>> =
-            (0..=1000).map(|i| vec![vec![f64::from(i) / 1000.0 + 1e-5], vec![n], vec![softness]]).collect();
+        let rows: Vec<Vec<Vec<f64>>> = (0..=1000)
+            .map(|i| vec![vec![f64::from(i) / 1000.0 + 1e-5], vec![n], vec![softness]])
+            .collect();
         for (got, row) in run(def, &[], &types, &rows, &library).iter().zip(&rows) {
             let past = |edge: i32| {
                 let past = row[0][0] * n - f64::from(edge);
-                if softness == 0.0 { f64::from(u8::from(past >= 0.0)) } else { (0.5 + past / softness).clamp(0.0, 1.0) }
+                if softness == 0.0 {
+                    f64::from(u8::from(past >= 0.0))
+                } else {
+                    (0.5 + past / softness).clamp(0.0, 1.0)
+                }
             };
             let wanted = (1..count).map(past).sum::<f64>() / (n - 1.0);
             let bound = if softness == 0.0 { 1e-6 } else { 1e-6 / softness };
@@ -602,7 +686,9 @@ fn the_surface_and_the_clock() {
             }));
             let mut all = vec![Vec::new(); samples.len()];
             for output in &def.outputs {
-                for (row, value) in all.iter_mut().zip(eval(&look, &format!("node.{}", output.name), &samples)) {
+                for (row, value) in
+                    all.iter_mut().zip(eval(&look, &format!("node.{}", output.name), &samples))
+                {
                     row.extend(&value[..width(&output.ty)]);
                 }
             }
@@ -619,8 +705,8 @@ fn the_surface_and_the_clock() {
     }
 }
 
-/// Normal maps lean the normal in its tangent frame; a bump without slope leaves it, and one with slopes is in
-/// `shape_passes.rs`.
+/// Normal maps lean the normal in its tangent frame; a bump without slope leaves it, and one with
+/// slopes is in `shape_passes.rs`.
 #[test]
 fn normal_and_bump_maps() {
     let mut random = Random::new(83);
@@ -637,7 +723,8 @@ fn normal_and_bump_maps() {
         let mut errors = Errors::new(format!("normal_map {green}"), 2e-6);
         for (got, s) in eval(&look, "node.normal", &samples).iter().zip(&samples) {
             let n = s.normal.normalize();
-            let t = (s.tangent.unwrap_or(DVec3::X) - n * n.dot(s.tangent.unwrap_or(DVec3::X))).normalize();
+            let t = (s.tangent.unwrap_or(DVec3::X) - n * n.dot(s.tangent.unwrap_or(DVec3::X)))
+                .normalize();
             let [x, y, z] = [0, 1, 2].map(|i| 2.0 * s.vertex_color[i] - 1.0);
             let wanted = (1.5 * x * t + 1.5 * sign * y * n.cross(t) + z.max(1e-3) * n).normalize();
             for (got, wanted) in got.iter().zip(wanted.to_array()) {
@@ -668,8 +755,8 @@ fn hermite(y: [f64; 2], slopes: [f64; 2], span: f64, t: f64) -> f64 {
     (2.0 * t3 - 3.0 * t2 + 1.0) * y[0] + (3.0 * t2 - 2.0 * t3) * y[1] + bend
 }
 
-/// The slope at an inner stop of a smooth ramp: the harmonic mean of those on both sides, weighted by the spans (Fritsch and
-/// Butland 1984); 0 where they turn. At its ends a ramp is level.
+/// The slope at an inner stop of a smooth ramp: the harmonic mean of those on both sides, weighted
+/// by the spans (Fritsch and Butland 1984); 0 where they turn. At its ends a ramp is level.
 fn ramp_slope(xs: &[f64], ys: &[f64], at: usize) -> f64 {
     if at == 0 || at + 1 == xs.len() {
         return 0.0;
@@ -678,20 +765,29 @@ fn ramp_slope(xs: &[f64], ys: &[f64], at: usize) -> f64 {
     let [before, after] = [(ys[at] - ys[at - 1]) / spans[0], (ys[at + 1] - ys[at]) / spans[1]];
     // Each side counts as much as a third of its own span and two thirds of the other's.
     let share = (spans[0] + 2.0 * spans[1]) / (3.0 * (spans[0] + spans[1]));
-    if before * after <= 0.0 { 0.0 } else { before * after / (share * after + (1.0 - share) * before) }
+    if before * after <= 0.0 {
+        0.0
+    } else {
+        before * after / (share * after + (1.0 - share) * before)
+    }
 }
 
 #[test]
 fn curves_and_ramps() {
     let points = [[-1.0, 0.5], [0.0, 0.0], [0.5, 2.0], [1.5, 2.5], [2.0, 2.5], [3.0, -1.0]];
-    // Fritsch and Butland 1984: the harmonic mean of the slopes on both sides, 0 where they turn, at an end its own. Between
-    // 0 and 1.5 they are 4 and 0.5: 8 / 9.
+    // Fritsch and Butland 1984: the harmonic mean of the slopes on both sides, 0 where they turn,
+    // at an end its own. Between 0 and 1.5 they are 4 and 0.5: 8 / 9.
     let slopes = [-0.5, 0.0, 8.0 / 9.0, 0.0, 0.0, -3.5];
     let stops_at = points.map(|[x, _]| x);
     let colors: Vec<[f64; 4]> = points.iter().map(|[x, y]| [*y, 0.1 * x, 0.3, 0.2 * y]).collect();
-    let stops: Vec<Json> = points.iter().zip(&colors).map(|([x, _], color)| json!({"at": x, "color": color})).collect();
+    let stops: Vec<Json> = points
+        .iter()
+        .zip(&colors)
+        .map(|([x, _], color)| json!({"at": x, "color": color}))
+        .collect();
     let xs: Vec<f64> = (0..600).map(|i| f32_of(-2.0 + 0.0101 * f64::from(i))).collect();
-    let samples: Vec<EvalSample> = xs.iter().map(|x| EvalSample { kappa: *x, ..EvalSample::default() }).collect();
+    let samples: Vec<EvalSample> =
+        xs.iter().map(|x| EvalSample { kappa: *x, ..EvalSample::default() }).collect();
     for word in ["linear", "stepped", "smooth"] {
         let look = look(&json!({
             "nodes": [
@@ -707,41 +803,63 @@ fn curves_and_ramps() {
                 {"from": "product", "to": "output.color"}
             ]
         }));
-        let (ys, paints) = (eval(&look, "curve.value", &samples), eval(&look, "ramp.color", &samples));
-        let mut errors = Errors::new(format!("curve and ramp, {word}"), if word == "smooth" { 3e-6 } else { 1e-6 });
+        let (ys, paints) =
+            (eval(&look, "curve.value", &samples), eval(&look, "ramp.color", &samples));
+        let mut errors = Errors::new(
+            format!("curve and ramp, {word}"),
+            if word == "smooth" { 3e-6 } else { 1e-6 },
+        );
         for ((x, y), paint) in xs.iter().zip(&ys).zip(&paints) {
             let next = points.iter().position(|p| p[0] > *x);
             let (a, b, t) = match next {
                 None => (5, 5, 0.0),
                 Some(0) => (0, 0, 0.0),
-                Some(next) => (next - 1, next, (x - points[next - 1][0]) / (points[next][0] - points[next - 1][0])),
+                Some(next) => (
+                    next - 1,
+                    next,
+                    (x - points[next - 1][0]) / (points[next][0] - points[next - 1][0]),
+                ),
             };
             if word == "smooth" {
                 // Monotone: between its neighbours, and through its points.
                 let (low, high) = (points[a][1].min(points[b][1]), points[a][1].max(points[b][1]));
-                assert!(y[0] >= low - 1e-6 && y[0] <= high + 1e-6, "{y:?} at {x} leaves {low} to {high}");
+                assert!(
+                    y[0] >= low - 1e-6 && y[0] <= high + 1e-6,
+                    "{y:?} at {x} leaves {low} to {high}"
+                );
                 let span = points[b][0] - points[a][0];
                 let wanted = hermite([points[a][1], points[b][1]], [slopes[a], slopes[b]], span, t);
                 errors.note(y[0], wanted, || format!("curve at {x}"));
                 for (c, got) in paint.iter().enumerate() {
                     let ys = colors.iter().map(|color| color[c]).collect::<Vec<_>>();
                     let slopes = [a, b].map(|at| ramp_slope(&stops_at, &ys, at));
-                    errors.note(*got, hermite([ys[a], ys[b]], slopes, span, t), || format!("ramp at {x}"));
+                    errors.note(*got, hermite([ys[a], ys[b]], slopes, span, t), || {
+                        format!("ramp at {x}")
+                    });
                 }
                 continue;
             }
             let t = if word == "stepped" { 0.0 } else { t };
-            errors.note(y[0], points[a][1] + t * (points[b][1] - points[a][1]), || format!("curve at {x}"));
+            errors.note(y[0], points[a][1] + t * (points[b][1] - points[a][1]), || {
+                format!("curve at {x}")
+            });
             for (c, got) in paint.iter().enumerate() {
-                errors.note(*got, colors[a][c] + t * (colors[b][c] - colors[a][c]), || format!("ramp at {x}"));
+                errors.note(*got, colors[a][c] + t * (colors[b][c] - colors[a][c]), || {
+                    format!("ramp at {x}")
+                });
             }
         }
         errors.finish();
         if word == "smooth" {
             // Within the points; outside of them it is flat.
-            let inside: Vec<_> =
-                xs.iter().zip(&ys).filter(|(x, _)| (-0.98..2.98).contains(*x)).map(|(_, y)| y).collect();
-            let steps: Vec<f64> = inside.windows(2).map(|pair| (pair[1][0] - pair[0][0]) / 0.0101).collect();
+            let inside: Vec<_> = xs
+                .iter()
+                .zip(&ys)
+                .filter(|(x, _)| (-0.98..2.98).contains(*x))
+                .map(|(_, y)| y)
+                .collect();
+            let steps: Vec<f64> =
+                inside.windows(2).map(|pair| (pair[1][0] - pair[0][0]) / 0.0101).collect();
             let jump = steps.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f64::max);
             assert!(jump < 0.6, "the slope jumps by {jump}");
         }
@@ -755,7 +873,9 @@ fn noises_are_their_lattices() {
     let mut random = Random::new(84);
     let samples: Vec<EvalSample> = (0..800)
         .map(|_| EvalSample {
-            position: DVec3::from_array((random.direction() * random.between(0.0, 30.0)).to_array().map(f32_of)),
+            position: DVec3::from_array(
+                (random.direction() * random.between(0.0, 30.0)).to_array().map(f32_of),
+            ),
             ..EvalSample::default()
         })
         .collect();
@@ -797,10 +917,17 @@ fn cell(p: DVec3, seed: u32) -> [f64; 3] {
         (place, unit3(pcg3d(hash)).x)
     };
     let points: Vec<(DVec3, f64)> = all.map(point).collect();
-    let of = |q: DVec3| points.iter().map(move |point| (point.0.distance(q), point)).min_by(|a, b| a.0.total_cmp(&b.0));
+    let of = |q: DVec3| {
+        points
+            .iter()
+            .map(move |point| (point.0.distance(q), point))
+            .min_by(|a, b| a.0.total_cmp(&b.0))
+    };
     let (distance, (own, random)) = of(p).unwrap();
     // The plane half-way to another point is where both are equally far.
-    let plane = |other: &DVec3| (p.distance_squared(*other) - distance * distance) / (2.0 * own.distance(*other));
+    let plane = |other: &DVec3| {
+        (p.distance_squared(*other) - distance * distance) / (2.0 * own.distance(*other))
+    };
     let others = points.iter().map(|point| &point.0).filter(|other| *other != own);
     let border = others.map(plane).fold(f64::INFINITY, f64::min);
     [border.min(0.5 * (1.25 - distance)), *random, distance]
@@ -811,7 +938,9 @@ fn cells_are_around_their_points() {
     let mut random = Random::new(85);
     let samples: Vec<EvalSample> = (0..800)
         .map(|_| EvalSample {
-            position: DVec3::from_array((random.direction() * random.between(0.0, 20.0)).to_array().map(f32_of)),
+            position: DVec3::from_array(
+                (random.direction() * random.between(0.0, 20.0)).to_array().map(f32_of),
+            ),
             ..EvalSample::default()
         })
         .collect();
@@ -839,7 +968,7 @@ fn cells_are_around_their_points() {
 
 // Pictures
 
-/// A PNG of 4 x 4 texels, each of its own colour, and one of 64 x 64 with its place as colour.
+/// A PNG of 4 x 4 texels, each of its own color, and one of 64 x 64 with its place as color.
 fn pictures() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     let write = |name: &str, side: u32| {
@@ -887,8 +1016,10 @@ fn images_by_texel() {
                 _ => (i.rem_euclid(8)).min(7 - i.rem_euclid(8)),
             } as u32;
             let fetch = |x: i64, y: i64| texel(4, at(x), at(y)).map(|c| f64::from(c) / 255.0);
-            let mut errors =
-                Errors::new(format!("image, {wrap}, {filter}"), if filter == "nearest" { 1e-6 } else { 4e-3 });
+            let mut errors = Errors::new(
+                format!("image, {wrap}, {filter}"),
+                if filter == "nearest" { 1e-6 } else { 4e-3 },
+            );
             for (got, s) in eval(&look, "node.color", &samples).iter().zip(&samples) {
                 // v goes up, rows go down.
                 let p = DVec2::new(s.uv.x, 1.0 - s.uv.y) * 4.0;
@@ -901,8 +1032,10 @@ fn images_by_texel() {
                 let (x, y) = (c.x as i64, c.y as i64);
                 for channel in 0..4 {
                     let [a, b, d, e] =
-                        [fetch(x, y), fetch(x + 1, y), fetch(x, y + 1), fetch(x + 1, y + 1)].map(|c| c[channel]);
-                    let wanted = (1.0 - f.y) * ((1.0 - f.x) * a + f.x * b) + f.y * ((1.0 - f.x) * d + f.x * e);
+                        [fetch(x, y), fetch(x + 1, y), fetch(x, y + 1), fetch(x + 1, y + 1)]
+                            .map(|c| c[channel]);
+                    let wanted = (1.0 - f.y) * ((1.0 - f.x) * a + f.x * b)
+                        + f.y * ((1.0 - f.x) * d + f.x * e);
                     errors.note(got[channel], wanted, || format!("{}", s.uv));
                 }
             }
@@ -932,30 +1065,37 @@ fn a_tone_map_is_read_from_left_to_right_and_up() {
     let places = [-3.0, 0.1, 0.3, 0.6, 0.9, 5.0];
     let texel_of = |x: f64| ((x.clamp(0.0, 1.0) * 4.0) as u32).min(3);
     for detail in places {
-        let at = |tone: f64| EvalSample { position: DVec3::new(tone, detail, 0.0), ..EvalSample::default() };
+        let at = |tone: f64| EvalSample {
+            position: DVec3::new(tone, detail, 0.0),
+            ..EvalSample::default()
+        };
         for (got, tone) in eval(&look, "node.color", &places.map(at)).iter().zip(places) {
-            let wanted = texel(4, texel_of(tone), 3 - texel_of(detail)).map(|c| f64::from(c) / 255.0);
+            let wanted =
+                texel(4, texel_of(tone), 3 - texel_of(detail)).map(|c| f64::from(c) / 255.0);
             assert!(
                 got.iter().zip(wanted).all(|(got, wanted)| (got - wanted).abs() < 1e-6),
                 "{tone} {detail}: {got:?}"
             );
         }
     }
-    // In between texels a linear one is in between their colours.
+    // In between texels a linear one is in between their colors.
     let mut linear = look;
     let node = linear.look.graph.nodes.get_mut("node").expect("as above");
     node.values.insert("filter".into(), Value::Text("linear".into()));
     let mut random = Random::new(87);
-    let places: Vec<[f64; 2]> = (0..300).map(|_| [(); 2].map(|()| f32_of(random.between(-0.3, 1.3)))).collect();
-    let at =
-        |[tone, detail]: &[f64; 2]| EvalSample { position: DVec3::new(*tone, *detail, 0.0), ..EvalSample::default() };
+    let places: Vec<[f64; 2]> =
+        (0..300).map(|_| [(); 2].map(|()| f32_of(random.between(-0.3, 1.3)))).collect();
+    let at = |[tone, detail]: &[f64; 2]| EvalSample {
+        position: DVec3::new(*tone, *detail, 0.0),
+        ..EvalSample::default()
+    };
     let samples: Vec<EvalSample> = places.iter().map(at).collect();
     // A sampler's filter has 8 bits.
     let mut errors = Errors::new("tone map, linear", 4e-3);
     for (got, [tone, detail]) in eval(&linear, "node.color", &samples).iter().zip(&places) {
         let across = (4.0 * tone.clamp(0.0, 1.0) - 0.5).clamp(0.0, 3.0);
         let down = (4.0 * (1.0 - detail.clamp(0.0, 1.0)) - 0.5).clamp(0.0, 3.0);
-        // The texels' colours go up evenly to the right, downwards, and in their alpha.
+        // The texels' colors go up evenly to the right, downwards, and in their alpha.
         let wanted = [63.0 * across, 63.0 * down, 100.0, 255.0 - 3.0 * across].map(|c| c / 255.0);
         for (got, wanted) in got.iter().zip(wanted) {
             errors.note(*got, wanted, || format!("{tone} {detail}"));
@@ -964,11 +1104,14 @@ fn a_tone_map_is_read_from_left_to_right_and_up() {
     errors.finish();
 }
 
-/// A pair of LitSpheres is one where it bulges and the other where it is hollow, each by the normal, mixed by eq. 7.
+/// A pair of LitSpheres is one where it bulges and the other where it is hollow, each by the
+/// normal, mixed by eq. 7.
 #[test]
 fn a_pair_of_litspheres_is_mixed_by_curvature() {
     let folder = pictures();
-    let turned = image::RgbaImage::from_fn(64, 64, |x, y| image::Rgba([250 - 3 * y as u8, 3 * x as u8, 20, 255]));
+    let turned = image::RgbaImage::from_fn(64, 64, |x, y| {
+        image::Rgba([250 - 3 * y as u8, 3 * x as u8, 20, 255])
+    });
     turned.save(folder.path().join("turned.png")).expect("written");
     let mut random = Random::new(88);
     let samples: Vec<EvalSample> = (0..400).map(|_| surface_sample(&mut random)).collect();
@@ -1135,7 +1278,8 @@ fn every_kind_is_held() {
             continue;
         };
         for (_, word) in words(def) {
-            let is_held = truth(kind, &word).is_some() || surface_truth(kind, &word, &sample).is_some();
+            let is_held =
+                truth(kind, &word).is_some() || surface_truth(kind, &word, &sample).is_some();
             let name = format!("{kind} {word}");
             if !is_held && !ELSEWHERE.contains(&kind) && !words_elsewhere.contains(&name.as_str()) {
                 missing.insert(name);
@@ -1144,6 +1288,9 @@ fn every_kind_is_held() {
     }
     assert!(missing.is_empty(), "nothing holds {missing:?}");
     for kind in ELSEWHERE {
-        assert!(Library::built_in().kinds().any(|known| known == *kind), "there is no `{kind}` any more");
+        assert!(
+            Library::built_in().kinds().any(|known| known == *kind),
+            "there is no `{kind}` any more"
+        );
     }
 }

@@ -1,12 +1,14 @@
 //! What the compiler leaves out changes no bit, in the reference.
 //!
-//! Two things make a settled look of a look as it was written, and they are held against it one at a time:
+//! Two things make a settled look of a look as it was written, and they are held against it one at
+//! a time:
 //!
-//! - What is known before the fragment is computed there, once, in f64, and rounded once: folded constants, `prepare`,
-//!   lights. As it was written a look computes the same in each fragment, and in f32 rounds at each step. The two differ
-//!   by that; a bound holds it.
-//! - What cannot change the result is removed, merged or replaced. That changes no bit: not in f64, where nothing is
-//!   rounded, of any look; and not in f32, of looks whose values leave nothing to round when they are folded.
+//! - What is known before the fragment is computed there, once, in f64, and rounded once: folded
+//!   constants, `prepare`, lights. As it was written a look computes the same in each fragment, and
+//!   in f32 rounds at each step. The two differ by that; a bound holds it.
+//! - What cannot change the result is removed, merged or replaced. That changes no bit: not in f64,
+//!   where nothing is rounded, of any look; and not in f32, of looks whose values leave nothing to
+//!   round when they are folded.
 
 use std::path::{Path, PathBuf};
 
@@ -43,12 +45,18 @@ fn told(problems: &[Diagnostic]) -> String {
     problems.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
 }
 
-fn evaluate(look: &SetupLook, options: &Options, samples: &[EvalSample], precision: Precision) -> Vec<[f64; 4]> {
+fn evaluate(
+    look: &SetupLook,
+    options: &Options,
+    samples: &[EvalSample],
+    precision: Precision,
+) -> Vec<[f64; 4]> {
     let batches = eval_batches(look, Library::built_in(), samples, options, &mut Assets::default())
         .unwrap_or_else(|problems| panic!("{}", told(&problems)));
     let mut values = vec![[f64::NAN; 4]; samples.len()];
     for batch in batches {
-        let found = reference::evaluate(&batch, precision).unwrap_or_else(|problem| panic!("{problem}"));
+        let found =
+            reference::evaluate(&batch, precision).unwrap_or_else(|problem| panic!("{problem}"));
         batch.indices.iter().zip(found).for_each(|(&index, value)| values[index] = value);
     }
     values
@@ -68,8 +76,10 @@ fn compare(errors: &mut Errors, look: &SetupLook, ways: [&Options; 2], precision
 
 fn examples() -> Vec<SetupLook> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
-    let paths: Vec<PathBuf> =
-        files::below(&folder).into_iter().filter(|path| path.extension().is_some_and(|e| e == "json")).collect();
+    let paths: Vec<PathBuf> = files::below(&folder)
+        .into_iter()
+        .filter(|path| path.extension().is_some_and(|e| e == "json"))
+        .collect();
     assert!(paths.len() >= 6, "{paths:?}");
     let open = |path: PathBuf| {
         let loaded = Look::load(&path);
@@ -112,7 +122,12 @@ fn in_64ths(mut look: SetupLook) -> SetupLook {
 fn nothing_that_is_removed_changes_a_bit_in_f64() {
     let mut errors = Errors::new("f64: specialized against as written", 0.0);
     for look in examples().into_iter().chain(stacks(40)) {
-        compare(&mut errors, &look, [&specialized(Live::All), &unspecialized(Live::All)], Precision::F64);
+        compare(
+            &mut errors,
+            &look,
+            [&specialized(Live::All), &unspecialized(Live::All)],
+            Precision::F64,
+        );
     }
     errors.finish();
 }
@@ -123,19 +138,26 @@ fn nothing_that_is_folded_or_removed_changes_a_bit_in_f32() {
     let mut removed = 0;
     for look in examples().into_iter().chain(stacks(40)).map(in_64ths) {
         let baked = specialized(Live::Keyed);
-        removed += compile(&look.look, Library::built_in(), &baked).expect("it compiles").removed.len();
+        removed +=
+            compile(&look.look, Library::built_in(), &baked).expect("it compiles").removed.len();
         compare(&mut errors, &look, [&baked, &specialized(Live::All)], Precision::F32);
     }
     errors.finish();
     assert!(removed > 100, "hardly anything was removed: {removed}");
 }
 
-/// A layer that ranges prove to cover is a sum of constants, and is rounded once where the shader rounds twice.
+/// A layer that ranges prove to cover is a sum of constants, and is rounded once where the shader
+/// rounds twice.
 #[test]
 fn what_is_folded_in_an_example_differs_by_no_more_than_one_rounding() {
     let mut errors = Errors::new("f32: examples, baked against live", f64::from(f32::EPSILON));
     for look in examples() {
-        compare(&mut errors, &look, [&specialized(Live::Keyed), &specialized(Live::All)], Precision::F32);
+        compare(
+            &mut errors,
+            &look,
+            [&specialized(Live::Keyed), &specialized(Live::All)],
+            Precision::F32,
+        );
     }
     errors.finish();
 }
@@ -159,8 +181,8 @@ fn rounding_once_is_within_a_few_steps_of_rounding_at_each_step() {
     let ways = [&specialized(Live::Keyed), &unspecialized(Live::All)];
     let mut errors = Errors::new("f32: baked against as written", 1e-6);
     for look in examples().into_iter().chain(stacks(40)) {
-        // As it is written, the look's angles are rounded before they are subtracted: a few steps of theirs are more steps
-        // of a ramp that is far narrower than its angles are large.
+        // As it is written, the look's angles are rounded before they are subtracted: a few steps
+        // of theirs are more steps of a ramp that is far narrower than its angles are large.
         let step = f64::from(f32::EPSILON) * narrowness(&look);
         if step > 2e-6 {
             let mut narrow = Errors::new("f32: the same with a narrow ramp", 2.0 * step);

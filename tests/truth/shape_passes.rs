@@ -1,5 +1,6 @@
-//! What passes over the normals give the nodes of the category "shape", against closed forms: the curvature tensor, ever
-//! smoother normals, contours. And that these passes run only where something reads them.
+//! What passes over the normals give the nodes of the category "shape", against closed forms: the
+//! curvature tensor, ever smoother normals, contours. And that these passes run only where
+//! something reads them.
 #![cfg(feature = "gpu")]
 
 use std::f64::consts::{PI, TAU};
@@ -38,7 +39,8 @@ fn normal_along(axis: [f64; 3], scale: &str) -> SetupLook {
     )
 }
 
-/// z = height(x, y), with the normals (-slope.x, -slope.y, 1), from far enough above, over a range of x and of y.
+/// z = height(x, y), with the normals (-slope.x, -slope.y, 1), from far enough above, over a range
+/// of x and of y.
 fn raised(
     x: [f64; 2],
     y: [f64; 2],
@@ -47,7 +49,9 @@ fn raised(
     normal: impl Fn(f64, f64) -> [f64; 3],
 ) -> Mesh {
     let (mut positions, mut normals, mut indices) = (Vec::new(), Vec::new(), Vec::new());
-    let at = |range: [f64; 2], step: usize, count: usize| range[0] + (range[1] - range[0]) * step as f64 / count as f64;
+    let at = |range: [f64; 2], step: usize, count: usize| {
+        range[0] + (range[1] - range[0]) * step as f64 / count as f64
+    };
     for j in 0..=steps[1] {
         for i in 0..=steps[0] {
             let (x, y) = (at(x, i, steps[0]), at(y, j, steps[1]));
@@ -105,12 +109,16 @@ fn drawn(parts: Vec<(SetupLook, Mesh)>) -> Vec<Option<f64>> {
 fn place(index: usize) -> (f64, f64) {
     let (x, y) = (index % SIZE[0] as usize, index / SIZE[0] as usize);
     let pixel = HEIGHT / f64::from(SIZE[1]);
-    ((x as f64 + 0.5 - 0.5 * f64::from(SIZE[0])) * pixel, (0.5 * f64::from(SIZE[1]) - y as f64 - 0.5) * pixel)
+    (
+        (x as f64 + 0.5 - 0.5 * f64::from(SIZE[0])) * pixel,
+        (0.5 * f64::from(SIZE[1]) - y as f64 - 0.5) * pixel,
+    )
 }
 
 #[test]
 fn the_tensor_is_how_slopes_change() {
-    // nx / nz = 0.6 x + 0.5 y, ny / nz = 0.3 x - 0.4 y: xx, xy and yy in 1/scene-unit, of which xy is the mean.
+    // nx / nz = 0.6 x + 0.5 y, ny / nz = 0.3 x - 0.4 y: xx, xy and yy in 1/scene-unit, of which xy
+    // is the mean.
     let (xx, xy, yy) = (0.6_f64, 0.4, -0.4);
     let bent = |x: f64, y: f64| [0.6 * x + 0.5 * y, 0.3 * x - 0.4 * y, 1.0];
     let root = (0.25 * (xx - yy) * (xx - yy) + xy * xy).sqrt();
@@ -123,7 +131,10 @@ fn the_tensor_is_how_slopes_change() {
             );
             look.look.set_every_tier(tier);
             let got = drawn(vec![(look, plane(bent))]);
-            let worst = got.iter().map(|x| (x.expect("it fills the picture") - wanted).abs()).fold(0.0, f64::max);
+            let worst = got
+                .iter()
+                .map(|x| (x.expect("it fills the picture") - wanted).abs())
+                .fold(0.0, f64::max);
             // Half floats have three digits.
             assert!(worst < 4e-3, "{port} {tier:?}: {worst} from {wanted}");
         }
@@ -147,15 +158,18 @@ fn smooth_normals_are_the_waves_that_are_left() {
             let (x, y) = place(index);
             // The picture's sides have no neighbours on one side.
             if x.abs() < 1.5 - 31.0 * pixel && y.abs() < 1.0 - 31.0 * pixel {
-                worst = worst.max((got.expect("it fills the picture") - left * height * (omega * x).cos()).abs());
+                worst = worst.max(
+                    (got.expect("it fills the picture") - left * height * (omega * x).cos()).abs(),
+                );
             }
         }
         assert!(worst < 6e-4, "{scale}: {worst} of {}", left * height);
     }
 }
 
-/// Neither another object nor another part of the same one that lies behind it is mixed in, and what turns evenly stays:
-/// what one side lacks, at a border, does not bend the normal toward the other.
+/// Neither another object nor another part of the same one that lies behind it is mixed in, and
+/// what turns evenly stays: what one side lacks, at a border, does not bend the normal toward the
+/// other.
 #[test]
 fn smooth_normals_keep_to_their_surface() {
     let tilted = |x: f64, y: f64| move |_: f64, _: f64| [x, y, 1.0];
@@ -163,7 +177,11 @@ fn smooth_normals_keep_to_their_surface() {
     let left = || raised([-1.5, 0.0], [-1.0, 1.0], [2, 2], |_, _| 0.0, tilted(0.4, 0.0));
     let right = |z: f64| raised([0.0, 1.5], [-1.0, 1.0], [2, 2], move |_, _| z, tilted(-0.4, 0.2));
     let own = |index: usize| {
-        let normal = if place(index).0 < 0.0 { DVec3::new(0.4, 0.0, 1.0) } else { DVec3::new(-0.4, 0.2, 1.0) };
+        let normal = if place(index).0 < 0.0 {
+            DVec3::new(0.4, 0.0, 1.0)
+        } else {
+            DVec3::new(-0.4, 0.2, 1.0)
+        };
         normal.normalize().x
     };
     let mut one = left();
@@ -176,16 +194,20 @@ fn smooth_normals_keep_to_their_surface() {
     one.colors.extend(behind.colors.iter());
     one.indices.extend(behind.indices.iter().map(|index| first + index));
     one.parts[0].indices = 0..one.indices.len() as u32;
-    for (what, parts) in
-        [("two objects", vec![(show(), left()), (show(), right(0.0))]), ("one behind the other", vec![(show(), one)])]
-    {
+    for (what, parts) in [
+        ("two objects", vec![(show(), left()), (show(), right(0.0))]),
+        ("one behind the other", vec![(show(), one)]),
+    ] {
         let got = drawn(parts);
-        let off = |(index, x): (usize, &Option<f64>)| (x.expect("it fills the picture") - own(index)).abs();
+        let off = |(index, x): (usize, &Option<f64>)| {
+            (x.expect("it fills the picture") - own(index)).abs()
+        };
         let worst = got.iter().enumerate().map(off).fold(0.0, f64::max);
         assert!(worst < 1e-3, "{what}: {worst}");
     }
     // A bowl of even slopes, whose border is within the picture.
-    let bowl = raised([-0.8, 0.8], [-0.6, 0.6], [80, 60], |_, _| 0.0, |x, y| [0.3 * x, 0.3 * y, 1.0]);
+    let bowl =
+        raised([-0.8, 0.8], [-0.6, 0.6], [80, 60], |_, _| 0.0, |x, y| [0.3 * x, 0.3 * y, 1.0]);
     let got = drawn(vec![(show(), bowl)]);
     for (index, got) in got.iter().enumerate() {
         let (x, y) = place(index);
@@ -200,7 +222,8 @@ fn smooth_normals_keep_to_their_surface() {
 fn contours_are_as_wide_as_asked() {
     // A ball of half the picture's height: 300 thousandths are 30 pixels of circumference.
     let rings = 160;
-    let mut mesh = raised([0.0, 1.0], [0.0, 1.0], [rings, rings], |_, _| 0.0, |_, _| [0.0, 0.0, 1.0]);
+    let mut mesh =
+        raised([0.0, 1.0], [0.0, 1.0], [rings, rings], |_, _| 0.0, |_, _| [0.0, 0.0, 1.0]);
     for (position, normal) in mesh.positions.iter_mut().zip(&mut mesh.normals) {
         let (theta, phi) = (f64::from(position[0]) * 0.5 * PI, f64::from(position[1]) * TAU);
         let at = DVec3::new(theta.sin() * phi.cos(), theta.sin() * phi.sin(), theta.cos());
@@ -214,19 +237,23 @@ fn contours_are_as_wide_as_asked() {
         );
         let got = drawn(vec![(line, mesh.clone())]);
         let area: f64 = got.iter().flatten().sum();
-        let (radius, pixels) = (0.8 * f64::from(SIZE[1]) / HEIGHT, width / 1000.0 * f64::from(SIZE[1]));
+        let (radius, pixels) =
+            (0.8 * f64::from(SIZE[1]) / HEIGHT, width / 1000.0 * f64::from(SIZE[1]));
         let wanted = PI * (radius * radius - (radius - pixels) * (radius - pixels));
         assert!((area / wanted - 1.0).abs() < 0.12, "{area} pixels in place of {wanted}");
         let inside = |(index, _): &(usize, &Option<f64>)| {
             let (x, y) = place(*index);
             x.hypot(y) < 0.8 - 2.0 * width / 1000.0 * HEIGHT
         };
-        assert!(got.iter().enumerate().filter(inside).all(|(_, x)| *x == Some(0.0)), "nothing within");
+        assert!(
+            got.iter().enumerate().filter(inside).all(|(_, x)| *x == Some(0.0)),
+            "nothing within"
+        );
     }
 }
 
-/// A suggestive contour runs where a slope that leads up to the viewer goes over from hollow to bulging, and not where it
-/// goes over from bulging to hollow.
+/// A suggestive contour runs where a slope that leads up to the viewer goes over from hollow to
+/// bulging, and not where it goes over from bulging to hollow.
 #[test]
 fn suggestive_contours_lie_on_inflections_that_turn_to_the_eye() {
     let line = || {
@@ -240,26 +267,29 @@ fn suggestive_contours_lie_on_inflections_that_turn_to_the_eye() {
         let normal = move |x: f64, _: f64| [-(1.0 + 3.0 * sign * x * x), 0.0, 1.0];
         raised([-0.5, 0.5], [-1.0, 1.0], [200, 4], height, normal)
     };
-    let ink = |sign: f64| -> (f64, f64) {
-        let got = drawn(vec![(line(), slope(sign))]);
-        let found = got.iter().enumerate().filter_map(|(index, x)| Some((place(index), (*x)?)));
-        found.fold(
-            (0.0, 0.0),
-            |(near, far), ((x, _), ink)| if x.abs() < 0.06 { (near + ink, far) } else { (near, far + ink) },
-        )
-    };
+    let ink =
+        |sign: f64| -> (f64, f64) {
+            let got = drawn(vec![(line(), slope(sign))]);
+            let found = got.iter().enumerate().filter_map(|(index, x)| Some((place(index), (*x)?)));
+            found.fold((0.0, 0.0), |(near, far), ((x, _), ink)| {
+                if x.abs() < 0.06 { (near + ink, far) } else { (near, far + ink) }
+            })
+        };
     let (near, far) = ink(-1.0);
     assert!(near > 150.0 && far < 1.0, "a line along x = 0: {near} and {far} elsewhere");
     let (near, far) = ink(1.0);
     assert!(near + far < 1.0, "no line: {near} and {far}");
 }
 
-/// A suggestive contour is as wide as asked, and fades where what it is about to become is no stronger than the limit.
+/// A suggestive contour is as wide as asked, and fades where what it is about to become is no
+/// stronger than the limit.
 #[test]
 fn suggestive_contours_are_as_wide_and_as_strong_as_asked() {
-    // The slope is 1 where x is 0, and changes by -6 x: the radial curvature goes evenly through 0 there.
+    // The slope is 1 where x is 0, and changes by -6 x: the radial curvature goes evenly through 0
+    // there.
     let height = |x: f64, _: f64| x - x * x * x;
-    let mesh = raised([-0.5, 0.5], [-1.0, 1.0], [200, 4], height, |x, _| [-(1.0 - 3.0 * x * x), 0.0, 1.0]);
+    let mesh =
+        raised([-0.5, 0.5], [-1.0, 1.0], [200, 4], height, |x, _| [-(1.0 - 3.0 * x * x), 0.0, 1.0]);
     let ink = |width: f64, limit: f64| -> f64 {
         let values = json!({"width": width, "limit": limit, "softness": 0.5});
         let line = showing(
@@ -273,25 +303,30 @@ fn suggestive_contours_are_as_wide_and_as_strong_as_asked() {
         let (got, wanted) = (ink(width, 0.2), width / 1000.0 * rows * rows);
         assert!((got / wanted - 1.0).abs() < 0.25, "{width}: {got} pixels in place of {wanted}");
     }
-    // Over a twentieth of the height it becomes curved by 6 x there, per scene unit, times the picture's height.
+    // Over a twentieth of the height it becomes curved by 6 x there, per scene unit, times the
+    // picture's height.
     let strength = 6.0 * 0.05 * HEIGHT * HEIGHT;
     let whole = ink(40.0, 0.2);
-    for (limit, wanted) in
-        [(0.75, 1.0), (1.0, 0.5), (1.125, 0.25), (1.3, 0.0)].map(|(of, share)| (of * strength, share))
+    for (limit, wanted) in [(0.75, 1.0), (1.0, 0.5), (1.125, 0.25), (1.3, 0.0)]
+        .map(|(of, share)| (of * strength, share))
     {
         let part = ink(40.0, limit) / whole;
         assert!((part - wanted).abs() < 0.06, "{limit}: {part} in place of {wanted}");
     }
 }
 
-/// A bump leans the normal away from where the height goes up, in scene units, on any surface, up to 84 degrees.
+/// A bump leans the normal away from where the height goes up, in scene units, on any surface, up
+/// to 84 degrees.
 #[test]
 fn bumps_lean_the_normal_by_their_slope() {
     // Lies level, and leans by one in two.
     for lean in [0.0, 0.5] {
-        let mesh = raised([-1.5, 1.5], [-1.0, 1.0], [10, 10], |x, _| lean * x, |_, _| [-lean, 0.0, 1.0]);
+        let mesh =
+            raised([-1.5, 1.5], [-1.0, 1.0], [10, 10], |x, _| lean * x, |_, _| [-lean, 0.0, 1.0]);
         let normal = DVec3::new(-lean, 0.0, 1.0).normalize();
-        for (slope, scale) in [([0.3, 0.2, 0.0], 0.5), ([-1.5, 0.8, 0.0], 1.0), ([40.0, 0.0, 0.0], 2.0)] {
+        for (slope, scale) in
+            [([0.3, 0.2, 0.0], 0.5), ([-1.5, 0.8, 0.0], 1.0), ([40.0, 0.0, 0.0], 2.0)]
+        {
             // The height's gradient along the surface.
             let gradient = DVec3::from(slope) * scale;
             let along = gradient - gradient.dot(normal) * normal;
@@ -313,7 +348,10 @@ fn bumps_lean_the_normal_by_their_slope() {
                 let got = drawn(vec![(bumped, mesh.clone())]);
                 let seen: Vec<f64> = got.into_iter().flatten().collect();
                 let worst = seen.iter().map(|x| (x - wanted.dot(axis)).abs()).fold(0.0, f64::max);
-                assert!(seen.len() > 10_000 && worst < 2e-3, "{lean} {slope:?} {axis}: off by {worst}");
+                assert!(
+                    seen.len() > 10_000 && worst < 2e-3,
+                    "{lean} {slope:?} {axis}: off by {worst}"
+                );
             }
         }
     }
@@ -323,8 +361,12 @@ fn bumps_lean_the_normal_by_their_slope() {
 #[test]
 fn objects_have_numbers_and_pictures_a_size() {
     let half = |x: [f64; 2]| raised(x, [-1.0, 1.0], [2, 2], |_, _| 0.0, |_, _| [0.0, 0.0, 1.0]);
-    let numbered =
-        || showing(&json!([{"id": "number", "kind": "object_id"}]), &json!([{"from": "number", "to": "output.color"}]));
+    let numbered = || {
+        showing(
+            &json!([{"id": "number", "kind": "object_id"}]),
+            &json!([{"from": "number", "to": "output.color"}]),
+        )
+    };
     let bounds = [[-1.5, -0.5], [-0.5, 0.5], [0.5, 1.5]];
     let got = drawn(bounds.into_iter().map(|x| (numbered(), half(x))).collect());
     for (index, got) in got.iter().enumerate() {
@@ -337,11 +379,16 @@ fn objects_have_numbers_and_pictures_a_size() {
             &json!([{"from": format!("size.{port}"), "to": "output.color"}]),
         );
         let got = drawn(vec![(size, plane(|_, _| [0.0, 0.0, 1.0]))]);
-        assert!(got.iter().all(|x| *x == Some(wanted)), "{port}: {:?} in place of {wanted}", got[0]);
+        assert!(
+            got.iter().all(|x| *x == Some(wanted)),
+            "{port}: {:?} in place of {wanted}",
+            got[0]
+        );
     }
 }
 
-/// Passes run where a live node reads what they make, the reference runs the same ones, and both see the same.
+/// Passes run where a live node reads what they make, the reference runs the same ones, and both
+/// see the same.
 #[test]
 fn passes_are_there_for_who_reads_them() {
     use PassKind::{CurvatureTensor, Look as Looks, Normals, SmoothNormals};
@@ -375,12 +422,15 @@ fn passes_are_there_for_who_reads_them() {
 
     for look in [warped(2.0, Tier::Exact), normal_along([1.0, 0.0, 0.0], "large")] {
         let plan = plan_of(vec![(look, waves())], [60, 40]);
-        let modules = Modules::new(&plan, Precision::F64).unwrap_or_else(|problem| panic!("{problem}"));
-        let truth = reference::execute(&plan, &modules, &reference::Options::default(), &Control::none())
-            .unwrap_or_else(|problem| panic!("{problem}"));
+        let modules =
+            Modules::new(&plan, Precision::F64).unwrap_or_else(|problem| panic!("{problem}"));
+        let truth =
+            reference::execute(&plan, &modules, &reference::Options::default(), &Control::none())
+                .unwrap_or_else(|problem| panic!("{problem}"));
         let picture = block_on(renderer().picture(&plan)).unwrap_or_else(|error| panic!("{error}"));
         let pairs = picture.rgba.iter().zip(truth.color.values.chunks_exact(4));
-        let worst = pairs.map(|(got, wanted)| (f64::from(got[0]) - wanted[0]).abs()).fold(0.0, f64::max);
+        let worst =
+            pairs.map(|(got, wanted)| (f64::from(got[0]) - wanted[0]).abs()).fold(0.0, f64::max);
         assert!(worst < 1e-3, "{worst}");
     }
 }
@@ -402,7 +452,8 @@ fn a_pair_of_litspheres_goes_by_curvature() {
         );
         pair.folder = folder.path().to_owned();
         let got = drawn(vec![(pair, plane(move |x, y| [turn * x, turn * y, 1.0]))]);
-        let middle = got[(SIZE[1] / 2 * SIZE[0] + SIZE[0] / 2) as usize].expect("it fills the picture");
+        let middle =
+            got[(SIZE[1] / 2 * SIZE[0] + SIZE[0] / 2) as usize].expect("it fills the picture");
         assert!((middle - wanted).abs() < 5e-3, "{middle} in place of {wanted}");
     }
 }

@@ -1,9 +1,10 @@
-//! The reference in f32 mode against the GPU: the same modules, every operation rounded to f32 as WGSL asks.
+//! The reference in f32 mode against the GPU: the same modules, every operation rounded to f32 as
+//! WGSL asks.
 //!
-//! `cargo test --no-default-features --features gpu --test reference_single -- --nocapture` prints by how many steps of
-//! f32 each operation differs, and by how much whole looks do. Where WGSL promises correct rounding the two agree bit for
-//! bit; else within what WGSL allows. On software Vulkan, where the figures of docs/performance.md were taken, closer
-//! bounds hold.
+//! `cargo test --no-default-features --features gpu --test reference_single -- --nocapture` prints
+//! by how many steps of f32 each operation differs, and by how much whole looks do. Where WGSL
+//! promises correct rounding the two agree bit for bit; else within what WGSL allows. On software
+//! Vulkan, where the figures of docs/performance.md were taken, closer bounds hold.
 #![cfg(feature = "gpu")]
 
 use crate::support;
@@ -45,7 +46,9 @@ enum Domain {
 impl Domain {
     fn draw(self, random: &mut Random) -> f64 {
         let x = match self {
-            Self::Wide => random.between(-20.0, 20.0).exp2() * if random.chance(0.5) { -1.0 } else { 1.0 },
+            Self::Wide => {
+                random.between(-20.0, 20.0).exp2() * if random.chance(0.5) { -1.0 } else { 1.0 }
+            }
             Self::Positive => random.between(-20.0, 20.0).exp2(),
             Self::Between(low, high) => random.between(low, high),
         };
@@ -59,8 +62,8 @@ use Domain::{Between, Positive, Wide};
 /// Operation, WGSL over `p`, domain, what WGSL allows, what software Vulkan keeps.
 type Row = (&'static str, &'static str, Domain, Bound, Bound);
 
-/// What WGSL rounds correctly, or does not round at all. Division and square roots are correct on software Vulkan;
-/// WGSL allows 2.5 steps, and what 1 / inverseSqrt(x) makes of 2.
+/// What WGSL rounds correctly, or does not round at all. Division and square roots are correct on
+/// software Vulkan; WGSL allows 2.5 steps, and what 1 / inverseSqrt(x) makes of 2.
 const CORRECT: [Row; 20] = [
     ("a + b", "p.x + p.y", Wide, Steps(0), Steps(0)),
     ("a - b", "p.x - p.y", Wide, Steps(0), Steps(0)),
@@ -99,7 +102,8 @@ const INHERITED: [Row; 10] = [
     ("reflect", "reflect(p, vec3f(0.0, 1.0, 0.0)).y", Wide, Steps(2), Steps(0)),
 ];
 
-/// Which are accurate to a few steps at best, and which the library therefore avoids where it must be exact.
+/// Which are accurate to a few steps at best, and which the library therefore avoids where it must
+/// be exact.
 const APPROXIMATE: [Row; 12] = [
     ("exp2, [-10, 10]", "exp2(p.x)", Between(-10.0, 10.0), Steps(24), Steps(24)),
     ("exp, [-10, 10]", "exp(p.x)", Between(-10.0, 10.0), Steps(24), Steps(40)),
@@ -125,23 +129,35 @@ fn steps(a: f32, b: f32) -> u64 {
 }
 
 /// What the GPU and the reference in f32 make of an output of a look.
-fn both(look: &SetupLook, library: &Library, output: &str, samples: &[EvalSample]) -> Vec<[[f32; 4]; 2]> {
+fn both(
+    look: &SetupLook,
+    library: &Library,
+    output: &str,
+    samples: &[EvalSample],
+) -> Vec<[[f32; 4]; 2]> {
     let batches = eval_batches(look, library, samples, &options(output), &mut Assets::default())
         .unwrap_or_else(|problems| panic!("{}", told(&problems)));
     let mut renderer = renderer();
     let pairs = batches.iter().flat_map(|batch| {
-        let gpu = block_on(renderer.evaluate(batch)).unwrap_or_else(|error| panic!("{error}\n{}", batch.shader.wgsl));
-        let reference = reference::evaluate(batch, Precision::F32).unwrap_or_else(|problem| panic!("{problem}"));
-        gpu.into_iter().zip(reference).map(|(gpu, reference)| [gpu, reference.map(|x| x as f32)]).collect::<Vec<_>>()
+        let gpu = block_on(renderer.evaluate(batch))
+            .unwrap_or_else(|error| panic!("{error}\n{}", batch.shader.wgsl));
+        let reference = reference::evaluate(batch, Precision::F32)
+            .unwrap_or_else(|problem| panic!("{problem}"));
+        gpu.into_iter()
+            .zip(reference)
+            .map(|(gpu, reference)| [gpu, reference.map(|x| x as f32)])
+            .collect::<Vec<_>>()
     });
     pairs.collect()
 }
 
-/// A look that shows an expression over `p`, what a sample has as its position, and a library that has it.
+/// A look that shows an expression over `p`, what a sample has as its position, and a library that
+/// has it.
 fn probe(expression: &str) -> (SetupLook, Library) {
     let mut library = Library::built_in().clone();
     let node = format!(
-        "/// Probe\n///\n/// One operation.\n///\n/// @param p from=position hidden\n/// @return value \"Value\" : What it gives.\n\
+        "/// Probe\n///\n/// One operation.\n///\n/// @param p from=position hidden\n/// @return \
+         value \"Value\" : What it gives.\n\
          /// @unit\nfn probe(p: vec3f) -> f32 {{\n    return {expression};\n}}\n"
     );
     library.add_file("probe.wgsl", &node);
@@ -153,7 +169,10 @@ fn probe(expression: &str) -> (SetupLook, Library) {
     (look, library)
 }
 
-#[allow(clippy::print_stdout, reason = "the documentation's table is made of what `--nocapture` shows")]
+#[allow(
+    clippy::print_stdout,
+    reason = "the documentation's table is made of what `--nocapture` shows"
+)]
 fn operations(rows: &[Row]) {
     let is_software = renderer().gpu().is_software();
     let mut problems = Vec::new();
@@ -167,7 +186,9 @@ fn operations(rows: &[Row]) {
             .collect();
         let (look, library) = probe(expression);
         let (mut most_steps, mut most, mut place) = (0, 0.0_f64, DVec3::ZERO);
-        for ([gpu, reference], sample) in both(&look, &library, "probe.value", &samples).into_iter().zip(&samples) {
+        for ([gpu, reference], sample) in
+            both(&look, &library, "probe.value", &samples).into_iter().zip(&samples)
+        {
             let (gpu, reference) = (gpu[0], reference[0]);
             let apart = steps(gpu, reference);
             if apart > most_steps {
@@ -207,16 +228,19 @@ fn functions_are_as_far_apart_as_wgsl_allows() {
 /// Many operations in a row, none of which may differ; and a texture's texels.
 #[test]
 fn looks_of_plain_arithmetic_are_equal_bit_for_bit() {
-    let chain = "sqrt(abs(p.x * p.y - p.z) + 0.37) / (1.0 + p.z * p.z) - (p.x + p.y) * (p.y - 0.7) / (abs(p.x) + 0.11)";
+    let chain = "sqrt(abs(p.x * p.y - p.z) + 0.37) / (1.0 + p.z * p.z) - (p.x + p.y) * (p.y - 0.7) \
+                 / (abs(p.x) + 0.11)";
     let (look, library) = probe(chain);
     let mut random = Random::new(77);
     let samples: Vec<EvalSample> = (0..50_000)
         .map(|_| {
-            let position = DVec3::from_array([(); 3].map(|()| f64::from(random.between(-9.0, 9.0) as f32)));
+            let position =
+                DVec3::from_array([(); 3].map(|()| f64::from(random.between(-9.0, 9.0) as f32)));
             EvalSample { position, ..EvalSample::default() }
         })
         .collect();
-    let most = both(&look, &library, "probe.value", &samples).iter().map(|[a, b]| steps(a[0], b[0])).max();
+    let most =
+        both(&look, &library, "probe.value", &samples).iter().map(|[a, b]| steps(a[0], b[0])).max();
     let is_software = renderer().gpu().is_software();
     assert!(!is_software || most == Some(0), "{most:?}");
 
@@ -232,7 +256,8 @@ fn looks_of_plain_arithmetic_are_equal_bit_for_bit() {
         "wires": [{"from": "image", "to": "output.color"}]
     }));
     image.folder = folder.path().to_owned();
-    // In the middle of texels, give or take. How 8 bits become a float is not promised to the last step.
+    // In the middle of texels, give or take. How 8 bits become a float is not promised to the last
+    // step.
     let samples: Vec<EvalSample> = (0..20_000)
         .map(|_| {
             let within = |random: &mut Random, count: usize| {
@@ -253,32 +278,41 @@ fn looks_of_plain_arithmetic_are_equal_bit_for_bit() {
 fn example(name: &str) -> SetupLook {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
     let loaded = Look::load(&folder.join(format!("{name}.json")));
-    SetupLook { look: loaded.value.expect("an example"), source: loaded.source.into(), folder: PathBuf::new() }
+    SetupLook {
+        look: loaded.value.expect("an example"),
+        source: loaded.source.into(),
+        folder: PathBuf::new(),
+    }
 }
 
 /// Both pictures of a setup.
 fn pictures(setup: &Setup, live: &Live, images: ImageRounding) -> (Picture, ReferencePicture) {
     let size = PlanOptions { size: [160, 120], samples: 1, time: 0.0 };
-    let plan = Planner::default().plan(setup, Library::built_in(), live, &size).expect("it is planned");
+    let plan =
+        Planner::default().plan(setup, Library::built_in(), live, &size).expect("it is planned");
     let modules = Modules::new(&plan, Precision::F32).expect("it compiles");
     // As GPUs do, for coverage alone: see `triangles`.
-    let options = reference::Options { snap: Snap::Subpixel(8), images, ..reference::Options::default() };
-    let reference = reference::execute(&plan, &modules, &options, &Control::none()).expect("it is drawn");
+    let options =
+        reference::Options { snap: Snap::Subpixel(8), images, ..reference::Options::default() };
+    let reference =
+        reference::execute(&plan, &modules, &options, &Control::none()).expect("it is drawn");
     let gpu = renderer().gpu().precise();
     let picture = block_on(Renderer::new(gpu).picture(&plan)).expect("it is drawn");
     (picture, reference)
 }
 
-/// How far from any other surface, or none, pixels must be to count: the stencil of curvature reaches 3.
+/// How far from any other surface, or none, pixels must be to count: the stencil of curvature
+/// reaches 3.
 const RIM: u32 = 4;
 
-/// The differences of colours inside of the object, the largest last.
+/// The differences of colors inside of the object, the largest last.
 fn differences(gpu: &Picture, reference: &ReferencePicture) -> Vec<f64> {
     let [width, height] = reference.size;
     let mut found = Vec::new();
     for y in RIM..height - RIM {
         for x in RIM..width - RIM {
-            let mut near = (y - RIM..=y + RIM).flat_map(|y| (x - RIM..=x + RIM).map(move |x| (x, y)));
+            let mut near =
+                (y - RIM..=y + RIM).flat_map(|y| (x - RIM..=x + RIM).map(move |x| (x, y)));
             if !near.all(|(x, y)| reference.coverage(x, y).is_inside(1)) {
                 continue;
             }
@@ -309,7 +343,10 @@ fn rounding() -> ImageRounding {
 }
 
 #[test]
-#[allow(clippy::print_stdout, reason = "the documentation's table is made of what `--nocapture` shows")]
+#[allow(
+    clippy::print_stdout,
+    reason = "the documentation's table is made of what `--nocapture` shows"
+)]
 fn whole_looks_agree_baked_and_live() {
     let is_software = renderer().gpu().is_software();
     for name in [
@@ -326,26 +363,42 @@ fn whole_looks_agree_baked_and_live() {
             let (gpu, reference) = pictures(&ball(example(name)), &live, rounding());
             let found = differences(&gpu, &reference);
             let [middle, high, most] = spread(&found);
-            println!("| {name}, {live:?} | {} | {middle:.1e} | {high:.1e} | {most:.1e} |", found.len());
+            println!(
+                "| {name}, {live:?} | {} | {middle:.1e} | {high:.1e} | {most:.1e} |",
+                found.len()
+            );
             assert!(found.len() > 2000, "{name}: {} pixels", found.len());
-            // A step of f32 in a normal may be one of f16 in an image, and that 1e-4 in curvature: of few pixels.
+            // A step of f32 in a normal may be one of f16 in an image, and that 1e-4 in curvature:
+            // of few pixels.
             let bounds = if is_software { [2e-7, 2e-6, 1e-3] } else { [1e-3, 1e-2, 1e-1] };
-            let is_within = [middle, high, most].iter().zip(bounds).all(|(got, bound)| *got <= bound);
+            let is_within =
+                [middle, high, most].iter().zip(bounds).all(|(got, bound)| *got <= bound);
             assert!(is_within, "{name}, {live:?}: {middle:e}, {high:e}, {most:e}");
         }
     }
 }
 
-/// The GPU keeps the normals that curvature is taken from in 32-bit floats; half floats would stand out.
+/// The GPU keeps the normals that curvature is taken from in 32-bit floats; half floats would stand
+/// out.
 #[test]
-#[allow(clippy::print_stdout, reason = "the documentation's table is made of what `--nocapture` shows")]
+#[allow(
+    clippy::print_stdout,
+    reason = "the documentation's table is made of what `--nocapture` shows"
+)]
 fn images_rounded_to_halves_are_farther_from_the_gpu() {
     let setup = ball(example("figure4-both"));
     let middle = |images| {
         let (gpu, reference) = pictures(&setup, &Live::Keyed, images);
         spread(&differences(&gpu, &reference))[0]
     };
-    let [none, nearest, zero] = [ImageRounding::None, ImageRounding::Nearest, ImageRounding::TowardZero].map(middle);
-    println!("| figure4-both, images as they are, to nearest, toward zero | {none:.1e} | {nearest:.1e} | {zero:.1e} |");
-    assert!(none < 0.1 * nearest.min(zero) && nearest.max(zero) < 1e-3, "{none:e} {nearest:e} {zero:e}");
+    let [none, nearest, zero] =
+        [ImageRounding::None, ImageRounding::Nearest, ImageRounding::TowardZero].map(middle);
+    println!(
+        "| figure4-both, images as they are, to nearest, toward zero | {none:.1e} | {nearest:.1e} \
+         | {zero:.1e} |"
+    );
+    assert!(
+        none < 0.1 * nearest.min(zero) && nearest.max(zero) < 1e-3,
+        "{none:e} {nearest:e} {zero:e}"
+    );
 }

@@ -1,7 +1,7 @@
 //! Cheaper tiers: each says how far it may be from the exact one, and stays within that.
 //!
-//! The truth is f64 from the formulas themselves; the exact tier in the f64 interpreter is a second witness. What no
-//! formula has an answer for must still be finite.
+//! The truth is f64 from the formulas themselves; the exact tier in the f64 interpreter is a second
+//! witness. What no formula has an answer for must still be finite.
 #![cfg(feature = "gpu")]
 
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -24,9 +24,11 @@ fn node(kind: &str) -> &'static NodeDef {
     &Library::built_in().nodes[kind]
 }
 
-/// What a node's file says of a tier; where there is no such tier, of the next better one, which runs in its place.
+/// What a node's file says of a tier; where there is no such tier, of the next better one, which
+/// runs in its place.
 fn stated(kind: &str, tier: Tier) -> f64 {
-    let stated = node(kind).errors.iter().filter(|error| error.tier <= tier).max_by_key(|error| error.tier);
+    let stated =
+        node(kind).errors.iter().filter(|error| error.tier <= tier).max_by_key(|error| error.tier);
     stated.map_or(0.0, |error| error.bound)
 }
 
@@ -35,7 +37,9 @@ fn numbers(values: &[(&str, f64)]) -> Values {
 }
 
 fn toward(direction: DVec3) -> indexmap::IndexMap<chiaro::ids::LightId, LightOverride> {
-    [("key".into(), LightOverride { direction: Some(direction), ..LightOverride::default() })].into_iter().collect()
+    [("key".into(), LightOverride { direction: Some(direction), ..LightOverride::default() })]
+        .into_iter()
+        .collect()
 }
 
 #[test]
@@ -46,11 +50,17 @@ fn every_cheaper_tier_states_its_error() {
             assert!(def.error_of(tier).is_some(), "{} states no error of {tier:?}", def.kind);
             count += 1;
         }
-        // A tier exists for every choice that the exact one is there for, or a choice would make a look dearer.
+        // A tier exists for every choice that the exact one is there for, or a choice would make a
+        // look dearer.
         for tier in def.tiers() {
-            let choices = |tier| def.variants.iter().filter(move |v: &&Variant| v.tier == tier).count();
+            let choices =
+                |tier| def.variants.iter().filter(move |v: &&Variant| v.tier == tier).count();
             let count = choices(tier);
-            assert!(count == 0 || count == choices(Tier::Exact), "{} has not every choice in {tier:?}", def.kind);
+            assert!(
+                count == 0 || count == choices(Tier::Exact),
+                "{} has not every choice in {tier:?}",
+                def.kind
+            );
         }
     }
     assert!(count >= 10, "{count}");
@@ -77,9 +87,13 @@ fn a_tier_goes_from_the_look_to_groups_to_nodes() {
             "nodes": [outer, {"id": "output", "kind": "output"}],
             "wires": [{"from": "group", "to": "output.color"}]
         }));
-        let shader = chiaro::compile::compile(&look.look, Library::built_in(), &Default::default()).expect("flawless");
+        let shader = chiaro::compile::compile(&look.look, Library::built_in(), &Default::default())
+            .expect("flawless");
         let functions = ["transition_fast(", "transition_balanced(", "transition("];
-        functions.iter().position(|function| shader.wgsl.contains(&format!("fn {function}"))).expect("one of them")
+        functions
+            .iter()
+            .position(|function| shader.wgsl.contains(&format!("fn {function}")))
+            .expect("one of them")
     };
     let (fast, balanced, exact) = (0, 1, 2);
     assert_eq!(shown("exact", Json::Null, Json::Null), exact);
@@ -95,8 +109,8 @@ fn a_tier_goes_from_the_look_to_groups_to_nodes() {
 const TYPES: [&str; 4] = ["diffuse", "specular", "screen_aligned", "half_vector"];
 
 fn angle_look(kind: &str, tier: &str) -> SetupLook {
-    let exposed =
-        ["offset", "falloff", "cutoff", "shift"].map(|name| json!({"name": name, "target": format!("tone.{name}")}));
+    let exposed = ["offset", "falloff", "cutoff", "shift"]
+        .map(|name| json!({"name": name, "target": format!("tone.{name}")}));
     look(&json!({
         "tier": tier,
         "lights": {"key": {"direction": [0, 0, 1]}},
@@ -133,7 +147,8 @@ fn angles_in_every_tier() {
                         _ => mirrored(v, n),
                     };
                     let apart = 10_f64.powf(random.between(-7.0, -1.0));
-                    l = (near + apart * random.direction()) * if random.chance(0.3) { -1.0 } else { 1.0 };
+                    l = (near + apart * random.direction())
+                        * if random.chance(0.3) { -1.0 } else { 1.0 };
                 }
                 let l = l.normalize();
                 // Where light and eye are opposite, the half-vector's direction is rounding's.
@@ -146,11 +161,20 @@ fn angles_in_every_tier() {
                     "screen_aligned" => angle(camera * n, l),
                     _ => angle(n, l + v),
                 });
-                samples.push(EvalSample { normal: n, view: v, camera, lights: toward(l), ..EvalSample::default() });
+                samples.push(EvalSample {
+                    normal: n,
+                    view: v,
+                    camera,
+                    lights: toward(l),
+                    ..EvalSample::default()
+                });
             }
-            let mut errors = Errors::new(format!("angle u, {kind}, {word}"), stated("parametrization", tier));
-            for ((value, u), sample) in
-                eval(&angle_look(kind, word), "angle.angle", &samples).iter().zip(&wanted).zip(&samples)
+            let mut errors =
+                Errors::new(format!("angle u, {kind}, {word}"), stated("parametrization", tier));
+            for ((value, u), sample) in eval(&angle_look(kind, word), "angle.angle", &samples)
+                .iter()
+                .zip(&wanted)
+                .zip(&samples)
             {
                 errors.note(value[0], *u, || format!("{sample:?}"));
             }
@@ -159,7 +183,8 @@ fn angles_in_every_tier() {
     }
 }
 
-/// Angle, warp and parameters; where alpha is neither 0 nor 1, for fall-offs that many radians from the offset.
+/// Angle, warp and parameters; where alpha is neither 0 nor 1, for fall-offs that many radians from
+/// the offset.
 fn profile_cases(seed: u64, least: f64, most: f64) -> Vec<(f64, f64, [f64; 3])> {
     let mut random = Random::new(seed);
     let mut cases = Vec::new();
@@ -168,7 +193,11 @@ fn profile_cases(seed: u64, least: f64, most: f64) -> Vec<(f64, f64, [f64; 3])> 
         let c = random.between(f, PI);
         let tau = if random.chance(0.4) { 0.0 } else { random.between(0.0, PI - c) };
         let shift = if random.chance(0.4) { 0.0 } else { f32_of(random.between(-PI, PI)) };
-        let u = if random.chance(0.2) { random.between(0.0, PI) } else { tau + shift + f * random.between(-0.1, 3.0) };
+        let u = if random.chance(0.2) {
+            random.between(0.0, PI)
+        } else {
+            tau + shift + f * random.between(-0.1, 3.0)
+        };
         if (0.0..=PI).contains(&u) {
             cases.push((u, shift, [tau, tau + f, (tau + c).min(PI)]));
         }
@@ -184,17 +213,26 @@ fn profiles_in_every_tier() {
         of_tier.look.graph.nodes["tone"].tier = Some(tier);
         for (least, share) in [(0.2, 0.2), (0.05, 1.0)] {
             let cases = profile_cases(7, least, 1.5);
-            let at = |u: f64| DVec3::new(f32_of(u.sin() * 0.6), f32_of(u.sin() * 0.8), f32_of(u.cos()));
+            let at =
+                |u: f64| DVec3::new(f32_of(u.sin() * 0.6), f32_of(u.sin() * 0.8), f32_of(u.cos()));
             let samples: Vec<EvalSample> = cases
                 .iter()
                 .map(|&(u, shift, [offset, falloff, cutoff])| {
-                    let values =
-                        numbers(&[("offset", offset), ("falloff", falloff), ("cutoff", cutoff), ("shift", shift)]);
+                    let values = numbers(&[
+                        ("offset", offset),
+                        ("falloff", falloff),
+                        ("cutoff", cutoff),
+                        ("shift", shift),
+                    ]);
                     EvalSample { normal: at(u), values, ..EvalSample::default() }
                 })
                 .collect();
-            let mut errors = Errors::new(format!("alpha, f' from {least}, {word}"), share * stated("profile", tier));
-            let mut steepest = Errors::new(format!("alpha, f' from {least}, {word}, infinitely steep"), 2e-3);
+            let mut errors = Errors::new(
+                format!("alpha, f' from {least}, {word}"),
+                share * stated("profile", tier),
+            );
+            let mut steepest =
+                Errors::new(format!("alpha, f' from {least}, {word}, infinitely steep"), 2e-3);
             for ((value, (u, shift, p)), sample) in
                 eval(&of_tier, "tone.tone", &samples).iter().zip(&cases).zip(&samples)
             {
@@ -202,8 +240,14 @@ fn profiles_in_every_tier() {
                 let [tau, f, c] = badf::sanitised(*p);
                 let x = (u - shift).clamp(0.0, PI) - tau;
                 let base = 1.0 - ((0.5 * x).sin() / (0.5 * (c - tau)).sin()).powi(2);
-                let errors = if f - tau > FRAC_PI_2 - 0.1 && base < 1e-3 { &mut steepest } else { &mut errors };
-                errors.note(value[0], badf::alpha(u, *shift, *p), || format!("u {u} shift {shift} {p:?}"));
+                let errors = if f - tau > FRAC_PI_2 - 0.1 && base < 1e-3 {
+                    &mut steepest
+                } else {
+                    &mut errors
+                };
+                errors.note(value[0], badf::alpha(u, *shift, *p), || {
+                    format!("u {u} shift {shift} {p:?}")
+                });
             }
             errors.finish();
             if steepest.has_any() {
@@ -213,7 +257,8 @@ fn profiles_in_every_tier() {
     }
 }
 
-/// However narrow a profile is, a cheaper tier stays between 0 and 1, and where the tone is flat it is right.
+/// However narrow a profile is, a cheaper tier stays between 0 and 1, and where the tone is flat it
+/// is right.
 #[test]
 fn narrow_profiles_in_every_tier() {
     for (tier, word) in [(Tier::Exact, "exact")].into_iter().chain(CHEAPER) {
@@ -227,8 +272,12 @@ fn narrow_profiles_in_every_tier() {
                     for shift in [0.0, 1e-7, -0.5, PI, -PI, 1e30, -1e30] {
                         for u in [0.0, 1e-7, 3e-4, 0.2, 1.2, 2.9, PI] {
                             let p = [tau, tau + f, tau + c];
-                            let values =
-                                numbers(&[("offset", p[0]), ("falloff", p[1]), ("cutoff", p[2]), ("shift", shift)]);
+                            let values = numbers(&[
+                                ("offset", p[0]),
+                                ("falloff", p[1]),
+                                ("cutoff", p[2]),
+                                ("shift", shift),
+                            ]);
                             let normal = DVec3::new(f32_of(f64::sin(u)), 0.0, f32_of(f64::cos(u)));
                             let u = angle(normal, DVec3::Z);
                             samples.push(EvalSample { normal, values, ..EvalSample::default() });
@@ -239,10 +288,15 @@ fn narrow_profiles_in_every_tier() {
                 }
             }
         }
-        for ((value, (high, low, at)), sample) in eval(&of_tier, "tone.tone", &samples).iter().zip(wanted).zip(&samples)
+        for ((value, (high, low, at)), sample) in
+            eval(&of_tier, "tone.tone", &samples).iter().zip(wanted).zip(&samples)
         {
             let told = || format!("{word}: {} for {at} in [{low}, {high}] at {sample:?}", value[0]);
-            assert!(value[0] >= low.min(at) - 2e-3 && value[0] <= high.max(at) + 2e-3, "{}", told());
+            assert!(
+                value[0] >= low.min(at) - 2e-3 && value[0] <= high.max(at) + 2e-3,
+                "{}",
+                told()
+            );
         }
     }
 }
@@ -253,7 +307,8 @@ fn narrow_profiles_in_every_tier() {
 fn transitions_in_every_tier() {
     let mut random = Random::new(15);
     let mut samples = Vec::new();
-    let special = [0.0, -0.0, 1e-45, 1e-38, 1e-7, 0.0625, 1.0, 50.0, 1e4, 1e30, f64::INFINITY, f64::NAN];
+    let special =
+        [0.0, -0.0, 1e-45, 1e-38, 1e-7, 0.0625, 1.0, 50.0, 1e4, 1e30, f64::INFINITY, f64::NAN];
     for kappa in special {
         for slope in special.into_iter().filter(|slope| slope.is_finite()) {
             for (a, b) in [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0)] {
@@ -262,7 +317,8 @@ fn transitions_in_every_tier() {
         }
     }
     for _ in 0..8000 {
-        let a = 10_f64.powf(random.between(-5.0, 2.0)) * if random.chance(0.5) { -1.0 } else { 1.0 };
+        let a =
+            10_f64.powf(random.between(-5.0, 2.0)) * if random.chance(0.5) { -1.0 } else { 1.0 };
         let slope = 10_f64.powf(random.between(-4.0, 1.0));
         samples.push((f32_of(a / slope), f32_of(slope)));
     }
@@ -281,10 +337,13 @@ fn transitions_in_every_tier() {
         let at: Vec<EvalSample> = samples.iter().map(at).collect();
         let mut errors = Errors::new(format!("convexity, {word}"), stated("transition", tier));
         let program = node("transition").module.program("transition").expect("it compiles");
-        for (value, (kappa, slope)) in eval(&of_tier, "convexity.convexity", &at).iter().zip(&samples) {
+        for (value, (kappa, slope)) in
+            eval(&of_tier, "convexity.convexity", &at).iter().zip(&samples)
+        {
             let wanted = badf::lambda(*kappa, f32_of(*slope));
             errors.note(value[0], wanted, || format!("kappa {kappa} slope {slope}"));
-            let witness = program.call(&[Number::Float(*kappa), Number::Float(f32_of(*slope))], Precision::F64);
+            let witness = program
+                .call(&[Number::Float(*kappa), Number::Float(f32_of(*slope))], Precision::F64);
             let witness = witness.ok().and_then(|value| value.as_f64()).expect("a number");
             assert!((witness - wanted).abs() < 2e-7, "{witness} for {wanted} at {kappa}, {slope}");
         }
@@ -292,12 +351,15 @@ fn transitions_in_every_tier() {
     }
 }
 
-/// A look whose every reader of curvature is fast needs no pass; one that has an exact one keeps it for that alone.
+/// A look whose every reader of curvature is fast needs no pass; one that has an exact one keeps it
+/// for that alone.
 #[test]
 fn fast_curvature_needs_no_pass() {
     let (mesh, matrix) = shape("creature");
     let mut shown = Vec::new();
-    for (first, second, wanted) in [("fast", "fast", 1), ("fast", "exact", 3), ("exact", "exact", 3)] {
+    for (first, second, wanted) in
+        [("fast", "fast", 1), ("fast", "exact", 3), ("exact", "exact", 3)]
+    {
         let json = json!({
             "nodes": [
                 {"id": "first", "kind": "transition", "tier": first},
@@ -311,7 +373,9 @@ fn fast_curvature_needs_no_pass() {
         });
         let setup = scene_of(vec![(look(&json), mesh.clone(), matrix)], Scene::default());
         let options = PlanOptions { size: [200, 160], samples: 4, time: 0.0 };
-        let plan = Planner::default().plan(&setup, Library::built_in(), &Live::Keyed, &options).expect("a plan");
+        let plan = Planner::default()
+            .plan(&setup, Library::built_in(), &Live::Keyed, &options)
+            .expect("a plan");
         assert_eq!(plan.passes.len(), wanted, "{first} and {second}: {:?}", plan.passes);
         let source = &plan.draws[0].look.wgsl;
         assert_eq!(source.contains("dpdx"), first == "fast", "{source}");
@@ -331,10 +395,12 @@ fn fast_curvature_needs_no_pass() {
 
 // Thresholds
 
-/// Where nothing changes on the screen an edge is hard and inclusive in every tier, as long as it has no softness.
+/// Where nothing changes on the screen an edge is hard and inclusive in every tier, as long as it
+/// has no softness.
 #[test]
 fn thresholds_are_the_same_without_a_screen() {
-    let values = [-3e38, -1.0, -1e-38, 0.0, 0.2499999, 0.25, 0.3, 0.5, 0.7499999, 0.75, 1.0, 2.0, 3e38];
+    let values =
+        [-3e38, -1.0, -1e-38, 0.0, 0.2499999, 0.25, 0.3, 0.5, 0.7499999, 0.75, 1.0, 2.0, 3e38];
     for (tier, word) in [(Tier::Exact, "exact")].into_iter().chain(CHEAPER) {
         for softness in [0.0, 0.1, 1.0, 3e38] {
             let cut = look(&json!({
@@ -350,21 +416,30 @@ fn thresholds_are_the_same_without_a_screen() {
                     {"from": "cut", "to": "sum.a"}, {"from": "cel", "to": "sum.b"}, {"from": "sum", "to": "output.color"}
                 ]
             }));
-            let at = |&x: &f64| EvalSample { values: numbers(&[("value", x), ("tone", x)]), ..EvalSample::default() };
+            let at = |&x: &f64| EvalSample {
+                values: numbers(&[("value", x), ("tone", x)]),
+                ..EvalSample::default()
+            };
             let samples: Vec<EvalSample> = values.iter().map(at).collect();
-            let (masks, tones) = (eval(&cut, "cut.mask", &samples), eval(&cut, "cel.tone", &samples));
+            let (masks, tones) =
+                (eval(&cut, "cut.mask", &samples), eval(&cut, "cel.tone", &samples));
             for ((x, mask), tone) in values.iter().map(|x| f32_of(*x)).zip(&masks).zip(&tones) {
-                let told = || format!("{tier:?}, {x}, softness {softness}: {} and {}", mask[0], tone[0]);
+                let told =
+                    || format!("{tier:?}, {x}, softness {softness}: {} and {}", mask[0], tone[0]);
                 let wide = f64::min(softness, 1e15);
                 let hard = f64::from(u8::from(x >= 0.25));
-                let wanted = if softness == 0.0 { hard } else { (0.5 + (x - 0.25) / wide).clamp(0.0, 1.0) };
+                let wanted =
+                    if softness == 0.0 { hard } else { (0.5 + (x - 0.25) / wide).clamp(0.0, 1.0) };
                 assert!((mask[0] - wanted).abs() < 1e-6, "mask of {}", told());
                 let stairs = (4.0 * x.clamp(0.0, 1.0)).floor().min(3.0);
                 let soft = f64::min(softness, 1.0);
                 let edge = (4.0 * x.clamp(0.0, 1.0)).round().clamp(1.0, 3.0);
                 let wanted = match soft {
                     0.0 => stairs / 3.0,
-                    w => (edge - 1.0 + (0.5 + (4.0 * x.clamp(0.0, 1.0) - edge) / w).clamp(0.0, 1.0)) / 3.0,
+                    w => {
+                        (edge - 1.0 + (0.5 + (4.0 * x.clamp(0.0, 1.0) - edge) / w).clamp(0.0, 1.0))
+                            / 3.0
+                    }
                 };
                 assert!((tone[0] - wanted).abs() < 1e-6, "tone of {}: {wanted}", told());
             }
@@ -395,7 +470,15 @@ fn vectors_in_every_tier() {
                 let n = (length * random.direction()).to_array().map(f32_of);
                 let camera = DMat3::from_quat(random.rotation());
                 let values = [("vector".into(), Value::Vector(n.to_vec()))].into_iter().collect();
-                (EvalSample { view: held(random.direction()), camera, values, ..EvalSample::default() }, n.into())
+                (
+                    EvalSample {
+                        view: held(random.direction()),
+                        camera,
+                        values,
+                        ..EvalSample::default()
+                    },
+                    n.into(),
+                )
             })
             .collect();
         for (kind, of_tier) in &looks {
@@ -437,8 +520,9 @@ fn noises_in_every_tier() {
                     "wires": [{"from": "node", "to": "output.color"}]
                 }));
                 let place = |random: &mut Random| random.direction() * random.between(0.0, 9.0);
-                let samples: Vec<EvalSample> =
-                    (0..200).map(|_| EvalSample { position: place(&mut random), ..EvalSample::default() }).collect();
+                let samples: Vec<EvalSample> = (0..200)
+                    .map(|_| EvalSample { position: place(&mut random), ..EvalSample::default() })
+                    .collect();
                 let program = module.program(&format!("noise_{kind}")).expect("it compiles");
                 for (value, sample) in eval(&of_tier, "node", &samples).iter().zip(&samples) {
                     let p = sample.position.to_array().map(f32_of);
@@ -449,9 +533,14 @@ fn noises_in_every_tier() {
                         Number::Float(f32_of(roughness)),
                         Number::I32(0),
                     ];
-                    let exact =
-                        program.call(&arguments, Precision::F64).ok().and_then(|x| x.as_f64()).expect("a number");
-                    errors.note(value[0], exact, || format!("{octaves} octaves, roughness {roughness}, {sample:?}"));
+                    let exact = program
+                        .call(&arguments, Precision::F64)
+                        .ok()
+                        .and_then(|x| x.as_f64())
+                        .expect("a number");
+                    errors.note(value[0], exact, || {
+                        format!("{octaves} octaves, roughness {roughness}, {sample:?}")
+                    });
                     if octaves <= 3 && roughness == 0.5 {
                         assert!((value[0] - exact).abs() < 1e-5, "no octave is left out");
                     }
@@ -504,7 +593,12 @@ fn wild(ty: &Type, random: &mut Random) -> Option<Number> {
         }
         Type::Light => {
             let direction = Number::vec(&random.direction().to_array());
-            Number::Struct(vec![direction.clone(), direction, vector(3, random), Number::Float(wild_number(random))])
+            Number::Struct(vec![
+                direction.clone(),
+                direction,
+                vector(3, random),
+                Number::Float(wild_number(random)),
+            ])
         }
         Type::Mat3 => {
             let rotation = DMat3::from_quat(random.rotation());
@@ -542,8 +636,11 @@ fn every_tier_is_total() {
                     }
                 }
                 let prepared = def.prepare.as_ref().map(|prepare| {
-                    let arguments: Vec<Number> =
-                        prepare.parameters.iter().filter_map(|(index, _)| inputs[*index].clone()).collect();
+                    let arguments: Vec<Number> = prepare
+                        .parameters
+                        .iter()
+                        .filter_map(|(index, _)| inputs[*index].clone())
+                        .collect();
                     let program = def.module.program(&prepare.function).expect("it compiles");
                     program.call(&arguments, Precision::F32).expect("it runs")
                 });
@@ -551,7 +648,9 @@ fn every_tier_is_total() {
                     .parameters
                     .iter()
                     .map(|parameter| match parameter {
-                        Parameter::Input(index, ty) if *ty == def.inputs[*index].ty => inputs[*index].clone(),
+                        Parameter::Input(index, ty) if *ty == def.inputs[*index].ty => {
+                            inputs[*index].clone()
+                        }
                         Parameter::Prepared => prepared.clone(),
                         _ => None,
                     })

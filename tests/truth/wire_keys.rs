@@ -1,4 +1,5 @@
-//! Keys by wires of object rate: held to weights that are solved here in f64, on the GPU and on the reference.
+//! Keys by wires of object rate: held to weights that are solved here in f64, on the GPU and on the
+//! reference.
 #![cfg(feature = "gpu")]
 
 use crate::support;
@@ -15,9 +16,11 @@ use chiaro::library::Library;
 use glam::DVec3;
 use serde_json::{Value as Json, json};
 
-/// A number that keys move by wires: `a` is exposed, `b` the time plus 1, `c` the light's height, `d` a and b together.
+/// A number that keys move by wires: `a` is exposed, `b` the time plus 1, `c` the light's height,
+/// `d` a and b together.
 fn wired(drivers: &Json, keys: &[(Vec<f64>, f64)]) -> Json {
-    let keys: Vec<Json> = keys.iter().map(|(at, x)| json!({"at": at, "values": {"number.value": x}})).collect();
+    let keys: Vec<Json> =
+        keys.iter().map(|(at, x)| json!({"at": at, "values": {"number.value": x}})).collect();
     json!({
         "lights": {"key": {"direction": [0, 0, 1]}},
         "nodes": [
@@ -45,7 +48,8 @@ fn wired(drivers: &Json, keys: &[(Vec<f64>, f64)]) -> Json {
 }
 
 fn sample(amount: f64, time: f64, light: DVec3) -> EvalSample {
-    let lights = [("key".into(), LightOverride { direction: Some(light), ..LightOverride::default() })];
+    let lights =
+        [("key".into(), LightOverride { direction: Some(light), ..LightOverride::default() })];
     EvalSample {
         time,
         values: [("amount".into(), Value::Number(amount))].into_iter().collect(),
@@ -54,8 +58,8 @@ fn sample(amount: f64, time: f64, light: DVec3) -> EvalSample {
     }
 }
 
-/// The value between keys by their smooth weights: the kernel -|x - y| with coefficients that sum to 0, solved by
-/// elimination; a smoothstep of each; their sum made 1.
+/// The value between keys by their smooth weights: the kernel -|x - y| with coefficients that sum
+/// to 0, solved by elimination; a smoothstep of each; their sum made 1.
 fn smooth(keys: &[(Vec<f64>, f64)], at: &[f64]) -> f64 {
     let axes = at.len();
     let span = |axis: usize| {
@@ -71,9 +75,11 @@ fn smooth(keys: &[(Vec<f64>, f64)], at: &[f64]) -> f64 {
             .collect()
     };
     let places: Vec<Vec<f64>> = keys.iter().map(|key| scaled(&key.0)).collect();
-    let kernel = |a: &[f64], b: &[f64]| -a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
+    let kernel =
+        |a: &[f64], b: &[f64]| -a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
     let n = keys.len();
-    // Rows of the system: the kernel between keys and a 1, and the sum of the coefficients; right-hand sides all at once.
+    // Rows of the system: the kernel between keys and a 1, and the sum of the coefficients;
+    // right-hand sides all at once.
     let mut rows: Vec<Vec<f64>> = (0..=n)
         .map(|i| {
             let left = (0..=n).map(|j| match (i < n, j < n) {
@@ -86,8 +92,9 @@ fn smooth(keys: &[(Vec<f64>, f64)], at: &[f64]) -> f64 {
         })
         .collect();
     for column in 0..=n {
-        let pivot =
-            (column..=n).max_by(|&a, &b| rows[a][column].abs().total_cmp(&rows[b][column].abs())).expect("rows");
+        let pivot = (column..=n)
+            .max_by(|&a, &b| rows[a][column].abs().total_cmp(&rows[b][column].abs()))
+            .expect("rows");
         rows.swap(column, pivot);
         let row = rows[column].clone();
         for (_, other) in rows.iter_mut().enumerate().filter(|(index, _)| *index != column) {
@@ -101,7 +108,8 @@ fn smooth(keys: &[(Vec<f64>, f64)], at: &[f64]) -> f64 {
     let weights: Vec<f64> = (0..n)
         .map(|key| {
             let raw =
-                (0..n).map(|i| rows[i][n + 1 + key] * kernel(&place, &places[i])).sum::<f64>() + rows[n][n + 1 + key];
+                (0..n).map(|i| rows[i][n + 1 + key] * kernel(&place, &places[i])).sum::<f64>()
+                    + rows[n][n + 1 + key];
             let x = raw.clamp(0.0, 1.0);
             x * x * (3.0 - 2.0 * x)
         })
@@ -110,24 +118,34 @@ fn smooth(keys: &[(Vec<f64>, f64)], at: &[f64]) -> f64 {
     weights.iter().zip(keys).map(|(weight, key)| weight * key.1).sum::<f64>() / total
 }
 
-/// Parameters, the time and lights drive keys in one to three dimensions, on the GPU and on the reference.
+/// Parameters, the time and lights drive keys in one to three dimensions, on the GPU and on the
+/// reference.
 #[test]
 fn wires_drive_by_the_smooth_weights() {
     let mut random = Random::new(601);
     let drivers = [json!({"wire": "b"}), json!({"wire": "a.value"}), json!({"wire": "c.y"})];
-    let (mut gpu, mut reference) = (Errors::new("keys by wires", 2e-6), Errors::new("keys by wires, truth", 1e-12));
+    let (mut gpu, mut reference) =
+        (Errors::new("keys by wires", 2e-6), Errors::new("keys by wires, truth", 1e-12));
     for axes in 1..=3 {
         let keys: Vec<(Vec<f64>, f64)> = (0..5)
             .map(|_| {
-                let place = [random.between(1.0, 5.0), random.between(-2.0, 2.0), random.between(-1.0, 1.0)];
+                let place = [
+                    random.between(1.0, 5.0),
+                    random.between(-2.0, 2.0),
+                    random.between(-1.0, 1.0),
+                ];
                 (place[..axes].to_vec(), random.between(-1.0, 1.0))
             })
             .collect();
         let look = look(&wired(&json!(drivers[..axes]), &keys));
         let lights: Vec<DVec3> = (0..24).map(|_| random.direction()).collect();
-        let given: Vec<[f64; 2]> = (0..24).map(|_| [random.between(-3.0, 3.0), random.between(-1.0, 5.0)]).collect();
-        let samples: Vec<EvalSample> =
-            given.iter().zip(&lights).map(|(given, light)| sample(given[0], given[1], *light)).collect();
+        let given: Vec<[f64; 2]> =
+            (0..24).map(|_| [random.between(-3.0, 3.0), random.between(-1.0, 5.0)]).collect();
+        let samples: Vec<EvalSample> = given
+            .iter()
+            .zip(&lights)
+            .map(|(given, light)| sample(given[0], given[1], *light))
+            .collect();
         let (seen, true_ones) = (eval(&look, "", &samples), truth(&look, "", &samples));
         for (i, ([amount, time], light)) in given.iter().zip(&lights).enumerate() {
             let wanted = smooth(&keys, &[time + 1.0, *amount, light.y][..axes]);
@@ -139,7 +157,8 @@ fn wires_drive_by_the_smooth_weights() {
     reference.finish();
 }
 
-/// What a wire gives may be keyed itself: by time, and by other keys, whichever of the two comes first in the file.
+/// What a wire gives may be keyed itself: by time, and by other keys, whichever of the two comes
+/// first in the file.
 #[test]
 fn keys_that_drive_other_keys_come_first() {
     let mut json = wired(&json!([{"wire": "d"}]), &[(vec![0.0], 0.0), (vec![8.0], 1.0)]);
@@ -156,7 +175,8 @@ fn keys_that_drive_other_keys_come_first() {
     let (typed, _) = check(&look.look, Library::built_in(), None).expect("it is sound");
     assert_eq!(typed.key_order, [1, 0]);
     let times: Vec<f64> = (0..40).map(|k| 0.1 * f64::from(k) - 0.5).collect();
-    let samples: Vec<EvalSample> = times.iter().map(|&time| EvalSample { time, ..EvalSample::default() }).collect();
+    let samples: Vec<EvalSample> =
+        times.iter().map(|&time| EvalSample { time, ..EvalSample::default() }).collect();
     let mut errors = Errors::new("keys that drive keys", 1e-6);
     for (got, time) in eval(&look, "", &samples).iter().zip(&times) {
         let a = 1.0 + step(0.5 * time);
@@ -176,7 +196,8 @@ fn keys_that_drive_other_keys_come_first() {
     assert!(seen[0][0] < 1e-5 && seen[1][0] > 1.0 - 1e-5, "{seen:?}");
 }
 
-/// All that keeps an output from driving keys is told with its node and port, and where it is written.
+/// All that keeps an output from driving keys is told with its node and port, and where it is
+/// written.
 #[test]
 fn what_cannot_drive_is_refused() {
     let with = |wire: &str, target: &str, more: &[Json]| -> Vec<Diagnostic> {
@@ -235,9 +256,11 @@ fn what_cannot_drive_is_refused() {
 fn hot_wires_have_results() {
     let folder = tempfile::tempdir().expect("a folder");
     std::fs::create_dir_all(folder.path().join("nodes/own")).expect("a folder");
-    let text = "/// Hot\n///\n/// @param x \"X\" default=0 : 1 for infinity, 2 for what is no number.\n\
+    let text = "/// Hot\n///\n/// @param x \"X\" default=0 : 1 for infinity, 2 for what is no \
+                number.\n\
                 /// @return value \"Value\" : That.\n\
-                fn hot(x: f32) -> f32 { let big = exp2(x * 1000.0) * x; return select(big, big - big, x > 1.5); }\n";
+                fn hot(x: f32) -> f32 \
+                { let big = exp2(x * 1000.0) * x; return select(big, big - big, x > 1.5); }\n";
     std::fs::write(folder.path().join("nodes/own/hot.wgsl"), text).expect("a file");
     let library = Library::built_in().with_project(folder.path());
     assert!(library.problems.is_empty(), "{:?}", library.problems);
@@ -249,7 +272,8 @@ fn hot_wires_have_results() {
     let samples = [0.0, 1.0, -1.0, 2.0, 1e30, f64::NAN].map(|amount| sample(amount, 0.0, DVec3::Z));
     let samples = &samples[..5];
     let seen = eval_with(&look, &library, &options(""), samples);
-    // 0 at its key; beyond the last two, which share a weight; 2^-1000 of -1 is hardly 0; what is no number is 0.
+    // 0 at its key; beyond the last two, which share a weight; 2^-1000 of -1 is hardly 0; what is
+    // no number is 0.
     let wanted = [0.5, 0.8125, 0.5, 0.5, 0.5];
     for (got, wanted) in seen.iter().zip(wanted) {
         assert!((got[0] - wanted).abs() < 1e-6, "{seen:?}");
@@ -271,7 +295,8 @@ fn what_drives_follows_its_node() {
     };
     let text = setup.look.to_text();
     assert_eq!(Look::read(&text, "again.json").value.as_ref(), Some(&setup.look), "{text}");
-    let samples: Vec<EvalSample> = (0..6).map(|k| sample(0.7 * f64::from(k), 0.3, DVec3::Y)).collect();
+    let samples: Vec<EvalSample> =
+        (0..6).map(|k| sample(0.7 * f64::from(k), 0.3, DVec3::Y)).collect();
     let before = truth(&setup, "", &samples);
     let mut history = History::new(setup.look.clone());
     let inside = [NodeId::new("d"), NodeId::new("b")];
@@ -279,31 +304,42 @@ fn what_drives_follows_its_node() {
         Library::built_in().nodes.get(&node.kind).map(|def| def.outputs[0].name.clone())
     };
     let taken = |slug: &str| Library::built_in().kinds().any(|kind| kind == slug);
-    let grouped = group(history.document(), &GraphId::Look, &inside, "Product", taken, first).expect("a group");
+    let grouped = group(history.document(), &GraphId::Look, &inside, "Product", taken, first)
+        .expect("a group");
     history.apply(grouped.edit).expect("it applies");
     assert_eq!(driver(history.document()), "product/d");
     let with = |look: &Look| SetupLook { look: look.clone(), ..look_of(&setup) };
     assert_eq!(truth(&with(history.document()), "", &samples), before);
     let definition = history.document().definitions[&grouped.definition].clone();
-    let opened = dissolve(history.document(), &GraphId::Look, &grouped.node, &definition).expect("it opens");
+    let opened =
+        dissolve(history.document(), &GraphId::Look, &grouped.node, &definition).expect("it opens");
     history.apply(opened.edit).expect("it applies");
     assert_eq!(driver(history.document()), "d");
     assert_eq!(truth(&with(history.document()), "", &samples), before);
-    history.apply(Edit::RemoveNode { graph: GraphId::Look, id: NodeId::new("d") }).expect("it applies");
+    history
+        .apply(Edit::RemoveNode { graph: GraphId::Look, id: NodeId::new("d") })
+        .expect("it applies");
     assert!(history.document().direction_keys.is_empty(), "nothing drives them any more");
     while history.undo().is_some() {}
     assert_eq!(*history.document(), setup.look);
     // An edit cannot name a node that is not there.
     let mut wrong = setup.look.direction_keys[0].clone();
-    wrong.by = KeyDirection::Drivers(vec![serde_json::from_value(json!({"wire": "nobody"})).expect("a driver")]);
+    wrong.by = KeyDirection::Drivers(vec![
+        serde_json::from_value(json!({"wire": "nobody"})).expect("a driver"),
+    ]);
     assert!(history.apply(Edit::SetDirectionKeys { index: 0, keys: wrong }).is_err());
 }
 
 fn look_of(setup: &SetupLook) -> SetupLook {
-    SetupLook { look: setup.look.clone(), source: setup.source.clone(), folder: setup.folder.clone() }
+    SetupLook {
+        look: setup.look.clone(),
+        source: setup.source.clone(),
+        folder: setup.folder.clone(),
+    }
 }
 
-/// What may drive: values, the time, lights from one direction, and what is made of them; not what they would move.
+/// What may drive: values, the time, lights from one direction, and what is made of them; not what
+/// they would move.
 #[test]
 fn what_may_drive_is_listed() {
     let json = wired(&json!([{"wire": "d"}]), &[(vec![0.0], 0.0)]);
@@ -316,41 +352,62 @@ fn what_may_drive_is_listed() {
     for wire in ["number.value", "a.value", "time.time", "parts.intensity", "c.x", "c.y", "c.z"] {
         assert!(all.iter().any(|known| known == wire), "{wire}: {all:?}");
     }
-    assert!(all.iter().all(|known| !known.starts_with("output") && !known.starts_with("light.")), "{all:?}");
+    assert!(
+        all.iter().all(|known| !known.starts_with("output") && !known.starts_with("light.")),
+        "{all:?}"
+    );
     let target = chiaro::document::Target::parse("a.value").expect("a target");
     let left = listed(&[target]);
-    assert!(left.len() == all.len() - 2 && !left.iter().any(|wire| wire.starts_with("a.") || wire.starts_with("d.")));
+    assert!(
+        left.len() == all.len() - 2
+            && !left.iter().any(|wire| wire.starts_with("a.") || wire.starts_with("d."))
+    );
 }
 
 /// An export says which steps compute a wire; run as a host would, they give what the wire has.
 #[test]
 fn an_export_carries_the_wires() {
-    let setup = look(&wired(&json!([{"wire": "d"}, {"wire": "c.y"}]), &[(vec![0.0, 0.0], 0.0), (vec![3.0, 1.0], 1.0)]));
+    let setup = look(&wired(
+        &json!([{"wire": "d"}, {"wire": "c.y"}]),
+        &[(vec![0.0, 0.0], 0.0), (vec![3.0, 1.0], 1.0)],
+    ));
     let languages = chiaro::export::languages([chiaro::export::ALL]).expect("languages");
     let library = Library::built_in();
-    let made = chiaro::export::export(&setup.look, library, "wired", &languages, std::path::Path::new(""));
+    let made =
+        chiaro::export::export(&setup.look, library, "wired", &languages, std::path::Path::new(""));
     let made = made.unwrap_or_else(|problems| panic!("{problems:?}"));
     let text = |name: &str| {
-        let file = made.files.iter().find(|file| file.name == name).unwrap_or_else(|| panic!("no {name}"));
+        let file =
+            made.files.iter().find(|file| file.name == name).unwrap_or_else(|| panic!("no {name}"));
         String::from_utf8(file.bytes.clone()).expect("text")
     };
     let description: Json = serde_json::from_str(&text("wired.json")).expect("JSON");
     let host = &description["modules"][0]["host"];
     assert_eq!(host["key_order"], json!([0]), "{host}");
-    let drivers: Vec<&str> =
-        host["drivers"].as_array().expect("drivers").iter().filter_map(|d| d["wire"].as_str()).collect();
+    let drivers: Vec<&str> = host["drivers"]
+        .as_array()
+        .expect("drivers")
+        .iter()
+        .filter_map(|d| d["wire"].as_str())
+        .collect();
     assert_eq!(drivers, ["d", "c.y"]);
     let functions = text(host["functions"].as_str().expect("functions"));
-    let valid = chiaro::wgsl::parse(&functions).unwrap_or_else(|error| panic!("{}\n{functions}", error.message));
+    let valid = chiaro::wgsl::parse(&functions)
+        .unwrap_or_else(|error| panic!("{}\n{functions}", error.message));
     let light = DVec3::new(0.36, 0.48, 0.8);
     let steps = host["steps"].as_array().expect("steps");
     let mut values: Vec<interp::Value> = Vec::new();
     for step in steps {
         values.push(match step["op"].as_str().expect("an op") {
             "parameter" => {
-                let parameter = &description["parameters"][step["parameter"].as_u64().expect("an index") as usize];
+                let parameter = &description["parameters"]
+                    [step["parameter"].as_u64().expect("an index") as usize];
                 let amount = parameter["name"] == "amount";
-                interp::Value::Float(if amount { 2.5 } else { step["value"].as_f64().expect("a number") })
+                interp::Value::Float(if amount {
+                    2.5
+                } else {
+                    step["value"].as_f64().expect("a number")
+                })
             }
             "constant" => interp::Value::Float(step["value"].as_f64().expect("a number")),
             "context" => match step["context"].as_str().expect("a name") {
@@ -362,23 +419,29 @@ fn an_export_carries_the_wires() {
             "call" => {
                 let name = step["function"].as_str().expect("a name");
                 let program =
-                    interp::Program::compile(&valid.module, name, interp::Options::default()).expect("it runs");
+                    interp::Program::compile(&valid.module, name, interp::Options::default())
+                        .expect("it runs");
                 let arguments = step["arguments"].as_array().expect("steps").iter();
-                let arguments: Vec<_> =
-                    arguments.map(|at| values[at.as_u64().expect("an index") as usize].clone()).collect();
+                let arguments: Vec<_> = arguments
+                    .map(|at| values[at.as_u64().expect("an index") as usize].clone())
+                    .collect();
                 program.call(&arguments, Precision::F64).expect("it ends")
             }
             _ => {
                 let of = &values[step["of"].as_u64().expect("an index") as usize];
-                of.parts().expect("a struct")[step["member"].as_u64().expect("an index") as usize].clone()
+                of.parts().expect("a struct")[step["member"].as_u64().expect("an index") as usize]
+                    .clone()
             }
         });
     }
-    let of = |driver: usize| values[host["drivers"][driver]["step"].as_u64().expect("a step") as usize].as_f64();
+    let of = |driver: usize| {
+        values[host["drivers"][driver]["step"].as_u64().expect("a step") as usize].as_f64()
+    };
     assert_eq!([of(0), of(1)], [Some(2.5 * 1.25), Some(0.48)]);
 }
 
-/// A module knows its wires whatever it was compiled for, and a module that draws normals leaves them out.
+/// A module knows its wires whatever it was compiled for, and a module that draws normals leaves
+/// them out.
 #[test]
 fn every_way_of_compiling_has_the_wires() {
     let setup = look(&wired(&json!([{"wire": "d"}]), &[(vec![0.0], 0.0), (vec![3.0], 1.0)]));
@@ -400,19 +463,29 @@ fn every_way_of_compiling_has_the_wires() {
         }
     }
     let options = Options { stage: chiaro::compile::Stage::Normals, ..Options::default() };
-    assert!(compile(&setup.look, Library::built_in(), &options).expect("it compiles").host.drivers.is_empty());
+    assert!(
+        compile(&setup.look, Library::built_in(), &options)
+            .expect("it compiles")
+            .host
+            .drivers
+            .is_empty()
+    );
 }
 
-/// Of what may drive, what can ever change is told from what never does: what is set by a scene or keys, the time, lights.
+/// Of what may drive, what can ever change is told from what never does: what is set by a scene or
+/// keys, the time, lights.
 #[test]
 fn wires_that_never_change_are_told_apart() {
     let json = wired(&json!([{"wire": "d"}]), &[(vec![0.0], 0.0)]);
     let (typed, _) = check(&look(&json).look, Library::built_in(), None).expect("it is sound");
     let target = |text: &str| chiaro::document::Target::parse(text).expect("a target");
     let told = |set: &[chiaro::document::Target]| {
-        typed.drivable(&[], set).map(|wires| wires.iter().map(ToString::to_string).collect::<Vec<String>>())
+        typed
+            .drivable(&[], set)
+            .map(|wires| wires.iter().map(ToString::to_string).collect::<Vec<String>>())
     };
-    // With nothing set: `number` and `a` hold still; the time and the light do not, nor does what is made of them.
+    // With nothing set: `number` and `a` hold still; the time and the light do not, nor does what
+    // is made of them.
     let [changing, still] = told(&[]);
     assert_eq!(still, ["number.value", "a.value"]);
     for wire in ["time.time", "b.sum", "parts.intensity", "c.x", "d.product"] {

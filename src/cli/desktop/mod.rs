@@ -1,4 +1,5 @@
-//! `chiaro desktop`: an entry in the menu of programs, file types and an icon, for desktops that follow freedesktop.org.
+//! `chiaro desktop`: an entry in the menu of programs, file types and an icon, for desktops that
+//! follow freedesktop.org.
 
 use std::env::{current_exe, var_os};
 use std::ffi::OsString;
@@ -39,12 +40,16 @@ const TYPES: &str = "mime/packages/chiaro.xml";
 const ICON: &str = "icons/hicolor/scalable/apps/chiaro.svg";
 
 /// Programs that make desktops take notice, and the folder that each looks through.
-const TOOLS: [(&str, &str); 2] = [("update-mime-database", "mime"), ("update-desktop-database", "applications")];
+const TOOLS: [(&str, &str); 2] =
+    [("update-mime-database", "mime"), ("update-desktop-database", "applications")];
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let home = data_home(var_os).map_err(|problem| vec![problem])?;
     let program = current_exe().map_err(|error| {
-        vec![Diagnostic::error("no-program", format!("where this program lies cannot be found out: {error}"))]
+        vec![Diagnostic::error(
+            "no-program",
+            format!("where this program lies cannot be found out: {error}"),
+        )]
     })?;
     let files = files(&program).map_err(|problem| vec![problem])?;
     if arguments.print {
@@ -72,14 +77,19 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
 /// The user's folder for data of programs.
 fn data_home(variable: impl Fn(&'static str) -> Option<OsString>) -> Result<PathBuf, Diagnostic> {
     if cfg!(any(target_os = "windows", target_os = "macos")) {
-        let problem = Diagnostic::error("no-desktop-entries", "this system's desktop has no entries of this kind");
+        let problem = Diagnostic::error(
+            "no-desktop-entries",
+            "this system's desktop has no entries of this kind",
+        );
         return Err(problem.hint("open looks from the window, or by `chiaro edit FILE`"));
     }
     let folder = |name| variable(name).map(PathBuf::from).filter(|path| path.is_absolute());
-    folder("XDG_DATA_HOME").or_else(|| Some(folder("HOME")?.join(".local/share"))).ok_or_else(|| {
-        Diagnostic::error("no-home", "there is no folder for this user's data")
-            .hint("set HOME, or XDG_DATA_HOME, to a folder")
-    })
+    folder("XDG_DATA_HOME").or_else(|| Some(folder("HOME")?.join(".local/share"))).ok_or_else(
+        || {
+            Diagnostic::error("no-home", "there is no folder for this user's data")
+                .hint("set HOME, or XDG_DATA_HOME, to a folder")
+        },
+    )
 }
 
 /// All that is written: places and texts.
@@ -89,12 +99,16 @@ fn files(program: &Path) -> Result<[(&'static str, String); 3], Diagnostic> {
     Ok([(ENTRY, entry), (TYPES, include_str!("chiaro.xml").to_owned()), (ICON, icon)])
 }
 
-/// A path as the Exec line of an entry takes it: quoted as for a shell, that as a text of the entry, and `%` doubled.
+/// A path as the Exec line of an entry takes it: quoted as for a shell, that as a text of the
+/// entry, and `%` doubled.
 fn quoted(program: &Path) -> Result<String, Diagnostic> {
-    let text = program.to_str().filter(|text| !text.chars().any(|c| c.is_control() || c == '=')).ok_or_else(|| {
-        let message = format!("an entry cannot name this program: {}", program.display());
-        Diagnostic::error("odd-path", message).hint("move it to a folder with a plain name")
-    })?;
+    let text = program
+        .to_str()
+        .filter(|text| !text.chars().any(|c| c.is_control() || c == '='))
+        .ok_or_else(|| {
+            let message = format!("an entry cannot name this program: {}", program.display());
+            Diagnostic::error("odd-path", message).hint("move it to a folder with a plain name")
+        })?;
     let mut quoted = String::from("\"");
     for c in text.chars() {
         match c {
@@ -121,20 +135,27 @@ fn remove(path: &Path) -> Result<bool, Diagnostic> {
     match fs::remove_file(path) {
         Ok(()) => Ok(true),
         Err(error) if error.kind() == ErrorKind::NotFound => Ok(false),
-        Err(error) => Err(Diagnostic::error("not-removed", format!("this file cannot be removed: {error}"))
-            .in_file(path.display().to_string())),
+        Err(error) => {
+            Err(Diagnostic::error("not-removed", format!("this file cannot be removed: {error}"))
+                .in_file(path.display().to_string()))
+        }
     }
 }
 
-/// Lets a tool read a folder anew, where there are both. Without it the desktop takes notice at the next login.
+/// Lets a tool read a folder anew, where there are both. Without it the desktop takes notice at the
+/// next login.
 fn tell_desktop(tool: &str, folder: &Path, output: &Output) {
     if !folder.is_dir() {
         return;
     }
     match Command::new(tool).arg(folder).output() {
         Ok(ran) if ran.status.success() => {}
-        Ok(ran) => output.message(&format!("{tool}: {}", String::from_utf8_lossy(&ran.stderr).trim())),
-        Err(_) => output.message(&format!("{tool} is not installed: the desktop takes notice at the next login")),
+        Ok(ran) => {
+            output.message(&format!("{tool}: {}", String::from_utf8_lossy(&ran.stderr).trim()))
+        }
+        Err(_) => output.message(&format!(
+            "{tool} is not installed: the desktop takes notice at the next login"
+        )),
     }
 }
 
@@ -155,7 +176,9 @@ mod tests {
     #[cfg(target_os = "linux")]
     fn the_data_folder_is_the_systems() {
         let from = |pairs: &[(&str, &str)]| {
-            data_home(|name| pairs.iter().find(|(key, _)| *key == name).map(|(_, value)| OsString::from(value)))
+            data_home(|name| {
+                pairs.iter().find(|(key, _)| *key == name).map(|(_, value)| OsString::from(value))
+            })
         };
         assert!(from(&[]).is_err() && from(&[("HOME", "here")]).is_err());
         assert_eq!(from(&[("HOME", "/h")]).unwrap(), PathBuf::from("/h/.local/share"));

@@ -1,4 +1,5 @@
-//! `chiaro explain`: the frame plan in words, and what became of each look on the way to its shader. Needs no GPU.
+//! `chiaro explain`: the frame plan in words, and what became of each look on the way to its
+//! shader. Needs no GPU.
 
 mod report;
 mod text;
@@ -26,7 +27,8 @@ Examples:
   chiaro explain look.json --live          as while it is edited: every value is a uniform
   chiaro explain look.json --measure       with what each pass takes on this machine
 
-Costs are counted without a GPU: operations at each fragment in naga's IR (both sides of branches, loops once), and
+Costs are counted without a GPU: operations at each fragment in naga's IR (both sides of branches, \
+loops once), and
 bytes of memory. `chiaro bench` measures nodes.";
 
 /// What `chiaro explain` is given.
@@ -90,15 +92,21 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
 }
 
 #[cfg(feature = "gpu")]
-fn measure(report: &mut report::Report, plan: &FramePlan, output: &Output) -> Result<(), Diagnostic> {
+fn measure(
+    report: &mut report::Report,
+    plan: &FramePlan,
+    output: &Output,
+) -> Result<(), Diagnostic> {
     const ROUNDS: usize = 7;
     let mut renderer = Renderer::new(block_on(Gpu::headless())?);
     // The first picture also compiles pipelines.
     block_on(renderer.draw(plan))?;
-    let rounds: Vec<Vec<PassTime>> = (0..ROUNDS).map(|_| block_on(renderer.measure(plan))).collect::<Result<_, _>>()?;
+    let rounds: Vec<Vec<PassTime>> =
+        (0..ROUNDS).map(|_| block_on(renderer.measure(plan))).collect::<Result<_, _>>()?;
     let medians: Vec<PassTime> = (0..rounds[0].len())
         .map(|pass| {
-            let mut times: Vec<&PassTime> = rounds.iter().filter_map(|times| times.get(pass)).collect();
+            let mut times: Vec<&PassTime> =
+                rounds.iter().filter_map(|times| times.get(pass)).collect();
             times.sort_by_key(|time| time.duration);
             times[times.len() / 2].clone()
         })

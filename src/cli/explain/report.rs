@@ -5,10 +5,14 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::compile::{Attribute, BindingKind, CompiledShader, HostStep, Removal, TypedGraph, TypedSource, check};
+use crate::compile::{
+    Attribute, BindingKind, CompiledShader, HostStep, Removal, TypedGraph, TypedSource, check,
+};
 use crate::diag::Diagnostic;
 use crate::document::{DirectionKeys, Driver, KeyDirection, Look, Values};
-use crate::frame::{Draw, Dropped, Effect, FramePlan, Pass, PassKind, Setup, effects, structural_look};
+use crate::frame::{
+    Draw, Dropped, Effect, FramePlan, Pass, PassKind, Setup, effects, structural_look,
+};
 use crate::ids::NodePath;
 use crate::library::{Context, Library, Rate, Special};
 
@@ -31,7 +35,8 @@ pub(super) struct Report {
     pub(super) looks: Vec<LookReport>,
 }
 
-/// A look as it is drawn. One that is compiled in two ways (a choice is keyed or set) is told twice.
+/// A look as it is drawn. One that is compiled in two ways (a choice is keyed or set) is told
+/// twice.
 #[derive(Debug, Serialize)]
 pub(super) struct LookReport {
     pub(super) name: String,
@@ -129,18 +134,24 @@ pub(super) struct Nodes {
 impl Report {
     /// # Errors
     /// What is wrong with a look; none that was planned has anything.
-    pub(super) fn new(setup: &Setup, plan: &FramePlan, library: &Library) -> Result<Self, Vec<Diagnostic>> {
+    pub(super) fn new(
+        setup: &Setup,
+        plan: &FramePlan,
+        library: &Library,
+    ) -> Result<Self, Vec<Diagnostic>> {
         let mut looks: Vec<(usize, LookReport)> = Vec::new();
         for draw in &plan.draws {
             let Some((index, values)) = look_of(setup, draw) else { continue };
-            let same =
-                |known: &&mut (usize, LookReport)| known.0 == index && Arc::ptr_eq(&known.1.compiled[0].1, &draw.look);
+            let same = |known: &&mut (usize, LookReport)| {
+                known.0 == index && Arc::ptr_eq(&known.1.compiled[0].1, &draw.look)
+            };
             if let Some((_, known)) = looks.iter_mut().find(same) {
                 known.objects.insert(draw.object.to_string());
                 known.keys.extend(keys(&setup.looks[index].look, draw));
                 continue;
             }
-            // Time is in the plan already: what it chose is what was compiled, so nothing here depends on it.
+            // Time is in the plan already: what it chose is what was compiled, so nothing here
+            // depends on it.
             let shown = structural_look(&setup.looks[index].look, 0.0, values);
             let (typed, _) = check(&shown, library, None)?;
             let keys = keys(&shown, draw);
@@ -159,7 +170,11 @@ impl Report {
 
     /// Every module; where there is more than one, each under a line that names it.
     pub(super) fn wgsl(&self) -> String {
-        let modules: Vec<_> = self.looks.iter().flat_map(|look| look.compiled.iter().map(move |m| (look, m))).collect();
+        let modules: Vec<_> = self
+            .looks
+            .iter()
+            .flat_map(|look| look.compiled.iter().map(move |m| (look, m)))
+            .collect();
         if let [(_, (_, only))] = modules.as_slice() {
             return only.wgsl.clone();
         }
@@ -184,7 +199,9 @@ impl LookReport {
         let shader = &draw.look;
         let emitted: HashSet<&NodePath> = shader.spans.nodes().collect();
         let mut compiled = vec![("look", shader.clone())];
-        for (kind, name) in [(PassKind::Normals, "normals"), (PassKind::DetailNormals, "detail-normals")] {
+        for (kind, name) in
+            [(PassKind::Normals, "normals"), (PassKind::DetailNormals, "detail-normals")]
+        {
             compiled.extend(draw.normals.get(&kind).map(|module| (name, module.clone())));
         }
         let module = |(name, shader): &(&'static str, Arc<CompiledShader>)| Module {
@@ -192,15 +209,26 @@ impl LookReport {
             lines: shader.wgsl.lines().count(),
             uniform_bytes: shader.host.size,
         };
-        let surroundings: Vec<Reading> =
-            shader.needs.contexts.iter().map(|context| reading(*context, &emitted, typed)).collect();
+        let surroundings: Vec<Reading> = shader
+            .needs
+            .contexts
+            .iter()
+            .map(|context| reading(*context, &emitted, typed))
+            .collect();
         let read = shader.needs.attributes();
         Self {
             name: name.to_owned(),
             objects: BTreeSet::from([draw.object.to_string()]),
             modules: compiled.iter().map(module).collect(),
-            attributes: read.iter().map(|attribute| attribute_report(*attribute, &surroundings)).collect(),
-            attributes_not_read: Attribute::ALL.iter().filter(|a| !read.contains(a)).map(|a| a.name()).collect(),
+            attributes: read
+                .iter()
+                .map(|attribute| attribute_report(*attribute, &surroundings))
+                .collect(),
+            attributes_not_read: Attribute::ALL
+                .iter()
+                .filter(|a| !read.contains(a))
+                .map(|a| a.name())
+                .collect(),
             surroundings,
             images: shader
                 .needs
@@ -211,7 +239,10 @@ impl LookReport {
                     let is_it = [BindingKind::Image(*index), BindingKind::Hcbtf(*index)];
                     shader.bindings.iter().any(|binding| is_it.contains(&binding.kind))
                 })
-                .map(|(_, image)| ImageReport { path: image.path.clone(), node: image.node.to_string() })
+                .map(|(_, image)| ImageReport {
+                    path: image.path.clone(),
+                    node: image.node.to_string(),
+                })
                 .collect(),
             uniforms: uniforms(shader),
             keys: Vec::new(),
@@ -231,7 +262,11 @@ fn reading(context: Context, emitted: &HashSet<&NodePath>, typed: &TypedGraph) -
         node.inputs.iter().any(reads) && is_plain(node) && emitted.contains(&node.path)
     };
     let readers = typed.nodes.iter().filter(reader);
-    Reading { word: context.word(), what: context.help(), readers: readers.map(|node| node.path.to_string()).collect() }
+    Reading {
+        word: context.word(),
+        what: context.help(),
+        readers: readers.map(|node| node.path.to_string()).collect(),
+    }
 }
 
 fn attribute_report(attribute: Attribute, surroundings: &[Reading]) -> AttributeReport {
@@ -243,10 +278,13 @@ fn attribute_report(attribute: Attribute, surroundings: &[Reading]) -> Attribute
         Attribute::Color => &["vertex_color"],
     };
     let told = surroundings.iter().filter(|reading| words.contains(&reading.word));
-    let told: Vec<String> = told.map(|reading| format!("`{}` for {}", reading.word, names(&reading.readers))).collect();
+    let told: Vec<String> =
+        told.map(|reading| format!("`{}` for {}", reading.word, names(&reading.readers))).collect();
     let why = match (attribute, told.is_empty()) {
         (Attribute::Position, true) => "it places the mesh in the picture".to_owned(),
-        (Attribute::Position, false) => format!("it places the mesh in the picture, and gives {}", told.join(", ")),
+        (Attribute::Position, false) => {
+            format!("it places the mesh in the picture, and gives {}", told.join(", "))
+        }
         _ => format!("it gives {}", told.join(", ")),
     };
     AttributeReport { name: attribute.name(), ty: attribute.wgsl_type(), why }
@@ -277,8 +315,12 @@ fn uniforms(shader: &CompiledShader) -> Vec<Uniform> {
             }
             HostStep::Context(context, light) => {
                 let word = context.word();
-                let of_light = |light| format!("lights.{light}.{}", word.trim_start_matches("light."));
-                (context.rate(), BTreeSet::from([light.as_ref().map_or_else(|| word.to_owned(), of_light)]))
+                let of_light =
+                    |light| format!("lights.{light}.{}", word.trim_start_matches("light."));
+                (
+                    context.rate(),
+                    BTreeSet::from([light.as_ref().map_or_else(|| word.to_owned(), of_light)]),
+                )
             }
             HostStep::Call { arguments, .. } => joined(&known, arguments),
             HostStep::Member { value, .. } => joined(&known, &[*value]),
@@ -312,7 +354,9 @@ fn keys(look: &Look, draw: &Draw) -> Vec<KeysReport> {
 fn deciding(by: &KeyDirection, now: glam::DVec3) -> Vec<Deciding> {
     let direction = |what: String| vec![Deciding { what, now: now.to_array().to_vec(), unit: "" }];
     let drivers = match by {
-        KeyDirection::Light(light) => return direction(format!("the direction of light `{light}`")),
+        KeyDirection::Light(light) => {
+            return direction(format!("the direction of light `{light}`"));
+        }
         KeyDirection::View => return direction("the direction to the eye".to_owned()),
         KeyDirection::Drivers(drivers) => drivers,
     };
@@ -340,14 +384,17 @@ fn joined(known: &[(Rate, BTreeSet<String>)], operands: &[usize]) -> (Rate, BTre
 
 /// The nodes that what drives keys is computed by.
 fn driving(typed: &TypedGraph) -> HashSet<String> {
-    let (mut seen, mut open) = (HashSet::new(), typed.drivers.iter().map(|driver| driver.node).collect::<Vec<_>>());
+    let (mut seen, mut open) =
+        (HashSet::new(), typed.drivers.iter().map(|driver| driver.node).collect::<Vec<_>>());
     while let Some(index) = open.pop() {
         if !seen.insert(index) {
             continue;
         }
-        open.extend(typed.nodes[index].inputs.iter().flatten().filter_map(|input| match &input.source {
-            TypedSource::Wire { node, .. } => Some(*node),
-            _ => None,
+        open.extend(typed.nodes[index].inputs.iter().flatten().filter_map(|input| {
+            match &input.source {
+                TypedSource::Wire { node, .. } => Some(*node),
+                _ => None,
+            }
         }));
     }
     seen.into_iter().map(|index| typed.nodes[index].path.to_string()).collect()
@@ -358,8 +405,11 @@ impl Nodes {
         let removed: BTreeMap<&NodePath, &Removal> =
             shader.removed.iter().map(|removal| (&removal.path, removal)).collect();
         // A member's origin is `node` or `node.part`, and no id has a dot.
-        let node_of = |origin: &'_ str| origin.split_once('.').map_or(origin.to_owned(), |(node, _)| node.to_owned());
-        let mut on_host: HashSet<String> = shader.host.members.iter().map(|member| node_of(&member.origin)).collect();
+        let node_of = |origin: &'_ str| {
+            origin.split_once('.').map_or(origin.to_owned(), |(node, _)| node.to_owned())
+        };
+        let mut on_host: HashSet<String> =
+            shader.host.members.iter().map(|member| node_of(&member.origin)).collect();
         on_host.extend(driving(typed));
         let mut nodes = Self { total: typed.order.len(), ..Self::default() };
         for node in typed.order.iter().map(|&index| &typed.nodes[index]) {
@@ -368,7 +418,9 @@ impl Nodes {
                 nodes.fragment.push(path);
             } else if on_host.contains(path.as_str()) {
                 nodes.host.push(path);
-            } else if let Some(removal) = removed.get(&node.path).filter(|removal| removal.reason != FOLDED) {
+            } else if let Some(removal) =
+                removed.get(&node.path).filter(|removal| removal.reason != FOLDED)
+            {
                 nodes.removed.push((*removal).clone());
             } else {
                 nodes.folded.push(path);

@@ -9,16 +9,29 @@ use crate::library::Rate;
 pub(super) fn tell(report: &Report, document: &str) -> String {
     let mut text = format!("{document}\n\nPasses, in order\n");
     for pass in report.effects.iter().filter(|effect| effect.pass.is_some()) {
-        let _ = writeln!(text, "  {:16} {}\n  {:16} costs {}", pass.what, pass.reason, "", pass.cost);
+        let _ =
+            writeln!(text, "  {:16} {}\n  {:16} costs {}", pass.what, pass.reason, "", pass.cost);
     }
     if !report.dropped.is_empty() {
         text += "\nLeft out\n";
         for dropped in &report.dropped {
-            let of = dropped.look.as_ref().filter(|name| !name.is_empty() && dropped.kind != EffectKind::Look);
+            let of = dropped
+                .look
+                .as_ref()
+                .filter(|name| !name.is_empty() && dropped.kind != EffectKind::Look);
             let of = of.map_or_else(String::new, |name| format!(" of \"{name}\""));
-            let saved =
-                if dropped.cost == EffectCost::default() { String::new() } else { format!("; saves {}", dropped.cost) };
-            let _ = writeln!(text, "  {}{of}: {} ({}{saved})", dropped.what, dropped.why, dropped.proof.label());
+            let saved = if dropped.cost == EffectCost::default() {
+                String::new()
+            } else {
+                format!("; saves {}", dropped.cost)
+            };
+            let _ = writeln!(
+                text,
+                "  {}{of}: {} ({}{saved})",
+                dropped.what,
+                dropped.why,
+                dropped.proof.label()
+            );
         }
     }
     for look in &report.looks {
@@ -31,7 +44,11 @@ pub(super) fn tell(report: &Report, document: &str) -> String {
 }
 
 fn tell_look(look: &LookReport, report: &Report) -> String {
-    let name = if look.name.is_empty() { "A look".to_owned() } else { format!("The look \"{}\"", look.name) };
+    let name = if look.name.is_empty() {
+        "A look".to_owned()
+    } else {
+        format!("The look \"{}\"", look.name)
+    };
     let objects: Vec<String> = look.objects.iter().cloned().collect();
     let mut text = format!("\n{name}, worn by {}\n", names(&objects));
     text += "\n  WGSL modules\n";
@@ -57,7 +74,13 @@ fn tell_look(look: &LookReport, report: &Report) -> String {
     if !look.surroundings.is_empty() {
         text += "\n  Surroundings that fragments read\n";
         for reading in &look.surroundings {
-            let _ = writeln!(text, "    {:16} {} ({})", reading.word, names(&reading.readers), reading.what);
+            let _ = writeln!(
+                text,
+                "    {:16} {} ({})",
+                reading.word,
+                names(&reading.readers),
+                reading.what
+            );
         }
     }
     text += "\n  Textures\n";
@@ -83,12 +106,17 @@ fn tell_uniforms(look: &LookReport) -> String {
             _ => "each object and frame",
         };
         let from = names(&uniform.from);
-        let _ = writeln!(text, "    {}: {}, byte {}, {rate}, from {from}", uniform.name, uniform.ty, uniform.offset);
+        let _ = writeln!(
+            text,
+            "    {}: {}, byte {}, {rate}, from {from}",
+            uniform.name, uniform.ty, uniform.offset
+        );
     }
     text
 }
 
-/// What decides between direction keys, and how much each weighs; of the first objects, where there are many.
+/// What decides between direction keys, and how much each weighs; of the first objects, where there
+/// are many.
 fn tell_keys(look: &LookReport) -> String {
     const MOST: usize = 16;
     if look.keys.is_empty() {
@@ -98,11 +126,26 @@ fn tell_keys(look: &LookReport) -> String {
     for keys in look.keys.iter().take(MOST) {
         let number = |x: &f64| format!("{x:.4}");
         let now = |by: &Deciding| match by.now.as_slice() {
-            [one] => format!("{} is {}{}{}", by.what, number(one), if by.unit.is_empty() { "" } else { " " }, by.unit),
-            all => format!("{} is ({})", by.what, all.iter().map(number).collect::<Vec<_>>().join(", ")),
+            [one] => format!(
+                "{} is {}{}{}",
+                by.what,
+                number(one),
+                if by.unit.is_empty() { "" } else { " " },
+                by.unit
+            ),
+            all => format!(
+                "{} is ({})",
+                by.what,
+                all.iter().map(number).collect::<Vec<_>>().join(", ")
+            ),
         };
         let by = keys.by.iter().map(now).collect::<Vec<_>>().join(", ");
-        let weights = keys.weights.iter().map(|weight| format!("{:.1}%", 100.0 * weight)).collect::<Vec<_>>().join(" ");
+        let weights = keys
+            .weights
+            .iter()
+            .map(|weight| format!("{:.1}%", 100.0 * weight))
+            .collect::<Vec<_>>()
+            .join(" ");
         let name = if keys.name.is_empty() { "Keys" } else { &keys.name };
         let _ = writeln!(text, "    {name} on `{}`: {by}; weights {weights}", keys.object);
     }
@@ -139,14 +182,16 @@ fn tell_nodes(look: &LookReport, report: &Report) -> String {
         let _ = writeln!(text, "    {} {what}: {}", paths.len(), told.join(", "));
     }
     if !nodes.removed.is_empty() {
-        let _ = writeln!(text, "    {} left out, without changing the picture:", nodes.removed.len());
+        let _ =
+            writeln!(text, "    {} left out, without changing the picture:", nodes.removed.len());
         for removal in &nodes.removed {
             // Reasons by ranges say so themselves.
             let label = Some(removal.proof.label()).filter(|label| !removal.reason.contains(label));
             let saved = EffectCost::operations(removal.operations);
             let saved = (removal.operations > 0).then(|| format!("saves {saved}"));
             let more: Vec<&str> = label.into_iter().chain(saved.as_deref()).collect();
-            let more = if more.is_empty() { String::new() } else { format!(" ({})", more.join("; ")) };
+            let more =
+                if more.is_empty() { String::new() } else { format!(" ({})", more.join("; ")) };
             let _ = writeln!(text, "      `{}`: {}{more}", removal.path, removal.reason);
         }
     }

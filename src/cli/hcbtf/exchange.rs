@@ -4,7 +4,9 @@ use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 
-use super::{GRID_HELP, GridText, check_free, filled, open, save, tell_painted, telling, with_ending};
+use super::{
+    GRID_HELP, GridText, check_free, filled, open, save, tell_painted, telling, with_ending,
+};
 use crate::diag::Diagnostic;
 use crate::document::{Grid, OutputKind, Storage};
 use crate::output::Output;
@@ -20,7 +22,8 @@ enum Form {
     Folder,
     /// One picture: views across, lights down
     Contact,
-    /// The texture that shaders look up, as KTX2, filled, with smaller levels for surfaces that are far away
+    /// The texture that shaders look up, as KTX2, filled, with smaller levels for surfaces that are
+    /// far away
     Ktx2,
 }
 
@@ -43,10 +46,12 @@ pub(super) struct ImportArguments {
     /// The .hcbtf file to write
     #[arg(short, long)]
     output: OutputPath,
-    /// What it is [default: a folder is a folder, a PNG a sheet, a KTX2 file the texture of shaders]
+    /// What it is [default: a folder is a folder, a PNG a sheet, a KTX2 file the texture of
+    /// shaders]
     #[arg(long = "as", value_enum)]
     form: Option<Form>,
-    #[arg(long, help = format!("Texels, lights and views, as 32x32,6x10,6x10 [default: {GRID_HELP}]"))]
+    #[arg(long, help = format!("Texels, lights and views, as 32x32,6x10,6x10 [default: \
+                                {GRID_HELP}]"))]
     grid: Option<GridText>,
     /// Contact sheets: texels between tiles
     #[arg(long, default_value_t = 0)]
@@ -77,7 +82,10 @@ pub(super) fn import(arguments: &ImportArguments, output: &Output) -> Result<(),
     let (mut hcbtf, notes) = made?;
     output.diagnostics(&notes);
     if grid.is_some_and(|grid| grid != hcbtf.grid) {
-        let problem = Diagnostic::error("bad-argument", "--grid says another grid than these files themselves");
+        let problem = Diagnostic::error(
+            "bad-argument",
+            "--grid says another grid than these files themselves",
+        );
         return Err(vec![problem.hint("leave --grid out")]);
     }
     hcbtf.is_tiling &= !arguments.no_tiling;
@@ -91,7 +99,8 @@ pub(super) fn import(arguments: &ImportArguments, output: &Output) -> Result<(),
 pub(super) struct ExportArguments {
     /// An .hcbtf file
     file: PathBuf,
-    /// What to write [default: what the name of the output says: x.png a sheet, x.ktx2 the texture of shaders, x/ a folder]
+    /// What to write [default: what the name of the output says: x.png a sheet, x.ktx2 the texture
+    /// of shaders, x/ a folder]
     #[arg(long, value_enum)]
     to: Option<Form>,
     /// The PNG, the KTX2 file or the folder; a folder is made where there is none
@@ -116,7 +125,8 @@ pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(),
     let path = arguments.output.as_ref();
     let form = written_form(path, arguments.to).map_err(|problem| vec![problem])?;
     if arguments.painted && matches!(form, Form::Sheet | Form::Ktx2) {
-        let problem = Diagnostic::error("bad-argument", "--painted goes with --to folder and --to contact");
+        let problem =
+            Diagnostic::error("bad-argument", "--painted goes with --to folder and --to contact");
         return Err(vec![problem.hint("a sheet and a texture hold every sample")]);
     }
     let storage = match (arguments.compact, arguments.blocks) {
@@ -132,8 +142,10 @@ pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(),
     for found in exchange::in_the_way(form.into(), path) {
         if let Err(mut problem) = outputs.check(&found, OutputKind::DOCUMENT) {
             if form == Form::Folder {
-                problem.hints =
-                    vec!["choose another folder, or replace the export that is in it with --force".to_owned()];
+                problem.hints = vec![
+                    "choose another folder, or replace the export that is in it with --force"
+                        .to_owned(),
+                ];
             }
             return Err(vec![problem]);
         }
@@ -152,7 +164,8 @@ pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(),
     Ok(())
 }
 
-/// What is written to a path: as it was `asked`, or as the name says. Nobody finds a PNG in a file that is called x.ktx2.
+/// What is written to a path: as it was `asked`, or as the name says. Nobody finds a PNG in a file
+/// that is called x.ktx2.
 ///
 /// # Errors
 /// Where the name says nothing, or something else than what was asked.
@@ -170,20 +183,24 @@ fn written_form(path: &Path, asked: Option<Form>) -> Result<Form, Diagnostic> {
         Form::Ktx2 => "a KTX2 file: its name must end in .ktx2",
         Form::Folder => "a folder: its name ends in no .png and no .ktx2",
     };
-    let wrong = |message: String| Diagnostic::error("bad-argument", format!("-o {}: {message}", path.display()));
+    let wrong = |message: String| {
+        Diagnostic::error("bad-argument", format!("-o {}: {message}", path.display()))
+    };
     match (asked, said) {
         (Some(Form::Contact), Some(Form::Sheet)) => Ok(Form::Contact),
         (Some(asked), Some(said)) if asked == said => Ok(asked),
         (Some(Form::Folder), None) => Ok(Form::Folder),
         (None, Some(said)) => Ok(said),
         (Some(asked), _) => {
-            let word = asked.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned());
+            let word = asked
+                .to_possible_value()
+                .map_or_else(String::new, |value| value.get_name().to_owned());
             Err(wrong(format!("--to {word} writes {}", ends(asked))))
         }
         (None, None) => {
             let problem = wrong("the name does not say what to write".to_owned());
-            let hint =
-                "end it in .png for a sheet, .ktx2 for the texture of shaders, / for a folder; or say it with --to";
+            let hint = "end it in .png for a sheet, .ktx2 for the texture of shaders, / for a \
+                        folder; or say it with --to";
             Err(problem.hint(hint))
         }
     }
@@ -219,7 +236,10 @@ mod tests {
             ("images/", Some(Form::Sheet)),
         ] {
             let problem = form(path, asked).unwrap_err();
-            assert!(problem.code == "bad-argument" && problem.message.contains(path), "{path}: {problem}");
+            assert!(
+                problem.code == "bad-argument" && problem.message.contains(path),
+                "{path}: {problem}"
+            );
         }
     }
 }

@@ -24,7 +24,8 @@ pub(super) struct Arguments {
 
 /// What the names of storages mean.
 fn help() -> String {
-    let storages = Storage::ALL.map(|storage| format!("  {:<9}{}\n", storage.word(), storage.about()));
+    let storages =
+        Storage::ALL.map(|storage| format!("  {:<9}{}\n", storage.word(), storage.about()));
     format!("How the texture that shaders look up may be stored:\n{}", storages.concat())
 }
 
@@ -39,7 +40,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     Ok(())
 }
 
-/// What textures are made for: the adapter that Chiaro would draw with, else what WebGPU guarantees.
+/// What textures are made for: the adapter that Chiaro would draw with, else what WebGPU
+/// guarantees.
 fn present() -> Device {
     #[cfg(feature = "gpu")]
     if let Ok(gpu) = chiaro_render::block_on(chiaro_render::Gpu::headless()) {
@@ -63,7 +65,9 @@ impl Counts {
                 Provenance::Painted => counts.painted += 1,
                 Provenance::Empty => counts.empty += 1,
                 Provenance::Filled { by, changed_by } => {
-                    std::iter::once(by).chain(changed_by).for_each(|rule| counts.by_rule[*rule] += 1);
+                    std::iter::once(by)
+                        .chain(changed_by)
+                        .for_each(|rule| counts.by_rule[*rule] += 1);
                 }
             }
         }
@@ -115,14 +119,21 @@ fn as_text(hcbtf: &Hcbtf, filled: &Filled) -> String {
         );
     }
     let Limits { side, layers, has_blocks } = device.limits;
-    let blocks =
-        if has_blocks { "compressed blocks" } else { "no compressed blocks: they are decoded, to four times as much" };
+    let blocks = if has_blocks {
+        "compressed blocks"
+    } else {
+        "no compressed blocks: they are decoded, to four times as much"
+    };
     text + &format!("device   {}: {side} texels a side, {layers} layers, {blocks}\n", device.name)
 }
 
 fn as_json(hcbtf: &Hcbtf, filled: &Filled) -> Json {
     let Counts { painted, empty, by_rule } = Counts::of(hcbtf, filled);
-    let rules = hcbtf.rules.iter().zip(by_rule).map(|(rule, samples)| json!({ "rule": rule, "samples": samples }));
+    let rules = hcbtf
+        .rules
+        .iter()
+        .zip(by_rule)
+        .map(|(rule, samples)| json!({ "rule": rule, "samples": samples }));
     let samples = filled.iter().map(|(address, _, provenance)| {
         let (light, view) = (address.light, address.view);
         let tile = filled.tile_index(address);
@@ -135,7 +146,9 @@ fn as_json(hcbtf: &Hcbtf, filled: &Filled) -> Json {
         }
     });
     let device = present();
-    let stored = needs(&hcbtf.grid, |address| filled.tile(address)).into_iter().zip(needs_at_most(&hcbtf.grid));
+    let stored = needs(&hcbtf.grid, |address| filled.tile(address))
+        .into_iter()
+        .zip(needs_at_most(&hcbtf.grid));
     let stored = stored.map(|(need, most)| {
         json!({
             "storage": need.storage.word(),

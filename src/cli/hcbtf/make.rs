@@ -28,7 +28,8 @@ pub(super) struct SynthesizeArguments {
     /// Another number lays other patches
     #[arg(long, default_value_t = 1)]
     seed: u32,
-    /// Texels along a patch's side: large ones keep large forms whole [default: half of the old tile's]
+    /// Texels along a patch's side: large ones keep large forms whole [default: half of the old
+    /// tile's]
     #[arg(long)]
     patch: Option<u32>,
     /// Replace a file that is there
@@ -36,7 +37,10 @@ pub(super) struct SynthesizeArguments {
     force: bool,
 }
 
-pub(super) fn synthesized(arguments: &SynthesizeArguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+pub(super) fn synthesized(
+    arguments: &SynthesizeArguments,
+    output: &Output,
+) -> Result<(), Vec<Diagnostic>> {
     let path = with_ending(arguments.output.as_ref());
     let outputs = outputs(arguments.force, [&arguments.file]);
     check_free(&path, &outputs)?;
@@ -60,12 +64,14 @@ pub(super) struct BakeArguments {
     /// The .hcbtf file to write
     #[arg(short, long)]
     output: OutputPath,
-    #[arg(long, help = format!("Texels, lights and views, as 32x32,6x10,6x10 [default: {GRID_HELP}]"))]
+    #[arg(long, help = format!("Texels, lights and views, as 32x32,6x10,6x10 [default: \
+                                {GRID_HELP}]"))]
     grid: Option<GridText>,
     /// The light that goes around the tile [default: the first directional one]; the others stay
     #[arg(long)]
     light: Option<String>,
-    /// Samples of a texel: 1, 2, 4, 8, 16, 32 or 64; more for finer edges, and as many times as slow
+    /// Samples of a texel: 1, 2, 4, 8, 16, 32 or 64; more for finer edges, and as many times as
+    /// slow
     #[arg(long, default_value_t = TILE_SAMPLES, value_parser = parse_samples)]
     samples: u32,
     /// A folder of a project's own nodes; `nodes/` beside the look is found without it
@@ -78,26 +84,41 @@ pub(super) struct BakeArguments {
 
 pub(super) fn baked(arguments: &BakeArguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let path = with_ending(arguments.output.as_ref());
-    let outputs = outputs(arguments.force, [Some(&arguments.look), arguments.nodes.as_ref()].into_iter().flatten());
+    let outputs = outputs(
+        arguments.force,
+        [Some(&arguments.look), arguments.nodes.as_ref()].into_iter().flatten(),
+    );
     check_free(&path, &outputs)?;
     check_nodes_folder(arguments.nodes.as_deref())?;
     let library = library_for(&arguments.look, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
     let setup = open_look(&arguments.look, output)?;
     let named = arguments.look.display().to_string();
-    let light = moving_light(&setup, arguments.light.as_deref()).map_err(|problem| vec![problem.in_file(named)])?;
+    let light = moving_light(&setup, arguments.light.as_deref())
+        .map_err(|problem| vec![problem.in_file(named)])?;
     let grid = arguments.grid.map_or(Grid::THESIS, |grid| grid.0);
     let filling = Arc::new(telling("filling what it shows"));
-    let made = tile_assets(&setup, &library, &light, Assets::default(), &filling).and_then(|assets| {
-        bake_look_sampled(&setup, &library, grid, &light, &assets, arguments.samples, &telling("baking"))
-    });
+    let made =
+        tile_assets(&setup, &library, &light, Assets::default(), &filling).and_then(|assets| {
+            bake_look_sampled(
+                &setup,
+                &library,
+                grid,
+                &light,
+                &assets,
+                arguments.samples,
+                &telling("baking"),
+            )
+        });
     output.end_progress();
     let BakedLook { hcbtf, halves_off } = made?;
     save(&hcbtf, &path, outputs, output)?;
     tell_painted(&hcbtf, output);
     if let Some(off) = halves_off {
         let (samples, off) = (arguments.samples, 255.0 * off);
-        output.message(&format!("{samples} samples a texel; half of them would be off by {off:.2} of 255 (rms)"));
+        output.message(&format!(
+            "{samples} samples a texel; half of them would be off by {off:.2} of 255 (rms)"
+        ));
     }
     Ok(())
 }

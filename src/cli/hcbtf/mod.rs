@@ -32,8 +32,10 @@ Examples:
   chiaro hcbtf export grass.hcbtf -o painted/ --painted
   chiaro hcbtf export grass.hcbtf -o grass.ktx2 --compact
 
-A sheet is the thesis's flattened texture. A folder holds images named like l2.3_v1.4.png (light at ring 2, step 3; view at
-ring 1, step 4), or numbered; one that was exported tells its grid, its rules and what is painted in hcbtf.json. A contact
+A sheet is the thesis's flattened texture. A folder holds images named like l2.3_v1.4.png (light \
+at ring 2, step 3; view at
+ring 1, step 4), or numbered; one that was exported tells its grid, its rules and what is painted \
+in hcbtf.json. A contact
 sheet has views across and lights down. docs/format.md tells all about them.";
 
 const GRID_HELP: &str = "the thesis's, 32x32,6x10,6x10";
@@ -107,8 +109,14 @@ fn check_free(path: &Path, outputs: &Outputs) -> Result<(), Vec<Diagnostic>> {
 }
 
 /// Writes a document, and says so.
-fn save(hcbtf: &Hcbtf, path: &Path, mut outputs: Outputs, output: &Output) -> Result<(), Vec<Diagnostic>> {
-    let bytes = write(hcbtf).map_err(|problem| vec![problem.in_file(path.display().to_string())])?;
+fn save(
+    hcbtf: &Hcbtf,
+    path: &Path,
+    mut outputs: Outputs,
+    output: &Output,
+) -> Result<(), Vec<Diagnostic>> {
+    let bytes =
+        write(hcbtf).map_err(|problem| vec![problem.in_file(path.display().to_string())])?;
     outputs.write(path, OutputKind::DOCUMENT, &bytes).map_err(|problem| vec![problem])?;
     output.result(&path.display().to_string());
     Ok(())
@@ -116,7 +124,11 @@ fn save(hcbtf: &Hcbtf, path: &Path, mut outputs: Outputs, output: &Output) -> Re
 
 /// Says how much of a document is painted.
 fn tell_painted(hcbtf: &Hcbtf, output: &Output) {
-    output.message(&format!("{} of {} samples are painted", hcbtf.painted.len(), hcbtf.grid.sample_count()));
+    output.message(&format!(
+        "{} of {} samples are painted",
+        hcbtf.painted.len(),
+        hcbtf.grid.sample_count()
+    ));
 }
 
 /// The grid as the command line writes it: texels, lights and views.
@@ -132,7 +144,9 @@ impl FromStr for GridText {
             Some([first.trim().parse().ok()?, second.trim().parse().ok()?])
         };
         let pairs: Option<Vec<[u32; 2]>> = text.split(',').map(pair).collect();
-        let Some([size, light, view]) = pairs.and_then(|pairs| <[[u32; 2]; 3]>::try_from(pairs).ok()) else {
+        let Some([size, light, view]) =
+            pairs.and_then(|pairs| <[[u32; 2]; 3]>::try_from(pairs).ok())
+        else {
             return Err("write texels, lights and views, each as AxB: 32x32,6x10,6x10".to_owned());
         };
         let directions = |[theta, phi]: [u32; 2]| Directions { theta, phi };
@@ -160,8 +174,15 @@ mod tests {
     fn grids_are_read_or_told_how() {
         assert_eq!("32x32,6x10,6x10".parse(), Ok(GridText(Grid::THESIS)));
         assert_eq!(" 8x4, 2x3 ,1X1".parse::<GridText>().unwrap().0.size, [8, 4]);
-        for wrong in ["", "32x32", "32x32,6x10", "32x32,6x10,6x10,1x1", "32,6x10,6x10", "0x1,1x1,1x1", "1x1,1x1,256x1"]
-        {
+        for wrong in [
+            "",
+            "32x32",
+            "32x32,6x10",
+            "32x32,6x10,6x10,1x1",
+            "32,6x10,6x10",
+            "0x1,1x1,1x1",
+            "1x1,1x1,256x1",
+        ] {
             assert!(wrong.parse::<GridText>().is_err(), "{wrong}");
         }
         assert_eq!(with_ending(Path::new("a/b.1")), Path::new("a/b.1.hcbtf"));

@@ -13,9 +13,11 @@ use crate::target::OutputPath;
 pub(super) struct Arguments {
     /// The name of the file; `.hcbtf` is added where it is missing
     name: OutputPath,
-    #[arg(long, help = format!("Texels, lights and views, as 32x32,6x10,6x10 [default: {GRID_HELP}]"))]
+    #[arg(long, help = format!("Texels, lights and views, as 32x32,6x10,6x10 [default: \
+                                {GRID_HELP}]"))]
     grid: Option<GridText>,
-    /// A colour that the sample at the normal is painted with, and that is copied everywhere and darkened as the light sinks
+    /// A color that the sample at the normal is painted with, and that is copied everywhere and
+    /// darkened as the light sinks
     #[arg(long, value_name = "#RRGGBB")]
     color: Option<String>,
     /// The tile does not repeat

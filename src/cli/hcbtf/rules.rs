@@ -20,7 +20,8 @@ const WIDTH: usize = 98;
 pub(super) struct Arguments {
     /// An .hcbtf file
     file: PathBuf,
-    /// A JSON file with the list of rules that take the place of the present ones, as docs/format.md tells them
+    /// A JSON file with the list of rules that take the place of the present ones, as
+    /// docs/format.md tells them
     #[arg(long, value_name = "RULES.json")]
     set: Option<PathBuf>,
 }
@@ -35,10 +36,13 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let name = path.display().to_string();
     let rules = read_rules(&text, &hcbtf.grid, &name)?;
     let named = arguments.file.display().to_string();
-    let bytes = write(&Hcbtf { rules, ..hcbtf }).map_err(|problem| vec![problem.in_file(named.clone())])?;
+    let bytes =
+        write(&Hcbtf { rules, ..hcbtf }).map_err(|problem| vec![problem.in_file(named.clone())])?;
     let mut outputs = outputs(false, [path]);
     outputs.changes(&arguments.file);
-    outputs.write(&arguments.file, OutputKind::DOCUMENT, &bytes).map_err(|problem| vec![problem])?;
+    outputs
+        .write(&arguments.file, OutputKind::DOCUMENT, &bytes)
+        .map_err(|problem| vec![problem])?;
     output.result(&named);
     Ok(())
 }
@@ -46,9 +50,11 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
 /// Every rule, from the one list that there is.
 fn help() -> String {
     let mut help = "Examples:\n  chiaro hcbtf rules grass.hcbtf > rules.json\n  \
-                    echo '[{\"rule\": \"blend\"}, {\"rule\": \"lambert\", \"amount\": 0.6}]' > rules.json\n  \
+                    echo '[{\"rule\": \"blend\"}, {\"rule\": \"lambert\", \"amount\": 0.6}]' > \
+                    rules.json\n  \
                     chiaro hcbtf rules grass.hcbtf --set rules.json\n\n\
-                    Rules by their words in files, with what the window calls them. What a file leaves out is as in brackets.\n"
+                    Rules by their words in files, with what the window calls them. What a file \
+                    leaves out is as in brackets.\n"
         .to_owned();
     for about in Rule::ABOUT {
         help += &format!("\n  {:<10}{}\n", about.word, about.label);
@@ -72,7 +78,9 @@ fn wrapped(text: &str, indent: usize) -> String {
     for word in text.split_whitespace() {
         match lines.last_mut() {
             Some(line) if line.is_empty() => line.push_str(word),
-            Some(line) if indent + line.len() + 1 + word.len() <= WIDTH => *line += &format!(" {word}"),
+            Some(line) if indent + line.len() + 1 + word.len() <= WIDTH => {
+                *line += &format!(" {word}")
+            }
             _ => lines.push(word.to_owned()),
         }
     }

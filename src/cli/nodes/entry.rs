@@ -2,8 +2,8 @@
 
 use crate::document::{Tier, Value};
 use crate::library::{
-    CATEGORIES, CUSTOM_CODE, CUSTOM_KIND, Fallback, GroupDef, Input, Library, NodeDef, Output, Preset, Special,
-    TierError, Type,
+    CATEGORIES, CUSTOM_CODE, CUSTOM_KIND, Fallback, GroupDef, Input, Library, NodeDef, Output,
+    Preset, Special, TierError, Type,
 };
 
 /// One kind of node.
@@ -38,12 +38,16 @@ impl Entry {
     }
 }
 
-/// Everything that the library offers, by category: those of [`CATEGORIES`] in their order, then others by name.
+/// Everything that the library offers, by category: those of [`CATEGORIES`] in their order, then
+/// others by name.
 pub(super) fn entries(library: &Library) -> Vec<Entry> {
     let groups = library.groups.values().map(|group| of_group(group, library));
-    let mut entries: Vec<Entry> = groups.chain(library.nodes.values().map(|def| of_node(def))).collect();
+    let mut entries: Vec<Entry> =
+        groups.chain(library.nodes.values().map(|def| of_node(def))).collect();
     entries.push(custom());
-    let rank = |entry: &Entry| CATEGORIES.iter().position(|known| *known == entry.category).unwrap_or(usize::MAX);
+    let rank = |entry: &Entry| {
+        CATEGORIES.iter().position(|known| *known == entry.category).unwrap_or(usize::MAX)
+    };
     entries.sort_by(|a, b| (rank(a), &a.category).cmp(&(rank(b), &b.category)));
     entries
 }
@@ -79,7 +83,11 @@ fn of_group(group: &GroupDef, library: &Library) -> Entry {
     let definition = &group.definition;
     Entry {
         kind: group.id.clone(),
-        label: if definition.label.is_empty() { group.id.clone() } else { definition.label.clone() },
+        label: if definition.label.is_empty() {
+            group.id.clone()
+        } else {
+            definition.label.clone()
+        },
         category: group.category.clone(),
         help: definition.help.clone(),
         inputs: ports.inputs,
@@ -98,7 +106,8 @@ fn custom() -> Entry {
     let code = Input {
         name: CUSTOM_CODE.into(),
         label: "Code".to_owned(),
-        help: "WGSL with one function; its parameters become inputs, its result the output.".to_owned(),
+        help: "WGSL with one function; its parameters become inputs, its result the output."
+            .to_owned(),
         ty: Type::Text,
         fallback: Fallback::Value(Value::Text(String::new())),
         min: None,
@@ -108,7 +117,8 @@ fn custom() -> Entry {
         options: Vec::new(),
         hidden: false,
     };
-    let help = "A node of your own, written in the look itself. Its first function is the node: parameters are inputs, \
+    let help = "A node of your own, written in the look itself. Its first function is the node: \
+                parameters are inputs, \
                 the result is the output `value`, or each member of a struct is an output.";
     Entry {
         kind: CUSTOM_KIND.to_owned(),
@@ -141,7 +151,9 @@ pub(super) fn default_text(input: &Input) -> String {
 pub(super) fn value_text(value: &Value, unit: &str) -> String {
     let json = json_text(value);
     match value {
-        Value::Number(x) if unit == "rad" && *x != 0.0 => format!("{json} ({}°)", number(x.to_degrees())),
+        Value::Number(x) if unit == "rad" && *x != 0.0 => {
+            format!("{json} ({}°)", number(x.to_degrees()))
+        }
         _ => json,
     }
 }
@@ -150,7 +162,9 @@ pub(super) fn value_text(value: &Value, unit: &str) -> String {
 pub(super) fn json_text(value: &Value) -> String {
     match value {
         Value::Number(x) => number(*x),
-        Value::Vector(v) => format!("[{}]", v.iter().map(|x| number(*x)).collect::<Vec<_>>().join(", ")),
+        Value::Vector(v) => {
+            format!("[{}]", v.iter().map(|x| number(*x)).collect::<Vec<_>>().join(", "))
+        }
         other => serde_json::to_string(other).unwrap_or_default(),
     }
 }
@@ -197,7 +211,10 @@ mod tests {
         let library = Library::built_in();
         let entries = entries(library);
         assert_eq!(entries.len(), library.nodes.len() + library.groups.len() + 1);
-        assert_eq!((entries[0].category.as_str(), entries[0].kind.as_str()), ("layer", "light_layer"));
+        assert_eq!(
+            (entries[0].category.as_str(), entries[0].kind.as_str()),
+            ("layer", "light_layer")
+        );
         // What is not there for the reader is not told.
         assert!(entries.iter().flat_map(|entry| &entry.inputs).all(|input| !input.hidden));
     }

@@ -18,7 +18,10 @@ pub(super) fn entry(entry: &Entry) -> Json {
             preset.values.iter().map(|(name, value)| (name.to_string(), json!(value))).collect();
         json!({"label": preset.label, "values": values})
     });
-    let errors = entry.errors.iter().map(|error| json!({"tier": error.tier, "bound": error.bound, "help": error.help}));
+    let errors = entry
+        .errors
+        .iter()
+        .map(|error| json!({"tier": error.tier, "bound": error.bound, "help": error.help}));
     json!({
         "kind": entry.kind,
         "label": entry.label,

@@ -13,14 +13,17 @@ type Samples = serde_json::Map<String, serde_json::Value>;
 
 /// The whole document.
 pub(super) fn document(entries: &[Entry]) -> String {
-    let mut text = HEAD.replace("{{conversions}}", &conversions()).replace("{{surroundings}}", &surroundings());
+    let mut text = HEAD
+        .replace("{{conversions}}", &conversions())
+        .replace("{{surroundings}}", &surroundings());
     text += "\n## All nodes\n\n";
     for (category, entries) in by_category(entries) {
         let link = |entry: &Entry| format!("[`{0}`](#{0})", entry.kind);
         let links: Vec<String> = entries.iter().map(|entry| link(entry)).collect();
         let _ = writeln!(text, "- **{category}**: {}", links.join(", "));
     }
-    let samples: Samples = serde_json::from_str(chiaro_laboratory::NODE_SAMPLES).unwrap_or_default();
+    let samples: Samples =
+        serde_json::from_str(chiaro_laboratory::NODE_SAMPLES).unwrap_or_default();
     for (category, entries) in by_category(entries) {
         let _ = writeln!(text, "\n## Category {category}");
         entries.iter().for_each(|entry| text += &section(entry, &samples));
@@ -43,13 +46,17 @@ fn by_category(entries: &[Entry]) -> Vec<(&str, Vec<&Entry>)> {
 
 fn section(entry: &Entry, samples: &Samples) -> String {
     let group = if entry.is_group { " (a group)" } else { "" };
-    let mut text = format!("\n<a id=\"{}\"></a>\n\n### `{}`: {}{group}\n", entry.kind, entry.kind, entry.label);
+    let mut text = format!(
+        "\n<a id=\"{}\"></a>\n\n### `{}`: {}{group}\n",
+        entry.kind, entry.kind, entry.label
+    );
     if !entry.help.is_empty() {
         text += &format!("\n{}\n", entry.help);
     }
     text += &pictures(entry, samples);
     if !entry.inputs.is_empty() {
-        text += "\n| input | type | default | range | what it is |\n| --- | --- | --- | --- | --- |\n";
+        text +=
+            "\n| input | type | default | range | what it is |\n| --- | --- | --- | --- | --- |\n";
         entry.inputs.iter().for_each(|input| text += &input_row(input));
     }
     if !entry.outputs.is_empty() {
@@ -76,7 +83,8 @@ fn section(entry: &Entry, samples: &Samples) -> String {
         );
     }
     if entry.tiers.len() > 1 {
-        let tiers: Vec<String> = entry.tiers.iter().map(|tier| format!("`{}`", tier_word(*tier))).collect();
+        let tiers: Vec<String> =
+            entry.tiers.iter().map(|tier| format!("`{}`", tier_word(*tier))).collect();
         let _ = writeln!(text, "\nTiers: {}.", tiers.join(", "));
     }
     if !entry.errors.is_empty() {
@@ -98,7 +106,11 @@ fn pictures(entry: &Entry, samples: &Samples) -> String {
         return String::new();
     }
     let picture = |ending: &str, told: &str| {
-        format!("<img src=\"nodes/{}.{ending}\" alt=\"{told} {}\">", entry.kind, entry.label.replace('"', "&quot;"))
+        format!(
+            "<img src=\"nodes/{}.{ending}\" alt=\"{told} {}\">",
+            entry.kind,
+            entry.label.replace('"', "&quot;")
+        )
     };
     let node = picture("svg", "The node");
     match samples.get(&entry.kind) {
@@ -131,14 +143,21 @@ fn input_row(input: &Input) -> String {
     }
     let unit = if input.unit.is_empty() { String::new() } else { format!(", {}", input.unit) };
     let default = default_text(input);
-    let is_value = matches!(input.fallback, crate::library::Fallback::Value(_)) && default != "none";
+    let is_value =
+        matches!(input.fallback, crate::library::Fallback::Value(_)) && default != "none";
     let default = match default.split_once(" (") {
         Some((value, degrees)) if is_value => format!("`{value}` ({degrees}"),
-        _ if is_value || default.starts_with("from=") || default.starts_with("same=") => format!("`{default}`"),
+        _ if is_value || default.starts_with("from=") || default.starts_with("same=") => {
+            format!("`{default}`")
+        }
         _ => default,
     };
     let cells = [input.ty.to_string() + &unit, default, range_text(input), told];
-    format!("| `{}` | {} |\n", input.name, cells.map(|text| cell(&text)).join(" | ").replace(" |  | ", " | | "))
+    format!(
+        "| `{}` | {} |\n",
+        input.name,
+        cells.map(|text| cell(&text)).join(" | ").replace(" |  | ", " | | ")
+    )
 }
 
 fn what(label: &str, help: &str) -> String {
@@ -159,7 +178,8 @@ fn conversions() -> String {
         for to in &types {
             if let Some(conversion @ Conversion::Template(_)) = from.convert_to(to) {
                 let how = conversion.apply("x");
-                let how = if how == "x" { "the same numbers".to_owned() } else { format!("`{how}`") };
+                let how =
+                    if how == "x" { "the same numbers".to_owned() } else { format!("`{how}`") };
                 let _ = writeln!(text, "| {from} | {to} | {how} |");
             }
         }
@@ -169,10 +189,14 @@ fn conversions() -> String {
 
 /// What unwired inputs may have.
 fn surroundings() -> String {
-    let mut text = String::from("| word | type | known | what it is |\n| --- | --- | --- | --- |\n");
-    for (context, word) in Context::all().filter(|(context, _)| !matches!(context, Context::Light(_))) {
+    let mut text =
+        String::from("| word | type | known | what it is |\n| --- | --- | --- | --- |\n");
+    for (context, word) in
+        Context::all().filter(|(context, _)| !matches!(context, Context::Light(_)))
+    {
         let ty = Type::from_wgsl(context.wgsl_type());
-        let _ = writeln!(text, "| `{word}` | {ty} | {} | {} |", known(context.rate()), context.help());
+        let _ =
+            writeln!(text, "| `{word}` | {ty} | {} | {} |", known(context.rate()), context.help());
     }
     text
 }

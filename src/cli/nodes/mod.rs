@@ -34,7 +34,8 @@ Examples:
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// The node to tell all about: its kind, with a choice after a dot or without, or its name in the window
+    /// The node to tell all about: its kind, with a choice after a dot or without, or its name in
+    /// the window
     kind: Option<String>,
     /// A folder of a project's own nodes
     #[arg(long)]
@@ -69,7 +70,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         output.result(markdown::document(&entries).trim_end());
     } else if let Some(kind) = &arguments.kind {
         let entry = find(kind, &entries).map_err(|problem| vec![problem])?;
-        let whole = if arguments.json { json::pretty(&json::entry(entry)) } else { text::whole(entry) };
+        let whole =
+            if arguments.json { json::pretty(&json::entry(entry)) } else { text::whole(entry) };
         output.result(&whole);
     } else if arguments.json {
         output.result(&json::pretty(&entries.iter().map(json::entry).collect()));
@@ -105,11 +107,13 @@ fn draw(
 /// The node of a kind, of a kind with choices (`blend.multiply`), or of a name that people read.
 ///
 /// # Errors
-/// With near names where there is none, and with the choices that there are where it has not this one.
+/// With near names where there is none, and with the choices that there are where it has not this
+/// one.
 fn find<'e>(name: &str, entries: &'e [Entry]) -> Result<&'e Entry, Diagnostic> {
     let mut words = name.split('.');
     let kind = words.next().unwrap_or_default();
-    let by_label = || entries.iter().find(|entry| entry.label.to_lowercase() == name.to_lowercase());
+    let by_label =
+        || entries.iter().find(|entry| entry.label.to_lowercase() == name.to_lowercase());
     let entry = entries.iter().find(|entry| entry.kind == kind).or_else(by_label);
     let entry = entry.ok_or_else(|| unknown(name, entries))?;
     match words.find(|choice| entry.kind == kind && !entry.offers(choice)) {
@@ -119,7 +123,8 @@ fn find<'e>(name: &str, entries: &'e [Entry]) -> Result<&'e Entry, Diagnostic> {
 }
 
 fn no_choice(entry: &Entry, choice: &str) -> Diagnostic {
-    let problem = Diagnostic::error("unknown-choice", format!("`{}` has no choice `{choice}`", entry.kind));
+    let problem =
+        Diagnostic::error("unknown-choice", format!("`{}` has no choice `{choice}`", entry.kind));
     let words: Vec<String> = entry.choices().map(|word| format!("`{word}`")).collect();
     if words.is_empty() {
         return problem.hint(format!("it has none at all: `chiaro nodes {}`", entry.kind));
@@ -130,11 +135,15 @@ fn no_choice(entry: &Entry, choice: &str) -> Diagnostic {
 /// Near names, of kinds and of what people read for them.
 fn unknown(kind: &str, entries: &[Entry]) -> Diagnostic {
     if kind.starts_with("by.") {
-        let problem = Diagnostic::error("unknown-kind", format!("`{kind}` is no node but what keys follow"));
-        return problem
-            .hint("any value may have keys; docs/format.md tells how they are written, under \"Direction keys\"");
+        let problem =
+            Diagnostic::error("unknown-kind", format!("`{kind}` is no node but what keys follow"));
+        return problem.hint(
+            "any value may have keys; docs/format.md tells how they are written, \
+                   under \"Direction keys\"",
+        );
     }
-    let by_label = entries.iter().filter(|entry| entry.label.to_lowercase().contains(&kind.to_lowercase()));
+    let by_label =
+        entries.iter().filter(|entry| entry.label.to_lowercase().contains(&kind.to_lowercase()));
     let problem = Diagnostic::error("unknown-kind", format!("there is no node of kind `{kind}`"));
     let mut near = crate::diag::nearest(kind, entries.iter().map(|entry| entry.kind.as_str()));
     near.extend(by_label.map(|entry| entry.kind.as_str()).take(3));
@@ -145,7 +154,10 @@ fn unknown(kind: &str, entries: &[Entry]) -> Diagnostic {
         is_new
     });
     let names: Vec<_> = near.iter().map(|name| format!("`{name}`")).collect();
-    let problem =
-        if names.is_empty() { problem } else { problem.hint(format!("did you mean {}?", names.join(" or "))) };
+    let problem = if names.is_empty() {
+        problem
+    } else {
+        problem.hint(format!("did you mean {}?", names.join(" or ")))
+    };
     problem.hint("`chiaro nodes` lists every kind")
 }

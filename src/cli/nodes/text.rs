@@ -8,7 +8,9 @@ use crate::library::Input;
 
 /// One line a node, by category.
 pub(super) fn table(entries: &[Entry]) -> String {
-    let width = |of: fn(&Entry) -> &str| entries.iter().map(|entry| of(entry).chars().count()).max().unwrap_or(0);
+    let width = |of: fn(&Entry) -> &str| {
+        entries.iter().map(|entry| of(entry).chars().count()).max().unwrap_or(0)
+    };
     let (kinds, labels) = (width(|entry| &entry.kind), width(|entry| &entry.label));
     let mut text = String::new();
     let mut category = "";
@@ -23,14 +25,16 @@ pub(super) fn table(entries: &[Entry]) -> String {
         let line = format!("  {:kinds$}  {:labels$}  {}", entry.kind, entry.label, ports.trim());
         let _ = writeln!(text, "{}", line.trim_end());
     }
-    let _ = write!(text, "\n{} kinds of nodes; `chiaro nodes KIND` tells all about one", entries.len());
+    let _ =
+        write!(text, "\n{} kinds of nodes; `chiaro nodes KIND` tells all about one", entries.len());
     text
 }
 
 /// Everything about one node.
 pub(super) fn whole(entry: &Entry) -> String {
     let what = if entry.is_group { "a group of" } else { "of" };
-    let mut text = format!("{} ({}), {what} the category {}\n", entry.label, entry.kind, entry.category);
+    let mut text =
+        format!("{} ({}), {what} the category {}\n", entry.label, entry.kind, entry.category);
     for paragraph in entry.help.split("\n\n").filter(|paragraph| !paragraph.is_empty()) {
         text += &format!("\n{}\n", wrapped(paragraph, ""));
     }
@@ -50,13 +54,18 @@ pub(super) fn whole(entry: &Entry) -> String {
     if !entry.presets.is_empty() {
         text += "\nPresets\n";
         for preset in &entry.presets {
-            let values = preset.values.iter().map(|(name, value)| format!("{name} {}", json_text(value)));
+            let values =
+                preset.values.iter().map(|(name, value)| format!("{name} {}", json_text(value)));
             let _ = writeln!(text, "  {}: {}", preset.label, values.collect::<Vec<_>>().join(", "));
         }
     }
     if !entry.widths.is_empty() {
         let widths: Vec<String> = entry.widths.iter().map(ToString::to_string).collect();
-        let _ = writeln!(text, "\nWhere a wire brings it, works number by number in {}.", widths.join(", "));
+        let _ = writeln!(
+            text,
+            "\nWhere a wire brings it, works number by number in {}.",
+            widths.join(", ")
+        );
     }
     if !entry.errors.is_empty() {
         text += "\nTiers, and how far from exact they are at most\n";
@@ -80,7 +89,8 @@ fn input_lines(input: &Input) -> String {
     facts.retain(|fact| !fact.is_empty());
     let mut text = format!("  {}  {}\n", input.name, facts.join(", "));
     if !input.options.is_empty() {
-        let options: Vec<String> = input.options.iter().map(|(word, _)| format!("\"{word}\"")).collect();
+        let options: Vec<String> =
+            input.options.iter().map(|(word, _)| format!("\"{word}\"")).collect();
         text += &format!("{}\n", wrapped(&format!("one of {}", options.join(", ")), "      "));
     }
     if !input.help.is_empty() {

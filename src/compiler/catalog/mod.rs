@@ -1,4 +1,5 @@
-//! What people see of kinds of nodes: nodes of the library, groups and custom WGSL nodes, all alike.
+//! What people see of kinds of nodes: nodes of the library, groups and custom WGSL nodes, all
+//! alike.
 
 pub mod values;
 
@@ -86,7 +87,7 @@ pub struct Kind {
     pub id: String,
     /// What people call it.
     pub label: Arc<str>,
-    /// Where it lies in the palette; its title is coloured by it.
+    /// Where it lies in the palette; its title is colored by it.
     pub category: String,
     /// What it is for.
     pub help: String,
@@ -231,7 +232,8 @@ impl Catalog {
         let own = look.definitions.values().map(|definition| &definition.graph);
         let others = library.groups.values().map(|group| &group.definition.graph);
         let graphs = std::iter::once(&look.graph).chain(own).chain(others);
-        let codes: HashSet<&str> = graphs.flat_map(|graph| graph.nodes.values()).filter_map(custom_code).collect();
+        let codes: HashSet<&str> =
+            graphs.flat_map(|graph| graph.nodes.values()).filter_map(custom_code).collect();
         self.custom.retain(|code, _| codes.contains(code.as_str()));
         for code in codes {
             if !self.custom.contains_key(code) {
@@ -264,7 +266,15 @@ impl Catalog {
         let end = |id: &str, label: &str, help: &str, inputs: Vec<Port>, outputs: Vec<Port>| {
             let known = Self::stand_in(id, &[], &[]);
             let (label, help) = (label.into(), help.to_owned());
-            Kind { label, help, category: "input".to_owned(), inputs, outputs, is_missing: false, ..known }
+            Kind {
+                label,
+                help,
+                category: "input".to_owned(),
+                inputs,
+                outputs,
+                is_missing: false,
+                ..known
+            }
         };
         let mut outputs = kind.outputs.clone();
         for port in &mut outputs {
@@ -272,14 +282,21 @@ impl Catalog {
             port.accepts = vec![port.ty.clone()];
         }
         Some([
-            end(GROUP_INPUTS, "Group inputs", "What comes into the group.", Vec::new(), kind.inputs.clone()),
+            end(
+                GROUP_INPUTS,
+                "Group inputs",
+                "What comes into the group.",
+                Vec::new(),
+                kind.inputs.clone(),
+            ),
             end(GROUP_OUTPUTS, "Group outputs", "What the group gives.", outputs, Vec::new()),
         ])
     }
 
     /// Kinds of a graph's nodes that do not exist, with the ports that wires and values name.
     pub fn missing_in(&self, graph: &Graph) -> HashMap<NodeId, Arc<Kind>> {
-        let is_missing = |(_, node): &(&NodeId, &Node)| self.of(node).is_none_or(|kind| kind.is_missing);
+        let is_missing =
+            |(_, node): &(&NodeId, &Node)| self.of(node).is_none_or(|kind| kind.is_missing);
         let mut ports: HashMap<&NodeId, (Vec<PortName>, Vec<PortName>)> = HashMap::new();
         for (id, node) in graph.nodes.iter().filter(is_missing) {
             ports.insert(id, (node.values.keys().cloned().collect(), Vec::new()));
@@ -312,7 +329,8 @@ impl Catalog {
 
     /// Stands in for a kind that does not exist, with the ports that the look names.
     pub fn stand_in(id: &str, inputs: &[PortName], outputs: &[PortName]) -> Kind {
-        let ports = |names: &[PortName]| names.iter().map(|name| Port::named(name.as_str())).collect();
+        let ports =
+            |names: &[PortName]| names.iter().map(|name| Port::named(name.as_str())).collect();
         Kind {
             id: id.to_owned(),
             label: format!("{id}?").into(),
@@ -356,8 +374,8 @@ fn custom_kind(code: &str) -> Kind {
     kind
 }
 
-/// A category as people read it. What lies in a project's `nodes` folder itself has that folder's name, which says
-/// nothing beside other nodes: it is the project's.
+/// A category as people read it. What lies in a project's `nodes` folder itself has that folder's
+/// name, which says nothing beside other nodes: it is the project's.
 fn category(folder: &str) -> String {
     if folder == "nodes" { "project".to_owned() } else { folder.to_owned() }
 }
@@ -374,19 +392,24 @@ fn group_kind<'a>(
             return Some(custom_kind(custom_code(node)?));
         }
         if let Some(inner) = find(&node.kind) {
-            return (depth < MAX_DEPTH).then(|| group_kind(&node.kind, inner, library, find, depth + 1));
+            return (depth < MAX_DEPTH)
+                .then(|| group_kind(&node.kind, inner, library, find, depth + 1));
         }
         library.nodes.get(&node.kind).map(|def| Kind::of_node(def))
     };
     let graph = &definition.graph;
-    let found: Vec<_> = definition.inputs.iter().map(|port| inner_input(graph, port, &inner)).collect();
+    let found: Vec<_> =
+        definition.inputs.iter().map(|port| inner_input(graph, port, &inner)).collect();
     let same = |node: &NodeId, other: &PortName| {
-        let is_it = |found: &Option<(NodeId, Port)>| found.as_ref().is_some_and(|f| f.0 == *node && f.1.name == *other);
+        let is_it = |found: &Option<(NodeId, Port)>| {
+            found.as_ref().is_some_and(|f| f.0 == *node && f.1.name == *other)
+        };
         found.iter().position(is_it).map(|index| definition.inputs[index].name.clone())
     };
     let inputs = found.iter().zip(&definition.inputs).map(|(found, own)| {
         let mut port = found.as_ref().map(|(_, port)| port.clone());
-        if let (Some((node, _)), Some(Port { fallback: Fallback::Same(other), .. })) = (found, &mut port)
+        if let (Some((node, _)), Some(Port { fallback: Fallback::Same(other), .. })) =
+            (found, &mut port)
             && let Some(own) = same(node, other)
         {
             other.clone_from(&own);
@@ -400,7 +423,11 @@ fn group_kind<'a>(
         help: definition.help.clone(),
         sources: Vec::new(),
         inputs: inputs.collect(),
-        outputs: definition.outputs.iter().map(|port| named_by(port, inner_output(graph, port, &inner))).collect(),
+        outputs: definition
+            .outputs
+            .iter()
+            .map(|port| named_by(port, inner_output(graph, port, &inner)))
+            .collect(),
         presets: Vec::new(),
         tiers: Vec::new(),
         is_reroute: false,
@@ -409,10 +436,16 @@ fn group_kind<'a>(
 }
 
 /// The inner port that a group's input is wired to first, and its node.
-fn inner_input(graph: &Graph, port: &InterfacePort, kind_of: &dyn Fn(&Node) -> Option<Kind>) -> Option<(NodeId, Port)> {
+fn inner_input(
+    graph: &Graph,
+    port: &InterfacePort,
+    kind_of: &dyn Fn(&Node) -> Option<Kind>,
+) -> Option<(NodeId, Port)> {
     let mut from = (GROUP_INPUTS.to_owned(), port.name.clone());
     for _ in 0..MAX_DEPTH {
-        let is_it = |wire: &&crate::document::Wire| wire.from.node.as_str() == from.0 && wire.from.port == from.1;
+        let is_it = |wire: &&crate::document::Wire| {
+            wire.from.node.as_str() == from.0 && wire.from.port == from.1
+        };
         let wire = graph.wires.iter().find(is_it)?;
         let kind = kind_of(graph.nodes.get(&wire.to.node)?)?;
         let index = kind.input(wire.to.port.as_str())?;
@@ -425,10 +458,15 @@ fn inner_input(graph: &Graph, port: &InterfacePort, kind_of: &dyn Fn(&Node) -> O
 }
 
 /// The inner port that a group's output comes from.
-fn inner_output(graph: &Graph, port: &InterfacePort, kind_of: &dyn Fn(&Node) -> Option<Kind>) -> Option<Port> {
+fn inner_output(
+    graph: &Graph,
+    port: &InterfacePort,
+    kind_of: &dyn Fn(&Node) -> Option<Kind>,
+) -> Option<Port> {
     let mut to = (GROUP_OUTPUTS.to_owned(), port.name.clone());
     for _ in 0..MAX_DEPTH {
-        let is_it = |wire: &&crate::document::Wire| wire.to.node.as_str() == to.0 && wire.to.port == to.1;
+        let is_it =
+            |wire: &&crate::document::Wire| wire.to.node.as_str() == to.0 && wire.to.port == to.1;
         let wire = graph.wires.iter().find(is_it)?;
         let kind = kind_of(graph.nodes.get(&wire.from.node)?)?;
         let index = kind.output(wire.from.port.as_str())?;

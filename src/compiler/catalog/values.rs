@@ -9,12 +9,19 @@ use super::Port;
 pub fn short(port: &Port, value: &Value) -> String {
     match value {
         Value::Bool(on) => if *on { "on" } else { "off" }.to_owned(),
-        Value::Number(number) if port.ty == Type::Bool => if *number > 0.5 { "on" } else { "off" }.to_owned(),
-        Value::Number(number) if port.unit == "rad" => format!("{}°", number_text(number.to_degrees(), 1)),
+        Value::Number(number) if port.ty == Type::Bool => {
+            if *number > 0.5 { "on" } else { "off" }.to_owned()
+        }
+        Value::Number(number) if port.unit == "rad" => {
+            format!("{}°", number_text(number.to_degrees(), 1))
+        }
         Value::Number(number) => number_text(*number, 3),
-        Value::Vector(numbers) => numbers.iter().map(|number| number_text(*number, 2)).collect::<Vec<_>>().join(", "),
+        Value::Vector(numbers) => {
+            numbers.iter().map(|number| number_text(*number, 2)).collect::<Vec<_>>().join(", ")
+        }
         Value::Text(word) => {
-            let label = port.options.iter().find(|(known, _)| known == word).map(|(_, label)| label);
+            let label =
+                port.options.iter().find(|(known, _)| known == word).map(|(_, label)| label);
             label.unwrap_or(word).clone()
         }
         Value::Curve(curve) => format!("{} points", curve.points.len()),
@@ -66,7 +73,9 @@ pub enum Shown {
 pub fn shown(port: &Port, node: &Node, look: &Look) -> Shown {
     let value = match (node.values.get(&port.name), &port.fallback) {
         (Some(value), _) | (None, Fallback::Value(value)) => value,
-        (None, Fallback::Same(other)) => return Shown::Source(format!("as {}", words(other.as_str()))),
+        (None, Fallback::Same(other)) => {
+            return Shown::Source(format!("as {}", words(other.as_str())));
+        }
         (None, Fallback::Context(context)) => return Shown::Source(context_words(*context)),
         (None, Fallback::Wire) => return Shown::Nothing,
     };
@@ -78,7 +87,13 @@ pub fn shown(port: &Port, node: &Node, look: &Look) -> Shown {
     match (&port.ty, value) {
         (Type::LightName, Value::Text(id)) => {
             let light = look.lights.get(id.as_str());
-            Shown::Text(light.map(|light| &light.name).filter(|name| !name.is_empty()).unwrap_or(id).clone())
+            Shown::Text(
+                light
+                    .map(|light| &light.name)
+                    .filter(|name| !name.is_empty())
+                    .unwrap_or(id)
+                    .clone(),
+            )
         }
         (Type::Text, _) => Shown::Nothing,
         _ => Shown::Text(short(port, value)),
@@ -116,7 +131,11 @@ pub fn vector(value: Option<&Value>, width: usize) -> Vec<f64> {
 /// `#rrggbb`, or `#rrggbbaa` where it is not opaque.
 pub fn hex(color: [f64; 4]) -> String {
     let [r, g, b, a] = color.map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
-    if a == 255 { format!("#{r:02x}{g:02x}{b:02x}") } else { format!("#{r:02x}{g:02x}{b:02x}{a:02x}") }
+    if a == 255 {
+        format!("#{r:02x}{g:02x}{b:02x}")
+    } else {
+        format!("#{r:02x}{g:02x}{b:02x}{a:02x}")
+    }
 }
 
 #[cfg(test)]

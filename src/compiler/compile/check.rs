@@ -1,4 +1,5 @@
-//! Types every node of a look: which function it is, what its inputs are bound to, and in which order they run.
+//! Types every node of a look: which function it is, what its inputs are bound to, and in which
+//! order they run.
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
@@ -12,7 +13,9 @@ use super::value::{describe, expected, typed_value};
 use crate::diag::{Diagnostic, Severity, bounded, has_errors};
 use crate::document::{ColorSpace, Exposed, Light, LightField, Look, Target, Tier, Value};
 use crate::ids::{LightId, NodeId, NodePath, PortName};
-use crate::library::{Context, Conversion, Fallback, Input, Library, NodeDef, Parameter, Special, Type, Variant};
+use crate::library::{
+    Context, Conversion, Fallback, Input, Library, NodeDef, Parameter, Special, Type, Variant,
+};
 
 /// A look in which every value has a type and every problem was reported.
 #[derive(Clone, Debug)]
@@ -35,9 +38,10 @@ pub struct TypedGraph {
     pub drivers: Vec<TypedDriver>,
     /// The sets of direction keys in the order in which they take effect.
     pub key_order: Vec<usize>,
-    /// What stands behind the outputs of groups, by their paths: a node and the index of its output.
+    /// What stands behind the outputs of groups, by their paths: a node and the index of its
+    /// output.
     pub group_outputs: GroupOutputs,
-    /// What the colours mean.
+    /// What the colors mean.
     pub color_space: ColorSpace,
     /// The look's name.
     pub name: String,
@@ -111,8 +115,9 @@ fn output_type(def: &NodeDef, variant: usize, output: usize) -> Type {
 /// Types `look`; `root` shows another output than the look's own. Also returns warnings.
 ///
 /// # Errors
-/// Everything that is wrong, if any of it concerns the picture. What is wrong only with nodes that do not reach the root
-/// comes with the graph, so that a look stays alive while something is being built beside it.
+/// Everything that is wrong, if any of it concerns the picture. What is wrong only with nodes that
+/// do not reach the root comes with the graph, so that a look stays alive while something is being
+/// built beside it.
 pub fn check(
     look: &Look,
     library: &Library,
@@ -137,32 +142,44 @@ fn check_all(
     let mut wrong_drivers = Vec::new();
     let driving = drivers::find(look, &flat, &mut wrong_drivers);
     // The picture depends on what drives its keys, too.
-    let roots = |(node, _)| std::iter::once(node).chain(driving.iter().map(|(_, node, _)| *node)).collect();
-    let reached = root.map_or_else(|| vec![true; flat.nodes.len()], |root| reach(&flat, roots(root)));
+    let roots =
+        |(node, _)| std::iter::once(node).chain(driving.iter().map(|(_, node, _)| *node)).collect();
+    let reached =
+        root.map_or_else(|| vec![true; flat.nodes.len()], |root| reach(&flat, roots(root)));
     let mut typer = Typer::new(look, &flat);
     let mut nodes: Vec<Option<TypedNode>> = vec![None; flat.nodes.len()];
     for &index in &order {
         let before = typer.problems.len();
         nodes[index] = typer.node(index);
         if !reached[index] {
-            typer.problems[before..].iter_mut().for_each(|problem| problem.severity = Severity::Warning);
+            typer.problems[before..]
+                .iter_mut()
+                .for_each(|problem| problem.severity = Severity::Warning);
         }
     }
     problems.append(&mut typer.problems);
-    if let Some((node, _)) = root.filter(|(node, _)| nodes[*node].is_none() && !has_errors(&problems)) {
+    if let Some((node, _)) =
+        root.filter(|(node, _)| nodes[*node].is_none() && !has_errors(&problems))
+    {
         problems.push(broken_wire(&flat, &reached, node));
     }
     let is_whole = (0..flat.nodes.len()).all(|index| !reached[index] || nodes[index].is_some());
     let stops = concern_picture(&problems, &flat, &reached);
     let Some(root) = root.filter(|_| is_whole && !stops) else { return Err(problems) };
-    let order: Vec<usize> = order.into_iter().filter(|&index| reached[index] || nodes[index].is_some()).collect();
+    let order: Vec<usize> =
+        order.into_iter().filter(|&index| reached[index] || nodes[index].is_some()).collect();
     let keyed = keyed_targets(look);
     let surroundings = from_surroundings(&flat);
-    let typed_inputs: Vec<(ParamId, Value, Option<Value>)> = nodes.iter().flatten().flat_map(param_values).collect();
+    let typed_inputs: Vec<(ParamId, Value, Option<Value>)> =
+        nodes.iter().flatten().flat_map(param_values).collect();
     let mut graph = TypedGraph {
         order: order.iter().copied().filter(|&index| nodes[index].is_some()).collect(),
         // A node that could not be typed reaches nothing; a stand-in keeps the indices.
-        nodes: nodes.into_iter().zip(&flat.nodes).map(|(node, flat)| node.unwrap_or_else(|| stand_in(flat))).collect(),
+        nodes: nodes
+            .into_iter()
+            .zip(&flat.nodes)
+            .map(|(node, flat)| node.unwrap_or_else(|| stand_in(flat)))
+            .collect(),
         params: with_defaults(flat.params, &typed_inputs).into(),
         root,
         lights: look.lights.clone(),
@@ -187,29 +204,34 @@ fn check_all(
     if stops { Err(problems) } else { Ok((graph, problems)) }
 }
 
-/// Whether an error is of a node that the picture depends on, or of no node at all. A node of a kind that there is
-/// not has no outputs; whatever it feeds cannot be typed, which stops the look where that is seen.
+/// Whether an error is of a node that the picture depends on, or of no node at all. A node of a
+/// kind that there is not has no outputs; whatever it feeds cannot be typed, which stops the look
+/// where that is seen.
 fn concern_picture(problems: &[Diagnostic], flat: &FlatGraph, reached: &[bool]) -> bool {
     let errors = || problems.iter().filter(|problem| problem.is_error());
     if errors().any(|error| error.place.node.is_none()) {
         return true;
     }
-    let wrong: HashSet<&[NodeId]> = errors().filter_map(|error| Some(error.place.node.as_ref()?.ids())).collect();
+    let wrong: HashSet<&[NodeId]> =
+        errors().filter_map(|error| Some(error.place.node.as_ref()?.ids())).collect();
     let lengths: BTreeSet<usize> = wrong.iter().map(|path| path.len()).collect();
     // The error of a group concerns what is in it.
-    let is_wrong =
-        |path: &[NodeId]| lengths.iter().filter_map(|&length| path.get(..length)).any(|around| wrong.contains(around));
+    let is_wrong = |path: &[NodeId]| {
+        lengths.iter().filter_map(|&length| path.get(..length)).any(|around| wrong.contains(around))
+    };
     flat.nodes.iter().zip(reached).any(|(node, reached)| *reached && is_wrong(node.path.ids()))
 }
 
-/// What keeps a root from being typed where nothing else was reported: a wire from a node that there is not, which
-/// only a look that was not read from a file can have.
+/// What keeps a root from being typed where nothing else was reported: a wire from a node that
+/// there is not, which only a look that was not read from a file can have.
 fn broken_wire(flat: &FlatGraph, reached: &[bool], root: usize) -> Diagnostic {
-    let broken = flat.nodes.iter().zip(reached).filter(|(_, reached)| **reached).find_map(|(node, _)| {
-        let input = node.inputs.iter().position(|input| *input == FlatInput::Broken)?;
-        Some((node.path.clone(), node.def.inputs[input].name.clone()))
-    });
-    let problem = Diagnostic::error("broken-wire", "this input is wired to a node that there is not");
+    let broken =
+        flat.nodes.iter().zip(reached).filter(|(_, reached)| **reached).find_map(|(node, _)| {
+            let input = node.inputs.iter().position(|input| *input == FlatInput::Broken)?;
+            Some((node.path.clone(), node.def.inputs[input].name.clone()))
+        });
+    let problem =
+        Diagnostic::error("broken-wire", "this input is wired to a node that there is not");
     match broken {
         Some((path, port)) => problem.node(path).port(port),
         None => problem.node(flat.nodes[root].path.clone()),
@@ -232,12 +254,18 @@ fn stand_in(flat: &FlatNode) -> TypedNode {
 
 /// The values of a node's inputs, each with its port's own default.
 fn param_values(node: &TypedNode) -> impl Iterator<Item = (ParamId, Value, Option<Value>)> + '_ {
-    node.inputs.iter().zip(&node.def.inputs).filter_map(|(input, port)| match &input.as_ref()?.source {
-        TypedSource::Param(id, value) => {
-            let default = if let Fallback::Value(value) = &port.fallback { Some(value.clone()) } else { None };
-            Some((*id, value.clone(), default))
+    node.inputs.iter().zip(&node.def.inputs).filter_map(|(input, port)| {
+        match &input.as_ref()?.source {
+            TypedSource::Param(id, value) => {
+                let default = if let Fallback::Value(value) = &port.fallback {
+                    Some(value.clone())
+                } else {
+                    None
+                };
+                Some((*id, value.clone(), default))
+            }
+            _ => None,
         }
-        _ => None,
     })
 }
 
@@ -254,7 +282,8 @@ fn with_defaults(mut params: Vec<Param>, values: &[(ParamId, Value, Option<Value
 }
 
 fn keyed_targets(look: &Look) -> Vec<Target> {
-    let by_direction = look.direction_keys.iter().flat_map(|set| &set.keys).flat_map(|key| key.values.keys());
+    let by_direction =
+        look.direction_keys.iter().flat_map(|set| &set.keys).flat_map(|key| key.values.keys());
     let mut targets: Vec<Target> =
         by_direction.chain(look.time_keys.iter().map(|track| &track.target)).cloned().collect();
     targets.sort_by_cached_key(ToString::to_string);
@@ -262,8 +291,8 @@ fn keyed_targets(look: &Look) -> Vec<Target> {
     targets
 }
 
-/// Every node after what it depends on, but for rings, which are problems; their nodes come in any order, so that
-/// what else is wrong with them is told too.
+/// Every node after what it depends on, but for rings, which are problems; their nodes come in any
+/// order, so that what else is wrong with them is told too.
 fn order(flat: &FlatGraph, problems: &mut Vec<Diagnostic>) -> Vec<usize> {
     let wires = flat.nodes.iter().map(|node| node.inputs.len()).sum();
     let mut graph = DiGraph::<(), (), u32>::with_capacity(flat.nodes.len(), wires);
@@ -280,20 +309,31 @@ fn order(flat: &FlatGraph, problems: &mut Vec<Diagnostic>) -> Vec<usize> {
     if let Ok(order) = petgraph::algo::toposort(&graph, None) {
         return order.into_iter().map(NodeIndex::index).collect();
     }
-    let is_cycle = |component: &[NodeIndex]| component.len() > 1 || graph.contains_edge(component[0], component[0]);
+    let is_cycle = |component: &[NodeIndex]| {
+        component.len() > 1 || graph.contains_edge(component[0], component[0])
+    };
     let components = petgraph::algo::kosaraju_scc(&graph);
-    problems.extend(components.iter().filter(|component| is_cycle(component)).map(|cycle| cycle_problem(flat, cycle)));
+    problems.extend(
+        components
+            .iter()
+            .filter(|component| is_cycle(component))
+            .map(|cycle| cycle_problem(flat, cycle)),
+    );
     // Components come with what depends on others first.
     components.iter().rev().flatten().map(|node| node.index()).collect()
 }
 
 fn cycle_problem(flat: &FlatGraph, cycle: &[NodeIndex]) -> Diagnostic {
-    let mut paths: Vec<_> = cycle.iter().map(|index| flat.nodes[index.index()].path.clone()).collect();
+    let mut paths: Vec<_> =
+        cycle.iter().map(|index| flat.nodes[index.index()].path.clone()).collect();
     paths.sort();
     let names: Vec<_> = paths.iter().map(|path| format!("`{path}`")).collect();
-    Diagnostic::error("cycle", format!("these nodes feed one another in a ring: {}", names.join(", ")))
-        .node(paths[0].clone())
-        .hint("remove one wire of the ring")
+    Diagnostic::error(
+        "cycle",
+        format!("these nodes feed one another in a ring: {}", names.join(", ")),
+    )
+    .node(paths[0].clone())
+    .hint("remove one wire of the ring")
 }
 
 fn find_root(
@@ -304,17 +344,23 @@ fn find_root(
     if let Some((path, port)) = root {
         return flat.output(path, port).map_err(|problem| problems.push(problem)).ok();
     }
-    let outputs: Vec<_> =
-        flat.nodes.iter().enumerate().filter(|(_, node)| node.def.special == Special::Output).collect();
+    let outputs: Vec<_> = flat
+        .nodes
+        .iter()
+        .enumerate()
+        .filter(|(_, node)| node.def.special == Special::Output)
+        .collect();
     match outputs.as_slice() {
         [] => {
-            let problem = Diagnostic::error("no-output", "the look has no Output node, so it shows nothing");
+            let problem =
+                Diagnostic::error("no-output", "the look has no Output node, so it shows nothing");
             problems.push(problem.hint("add a node of kind `output` and wire its `color`"));
             None
         }
         [(index, _)] => Some((*index, 0)),
         [_, (_, second), ..] => {
-            let problem = Diagnostic::error("many-outputs", "the look has more than one Output node");
+            let problem =
+                Diagnostic::error("many-outputs", "the look has more than one Output node");
             problems.push(problem.node(second.path.clone()).hint("keep one and remove the others"));
             None
         }
@@ -341,10 +387,15 @@ fn reach(flat: &FlatGraph, roots: Vec<usize>) -> Vec<bool> {
 fn from_surroundings(flat: &FlatGraph) -> HashSet<(NodePath, PortName)> {
     let inputs = flat.nodes.iter().flat_map(|node| node.inputs.iter().zip(&node.def.inputs));
     let unset = inputs.filter_map(|(input, port)| match input {
-        FlatInput::Param(id) if matches!(port.fallback, Fallback::Context(_)) => Some(&flat.params[*id]),
+        FlatInput::Param(id) if matches!(port.fallback, Fallback::Context(_)) => {
+            Some(&flat.params[*id])
+        }
         _ => None,
     });
-    unset.filter(|param| param.value.is_none()).map(|param| (param.path.clone(), param.port.clone())).collect()
+    unset
+        .filter(|param| param.value.is_none())
+        .map(|param| (param.path.clone(), param.port.clone()))
+        .collect()
 }
 
 /// Exposed parameters and keys must name values that there are.
@@ -354,19 +405,30 @@ fn check_targets(
     surroundings: &HashSet<(NodePath, PortName)>,
     problems: &mut Vec<Diagnostic>,
 ) {
-    let exposed = look.exposed.iter().enumerate().map(|(i, e)| (&e.target, format!("exposed[{i}].target")));
-    let timed = look.time_keys.iter().enumerate().map(|(i, track)| (&track.target, format!("time_keys[{i}].target")));
+    let exposed =
+        look.exposed.iter().enumerate().map(|(i, e)| (&e.target, format!("exposed[{i}].target")));
+    let timed = look
+        .time_keys
+        .iter()
+        .enumerate()
+        .map(|(i, track)| (&track.target, format!("time_keys[{i}].target")));
     let directed = look.direction_keys.iter().enumerate().flat_map(|(i, set)| {
         set.keys.iter().enumerate().flat_map(move |(k, key)| {
-            key.values.keys().map(move |target| (target, format!("direction_keys[{i}].keys[{k}].values.{target}")))
+            key.values.keys().map(move |target| {
+                (target, format!("direction_keys[{i}].keys[{k}].values.{target}"))
+            })
         })
     });
     let known: HashSet<_> = graph.params.iter().map(|param| (&param.path, &param.port)).collect();
     for (target, json_path) in exposed.chain(timed).chain(directed) {
         let problem = match target {
-            Target::Input { node, port } if surroundings.contains(&(node.clone(), port.clone())) => {
+            Target::Input { node, port }
+                if surroundings.contains(&(node.clone(), port.clone())) =>
+            {
                 let message = format!("`{target}` has no value to set: it reads the surroundings");
-                let problem = Diagnostic::error("unset-target", message).node(node.clone()).port(port.clone());
+                let problem = Diagnostic::error("unset-target", message)
+                    .node(node.clone())
+                    .port(port.clone());
                 problem.hint("give the input a value in the look; that is then its default")
             }
             Target::Input { node, port } if known.contains(&(node, port)) => continue,
@@ -375,10 +437,14 @@ fn check_targets(
                 Some(problem) => problem,
             },
             Target::Input { .. } => {
-                let names: Vec<_> = graph.params.iter().map(|p| format!("{}.{}", p.path, p.port)).collect();
+                let names: Vec<_> =
+                    graph.params.iter().map(|p| format!("{}.{}", p.path, p.port)).collect();
                 Diagnostic::error("unknown-target", format!("there is no unwired input `{target}`"))
                     .suggest(&target.to_string(), names.iter().map(String::as_str))
-                    .hint("a target is `node.port` of an input that no wire feeds, or `lights.id.field`")
+                    .hint(
+                        "a target is `node.port` of an input that no wire feeds, or \
+                           `lights.id.field`",
+                    )
             }
         };
         problems.push(problem.json_path(json_path));
@@ -391,8 +457,11 @@ fn light_target_problem(look: &Look, light: &LightId, field: &str) -> Option<Dia
         return Some(problem.suggest(light.as_str(), look.lights.keys().map(AsRef::as_ref)));
     }
     LightField::named(field).is_none().then(|| {
-        Diagnostic::error("unknown-target", format!("a light has no field `{field}` that can be set"))
-            .suggest(field, LightField::names())
+        Diagnostic::error(
+            "unknown-target",
+            format!("a light has no field `{field}` that can be set"),
+        )
+        .suggest(field, LightField::names())
     })
 }
 
@@ -423,7 +492,13 @@ impl<'a> Typer<'a> {
             Target::Input { node, port } => Some((node, port)),
             Target::Light { .. } => None,
         });
-        Self { look, flat, targets: targets.collect(), variants: vec![None; flat.nodes.len()], problems: Vec::new() }
+        Self {
+            look,
+            flat,
+            targets: targets.collect(),
+            variants: vec![None; flat.nodes.len()],
+            problems: Vec::new(),
+        }
     }
 
     fn problem(&mut self, node: &FlatNode, port: Option<&Input>, problem: Diagnostic) {
@@ -445,7 +520,9 @@ impl<'a> Typer<'a> {
     fn place(&self, node: &FlatNode, input: &Input) -> (NodePath, PortName) {
         let index = node.def.input(input.name.as_str());
         match index.and_then(|index| node.inputs.get(index)) {
-            Some(FlatInput::Param(id)) => (self.flat.params[*id].path.clone(), self.flat.params[*id].port.clone()),
+            Some(FlatInput::Param(id)) => {
+                (self.flat.params[*id].path.clone(), self.flat.params[*id].port.clone())
+            }
             _ => (node.path.clone(), input.name.clone()),
         }
     }
@@ -459,13 +536,18 @@ impl<'a> Typer<'a> {
         let flat = &self.flat.nodes[index];
         let before = self.problems.len();
         let mut choices = HashMap::new();
-        for (i, input) in flat.def.inputs.iter().enumerate().filter(|(_, input)| input.ty == Type::Choice) {
+        for (i, input) in
+            flat.def.inputs.iter().enumerate().filter(|(_, input)| input.ty == Type::Choice)
+        {
             if let Some(word) = self.choice(flat, i, input) {
                 choices.insert(i, word);
             }
         }
-        let light =
-            if flat.def.inputs.iter().any(|input| input.ty == Type::LightName) { self.light(flat) } else { None };
+        let light = if flat.def.inputs.iter().any(|input| input.ty == Type::LightName) {
+            self.light(flat)
+        } else {
+            None
+        };
         if self.problems[before..].iter().any(Diagnostic::is_error) {
             return None;
         }
@@ -501,16 +583,26 @@ impl<'a> Typer<'a> {
         match &flat.inputs[index] {
             FlatInput::Broken => None,
             FlatInput::Wire { .. } | FlatInput::Context(_) => {
-                let problem = Diagnostic::error("not-wirable", format!("`{}` takes no wire: {}", input.name, input.ty));
-                self.problem(flat, Some(input), problem.hint("remove the wire and set the value on the node"));
+                let problem = Diagnostic::error(
+                    "not-wirable",
+                    format!("`{}` takes no wire: {}", input.name, input.ty),
+                );
+                self.problem(
+                    flat,
+                    Some(input),
+                    problem.hint("remove the wire and set the value on the node"),
+                );
                 None
             }
             FlatInput::Param(param) => match &self.flat.params[*param].value {
                 None => Some(fallback),
                 Some(Value::Text(text)) => Some(text.clone()),
                 Some(other) => {
-                    let message =
-                        format!("expected a text for `{}`, found {}", self.port_name(flat, input), describe(other));
+                    let message = format!(
+                        "expected a text for `{}`, found {}",
+                        self.port_name(flat, input),
+                        describe(other)
+                    );
                     self.problem(flat, Some(input), Diagnostic::error("wrong-type", message));
                     None
                 }
@@ -524,10 +616,12 @@ impl<'a> Typer<'a> {
         if words.contains(&word.as_str()) {
             return Some(word);
         }
-        let problem =
-            Diagnostic::error("unknown-choice", format!("`{}` cannot be `{word}`", self.port_name(flat, input)))
-                .suggest(&word, words.iter().copied())
-                .hint(format!("it is one of {}", words.join(", ")));
+        let problem = Diagnostic::error(
+            "unknown-choice",
+            format!("`{}` cannot be `{word}`", self.port_name(flat, input)),
+        )
+        .suggest(&word, words.iter().copied())
+        .hint(format!("it is one of {}", words.join(", ")));
         self.problem(flat, Some(input), problem);
         None
     }
@@ -544,8 +638,11 @@ impl<'a> Typer<'a> {
         if let Some(id) = found {
             return Some(id.clone());
         }
-        let message =
-            if id.is_empty() { "the look has no lights".to_owned() } else { format!("there is no light `{id}`") };
+        let message = if id.is_empty() {
+            "the look has no lights".to_owned()
+        } else {
+            format!("there is no light `{id}`")
+        };
         let problem = Diagnostic::error("unknown-light", message)
             .suggest(&id, self.look.lights.keys().map(AsRef::as_ref))
             .hint(r#"add it to the look: "lights": {"key": {"direction": [-0.5, 0.7, 0.5]}}"#);
@@ -554,7 +651,12 @@ impl<'a> Typer<'a> {
     }
 
     /// The function that fits the node's choices, tier and wires best.
-    fn variant(&mut self, flat: &FlatNode, choices: &HashMap<usize, String>, light: Option<&LightId>) -> Option<usize> {
+    fn variant(
+        &mut self,
+        flat: &FlatNode,
+        choices: &HashMap<usize, String>,
+        light: Option<&LightId>,
+    ) -> Option<usize> {
         let def = &flat.def;
         let light_kind = light.map(|id| match self.look.lights[id].kind {
             crate::document::LightKind::Directional => "directional",
@@ -567,20 +669,27 @@ impl<'a> Typer<'a> {
             (Some((input, word)), _) => choices.get(input) == Some(word),
             (None, _) => true,
         };
-        let candidates: Vec<usize> = (0..def.variants.len()).filter(|&i| fits(&def.variants[i])).collect();
+        let candidates: Vec<usize> =
+            (0..def.variants.len()).filter(|&i| fits(&def.variants[i])).collect();
         // The cheapest tier that is still as accurate as asked.
-        let best_tier = candidates.iter().map(|&i| def.variants[i].tier).filter(|tier| *tier <= flat.tier).max();
+        let best_tier = candidates
+            .iter()
+            .map(|&i| def.variants[i].tier)
+            .filter(|tier| *tier <= flat.tier)
+            .max();
         let tier = best_tier.unwrap_or(Tier::Exact);
         let candidates = candidates.into_iter().filter(|&i| def.variants[i].tier == tier);
         let chosen = candidates.min_by_key(|&i| self.misfit(flat, i));
         if chosen.is_none() {
-            let problem = Diagnostic::error("bad-node-file", "no function of this node fits its choices");
+            let problem =
+                Diagnostic::error("bad-node-file", "no function of this node fits its choices");
             self.problem(flat, None, problem.in_file(def.file.clone()));
         }
         chosen
     }
 
-    /// How badly the wired inputs fit a function: lossy conversions first, then conversions of any kind.
+    /// How badly the wired inputs fit a function: lossy conversions first, then conversions of any
+    /// kind.
     fn misfit(&self, flat: &FlatNode, variant: usize) -> (usize, usize, usize) {
         let (mut impossible, mut lossy, mut converted) = (0, 0, 0);
         for (i, ty) in taken_inputs(&flat.def, variant) {
@@ -595,9 +704,8 @@ impl<'a> Typer<'a> {
     /// The type of what feeds an input; for values, what their numbers say.
     fn source_type(&self, flat: &FlatNode, input: usize) -> Option<Type> {
         match &flat.inputs[input] {
-            FlatInput::Wire { node, output } => {
-                self.variants[*node].map(|variant| output_type(&self.flat.nodes[*node].def, variant, *output))
-            }
+            FlatInput::Wire { node, output } => self.variants[*node]
+                .map(|variant| output_type(&self.flat.nodes[*node].def, variant, *output)),
             FlatInput::Param(param) => vector_type(self.flat.params[*param].value.as_ref()?),
             FlatInput::Context(context) => Some(Type::from_wgsl(context.wgsl_type())),
             FlatInput::Broken => None,
@@ -609,8 +717,15 @@ impl<'a> Typer<'a> {
         let (source, from) = match &flat.inputs[index] {
             FlatInput::Broken => return None,
             FlatInput::Wire { .. } | FlatInput::Context(_) if ty.is_setting() => {
-                let problem = Diagnostic::error("not-wirable", format!("`{}` takes no wire: {}", input.name, input.ty));
-                self.problem(flat, Some(input), problem.hint("remove the wire and set the value on the node"));
+                let problem = Diagnostic::error(
+                    "not-wirable",
+                    format!("`{}` takes no wire: {}", input.name, input.ty),
+                );
+                self.problem(
+                    flat,
+                    Some(input),
+                    problem.hint("remove the wire and set the value on the node"),
+                );
                 return None;
             }
             FlatInput::Context(context) => {
@@ -629,7 +744,11 @@ impl<'a> Typer<'a> {
         };
         let Some(conversion) = from.convert_to(&ty) else {
             let message = format!("`{}` takes {ty}, and is wired to {from}", input.name);
-            self.problem(flat, Some(input), Diagnostic::error("wrong-type", message).hint(conversion_hint(&from, &ty)));
+            self.problem(
+                flat,
+                Some(input),
+                Diagnostic::error("wrong-type", message).hint(conversion_hint(&from, &ty)),
+            );
             return None;
         };
         Some(TypedInput { source, ty, conversion })
@@ -647,7 +766,8 @@ impl<'a> Typer<'a> {
         }
     }
 
-    /// The value that an input that is the same as `other` begins with, where keys or scenes set it later.
+    /// The value that an input that is the same as `other` begins with, where keys or scenes set it
+    /// later.
     fn value_of_other(&self, flat: &FlatNode, other: &PortName, ty: &Type) -> Value {
         let index = flat.def.input(other.as_str());
         let own = index.and_then(|index| match &flat.inputs[index] {
@@ -662,11 +782,17 @@ impl<'a> Typer<'a> {
         own.or(default).unwrap_or_else(neutral)
     }
 
-    fn param(&mut self, flat: &FlatNode, index: usize, param: ParamId, ty: &Type) -> Option<(TypedSource, Type)> {
+    fn param(
+        &mut self,
+        flat: &FlatNode,
+        index: usize,
+        param: ParamId,
+        ty: &Type,
+    ) -> Option<(TypedSource, Type)> {
         let input = &flat.def.inputs[index];
         let explicit = self.flat.params[param].value.as_ref();
         let value = match (explicit, &input.fallback) {
-            // A hex colour is as shown, whatever the numbers of the look's other colours mean.
+            // A hex color is as shown, whatever the numbers of the look's other colors mean.
             (Some(value), _) if matches!(ty, Type::Color | Type::Composite) => {
                 value.clone().in_space(self.look.color_space)
             }
@@ -678,8 +804,15 @@ impl<'a> Typer<'a> {
             }
             (None, Fallback::Same(other)) => self.value_of_other(flat, other, ty),
             (None, Fallback::Wire) => {
-                let problem = Diagnostic::error("unwired", format!("`{}` must be wired", self.port_name(flat, input)));
-                self.problem(flat, Some(input), problem.hint(format!("wire it to an output of type {ty}")));
+                let problem = Diagnostic::error(
+                    "unwired",
+                    format!("`{}` must be wired", self.port_name(flat, input)),
+                );
+                self.problem(
+                    flat,
+                    Some(input),
+                    problem.hint(format!("wire it to an output of type {ty}")),
+                );
                 return None;
             }
         };
@@ -694,7 +827,8 @@ impl<'a> Typer<'a> {
             };
         }
         if let Err(message) = typed_value(&value, ty) {
-            // What a muted node lets through may be of another type, and becomes this one as its wire would.
+            // What a muted node lets through may be of another type, and becomes this one as its
+            // wire would.
             let (path, port) = self.place(flat, input);
             let own = vector_type(&value).filter(|own| own.convert_to(ty).is_some());
             if let Some(own) = own.filter(|_| (&path, &port) != (&flat.path, &input.name)) {
@@ -703,7 +837,10 @@ impl<'a> Typer<'a> {
             self.problem(
                 flat,
                 Some(input),
-                Diagnostic::error("wrong-type", format!("`{}`: {message}", self.port_name(flat, input))),
+                Diagnostic::error(
+                    "wrong-type",
+                    format!("`{}`: {message}", self.port_name(flat, input)),
+                ),
             );
             return None;
         }
@@ -713,7 +850,8 @@ impl<'a> Typer<'a> {
         Some((TypedSource::Param(param, value), ty.clone()))
     }
 
-    /// Values beyond a port's range still have a meaning, because every node is total; they are worth a word.
+    /// Values beyond a port's range still have a meaning, because every node is total; they are
+    /// worth a word.
     fn range(&mut self, flat: &FlatNode, input: &Input, value: &Value) {
         let numbers = match value {
             Value::Number(x) => std::slice::from_ref(x),
@@ -733,19 +871,26 @@ impl<'a> Typer<'a> {
             (None, Some(max)) => format!("at most {max}"),
             (None, None) => return,
         };
-        let message = format!("`{}` is {}, outside its range", self.port_name(flat, input), describe(value));
-        let problem = Diagnostic::warning("out-of-range", message).hint(format!("use a value {range}"));
+        let message =
+            format!("`{}` is {}, outside its range", self.port_name(flat, input), describe(value));
+        let problem =
+            Diagnostic::warning("out-of-range", message).hint(format!("use a value {range}"));
         self.problem(flat, Some(input), problem);
     }
 }
 
 fn conversion_hint(from: &Type, to: &Type) -> &'static str {
     match (from, to) {
-        (Type::Light, _) => "a Parametrization turns a light into an angle; Light parts gives its direction and colour",
+        (Type::Light, _) => {
+            "a Parametrization turns a light into an angle; Light parts gives its direction and \
+             color"
+        }
         (Type::Angle, _) => "a Profile turns an angle into a tone",
         (_, Type::Light) => "wire a Light node",
         (_, Type::Angle) => "wire a Parametrization",
-        (Type::Vec2 | Type::Vec3 | Type::Vec4, Type::Float) => "take one number with Separate vector, or its Length",
+        (Type::Vec2 | Type::Vec3 | Type::Vec4, Type::Float) => {
+            "take one number with Separate vector, or its Length"
+        }
         _ => "put a node between them that turns the one into the other",
     }
 }
@@ -757,7 +902,9 @@ fn taken_inputs(def: &NodeDef, variant: usize) -> Vec<(usize, Type)> {
         match parameter {
             Parameter::Input(index, ty) => taken.push((*index, ty.clone())),
             Parameter::Prepared => {
-                taken.extend(def.prepare.iter().flat_map(|prepare| prepare.parameters.iter().cloned()));
+                taken.extend(
+                    def.prepare.iter().flat_map(|prepare| prepare.parameters.iter().cloned()),
+                );
             }
             Parameter::Sampler(_) => {}
         }

@@ -1,8 +1,9 @@
-//! Wires that drive keys: which outputs those are, whether each is one number for an object, and in which order keys by
-//! them come about.
+//! Wires that drive keys: which outputs those are, whether each is one number for an object, and in
+//! which order keys by them come about.
 //!
-//! What a wire gives may itself be keyed. Sets of keys therefore take effect one after the other, each after those that
-//! move what drives it; sets that drive one another have no such order and are refused.
+//! What a wire gives may itself be keyed. Sets of keys therefore take effect one after the other,
+//! each after those that move what drives it; sets that drive one another have no such order and
+//! are refused.
 
 use std::collections::{HashMap, HashSet};
 
@@ -28,8 +29,13 @@ pub struct TypedDriver {
     pub conversion: Conversion,
 }
 
-/// The outputs that drive keys of a look, each once, with what stands behind them; what names nothing is a problem.
-pub(super) fn find(look: &Look, flat: &FlatGraph, problems: &mut Vec<Diagnostic>) -> Vec<(OutputPort, usize, usize)> {
+/// The outputs that drive keys of a look, each once, with what stands behind them; what names
+/// nothing is a problem.
+pub(super) fn find(
+    look: &Look,
+    flat: &FlatGraph,
+    problems: &mut Vec<Diagnostic>,
+) -> Vec<(OutputPort, usize, usize)> {
     let mut found: Vec<(OutputPort, usize, usize)> = Vec::new();
     for (set, keys) in look.direction_keys.iter().enumerate() {
         for wire in keys.by.outputs() {
@@ -60,10 +66,15 @@ pub(super) fn typed(
     for (wire, node, output) in found {
         let reads = |keys: &DirectionKeys| keys.by.outputs().any(|other| *other == wire);
         let set = look.direction_keys.iter().position(reads).unwrap_or_default();
-        let told = |problem: Diagnostic| problem.node(wire.node.clone()).port(wire.port.clone()).json_path(place(set));
+        let told = |problem: Diagnostic| {
+            problem.node(wire.node.clone()).port(wire.port.clone()).json_path(place(set))
+        };
         if rates[node] > Rate::Object {
-            let message = format!("`{wire}` has another value at every fragment, so that it cannot drive keys");
-            let hint = "drive them by what is the same all over an object: values, the time, lights from one direction, \
+            let message = format!(
+                "`{wire}` has another value at every fragment, so that it cannot drive keys"
+            );
+            let hint = "drive them by what is the same all over an object: values, the time, \
+                        lights from one direction, \
                         and what is computed from these";
             problems.push(told(Diagnostic::error("fragment-driver", message).hint(hint)));
             continue;
@@ -72,9 +83,12 @@ pub(super) fn typed(
         match ty.convert_to(&Type::Float) {
             Some(conversion) => drivers.push(TypedDriver { wire, node, output, conversion }),
             None => {
-                let message = format!("`{wire}` gives {ty}, which is no number, so that it cannot drive keys");
+                let message = format!(
+                    "`{wire}` gives {ty}, which is no number, so that it cannot drive keys"
+                );
                 problems.push(told(
-                    Diagnostic::error("wrong-type", message).hint("wire it to a node that makes a number of it"),
+                    Diagnostic::error("wrong-type", message)
+                        .hint("wire it to a node that makes a number of it"),
                 ));
             }
         }
@@ -110,10 +124,11 @@ fn rate(node: &TypedNode, known: &[Rate]) -> Rate {
 }
 
 impl TypedGraph {
-    /// The outputs of the look's own nodes and groups that may drive keys of what `moved` names: what depends on that
-    /// itself may not. In the order of the look's nodes, groups last. First those that may change while nobody edits the
-    /// look: what depends on a context, on a light, or on what of `set` names, which is what keys and scenes set; then
-    /// those that are always the same.
+    /// The outputs of the look's own nodes and groups that may drive keys of what `moved` names:
+    /// what depends on that itself may not. In the order of the look's nodes, groups last. First
+    /// those that may change while nobody edits the look: what depends on a context, on a light, or
+    /// on what of `set` names, which is what keys and scenes set; then those that are always the
+    /// same.
     pub fn drivable(&self, moved: &[Target], set: &[Target]) -> [Vec<OutputPort>; 2] {
         let changes = self.changing(set);
         let (changing, still): (Vec<_>, Vec<_>) =
@@ -127,12 +142,19 @@ impl TypedGraph {
         let drives = |index: usize, output: usize| {
             let node = &self.nodes[index];
             let is_number = || node.output_type(output).convert_to(&Type::Float).is_some();
-            rates[index] <= Rate::Object && !is_moved[index] && node.def.special != Special::Output && is_number()
+            rates[index] <= Rate::Object
+                && !is_moved[index]
+                && node.def.special != Special::Output
+                && is_number()
         };
         let mut found = Vec::new();
-        for (index, node) in self.nodes.iter().enumerate().filter(|(_, node)| node.path.ids().len() == 1) {
-            let outputs = node.def.outputs.iter().enumerate().filter(|(output, _)| drives(index, *output));
-            let named = |port: &PortName| OutputPort { node: node.path.clone(), port: port.clone() };
+        for (index, node) in
+            self.nodes.iter().enumerate().filter(|(_, node)| node.path.ids().len() == 1)
+        {
+            let outputs =
+                node.def.outputs.iter().enumerate().filter(|(output, _)| drives(index, *output));
+            let named =
+                |port: &PortName| OutputPort { node: node.path.clone(), port: port.clone() };
             found.extend(outputs.map(|(_, port)| (named(&port.name), index)));
         }
         let mut of_groups: Vec<(OutputPort, usize)> = Vec::new();
@@ -168,7 +190,9 @@ impl TypedGraph {
         let is_moved = |target: &Target| moved.contains(target);
         let lights: HashSet<&LightId> = moved
             .iter()
-            .filter_map(|target| if let Target::Light { light, .. } = target { Some(light) } else { None })
+            .filter_map(
+                |target| if let Target::Light { light, .. } = target { Some(light) } else { None },
+            )
             .collect();
         let param = |id: ParamId| {
             let param = &self.params[id];
@@ -216,20 +240,28 @@ fn reads(graph: &TypedGraph, root: usize) -> Reads {
     reads
 }
 
-/// The sets of keys, each after those that move what drives it, else in the document's order; that keys drive one another
-/// is a problem.
+/// The sets of keys, each after those that move what drives it, else in the document's order; that
+/// keys drive one another is a problem.
 pub(super) fn order(graph: &TypedGraph, look: &Look) -> (Vec<usize>, Vec<Diagnostic>) {
     let sets = &look.direction_keys;
     if graph.drivers.is_empty() {
         return ((0..sets.len()).collect(), Vec::new());
     }
-    let ids: HashMap<(&NodePath, &PortName), ParamId> =
-        graph.params.iter().enumerate().map(|(id, param)| ((&param.path, &param.port), id)).collect();
-    let targets: Vec<HashSet<&Target>> =
-        sets.iter().map(|keys| keys.keys.iter().flat_map(|key| key.values.keys()).collect()).collect();
+    let ids: HashMap<(&NodePath, &PortName), ParamId> = graph
+        .params
+        .iter()
+        .enumerate()
+        .map(|(id, param)| ((&param.path, &param.port), id))
+        .collect();
+    let targets: Vec<HashSet<&Target>> = sets
+        .iter()
+        .map(|keys| keys.keys.iter().flat_map(|key| key.values.keys()).collect())
+        .collect();
     let moves = |set: usize, reads: &Reads| {
         targets[set].iter().any(|target| match target {
-            Target::Input { node, port } => ids.get(&(node, port)).is_some_and(|id| reads.params.contains(id)),
+            Target::Input { node, port } => {
+                ids.get(&(node, port)).is_some_and(|id| reads.params.contains(id))
+            }
             Target::Light { light, .. } => reads.lights.contains(light),
         })
     };
@@ -239,7 +271,11 @@ pub(super) fn order(graph: &TypedGraph, look: &Look) -> (Vec<usize>, Vec<Diagnos
     }
     for (set, keys) in sets.iter().enumerate() {
         let mut all = Reads::default();
-        for driver in keys.by.outputs().filter_map(|wire| graph.drivers.iter().find(|driver| driver.wire == *wire)) {
+        for driver in keys
+            .by
+            .outputs()
+            .filter_map(|wire| graph.drivers.iter().find(|driver| driver.wire == *wire))
+        {
             let Reads { params, lights } = reads(graph, driver.node);
             all.params.extend(params);
             all.lights.extend(lights);
@@ -260,7 +296,9 @@ fn sorted(before: &DiGraph<(), ()>, sets: &[DirectionKeys]) -> (Vec<usize>, Vec<
     let mut order: Vec<usize> = Vec::with_capacity(sets.len());
     let mut is_done = vec![false; sets.len()];
     let waits = |set: usize, is_done: &[bool]| {
-        before.neighbors_directed(NodeIndex::new(set), petgraph::Incoming).any(|other| !is_done[other.index()])
+        before
+            .neighbors_directed(NodeIndex::new(set), petgraph::Incoming)
+            .any(|other| !is_done[other.index()])
     };
     while let Some(set) = (0..sets.len()).find(|&set| !is_done[set] && !waits(set, &is_done)) {
         is_done[set] = true;
@@ -284,7 +322,11 @@ fn ring_problem(sets: &[DirectionKeys], ring: &[usize]) -> Diagnostic {
         name => format!("\"{name}\""),
     };
     let names: Vec<String> = ring.iter().map(named).collect();
-    let driven = ring.iter().copied().find(|&set| sets[set].by.outputs().next().is_some()).unwrap_or(ring[0]);
+    let driven = ring
+        .iter()
+        .copied()
+        .find(|&set| sets[set].by.outputs().next().is_some())
+        .unwrap_or(ring[0]);
     let wires: Vec<String> = sets[driven].by.outputs().map(|wire| format!("`{wire}`")).collect();
     let message = match names.as_slice() {
         [one] => format!("the keys {one} move what drives them: {}", wires.join(", ")),

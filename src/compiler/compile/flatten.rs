@@ -1,8 +1,9 @@
-//! Inlines groups: a flat list of library nodes, each input bound to an output, a value or its fallback.
+//! Inlines groups: a flat list of library nodes, each input bound to an output, a value or its
+//! fallback.
 //!
-//! Nothing recurses over the graph. Scopes (the look's graph and each use of a definition) come from a work list, and an
-//! input is resolved by a loop that walks through groups and reroutes, over each of them once: what lies behind an input
-//! on the way is remembered.
+//! Nothing recurses over the graph. Scopes (the look's graph and each use of a definition) come
+//! from a work list, and an input is resolved by a loop that walks through groups and reroutes,
+//! over each of them once: what lies behind an input on the way is remembered.
 
 mod groups;
 #[cfg(test)]
@@ -19,13 +20,15 @@ use crate::diag::Diagnostic;
 use crate::document::{Definition, Graph, InterfacePort, Look, Node, Tier, Value, Wire};
 use crate::ids::{GROUP_INPUTS, GROUP_OUTPUTS, NodeId, NodePath, PortName};
 use crate::library::{
-    CUSTOM_CODE, CUSTOM_KIND, Context, Fallback, GroupPorts, Input, Library, NodeDef, Output, Special, Type, load_node,
+    CUSTOM_CODE, CUSTOM_KIND, Context, Fallback, GroupPorts, Input, Library, NodeDef, Output,
+    Special, Type, load_node,
 };
 
 /// As many nodes as a look may have once its groups are inlined.
 pub const MAX_FLAT_NODES: usize = 1_000_000;
 
-/// As many problems have suggestions and lists of what there is; for more, that takes longer than it helps.
+/// As many problems have suggestions and lists of what there is; for more, that takes longer than
+/// it helps.
 const MAX_SUGGESTIONS: usize = 100;
 /// As many kinds are searched for one that was meant.
 const MAX_KINDS: usize = 10_000;
@@ -44,7 +47,8 @@ pub struct Param {
     pub path: NodePath,
     /// Its input.
     pub port: PortName,
-    /// What the document says, or the port's default once the look is checked; `None` for something of the surroundings.
+    /// What the document says, or the port's default once the look is checked; `None` for something
+    /// of the surroundings.
     pub value: Option<Value>,
     /// What it has where the document says nothing, as `value` is resolved.
     pub default: Option<Value>,
@@ -106,10 +110,17 @@ impl FlatGraph {
     ///
     /// # Errors
     /// That there is no such node or output, with near names.
-    pub(super) fn output(&self, path: &NodePath, port: &PortName) -> Result<(usize, usize), Diagnostic> {
+    pub(super) fn output(
+        &self,
+        path: &NodePath,
+        port: &PortName,
+    ) -> Result<(usize, usize), Diagnostic> {
         if let Some(outputs) = self.group_outputs.get(path) {
             return outputs.get(port).copied().ok_or_else(|| {
-                let problem = Diagnostic::error("unknown-port", format!("the group `{path}` has no output `{port}`"));
+                let problem = Diagnostic::error(
+                    "unknown-port",
+                    format!("the group `{path}` has no output `{port}`"),
+                );
                 let known = outputs.keys().map(PortName::as_str).filter(|name| !name.is_empty());
                 problem.node(path.clone()).suggest(port.as_str(), known)
             });
@@ -121,7 +132,10 @@ impl FlatGraph {
         };
         let def = &self.nodes[node].def;
         let output = def.output(port.as_str()).ok_or_else(|| {
-            let problem = Diagnostic::error("unknown-port", format!("the node `{path}` has no output `{port}`"));
+            let problem = Diagnostic::error(
+                "unknown-port",
+                format!("the node `{path}` has no output `{port}`"),
+            );
             let known = def.outputs.iter().map(|output| output.name.as_str());
             problem.node(path.clone()).suggest(port.as_str(), known)
         })?;
@@ -159,7 +173,8 @@ struct Flattener<'a> {
     groups: Groups<'a>,
     /// The ports of muted groups, which let their inputs through.
     group_ports: RefCell<HashMap<&'a str, Arc<GroupPorts>>>,
-    /// What lies behind inputs that lead on to others: those of reroutes and groups, and whatever they feed.
+    /// What lies behind inputs that lead on to others: those of reroutes and groups, and whatever
+    /// they feed.
     ends: HashMap<InputKey<'a>, End<'a>>,
     /// What is wrong with the files of kinds, by kind.
     broken_kinds: HashMap<&'a str, &'a Diagnostic>,
@@ -200,9 +215,13 @@ enum End<'a> {
     Ring,
 }
 
-/// Inlines the groups of `look`. Problems are added to `problems`; what can be made out is returned, or nothing where the
-/// look would become too large.
-pub(super) fn flatten(look: &Look, library: &Library, problems: &mut Vec<Diagnostic>) -> Option<FlatGraph> {
+/// Inlines the groups of `look`. Problems are added to `problems`; what can be made out is
+/// returned, or nothing where the look would become too large.
+pub(super) fn flatten(
+    look: &Look,
+    library: &Library,
+    problems: &mut Vec<Diagnostic>,
+) -> Option<FlatGraph> {
     let groups = Groups::of(look, library).map_err(|problem| problems.push(*problem)).ok()?;
     let mut flattener = Flattener::new(look, library, groups);
     flattener.run();
@@ -277,7 +296,8 @@ impl<'a> Flattener<'a> {
     ) -> usize {
         let mut wires = HashMap::with_capacity(graph.wires.len());
         for wire in &graph.wires {
-            // Two wires into one input were reported when the document was read; the first one holds.
+            // Two wires into one input were reported when the document was read; the first one
+            // holds.
             wires.entry((wire.to.node.as_str(), wire.to.port.as_str())).or_insert(wire);
         }
         let slots = HashMap::with_capacity(graph.nodes.len());
@@ -289,7 +309,11 @@ impl<'a> Flattener<'a> {
         let graph = self.scopes[scope].graph;
         let mut framed: HashMap<&NodeId, Arc<str>> = HashMap::new();
         for (id, frame) in &graph.frames {
-            let title: Arc<str> = if frame.title.is_empty() { id.as_str().into() } else { frame.title.as_str().into() };
+            let title: Arc<str> = if frame.title.is_empty() {
+                id.as_str().into()
+            } else {
+                frame.title.as_str().into()
+            };
             framed.extend(frame.nodes.iter().map(|node| (node, title.clone())));
         }
         for (id, node) in &graph.nodes {
@@ -299,7 +323,8 @@ impl<'a> Flattener<'a> {
             } else {
                 match self.node_def(node, &path) {
                     Some(def) => {
-                        let region = self.scopes[scope].region.clone().or_else(|| framed.get(id).cloned());
+                        let region =
+                            self.scopes[scope].region.clone().or_else(|| framed.get(id).cloned());
                         Slot::Flat(self.push_node(scope, id, node, def, path, region))
                     }
                     None => Slot::Missing,
@@ -310,7 +335,10 @@ impl<'a> Flattener<'a> {
     }
 
     fn path_of(&self, scope: usize, id: &NodeId) -> NodePath {
-        self.scopes[scope].path.as_ref().map_or_else(|| NodePath::root(id.clone()), |path| path.join(id.clone()))
+        self.scopes[scope]
+            .path
+            .as_ref()
+            .map_or_else(|| NodePath::root(id.clone()), |path| path.join(id.clone()))
     }
 
     fn open_group(
@@ -334,7 +362,8 @@ impl<'a> Flattener<'a> {
         let label = if definition.label.is_empty() { kind } else { &definition.label };
         let own = if node.name.is_empty() { readable(id, label) } else { node.name.clone() };
         let name = join_names(&self.scopes[scope].name, &own);
-        let region = self.scopes[scope].region.clone().or(frame).unwrap_or_else(|| own.as_str().into());
+        let region =
+            self.scopes[scope].region.clone().or(frame).unwrap_or_else(|| own.as_str().into());
         let tier = node.tier.unwrap_or(self.scopes[scope].tier);
         let inputs = &self.groups[group].inputs;
         let is_known = |port: &str| inputs.contains_key(port);
@@ -359,7 +388,9 @@ impl<'a> Flattener<'a> {
             return Some(def.clone());
         }
         let problem = match self.broken_kinds.get(node.kind.as_str()) {
-            Some(&problem) => Diagnostic { severity: crate::diag::Severity::Error, ..problem.clone() },
+            Some(&problem) => {
+                Diagnostic { severity: crate::diag::Severity::Error, ..problem.clone() }
+            }
             None => self.unknown_kind(&node.kind),
         };
         self.problems.push(problem.node(path.clone()));
@@ -367,7 +398,8 @@ impl<'a> Flattener<'a> {
     }
 
     fn unknown_kind(&self, kind: &str) -> Diagnostic {
-        let problem = Diagnostic::error("unknown-kind", format!("there is no node of kind `{kind}`"));
+        let problem =
+            Diagnostic::error("unknown-kind", format!("there is no node of kind `{kind}`"));
         if !self.may_suggest() {
             return problem;
         }
@@ -389,7 +421,8 @@ impl<'a> Flattener<'a> {
         match load_node(&format!("{path}.wgsl"), code, Some(CUSTOM_KIND)) {
             Ok(def) => Some(Arc::new(def)),
             Err(problems) => {
-                let on_node = |problem: Diagnostic| problem.node(path.clone()).port(CUSTOM_CODE.into());
+                let on_node =
+                    |problem: Diagnostic| problem.node(path.clone()).port(CUSTOM_CODE.into());
                 self.problems.extend(problems.into_iter().map(on_node));
                 None
             }
@@ -414,7 +447,8 @@ impl<'a> Flattener<'a> {
         self.problems.extend(unknown);
         let is_custom = code.is_some();
         self.problems.extend(def.notes.iter().cloned().map(|note| {
-            // The code of a custom node has no file; that of others is told of once, however many nodes there are.
+            // The code of a custom node has no file; that of others is told of once, however many
+            // nodes there are.
             if is_custom { note.node(path.clone()).port(CUSTOM_CODE.into()) } else { note }
         }));
         let index = self.flat.nodes.len();
@@ -425,8 +459,8 @@ impl<'a> Flattener<'a> {
         index
     }
 
-    /// Values of inputs that there are not. The names of those that there are, which may be very many, are asked for only
-    /// where they are told.
+    /// Values of inputs that there are not. The names of those that there are, which may be very
+    /// many, are asked for only where they are told.
     fn unknown_values<'n>(
         &self,
         node: &Node,
@@ -446,12 +480,15 @@ impl<'a> Flattener<'a> {
         known: impl FnOnce() -> Vec<&'n str>,
     ) -> Diagnostic {
         let message = format!("a node of kind `{kind}` has no input `{port}`");
-        let problem = Diagnostic::error("unknown-port", message).node(path.clone()).port(port.clone());
+        let problem =
+            Diagnostic::error("unknown-port", message).node(path.clone()).port(port.clone());
         if !self.may_suggest() {
             return problem;
         }
         let known = known();
-        problem.suggest(port.as_str(), known.iter().copied()).hint(list_of("its inputs are", &known))
+        problem
+            .suggest(port.as_str(), known.iter().copied())
+            .hint(list_of("its inputs are", &known))
     }
 
     /// Wires to and from ports that there are not.
@@ -509,7 +546,8 @@ impl<'a> Flattener<'a> {
         match here.slots.get(id.as_str())? {
             Slot::Flat(index) => {
                 let outputs = &self.flat.nodes[*index].def.outputs;
-                let is_known = outputs.iter().any(|output| output.name == *port) || is_first(outputs.len());
+                let is_known =
+                    outputs.iter().any(|output| output.name == *port) || is_first(outputs.len());
                 let known = || outputs.iter().map(|output| output.name.as_str()).collect();
                 (!is_known).then(|| self.unknown_output(scope, wire, known))
             }
@@ -523,35 +561,52 @@ impl<'a> Flattener<'a> {
         }
     }
 
-    fn unknown_output<'n>(&self, scope: usize, wire: &Wire, known: impl FnOnce() -> Vec<&'n str>) -> Diagnostic {
+    fn unknown_output<'n>(
+        &self,
+        scope: usize,
+        wire: &Wire,
+        known: impl FnOnce() -> Vec<&'n str>,
+    ) -> Diagnostic {
         let (id, port) = (&wire.from.node, &wire.from.port);
         let message = format!("the node `{id}` has no output `{port}`");
-        let problem = Diagnostic::error("unknown-port", message).node(self.path_of(scope, id)).port(port.clone());
+        let problem = Diagnostic::error("unknown-port", message)
+            .node(self.path_of(scope, id))
+            .port(port.clone());
         if !self.may_suggest() {
             return problem;
         }
         let known = known();
-        problem.suggest(port.as_str(), known.iter().copied()).hint(list_of("its outputs are", &known))
+        problem
+            .suggest(port.as_str(), known.iter().copied())
+            .hint(list_of("its outputs are", &known))
     }
 
     fn bind_inputs(&mut self) {
         for index in 0..self.flat.nodes.len() {
             let (scope, id, _) = self.origins[index];
             let def = self.flat.nodes[index].def.clone();
-            let inputs = def.inputs.iter().map(|input| self.resolve(scope, id, &input.name)).collect();
+            let inputs =
+                def.inputs.iter().map(|input| self.resolve(scope, id, &input.name)).collect();
             self.flat.nodes[index].inputs = inputs;
         }
     }
 
-    /// Finds what stands behind the outputs of groups, so that they can be shown like those of nodes.
+    /// Finds what stands behind the outputs of groups, so that they can be shown like those of
+    /// nodes.
     fn bind_group_outputs(&mut self) {
         for scope in 1..self.scopes.len() {
             let Some(group) = self.scopes[scope].group else { continue };
             let definition = self.groups[group].definition;
             let mut found = HashMap::new();
             for (index, port) in definition.outputs.iter().enumerate() {
-                let Some(&wire) = self.scopes[scope].wires.get(&(GROUP_OUTPUTS, port.name.as_str())) else { continue };
-                if let FlatInput::Wire { node, output } = self.resolve(scope, &wire.to.node, &port.name) {
+                let Some(&wire) =
+                    self.scopes[scope].wires.get(&(GROUP_OUTPUTS, port.name.as_str()))
+                else {
+                    continue;
+                };
+                if let FlatInput::Wire { node, output } =
+                    self.resolve(scope, &wire.to.node, &port.name)
+                {
                     found.insert(port.name.clone(), (node, output));
                     if index == 0 {
                         found.insert(PortName::default(), (node, output));
@@ -568,7 +623,9 @@ impl<'a> Flattener<'a> {
     fn resolve(&mut self, scope: usize, id: &'a NodeId, port: &PortName) -> FlatInput {
         match self.end_of(scope, id, port) {
             End::Output { node, output } => FlatInput::Wire { node, output },
-            End::Open { scope, id, port, fallback } => self.bind_fallback(scope, id, &port, fallback.as_ref()),
+            End::Open { scope, id, port, fallback } => {
+                self.bind_fallback(scope, id, &port, fallback.as_ref())
+            }
             End::Zero { scope, id, port, zero } => self.bind_value(scope, id, &port, Some(&zero)),
             End::Broken => FlatInput::Broken,
             End::Ring => {
@@ -580,8 +637,8 @@ impl<'a> Flattener<'a> {
         }
     }
 
-    /// Walks from an input through groups and reroutes to the output or the open input that feeds it. The inputs on the way
-    /// are walked through once, whoever comes to them later.
+    /// Walks from an input through groups and reroutes to the output or the open input that feeds
+    /// it. The inputs on the way are walked through once, whoever comes to them later.
     fn end_of(&mut self, scope: usize, id: &'a NodeId, port: &PortName) -> End<'a> {
         let mut at = (scope, id, port.clone());
         // Each with what it has where the input behind it is open.
@@ -598,7 +655,9 @@ impl<'a> Flattener<'a> {
             match self.follow(scope, wire) {
                 None => break End::Broken,
                 Some(Source::Output { node, output }) => break End::Output { node, output },
-                Some(Source::Nothing { scope, id, port, zero }) => break End::Zero { scope, id, port, zero },
+                Some(Source::Nothing { scope, id, port, zero }) => {
+                    break End::Zero { scope, id, port, zero };
+                }
                 Some(Source::Input { scope, id, port, fallback }) => {
                     // Who comes back to it before its end is known goes round in a ring.
                     self.ends.insert(key.clone(), End::Ring);
@@ -625,10 +684,17 @@ impl<'a> Flattener<'a> {
         let mut from = &wire.from;
         for _ in 0..=self.scopes.len() {
             let here = &self.scopes[scope];
-            if let (GROUP_INPUTS, Some(group), Some((parent, id))) = (from.node.as_str(), here.group, here.parent) {
+            if let (GROUP_INPUTS, Some(group), Some((parent, id))) =
+                (from.node.as_str(), here.group, here.parent)
+            {
                 let interface = self.groups[group].inputs.get(from.port.as_str());
                 let fallback = interface.and_then(|port| port.default.clone()).map(Fallback::Value);
-                return Some(Source::Input { scope: parent, id, port: from.port.clone(), fallback });
+                return Some(Source::Input {
+                    scope: parent,
+                    id,
+                    port: from.port.clone(),
+                    fallback,
+                });
             }
             match here.slots.get(from.node.as_str())? {
                 Slot::Missing => return None,
@@ -646,7 +712,8 @@ impl<'a> Flattener<'a> {
                     let output = def.output(from.port.as_str())?;
                     let (_, id, document_node) = self.origins[*node];
                     if document_node.muted
-                        && let Some(source) = self.muted(&def.inputs, &def.outputs[output], scope, id)
+                        && let Some(source) =
+                            self.muted(&def.inputs, &def.outputs[output], scope, id)
                     {
                         return Some(source);
                     }
@@ -656,12 +723,18 @@ impl<'a> Flattener<'a> {
                     let group = &self.groups[self.scopes[*child].group?];
                     let definition = group.definition;
                     let first = definition.outputs.first().map_or("", |port| port.name.as_str());
-                    let port = if from.port.as_str().is_empty() { first } else { from.port.as_str() };
+                    let port =
+                        if from.port.as_str().is_empty() { first } else { from.port.as_str() };
                     let (id, node) = here.graph.nodes.get_key_value(from.node.as_str())?;
                     if node.muted {
                         let ports = self.ports_of(group.kind, definition);
-                        let output = definition.outputs.iter().position(|output| output.name.as_str() == port)?;
-                        if let Some(source) = self.muted(&ports.inputs, &ports.outputs[output], scope, id) {
+                        let output = definition
+                            .outputs
+                            .iter()
+                            .position(|output| output.name.as_str() == port)?;
+                        if let Some(source) =
+                            self.muted(&ports.inputs, &ports.outputs[output], scope, id)
+                        {
                             return Some(source);
                         }
                     }
@@ -683,11 +756,23 @@ impl<'a> Flattener<'a> {
         }
     }
 
-    /// What stands for an output of a muted node: the input of the same name, else the first that could be its value,
-    /// else a zero. Lights and angles have no zero, so the node that makes one stays.
-    fn muted(&self, inputs: &[Input], output: &Output, scope: usize, id: &'a NodeId) -> Option<Source<'a>> {
+    /// What stands for an output of a muted node: the input of the same name, else the first that
+    /// could be its value, else a zero. Lights and angles have no zero, so the node that makes one
+    /// stays.
+    fn muted(
+        &self,
+        inputs: &[Input],
+        output: &Output,
+        scope: usize,
+        id: &'a NodeId,
+    ) -> Option<Source<'a>> {
         let Some(mut input) = let_through(inputs, output) else {
-            return Some(Source::Nothing { scope, id, port: output.name.clone(), zero: zero_of(&output.ty)? });
+            return Some(Source::Nothing {
+                scope,
+                id,
+                port: output.name.clone(),
+                zero: zero_of(&output.ty)?,
+            });
         };
         // An input that is the same as another is followed to it, each at most once.
         for _ in inputs {
@@ -697,7 +782,12 @@ impl<'a> Flattener<'a> {
             };
             input = inputs.iter().find(|input| input.name == *other).unwrap_or(input);
         }
-        Some(Source::Input { scope, id, port: input.name.clone(), fallback: Some(input.fallback.clone()) })
+        Some(Source::Input {
+            scope,
+            id,
+            port: input.name.clone(),
+            fallback: Some(input.fallback.clone()),
+        })
     }
 
     /// Whether an input is wired or has a value in the document.
@@ -716,12 +806,20 @@ impl<'a> Flattener<'a> {
     ) -> FlatInput {
         match fallback {
             Some(Fallback::Value(default)) => self.bind_value(scope, id, port, Some(default)),
-            Some(Fallback::Context(context)) if !self.is_set(scope, id, port) => FlatInput::Context(*context),
+            Some(Fallback::Context(context)) if !self.is_set(scope, id, port) => {
+                FlatInput::Context(*context)
+            }
             _ => self.bind_value(scope, id, port, None),
         }
     }
 
-    fn bind_value(&mut self, scope: usize, id: &'a NodeId, port: &PortName, default: Option<&Value>) -> FlatInput {
+    fn bind_value(
+        &mut self,
+        scope: usize,
+        id: &'a NodeId,
+        port: &PortName,
+        default: Option<&Value>,
+    ) -> FlatInput {
         let graph = self.scopes[scope].graph;
         let node = graph.nodes.get(id);
         let explicit = node.and_then(|node| node.values.get(port));
@@ -731,13 +829,19 @@ impl<'a> Flattener<'a> {
         });
         let default = interface.or(default);
         let value = explicit.or(default).cloned();
-        let param = Param { path: self.path_of(scope, id), port: port.clone(), value, default: default.cloned() };
+        let param = Param {
+            path: self.path_of(scope, id),
+            port: port.clone(),
+            value,
+            default: default.cloned(),
+        };
         let next = self.flat.params.len();
         let index = *self.param_ids.entry((scope, id.as_str(), port.clone())).or_insert(next);
         if index == next {
             self.flat.params.push(param);
         } else if self.flat.params[index].value.is_none() {
-            // A muted node's own input, which knows its default by its port, is let through to another port.
+            // A muted node's own input, which knows its default by its port, is let through to
+            // another port.
             self.flat.params[index] = param;
         }
         FlatInput::Param(index)
@@ -767,7 +871,9 @@ enum Source<'a> {
 
 /// Whether muting a node with these ports leaves something in the place of each of its outputs.
 pub fn can_be_muted(inputs: &[Input], outputs: &[Output]) -> bool {
-    outputs.iter().all(|output| let_through(inputs, output).is_some() || zero_of(&output.ty).is_some())
+    outputs
+        .iter()
+        .all(|output| let_through(inputs, output).is_some() || zero_of(&output.ty).is_some())
 }
 
 /// The input that a muted node lets through to an output.
@@ -779,7 +885,7 @@ fn let_through<'i>(inputs: &'i [Input], output: &Output) -> Option<&'i Input> {
     same.or_else(|| inputs.iter().find(is_subject))
 }
 
-/// A zero that whatever takes the type takes too; as a colour it is opaque.
+/// A zero that whatever takes the type takes too; as a color it is opaque.
 fn zero_of(ty: &Type) -> Option<Value> {
     Some(match ty {
         Type::Float | Type::Int | Type::Vec2 | Type::Vec3 | Type::Color => Value::Number(0.0),
@@ -808,7 +914,8 @@ fn readable(id: &NodeId, label: &str) -> String {
     if id.as_str().starts_with(&slug) { label.to_owned() } else { id.as_str().to_owned() }
 }
 
-/// Names of nodes deep in groups would take more memory than all else, where each of the groups has a long one.
+/// Names of nodes deep in groups would take more memory than all else, where each of the groups has
+/// a long one.
 fn join_names(outer: &str, inner: &str) -> String {
     let mut name = if outer.is_empty() { inner.to_owned() } else { format!("{outer} {inner}") };
     let most = name.floor_char_boundary(MAX_NAME);

@@ -1,4 +1,5 @@
-//! Values that are known before the fragment: computed in f64 on the CPU, read from the `Look` uniform.
+//! Values that are known before the fragment: computed in f64 on the CPU, read from the `Look`
+//! uniform.
 
 use std::collections::{BTreeSet, HashMap};
 use std::sync::{Arc, LazyLock};
@@ -21,7 +22,8 @@ use crate::wgsl::{self, Source, Valid};
 /// Everything a host program reads: one object, in one view, at one time.
 #[derive(Clone, Copy, Debug)]
 pub struct HostInputs<'a> {
-    /// Values in place of the document's, by index into [`CompiledShader::params`](crate::compile::CompiledShader::params).
+    /// Values in place of the document's, by index into
+    /// [`CompiledShader::params`](crate::compile::CompiledShader::params).
     pub params: &'a HashMap<ParamId, Value>,
     /// The look's lights, resolved.
     pub lights: &'a IndexMap<LightId, LightValues>,
@@ -40,8 +42,9 @@ pub struct HostInputs<'a> {
 /// The greatest intensity: finite in f32, whatever a file says.
 pub const MAX_INTENSITY: f64 = 1e30;
 
-/// The least half distance and range above 0, in scene units. An f32 has a lesser one as 0 or as a denormal, which a GPU
-/// may take for 0; and 0 means no fading and no end, the opposite of what was written.
+/// The least half distance and range above 0, in scene units. An f32 has a lesser one as 0 or as a
+/// denormal, which a GPU may take for 0; and 0 means no fading and no end, the opposite of what was
+/// written.
 pub const MIN_LIGHT_DISTANCE: f64 = 1e-30;
 
 /// A light in world space, ready for the shader.
@@ -70,7 +73,8 @@ pub struct LightValues {
 }
 
 impl LightValues {
-    /// Resolves `light` under the illumination frame (world from illumination) and the camera (camera from world).
+    /// Resolves `light` under the illumination frame (world from illumination) and the camera
+    /// (camera from world).
     pub fn new(light: &Light, illumination: DQuat, camera_from_world: DMat3) -> Self {
         let world_from_own = match light.space {
             LightSpace::Illumination => DMat3::from_quat(illumination),
@@ -81,7 +85,8 @@ impl LightValues {
         let own_direction = unit(light.direction);
         let outer = light.outer.clamp(0.0, std::f64::consts::PI);
         // What is no number counts as 0.
-        let intensity = if light.intensity.is_nan() { 0.0 } else { light.intensity.clamp(0.0, MAX_INTENSITY) };
+        let intensity =
+            if light.intensity.is_nan() { 0.0 } else { light.intensity.clamp(0.0, MAX_INTENSITY) };
         Self {
             direction: world_from_own * own_direction,
             own_direction,
@@ -102,7 +107,9 @@ impl LightValues {
             LightField::OwnDirection => interp::Value::vec(&self.own_direction.to_array()),
             LightField::Position => interp::Value::vec(&self.position.to_array()),
             LightField::Aim => interp::Value::vec(&self.aim.to_array()),
-            LightField::OwnFromWorld => interp::Value::matrix(&self.own_from_world.to_cols_array_2d()),
+            LightField::OwnFromWorld => {
+                interp::Value::matrix(&self.own_from_world.to_cols_array_2d())
+            }
             LightField::Color => interp::Value::vec(&self.color.to_array()),
             LightField::Intensity => interp::Value::Float(self.intensity),
             LightField::Cone => interp::Value::vec(&self.cone),
@@ -111,7 +118,8 @@ impl LightValues {
     }
 }
 
-/// A distance of a light as the f32 of a shader and the f64 of the reference both hold it; what is no number counts as 0.
+/// A distance of a light as the f32 of a shader and the f64 of the reference both hold it; what is
+/// no number counts as 0.
 fn light_distance(distance: f64) -> f64 {
     if distance > 0.0 { distance.clamp(MIN_LIGHT_DISTANCE, f64::from(f32::MAX)) } else { 0.0 }
 }
@@ -141,12 +149,16 @@ impl Step {
             }
             Self::Context(context, light) => inputs.context(*context, light.as_ref()),
             Self::Call { program, arguments, .. } => {
-                let arguments: Vec<_> = arguments.iter().map(|&index| known(index).clone()).collect();
+                let arguments: Vec<_> =
+                    arguments.iter().map(|&index| known(index).clone()).collect();
                 program.call(&arguments, Precision::F64)?
             }
             Self::Member { value, index } => {
                 let parts = known(*value).parts();
-                parts.and_then(|parts| parts.get(*index)).cloned().unwrap_or(interp::Value::Float(0.0))
+                parts
+                    .and_then(|parts| parts.get(*index))
+                    .cloned()
+                    .unwrap_or(interp::Value::Float(0.0))
             }
         })
     }
@@ -231,7 +243,8 @@ impl HostProgram {
         Ok(self.members.iter().map(|member| values[member.step].clone()).collect())
     }
 
-    /// What an output that drives keys gives, by the values and lights of that moment; what is no number counts as 0.
+    /// What an output that drives keys gives, by the values and lights of that moment; what is no
+    /// number counts as 0.
     ///
     /// # Errors
     /// As [`run`](Self::run).
@@ -247,7 +260,9 @@ impl HostProgram {
 
     /// The inputs that an output depends on.
     pub fn params_of(&self, driver: &HostDriver) -> Vec<ParamId> {
-        let param = |index: usize| if let Step::Param { id, .. } = &self.steps[index] { Some(*id) } else { None };
+        let param = |index: usize| {
+            if let Step::Param { id, .. } = &self.steps[index] { Some(*id) } else { None }
+        };
         self.steps_of(driver).into_iter().filter_map(param).collect()
     }
 
@@ -281,7 +296,12 @@ impl HostProgram {
     ///
     /// # Errors
     /// As [`run`](Self::run).
-    pub fn write(&self, inputs: &HostInputs<'_>, at: usize, uniform: &mut Uniform) -> Result<(), Diagnostic> {
+    pub fn write(
+        &self,
+        inputs: &HostInputs<'_>,
+        at: usize,
+        uniform: &mut Uniform,
+    ) -> Result<(), Diagnostic> {
         for (value, (_, offset, layout)) in self.run(inputs)?.iter().zip(&self.layout.members) {
             layout.write(value, at + *offset as usize, &mut uniform.bytes);
             push_numbers(value, &mut uniform.numbers);
@@ -295,17 +315,20 @@ impl HostProgram {
 pub struct Uniform {
     /// As WGSL lays it out, in f32.
     pub bytes: Vec<u8>,
-    /// Every scalar in order, matrices by columns, without padding, in f64: what the reference reads.
+    /// Every scalar in order, matrices by columns, without padding, in f64: what the reference
+    /// reads.
     pub numbers: Vec<f64>,
 }
 
-/// Every scalar of a value, within what an f32 can hold; NaN, which only a project's own node may give, becomes 0, as it
-/// does in the bytes.
+/// Every scalar of a value, within what an f32 can hold; NaN, which only a project's own node may
+/// give, becomes 0, as it does in the bytes.
 pub fn push_numbers(value: &interp::Value, numbers: &mut Vec<f64>) {
     match value.parts() {
         Some(parts) => parts.iter().for_each(|part| push_numbers(part, numbers)),
         None => {
-            let finite = |x: &f64| if x.is_nan() { 0.0 } else { x.clamp(f64::from(f32::MIN), f64::from(f32::MAX)) };
+            let finite = |x: &f64| {
+                if x.is_nan() { 0.0 } else { x.clamp(f64::from(f32::MIN), f64::from(f32::MAX)) }
+            };
             numbers.extend(value.components().unwrap_or_default().iter().map(finite));
         }
     }
@@ -314,13 +337,18 @@ pub fn push_numbers(value: &interp::Value, numbers: &mut Vec<f64>) {
 impl HostInputs<'_> {
     fn context(&self, context: Context, light: Option<&LightId>) -> interp::Value {
         match context {
-            Context::CameraFromWorld => interp::Value::matrix(&self.camera_from_world.to_cols_array_2d()),
+            Context::CameraFromWorld => {
+                interp::Value::matrix(&self.camera_from_world.to_cols_array_2d())
+            }
             Context::ObjectId => interp::Value::Float(self.object_id),
             Context::Time => interp::Value::Float(self.time),
             Context::Frame => interp::Value::Float(self.frame),
             Context::Viewport => interp::Value::vec(&self.viewport),
             Context::Light(field) => light.and_then(|id| self.lights.get(id)).map_or_else(
-                || LightValues::new(&Light::default(), DQuat::IDENTITY, DMat3::IDENTITY).field(field),
+                || {
+                    LightValues::new(&Light::default(), DQuat::IDENTITY, DMat3::IDENTITY)
+                        .field(field)
+                },
                 |l| l.field(field),
             ),
             // Of fragment rate, and so never a step of the host.
@@ -345,7 +373,11 @@ static CONVERSIONS: LazyLock<Conversions> = LazyLock::new(|| {
             if let Some(conversion @ Conversion::Template(_)) = from.convert_to(to) {
                 let body = conversion.apply("value");
                 let name = format!("conversion_{}", pairs.len());
-                text += &format!("fn {name}(value: {}) -> {} {{ return {body}; }}\n", from.wgsl(), to.wgsl());
+                text += &format!(
+                    "fn {name}(value: {}) -> {} {{ return {body}; }}\n",
+                    from.wgsl(),
+                    to.wgsl()
+                );
                 pairs.push((from.clone(), to.clone(), name));
             }
         }
@@ -353,7 +385,8 @@ static CONVERSIONS: LazyLock<Conversions> = LazyLock::new(|| {
     let linked = wgsl::link(&[Source { name: "conversions", text: &text }]).ok();
     let valid = linked.as_ref().and_then(|linked| wgsl::parse(&linked.text).ok());
     let compiled = |(from, to, name): (Type, Type, String)| {
-        let options = interp::Options { source: Some(&linked.as_ref()?.text), ..interp::Options::default() };
+        let options =
+            interp::Options { source: Some(&linked.as_ref()?.text), ..interp::Options::default() };
         let program = Program::compile(&valid.as_ref()?.module, &name, options).ok()?;
         Some(((from, to), (name, Arc::new(program))))
     };
@@ -384,7 +417,15 @@ mod tests {
         let color = conversion_program(&Type::Float, &Type::Color).unwrap();
         let value = color.call(&[interp::Value::Float(0.25)], Precision::F64).unwrap();
         assert_eq!(value, interp::Value::vec(&[0.25, 0.25, 0.25, 1.0]));
-        let types = [Type::Float, Type::Int, Type::Bool, Type::Vec3, Type::Color, Type::Composite, Type::Angle];
+        let types = [
+            Type::Float,
+            Type::Int,
+            Type::Bool,
+            Type::Vec3,
+            Type::Color,
+            Type::Composite,
+            Type::Angle,
+        ];
         for from in &types {
             for to in &types {
                 let is_template = matches!(from.convert_to(to), Some(Conversion::Template(_)));
@@ -401,8 +442,12 @@ mod tests {
         };
         for tiny in [1e-300, f64::MIN_POSITIVE, 5e-324, 1e-40, f64::from(f32::MIN_POSITIVE)] {
             for distance in [fading(tiny, 0.0)[0], fading(0.0, tiny)[1]] {
-                assert!((distance as f32).is_normal() && distance == MIN_LIGHT_DISTANCE, "{tiny}: {distance}");
-                // What `light_fading` divides by it stays a number in f32, across all that a scene may hold.
+                assert!(
+                    (distance as f32).is_normal() && distance == MIN_LIGHT_DISTANCE,
+                    "{tiny}: {distance}"
+                );
+                // What `light_fading` divides by it stays a number in f32, across all that a scene
+                // may hold.
                 assert!((4e6_f32 / distance as f32).is_finite());
             }
         }
@@ -415,7 +460,8 @@ mod tests {
     fn constants_of_the_library_are_read_at_f64() {
         let module = &crate::library::Library::built_in().nodes["color_luminance"].module;
         let program = module.program("color_luminance").unwrap();
-        let green = program.call(&[interp::Value::vec(&[0.0, 1.0, 0.0, 1.0])], Precision::F64).unwrap();
+        let green =
+            program.call(&[interp::Value::vec(&[0.0, 1.0, 0.0, 1.0])], Precision::F64).unwrap();
         assert_eq!(green, interp::Value::Float(0.7152), "and not the nearest f32");
         assert_ne!(f64::from(0.7152_f32), 0.7152);
     }

@@ -15,8 +15,8 @@ use crate::wgsl::{identifiers, rename_identifiers};
 /// What a [`HostProgram`] does, step by step.
 #[derive(Clone, Debug)]
 pub struct HostSource {
-    /// The functions that the steps call, with all that they use; empty where none is called. Valid WGSL without entry
-    /// points.
+    /// The functions that the steps call, with all that they use; empty where none is called. Valid
+    /// WGSL without entry points.
     pub wgsl: String,
     /// Each step reads only earlier ones.
     pub steps: Vec<HostStep>,
@@ -60,7 +60,9 @@ impl HostProgram {
         let functions = Functions::collect(&self.steps);
         let step = |step: &Step| match step {
             Step::Constant(value) => HostStep::Constant(value.clone()),
-            Step::Param { id, ty, value } => HostStep::Param { id: *id, ty: ty.clone(), value: value.clone() },
+            Step::Param { id, ty, value } => {
+                HostStep::Param { id: *id, ty: ty.clone(), value: value.clone() }
+            }
             Step::Context(context, light) => HostStep::Context(*context, light.clone()),
             Step::Call { callee, arguments, .. } => {
                 HostStep::Call { function: functions.name(callee), arguments: arguments.clone() }
@@ -86,9 +88,13 @@ impl Functions {
         let mut conversions = BTreeMap::new();
         for step in steps {
             match step {
-                Step::Call { callee: Callee::Function(function), .. } => items.want_function(function),
+                Step::Call { callee: Callee::Function(function), .. } => {
+                    items.want_function(function)
+                }
                 Step::Call { callee: Callee::Conversion { from, to }, .. } => {
-                    let Conversion::Template(template) = from.convert_to(to).unwrap_or(Conversion::None) else {
+                    let Conversion::Template(template) =
+                        from.convert_to(to).unwrap_or(Conversion::None)
+                    else {
                         continue;
                     };
                     let types = [from.wgsl().to_owned(), to.wgsl().to_owned()];
@@ -108,9 +114,16 @@ impl Functions {
         let mut named = BTreeMap::new();
         for ((from, to), template) in conversions {
             let name = names.give_exact(&format!("{to}_from_{from}"));
-            let known = |word: &str| library.as_ref().map(|library| collected.name(library, word).to_owned());
+            let known = |word: &str| {
+                library.as_ref().map(|library| collected.name(library, word).to_owned())
+            };
             let body = rename_identifiers(&Conversion::Template(template).apply("value"), known);
-            let _ = writeln!(text, "fn {name}(value: {}) -> {} {{\n    return {body};\n}}\n", from.wgsl(), to.wgsl());
+            let _ = writeln!(
+                text,
+                "fn {name}(value: {}) -> {} {{\n    return {body};\n}}\n",
+                from.wgsl(),
+                to.wgsl()
+            );
             named.insert((from, to), name);
         }
         text.truncate(text.trim_end().len());
@@ -122,7 +135,9 @@ impl Functions {
 
     fn name(&self, callee: &Callee) -> String {
         match callee {
-            Callee::Function(function) => self.collected.name(&function.module, &function.name).to_owned(),
+            Callee::Function(function) => {
+                self.collected.name(&function.module, &function.name).to_owned()
+            }
             Callee::Conversion { from, to } => {
                 self.conversions.get(&(from.clone(), to.clone())).cloned().unwrap_or_default()
             }

@@ -1,4 +1,5 @@
-//! The library declarations that a module needs: functions, structs and constants, taken whole from their files.
+//! The library declarations that a module needs: functions, structs and constants, taken whole from
+//! their files.
 
 use std::collections::{HashMap, HashSet, VecDeque};
 use std::sync::Arc;
@@ -10,8 +11,9 @@ use crate::wgsl::{Declaration, DeclarationKind, rename_identifiers};
 
 /// Collects declarations from node modules and gives each a name of its own.
 ///
-/// Modules of a project's own nodes carry their own copies of what they import; equal text is taken once. Two custom
-/// nodes may each have a `fn tint`; then the second becomes `tint_2`, with every mention of it.
+/// Modules of a project's own nodes carry their own copies of what they import; equal text is taken
+/// once. Two custom nodes may each have a `fn tint`; then the second becomes `tint_2`, with every
+/// mention of it.
 #[derive(Debug, Default)]
 pub(super) struct Items {
     modules: Vec<Arc<NodeModule>>,
@@ -34,10 +36,11 @@ impl Items {
 
     /// Asks for a declaration by name, if the module has it.
     pub(super) fn want(&mut self, module: &Arc<NodeModule>, name: &str) {
-        let index = self.modules.iter().position(|known| Arc::ptr_eq(known, module)).unwrap_or_else(|| {
-            self.modules.push(module.clone());
-            self.modules.len() - 1
-        });
+        let index =
+            self.modules.iter().position(|known| Arc::ptr_eq(known, module)).unwrap_or_else(|| {
+                self.modules.push(module.clone());
+                self.modules.len() - 1
+            });
         self.wanted.insert((index, name.to_owned()));
     }
 
@@ -58,7 +61,9 @@ impl Items {
         let mut by_text: HashMap<&str, String> = HashMap::new();
         let mut ordered: Vec<(usize, &Declaration)> = used
             .iter()
-            .filter_map(|(module, name)| self.modules[*module].declaration(name).map(|found| (*module, found)))
+            .filter_map(|(module, name)| {
+                self.modules[*module].declaration(name).map(|found| (*module, found))
+            })
             .collect();
         ordered.sort_by_key(|(module, declaration)| (*module, declaration.span.start));
         let mut printed = Vec::new();
@@ -81,7 +86,11 @@ impl Items {
             };
             collected.text.push_str(&short_doc(declaration));
             collected.text.push_str(&rename_identifiers(text, renamed));
-            collected.text.push_str(if declaration.kind == DeclarationKind::Constant { "\n" } else { "\n\n" });
+            collected.text.push_str(if declaration.kind == DeclarationKind::Constant {
+                "\n"
+            } else {
+                "\n\n"
+            });
         }
         collected
     }
@@ -91,14 +100,20 @@ impl Collected {
     /// What a declaration is called in the collected text.
     pub(super) fn name<'n>(&'n self, module: &Arc<NodeModule>, name: &'n str) -> &'n str {
         let index = self.modules.iter().position(|known| *known == Arc::as_ptr(module) as usize);
-        index.and_then(|index| self.names.get(&(index, name.to_owned()))).map_or(name, String::as_str)
+        index
+            .and_then(|index| self.names.get(&(index, name.to_owned())))
+            .map_or(name, String::as_str)
     }
 }
 
 /// The docs without what only the editor reads.
 fn short_doc(declaration: &Declaration) -> String {
-    let lines: Vec<&str> =
-        declaration.doc.iter().map(String::as_str).take_while(|line| !line.starts_with('@')).collect();
+    let lines: Vec<&str> = declaration
+        .doc
+        .iter()
+        .map(String::as_str)
+        .take_while(|line| !line.starts_with('@'))
+        .collect();
     let mut text = String::new();
     let kept = lines.iter().rposition(|line| !line.is_empty()).map_or(0, |last| last + 1);
     for line in &lines[..kept] {

@@ -63,16 +63,21 @@ fn layout(module: &naga::Module, ty: naga::Handle<naga::Type>) -> Layout {
             Layout::Array { stride: *stride, element: Box::new(layout(module, *base)) }
         }
         naga::TypeInner::Struct { members, span } => {
-            let member = |m: &naga::StructMember| (m.name.clone().unwrap_or_default(), m.offset, layout(module, m.ty));
-            Layout::Struct(StructLayout { members: members.iter().map(member).collect(), size: *span })
+            let member = |m: &naga::StructMember| {
+                (m.name.clone().unwrap_or_default(), m.offset, layout(module, m.ty))
+            };
+            Layout::Struct(StructLayout {
+                members: members.iter().map(member).collect(),
+                size: *span,
+            })
         }
         _ => Layout::Scalar,
     }
 }
 
 impl Layout {
-    /// Writes `value` at byte `at`. Numbers become the nearest finite f32, and NaN becomes 0: a project's own node may
-    /// give either.
+    /// Writes `value` at byte `at`. Numbers become the nearest finite f32, and NaN becomes 0: a
+    /// project's own node may give either.
     pub fn write(&self, value: &Value, at: usize, bytes: &mut [u8]) {
         match (self, value) {
             (Self::Scalar, value) => {
@@ -88,7 +93,11 @@ impl Layout {
             (Self::Matrix { rows, stride }, Value::Matrix { components, .. }) => {
                 for (i, component) in components.iter().enumerate() {
                     let (column, row) = (i / *rows as usize, i % *rows as usize);
-                    write_scalar(Scalar::Float(*component), at + column * *stride as usize + 4 * row, bytes);
+                    write_scalar(
+                        Scalar::Float(*component),
+                        at + column * *stride as usize + 4 * row,
+                        bytes,
+                    );
                 }
             }
             (Self::Array { stride, element }, Value::Array(parts)) => {

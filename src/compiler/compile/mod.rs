@@ -1,7 +1,8 @@
 //! From a look to one WGSL module.
 //!
-//! [`check()`] inlines groups and types every value; `specialize` folds, merges and removes, each removal with its
-//! reason; `emit` writes the WGSL, which naga then validates. Each step has its own type, so none can be left out.
+//! [`check()`] inlines groups and types every value; `specialize` folds, merges and removes, each
+//! removal with its reason; `emit` writes the WGSL, which naga then validates. Each step has its
+//! own type, so none can be left out.
 
 mod check;
 mod drivers;
@@ -31,8 +32,8 @@ pub use drivers::TypedDriver;
 pub use emit::{Attribute, Binding, BindingKind, ImageBinding, SAMPLES_PER_ROW, SpanMap};
 pub use flatten::{GroupOutputs, MAX_FLAT_NODES, Param, ParamId, can_be_muted};
 pub use host::{
-    HostDriver, HostInputs, HostProgram, LightValues, MAX_INTENSITY, MIN_LIGHT_DISTANCE, Uniform, UniformMember,
-    push_numbers,
+    HostDriver, HostInputs, HostProgram, LightValues, MAX_INTENSITY, MIN_LIGHT_DISTANCE, Uniform,
+    UniformMember, push_numbers,
 };
 pub use host_source::{HostSource, HostStep};
 pub use layout::{Layout, StructLayout};
@@ -89,12 +90,13 @@ pub struct Options {
     pub stage: Stage,
     /// The output to show in place of the look's own.
     pub root: Option<(NodePath, PortName)>,
-    /// Whether colours of a look in linear light are encoded for display where they leave the shader.
+    /// Whether colors of a look in linear light are encoded for display where they leave the
+    /// shader.
     pub display: bool,
     /// Whether the surface has an alpha cutoff of its own, which a mesh's material may ask for.
     pub cutout: bool,
-    /// Fields of lights that are known to be 0 for whoever wears the look: lights that are out or black, or that reach
-    /// none of the objects.
+    /// Fields of lights that are known to be 0 for whoever wears the look: lights that are out or
+    /// black, or that reach none of the objects.
     pub dark: BTreeSet<(LightId, LightField)>,
     /// Whether nothing is folded, merged or removed: what pruning is held against.
     pub unspecialized: bool,
@@ -135,16 +137,17 @@ pub struct CompiledShader {
 }
 
 impl CompiledShader {
-    /// Whether the look cuts parts of its surface away while inputs have these values in place of the document's: the
-    /// same for a module in which nothing was folded as for a baked one, so that the reference and the GPU draw the same
-    /// sides of a surface.
+    /// Whether the look cuts parts of its surface away while inputs have these values in place of
+    /// the document's: the same for a module in which nothing was folded as for a baked one, so
+    /// that the reference and the GPU draw the same sides of a surface.
     pub fn cuts(&self, params: &HashMap<ParamId, Value>) -> bool {
         match self.cutoff {
             AlphaCutoff::None => false,
             AlphaCutoff::Wired => true,
             AlphaCutoff::Param(id) => {
                 let value = params.get(&id).or_else(|| self.params.get(id)?.value.as_ref());
-                let number = value.and_then(|value| typed_value(value, &Type::Float).ok()?.as_f64());
+                let number =
+                    value.and_then(|value| typed_value(value, &Type::Float).ok()?.as_f64());
                 number.is_some_and(|number| number > 0.0)
             }
         }
@@ -169,7 +172,9 @@ impl AlphaCutoff {
             return Self::None;
         }
         let mut inputs = output.def.inputs.iter().zip(&output.inputs);
-        let cutoff = inputs.find(|(port, _)| port.name.as_str() == "cutoff").and_then(|(_, input)| input.as_ref());
+        let cutoff = inputs
+            .find(|(port, _)| port.name.as_str() == "cutoff")
+            .and_then(|(_, input)| input.as_ref());
         match cutoff.map(|input| &input.source) {
             None => Self::None,
             Some(TypedSource::Param(id, _)) => Self::Param(*id),
@@ -182,12 +187,17 @@ impl AlphaCutoff {
 ///
 /// # Errors
 /// Everything that is wrong with it; nodes that do not reach the output only warn.
-pub fn compile(look: &Look, library: &Library, options: &Options) -> Result<CompiledShader, Vec<Diagnostic>> {
+pub fn compile(
+    look: &Look,
+    library: &Library,
+    options: &Options,
+) -> Result<CompiledShader, Vec<Diagnostic>> {
     let (typed, warnings) = check(look, library, options.root.as_ref())?;
     compile_typed(&typed, options, warnings)
 }
 
-/// The WGSL of a look that was checked, before naga has seen it: our own share of the work, for benchmarks.
+/// The WGSL of a look that was checked, before naga has seen it: our own share of the work, for
+/// benchmarks.
 ///
 /// # Errors
 /// What the interpreter refuses to fold.
@@ -209,7 +219,8 @@ pub fn compile_typed(
     let emitted = emit::emit(typed, &specialized, options);
     let valid = wgsl::parse(&emitted.text).map_err(|error| vec![emitted.refused(&error)])?;
     let host = emitted.host.with_layout(&valid.module);
-    // The reference, which alone runs what is unspecialized, has no bound, and wants every value at f64.
+    // The reference, which alone runs what is unspecialized, has no bound, and wants every value at
+    // f64.
     if host.size > MAX_UNIFORM_BYTES && options.live == Live::All && !options.unspecialized {
         let fewer = Options { live: Live::Touched(options.touched.clone()), ..options.clone() };
         return compile_typed(typed, &fewer, warnings);
@@ -228,7 +239,11 @@ pub fn compile_typed(
         warnings,
         live: options.live.clone(),
         // A material's mask says by itself whether its other side is to be drawn.
-        cutoff: if options.cutout { AlphaCutoff::None } else { AlphaCutoff::of(typed, options.stage) },
+        cutoff: if options.cutout {
+            AlphaCutoff::None
+        } else {
+            AlphaCutoff::of(typed, options.stage)
+        },
         root_type: emitted.root_type,
     })
 }

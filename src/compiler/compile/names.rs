@@ -2,8 +2,9 @@
 
 use std::collections::HashSet;
 
-/// Words that no identifier may be: WGSL's keywords and reserved words that an artist could think of, its types and
-/// builtin functions (which may be shadowed, but would mislead), and the names that the generated frame uses.
+/// Words that no identifier may be: WGSL's keywords and reserved words that an artist could think
+/// of, its types and builtin functions (which may be shadowed, but would mislead), and the names
+/// that the generated frame uses.
 const TAKEN: &[&str] = &[
     "abs",
     "acos",
@@ -216,7 +217,8 @@ impl Names {
         self.used.insert(name.to_owned());
     }
 
-    /// `wanted` itself, or with a number behind it where it was given out before. For names that are legal already.
+    /// `wanted` itself, or with a number behind it where it was given out before. For names that
+    /// are legal already.
     pub(super) fn give_exact(&mut self, wanted: &str) -> String {
         let mut name = wanted.to_owned();
         let mut number = 2u64;
@@ -227,7 +229,8 @@ impl Names {
         name
     }
 
-    /// A legal, unused identifier that reads like `wanted`: `"Rim light!"` becomes `rim_light`, then `rim_light_2`.
+    /// A legal, unused identifier that reads like `wanted`: `"Rim light!"` becomes `rim_light`,
+    /// then `rim_light_2`.
     pub(super) fn give(&mut self, wanted: &str) -> String {
         let name = identifier(wanted);
         let is_free = |name: &str| !self.used.contains(name) && TAKEN.binary_search(&name).is_err();
@@ -241,7 +244,8 @@ impl Names {
     }
 }
 
-/// As much of a name as WGSL allows. Letters of other scripts are kept out too: GLSL and HLSL do not take them.
+/// As much of a name as WGSL allows. Letters of other scripts are kept out too: GLSL and HLSL do
+/// not take them.
 fn identifier(wanted: &str) -> String {
     let mut name = String::new();
     for c in wanted.chars() {

@@ -1,8 +1,10 @@
-//! From nodes to values: folds what is known, merges what is equal, removes what cannot change the picture.
+//! From nodes to values: folds what is known, merges what is equal, removes what cannot change the
+//! picture.
 //!
-//! Every value knows its rate. Constants are folded by the interpreter in f64; values of frame and object rate become
-//! steps of a host program, whose results the fragment reads from uniforms; the rest is emitted as WGSL. A value is
-//! made once: asking for the same operation on the same values again gives the same value.
+//! Every value knows its rate. Constants are folded by the interpreter in f64; values of frame and
+//! object rate become steps of a host program, whose results the fragment reads from uniforms; the
+//! rest is emitted as WGSL. A value is made once: asking for the same operation on the same values
+//! again gives the same value.
 
 mod bounds;
 mod bypass;
@@ -106,7 +108,8 @@ pub struct ImageUse {
     pub filter: String,
     /// `color` or `data`.
     pub encoding: String,
-    /// Whether its numbers are decoded to linear light as they are read: colours, in a look in linear light.
+    /// Whether its numbers are decoded to linear light as they are read: colors, in a look in
+    /// linear light.
     pub is_decoded: bool,
     /// The first node that reads it.
     pub node: NodePath,
@@ -147,7 +150,10 @@ pub(super) struct SpecializedGraph {
 ///
 /// # Errors
 /// A node that runs without end when it is folded.
-pub(super) fn specialize(graph: &TypedGraph, options: &Options) -> Result<SpecializedGraph, Vec<Diagnostic>> {
+pub(super) fn specialize(
+    graph: &TypedGraph,
+    options: &Options,
+) -> Result<SpecializedGraph, Vec<Diagnostic>> {
     let mut builder = Builder::new(graph, options);
     for &index in &graph.order {
         builder.node(index);
@@ -207,8 +213,11 @@ impl<'a> Builder<'a> {
     fn node(&mut self, index: usize) {
         let graph = self.graph;
         let node = &graph.nodes[index];
-        let mut inputs: Vec<Option<ValueId>> =
-            node.inputs.iter().map(|input| input.as_ref().and_then(|input| self.input(index, node, input))).collect();
+        let mut inputs: Vec<Option<ValueId>> = node
+            .inputs
+            .iter()
+            .map(|input| input.as_ref().and_then(|input| self.input(index, node, input)))
+            .collect();
         self.bound_inputs(index, node, &mut inputs);
         if let Some((value, reason, proof)) = self.bypass(index, node, &inputs) {
             self.outputs[index] = vec![value];
@@ -216,7 +225,14 @@ impl<'a> Builder<'a> {
             return;
         }
         let variant = node.variant();
-        let result = self.call(index, node, &variant.function, &variant.parameters, variant.result.clone(), &inputs);
+        let result = self.call(
+            index,
+            node,
+            &variant.function,
+            &variant.parameters,
+            variant.result.clone(),
+            &inputs,
+        );
         if self.is_unit(node, &inputs) {
             self.mark_unit(result);
         }
@@ -246,7 +262,14 @@ impl<'a> Builder<'a> {
     fn output_roots(&mut self, index: usize, node: &TypedNode, inputs: &[Option<ValueId>]) {
         for root in &node.def.variants {
             if let Some((_, word)) = &root.choice {
-                let value = self.call(index, node, &root.function, &root.parameters, root.result.clone(), inputs);
+                let value = self.call(
+                    index,
+                    node,
+                    &root.function,
+                    &root.parameters,
+                    root.result.clone(),
+                    inputs,
+                );
                 self.extra_roots.insert(word.clone(), value);
             }
         }
@@ -256,7 +279,8 @@ impl<'a> Builder<'a> {
         let value = match &input.source {
             TypedSource::Wire { node, output } => *self.outputs[*node].get(*output)?,
             TypedSource::Context(context) => {
-                let light = matches!(context, Context::Light(_)).then(|| node.light.clone()).flatten();
+                let light =
+                    matches!(context, Context::Light(_)).then(|| node.light.clone()).flatten();
                 self.context(index, *context, light)
             }
             TypedSource::Param(_, _) if input.ty.is_texture() => return None,
@@ -266,8 +290,11 @@ impl<'a> Builder<'a> {
             Conversion::None => value,
             Conversion::Template(template) => {
                 let has_alpha = matches!(self.values[value].ty, Type::Color | Type::Vec4);
-                let value =
-                    if has_alpha && input.ty == Type::Composite { self.bounded(index, "alpha", value) } else { value };
+                let value = if has_alpha && input.ty == Type::Composite {
+                    self.bounded(index, "alpha", value)
+                } else {
+                    value
+                };
                 self.convert(index, value, template, &input.ty)
             }
         })
@@ -320,7 +347,12 @@ impl<'a> Builder<'a> {
         if self.options.unspecialized { None } else { intervals::exactly(ranges?, ty) }
     }
 
-    fn call_ranges(&mut self, module: &NodeModule, function: &str, arguments: &[Argument]) -> Option<Ranges> {
+    fn call_ranges(
+        &mut self,
+        module: &NodeModule,
+        function: &str,
+        arguments: &[Argument],
+    ) -> Option<Ranges> {
         if self.options.unspecialized {
             return None;
         }
@@ -336,7 +368,8 @@ impl<'a> Builder<'a> {
     }
 
     fn param(&mut self, index: usize, id: ParamId, value: &Value, ty: &Type) -> ValueId {
-        // The checker converted it once already, so it cannot fail here; 0 keeps the type if it did.
+        // The checker converted it once already, so it cannot fail here; 0 keeps the type if it
+        // did.
         let value = typed_value(value, ty).unwrap_or(interp::Value::Float(0.0));
         if !self.live.contains(&id) {
             return self.constant(index, ty.clone(), value);
@@ -345,8 +378,13 @@ impl<'a> Builder<'a> {
         let made = self.values.len();
         // Whoever edits it may set it to anything.
         let ranges = intervals::any_like(&value);
-        let id =
-            self.value(Key::Param(id, ty.clone()), index, ty.clone(), Rate::Object, Operation::Param { id, value });
+        let id = self.value(
+            Key::Param(id, ty.clone()),
+            index,
+            ty.clone(),
+            Rate::Object,
+            Operation::Param { id, value },
+        );
         if id == made {
             self.values[id].part = Some(part);
             self.values[id].ranges = Some(ranges);
@@ -357,9 +395,17 @@ impl<'a> Builder<'a> {
     fn constant(&mut self, index: usize, ty: Type, value: interp::Value) -> ValueId {
         let mut bits = Vec::new();
         push_bits(&value, &mut bits);
-        let unit = value.components().is_some_and(|numbers| numbers.iter().all(|x| (0.0..=1.0).contains(x)));
+        let unit = value
+            .components()
+            .is_some_and(|numbers| numbers.iter().all(|x| (0.0..=1.0).contains(x)));
         let ranges = intervals::of_value(&value);
-        let id = self.value(Key::Constant(ty.clone(), bits), index, ty, Rate::Constant, Operation::Constant(value));
+        let id = self.value(
+            Key::Constant(ty.clone(), bits),
+            index,
+            ty,
+            Rate::Constant,
+            Operation::Constant(value),
+        );
         self.values[id].unit = unit;
         self.values[id].ranges = Some(ranges);
         id
@@ -397,17 +443,29 @@ impl<'a> Builder<'a> {
         id
     }
 
-    fn convert(&mut self, index: usize, value: ValueId, template: &'static str, ty: &Type) -> ValueId {
+    fn convert(
+        &mut self,
+        index: usize,
+        value: ValueId,
+        template: &'static str,
+        ty: &Type,
+    ) -> ValueId {
         let from = self.values[value].ty.clone();
-        if let (Operation::Constant(constant), false) = (&self.values[value].operation, self.options.unspecialized) {
+        if let (Operation::Constant(constant), false) =
+            (&self.values[value].operation, self.options.unspecialized)
+        {
             let program = conversion_program(&from, ty);
-            let converted =
-                program.and_then(|program| program.call(std::slice::from_ref(constant), interp::Precision::F64).ok());
+            let converted = program.and_then(|program| {
+                program.call(std::slice::from_ref(constant), interp::Precision::F64).ok()
+            });
             if let Some(converted) = converted.filter(is_finite) {
                 return self.constant(index, ty.clone(), converted);
             }
         }
-        let ranges = self.values[value].ranges.as_ref().and_then(|ranges| conversion_ranges(&from, ty, ranges));
+        let ranges = self.values[value]
+            .ranges
+            .as_ref()
+            .and_then(|ranges| conversion_ranges(&from, ty, ranges));
         if let Some(known) = self.only_value(ranges.as_ref(), ty) {
             return self.constant(index, ty.clone(), known);
         }
@@ -439,7 +497,9 @@ impl<'a> Builder<'a> {
         let mut prepared = None;
         for parameter in parameters {
             let argument = match parameter {
-                Parameter::Input(input, ty) if ty.is_texture() => Some(Argument::Image(self.image(node, *input, ty))),
+                Parameter::Input(input, ty) if ty.is_texture() => {
+                    Some(Argument::Image(self.image(node, *input, ty)))
+                }
                 Parameter::Sampler(input) => {
                     Some(Argument::Sampler(self.image(node, *input, &node.def.inputs[*input].ty)))
                 }
@@ -456,12 +516,21 @@ impl<'a> Builder<'a> {
         self.call_function(index, function, arguments, ty, None)
     }
 
-    fn prepared(&mut self, index: usize, node: &TypedNode, inputs: &[Option<ValueId>]) -> Option<ValueId> {
+    fn prepared(
+        &mut self,
+        index: usize,
+        node: &TypedNode,
+        inputs: &[Option<ValueId>],
+    ) -> Option<ValueId> {
         let prepare = node.def.prepare.as_ref()?;
-        let arguments =
-            prepare.parameters.iter().filter_map(|(input, _)| inputs[*input].map(Argument::Value)).collect();
+        let arguments = prepare
+            .parameters
+            .iter()
+            .filter_map(|(input, _)| inputs[*input].map(Argument::Value))
+            .collect();
         let part = Some("shape".to_owned());
-        let function = Function { module: node.def.module.clone(), name: prepare.function.as_str().into() };
+        let function =
+            Function { module: node.def.module.clone(), name: prepare.function.as_str().into() };
         Some(self.call_function(index, function, arguments, prepare.result.clone(), part))
     }
 
@@ -523,10 +592,15 @@ impl<'a> Builder<'a> {
             });
         }
         // What the interpreter cannot run must run in the fragment.
-        if rate < Rate::Fragment && module.program(function).is_err() { Rate::Fragment } else { rate }
+        if rate < Rate::Fragment && module.program(function).is_err() {
+            Rate::Fragment
+        } else {
+            rate
+        }
     }
 
-    /// The value of a call whose arguments are known; `None` where it is not finite and so cannot be written down.
+    /// The value of a call whose arguments are known; `None` where it is not finite and so cannot
+    /// be written down.
     fn fold(
         &self,
         module: &NodeModule,
@@ -563,7 +637,8 @@ impl<'a> Builder<'a> {
             },
             wrap: setting("wrap", "clamp"),
             filter: setting("filter", "linear"),
-            is_decoded: self.graph.color_space == ColorSpace::Linear && setting("encoding", "color") == "color",
+            is_decoded: self.graph.color_space == ColorSpace::Linear
+                && setting("encoding", "color") == "color",
             encoding: setting("encoding", "color"),
             node: node.path.clone(),
         };
@@ -577,7 +652,14 @@ impl<'a> Builder<'a> {
         })
     }
 
-    fn value(&mut self, key: Key, node: usize, ty: Type, rate: Rate, operation: Operation) -> ValueId {
+    fn value(
+        &mut self,
+        key: Key,
+        node: usize,
+        ty: Type,
+        rate: Rate,
+        operation: Operation,
+    ) -> ValueId {
         let made = self.values.len();
         // Merging is a part of pruning; only what is no work of its own is shared without it.
         let is_work = matches!(operation, Operation::Call { .. } | Operation::Convert { .. });
@@ -587,7 +669,15 @@ impl<'a> Builder<'a> {
                 return id;
             }
         }
-        self.values.push(Computed { operation, ty, rate, node, part: None, unit: false, ranges: None });
+        self.values.push(Computed {
+            operation,
+            ty,
+            rate,
+            node,
+            part: None,
+            unit: false,
+            ranges: None,
+        });
         made
     }
 
@@ -597,7 +687,13 @@ impl<'a> Builder<'a> {
         let root = match self.options.stage {
             Stage::Normals => {
                 let operation = Operation::Context(Context::Normal, None);
-                Some(self.value(Key::Context(Context::Normal, None), node, Type::Vec3, Rate::Fragment, operation))
+                Some(self.value(
+                    Key::Context(Context::Normal, None),
+                    node,
+                    Type::Vec3,
+                    Rate::Fragment,
+                    operation,
+                ))
             }
             Stage::DetailNormals => self.extra_roots.get("normal").copied(),
             Stage::Draw | Stage::Eval => None,
@@ -606,7 +702,8 @@ impl<'a> Builder<'a> {
         let root = root.unwrap_or(color);
         let zero = |value: &Computed| matches!(&value.operation, Operation::Constant(v) if v.as_f64() <= Some(0.0));
         let cutout = self.options.cutout;
-        let cutoff = self.extra_roots.get("cutoff").copied().filter(|&id| cutout || !zero(&self.values[id]));
+        let cutoff =
+            self.extra_roots.get("cutoff").copied().filter(|&id| cutout || !zero(&self.values[id]));
         let cutoff = cutoff.filter(|_| is_own_root && self.options.stage != Stage::Eval);
         let cutoff = cutoff.filter(|&id| cutout || !self.never_cuts(color, id));
         let drivers = self.drivers();
@@ -635,7 +732,9 @@ impl<'a> Builder<'a> {
             let value = self.outputs[driver.node][driver.output];
             values.push(match driver.conversion {
                 Conversion::None => value,
-                Conversion::Template(template) => self.convert(driver.node, value, template, &Type::Float),
+                Conversion::Template(template) => {
+                    self.convert(driver.node, value, template, &Type::Float)
+                }
             });
         }
         values
@@ -643,12 +742,17 @@ impl<'a> Builder<'a> {
 
     /// Whether the look's alpha is at least its cutoff wherever it is drawn.
     fn never_cuts(&mut self, color: ValueId, cutoff: ValueId) -> bool {
-        let bounds = |id: ValueId, scalar: usize| self.values[id].ranges.as_ref()?.get(scalar)?.bounds();
-        let (Some([least, _]), Some([_, most])) = (bounds(color, 3), bounds(cutoff, 0)) else { return false };
+        let bounds =
+            |id: ValueId, scalar: usize| self.values[id].ranges.as_ref()?.get(scalar)?.bounds();
+        let (Some([least, _]), Some([_, most])) = (bounds(color, 3), bounds(cutoff, 0)) else {
+            return false;
+        };
         if self.options.unspecialized || least < most {
             return false;
         }
-        let reason = format!("its alpha cutoff cuts nothing, proved by ranges: alpha is {least} or more everywhere");
+        let reason = format!(
+            "its alpha cutoff cuts nothing, proved by ranges: alpha is {least} or more everywhere"
+        );
         // Of the Output only the comparison is saved.
         let path = self.graph.nodes[self.graph.root.0].path.clone();
         self.removed.push(Removal { path, reason, proof: Proof::Ranges, operations: 1 });
@@ -658,7 +762,8 @@ impl<'a> Builder<'a> {
     /// Adds a reason for every node of which nothing is left.
     fn explain_unused(&mut self, roots: &[Option<ValueId>]) {
         let reached = reachable(&self.values, roots.iter().flatten().copied());
-        let explained: HashSet<NodePath> = self.removed.iter().map(|removal| removal.path.clone()).collect();
+        let explained: HashSet<NodePath> =
+            self.removed.iter().map(|removal| removal.path.clone()).collect();
         let mut seen: HashSet<usize> = HashSet::new();
         for (id, value) in self.values.iter().enumerate() {
             // Of a node whose value is known nothing runs.
@@ -668,11 +773,13 @@ impl<'a> Builder<'a> {
         }
         for &index in &self.graph.order {
             let node = &self.graph.nodes[index];
-            if seen.contains(&index) || explained.contains(&node.path) || index == self.graph.root.0 {
+            if seen.contains(&index) || explained.contains(&node.path) || index == self.graph.root.0
+            {
                 continue;
             }
             let outputs = &self.outputs[index];
-            let is_constant = |&id: &ValueId| matches!(self.values[id].operation, Operation::Constant(_));
+            let is_constant =
+                |&id: &ValueId| matches!(self.values[id].operation, Operation::Constant(_));
             let (reason, proof) = if !outputs.is_empty() && outputs.iter().all(is_constant) {
                 if self.proved.contains(&index) {
                     (self.proved_reason(outputs[0]), Proof::Ranges)
@@ -730,8 +837,12 @@ pub(super) fn operands(operation: &Operation) -> impl DoubleEndedIterator<Item =
 }
 
 fn live_params(graph: &TypedGraph, live: &Live) -> HashSet<ParamId> {
-    let by_place: HashMap<_, _> =
-        graph.params.iter().enumerate().map(|(id, param)| ((&param.path, &param.port), id)).collect();
+    let by_place: HashMap<_, _> = graph
+        .params
+        .iter()
+        .enumerate()
+        .map(|(id, param)| ((&param.path, &param.port), id))
+        .collect();
     let of_target = |target: &Target| match target {
         Target::Input { node, port } => by_place.get(&(node, port)).copied(),
         Target::Light { .. } => None,
@@ -742,7 +853,9 @@ fn live_params(graph: &TypedGraph, live: &Live) -> HashSet<ParamId> {
     }
     match live {
         Live::Keyed | Live::Exposed => {}
-        Live::Touched(touched) => ids.extend(touched.iter().filter_map(|(path, port)| by_place.get(&(path, port)))),
+        Live::Touched(touched) => {
+            ids.extend(touched.iter().filter_map(|(path, port)| by_place.get(&(path, port))))
+        }
         Live::All => ids.extend(0..graph.params.len()),
     }
     ids
@@ -750,7 +863,9 @@ fn live_params(graph: &TypedGraph, live: &Live) -> HashSet<ParamId> {
 
 fn is_finite(value: &interp::Value) -> bool {
     match (value.components(), value.parts()) {
-        (Some(numbers), _) => numbers.iter().all(|x| x.is_finite() && x.abs() <= f64::from(f32::MAX)),
+        (Some(numbers), _) => {
+            numbers.iter().all(|x| x.is_finite() && x.abs() <= f64::from(f32::MAX))
+        }
         (None, Some(parts)) => parts.iter().all(is_finite),
         (None, None) => true,
     }

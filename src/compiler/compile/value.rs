@@ -29,14 +29,20 @@ pub fn typed_value(value: &Value, ty: &Type) -> Result<interp::Value, String> {
             }
             Ok(interp::Value::vec(&components))
         }
-        (_, Value::Text(_)) if is_color(ty) => value.color().map(|rgba| interp::Value::vec(&rgba)).ok_or_else(found),
+        (_, Value::Text(_)) if is_color(ty) => {
+            value.color().map(|rgba| interp::Value::vec(&rgba)).ok_or_else(found)
+        }
         (_, Value::Vector(v)) => {
             let width = ty.width().filter(|&width| width > 1).ok_or_else(found)?;
             let mut components = v.iter().map(|x| finite(*x)).collect::<Result<Vec<_>, _>>()?;
             if is_color(ty) && components.len() == 3 {
                 components.push(1.0);
             }
-            if components.len() == width { Ok(interp::Value::vec(&components)) } else { Err(found()) }
+            if components.len() == width {
+                Ok(interp::Value::vec(&components))
+            } else {
+                Err(found())
+            }
         }
         _ => Err(found()),
     }
@@ -47,7 +53,11 @@ fn is_color(ty: &Type) -> bool {
 }
 
 fn finite(x: f64) -> Result<f64, String> {
-    if x.is_finite() { Ok(x) } else { Err("expected a finite number, found NaN or infinity".to_owned()) }
+    if x.is_finite() {
+        Ok(x)
+    } else {
+        Err("expected a finite number, found NaN or infinity".to_owned())
+    }
 }
 
 pub(super) fn expected(ty: &Type) -> String {
@@ -55,8 +65,12 @@ pub(super) fn expected(ty: &Type) -> String {
         Type::Bool => "true or false".to_owned(),
         Type::Float => "a number".to_owned(),
         Type::Int => "a whole number".to_owned(),
-        Type::Vec2 | Type::Vec3 | Type::Vec4 => format!("{} numbers in brackets", ty.width().unwrap_or(0)),
-        Type::Color | Type::Composite => "a colour: [r, g, b], [r, g, b, a] or \"#rrggbb\"".to_owned(),
+        Type::Vec2 | Type::Vec3 | Type::Vec4 => {
+            format!("{} numbers in brackets", ty.width().unwrap_or(0))
+        }
+        Type::Color | Type::Composite => {
+            "a color: [r, g, b], [r, g, b, a] or \"#rrggbb\"".to_owned()
+        }
         Type::Mat3 => "nine numbers in brackets".to_owned(),
         Type::Curve => "a curve: {\"points\": [[x, y], ...]}".to_owned(),
         Type::Ramp => "a ramp: {\"stops\": [{\"at\": 0, \"color\": [r, g, b]}, ...]}".to_owned(),
@@ -97,8 +111,11 @@ fn curve_value(curve: &Curve) -> Result<interp::Value, String> {
         finite(y)?;
     }
     let slopes = monotone_slopes(points);
-    let mut packed: Vec<_> =
-        points.iter().zip(&slopes).map(|(p, slope)| interp::Value::vec(&[p[0], p[1], *slope, 0.0])).collect();
+    let mut packed: Vec<_> = points
+        .iter()
+        .zip(&slopes)
+        .map(|(p, slope)| interp::Value::vec(&[p[0], p[1], *slope, 0.0]))
+        .collect();
     packed.resize(Curve::MAX_POINTS, interp::Value::vec(&[0.0; 4]));
     Ok(interp::Value::Struct(vec![
         interp::Value::Array(packed),
@@ -126,22 +143,29 @@ fn ramp_value(ramp: &Ramp) -> Result<interp::Value, String> {
     ]))
 }
 
-fn in_order(what: &str, count: usize, most: usize, places: impl Iterator<Item = f64>) -> Result<(), String> {
+fn in_order(
+    what: &str,
+    count: usize,
+    most: usize,
+    places: impl Iterator<Item = f64>,
+) -> Result<(), String> {
     if count == 0 || count > most {
         return Err(format!("expected 1 to {most} {what}, found {count}"));
     }
     let mut before = f64::NEG_INFINITY;
     for place in places {
         if finite(place)? < before {
-            return Err(format!("expected {what} in increasing order; {place} comes after {before}"));
+            return Err(format!(
+                "expected {what} in increasing order; {place} comes after {before}"
+            ));
         }
         before = place;
     }
     Ok(())
 }
 
-/// Slopes of the monotone cubic through `points` (Fritsch and Carlson 1980, in the harmonic-mean form of Fritsch and
-/// Butland 1984): no overshoot between any two points.
+/// Slopes of the monotone cubic through `points` (Fritsch and Carlson 1980, in the harmonic-mean
+/// form of Fritsch and Butland 1984): no overshoot between any two points.
 fn monotone_slopes(points: &[[f64; 2]]) -> Vec<f64> {
     let secants: Vec<f64> = points
         .windows(2)
@@ -152,7 +176,9 @@ fn monotone_slopes(points: &[[f64; 2]]) -> Vec<f64> {
         .collect();
     let slope_at = |i: usize| -> f64 {
         match (i.checked_sub(1).and_then(|j| secants.get(j)), secants.get(i)) {
-            (Some(&before), Some(&after)) if before * after > 0.0 => 2.0 * before * after / (before + after),
+            (Some(&before), Some(&after)) if before * after > 0.0 => {
+                2.0 * before * after / (before + after)
+            }
             (Some(_), Some(_)) => 0.0,
             (Some(&only), None) | (None, Some(&only)) => only,
             (None, None) => 0.0,
@@ -161,7 +187,8 @@ fn monotone_slopes(points: &[[f64; 2]]) -> Vec<f64> {
     (0..points.len()).map(slope_at).collect()
 }
 
-/// An interpreter's value as a document's: numbers, vectors and switches; structs as their numbers in order.
+/// An interpreter's value as a document's: numbers, vectors and switches; structs as their numbers
+/// in order.
 pub fn document_value(value: &interp::Value) -> Value {
     match value {
         interp::Value::Bool(b) => Value::Bool(*b),
@@ -193,7 +220,10 @@ mod tests {
     fn values_take_the_type_of_their_port() {
         let color = typed_value(&Value::Vector(vec![0.1, 0.2, 0.3]), &Type::Color).unwrap();
         assert_eq!(color, interp::Value::vec(&[0.1, 0.2, 0.3, 1.0]));
-        assert_eq!(typed_value(&Value::Number(0.5), &Type::Color).unwrap(), interp::Value::vec(&[0.5, 0.5, 0.5, 1.0]));
+        assert_eq!(
+            typed_value(&Value::Number(0.5), &Type::Color).unwrap(),
+            interp::Value::vec(&[0.5, 0.5, 0.5, 1.0])
+        );
         let problem = typed_value(&Value::Vector(vec![1.0, 2.0]), &Type::Vec3).unwrap_err();
         assert_eq!(problem, "expected 3 numbers in brackets, found 2 numbers");
         assert!(typed_value(&Value::Number(f64::NAN), &Type::Float).is_err());

@@ -1,11 +1,14 @@
-//! What can be said of a document without the library: whether wires, frames, keys and parameters name what exists.
+//! What can be said of a document without the library: whether wires, frames, keys and parameters
+//! name what exists.
 //!
 //! The compiler calls [`Look::check`] too, so that looks made by programs are held to the same.
 
 use std::collections::{HashMap, HashSet};
 use std::hash::Hash;
 
-use super::{Camera, Definition, Endpoint, Graph, Light, LightField, Look, OutputPort, Scene, Target, Wire};
+use super::{
+    Camera, Definition, Endpoint, Graph, Light, LightField, Look, OutputPort, Scene, Target, Wire,
+};
 use crate::diag::{Diagnostic, MAX_PROBLEMS, more_problems};
 use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, LightId, NodeId, NodePath};
 
@@ -13,9 +16,9 @@ use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, LightId, NodeId, Nod
 const MAX_SUGGESTIONS: usize = 10;
 
 impl Look {
-    /// Everything that is wrong with the look as a whole, whatever the library has: wires from and to nodes that do
-    /// not exist, two wires into one input, ids used twice, keys and parameters that name nothing. Reading a look
-    /// tells the same, with lines.
+    /// Everything that is wrong with the look as a whole, whatever the library has: wires from and
+    /// to nodes that do not exist, two wires into one input, ids used twice, keys and parameters
+    /// that name nothing. Reading a look tells the same, with lines.
     pub fn check(&self) -> Vec<Diagnostic> {
         let mut check = Check::default();
         check.lights(&self.lights);
@@ -31,14 +34,18 @@ impl Look {
 }
 
 impl Scene {
-    /// Everything that is wrong with the scene as a whole. Reading a scene tells the same, with lines.
+    /// Everything that is wrong with the scene as a whole. Reading a scene tells the same, with
+    /// lines.
     pub fn check(&self) -> Vec<Diagnostic> {
         let mut check = Check::default();
         check.lights(&self.lights);
         check.camera(&self.camera);
         if self.time.end < self.time.start {
             let problem = Diagnostic::error("out-of-range", "the time range ends before it starts");
-            check.push("time.end".to_owned(), problem.hint(format!("write {} or more", self.time.start)));
+            check.push(
+                "time.end".to_owned(),
+                problem.hint(format!("write {} or more", self.time.start)),
+            );
         }
         check.finish()
     }
@@ -80,30 +87,49 @@ impl Check {
     }
 
     /// Reports a name that leads nowhere, with near ones.
-    fn unknown<'a>(&mut self, path: String, problem: Diagnostic, wrong: &str, known: impl Iterator<Item = &'a str>) {
+    fn unknown<'a>(
+        &mut self,
+        path: String,
+        problem: Diagnostic,
+        wrong: &str,
+        known: impl Iterator<Item = &'a str>,
+    ) {
         self.suggestions += 1;
-        let problem = if self.suggestions <= MAX_SUGGESTIONS { problem.suggest(wrong, known) } else { problem };
+        let problem = if self.suggestions <= MAX_SUGGESTIONS {
+            problem.suggest(wrong, known)
+        } else {
+            problem
+        };
         self.push(path, problem);
     }
 
     fn lights(&mut self, lights: &indexmap::IndexMap<LightId, Light>) {
         for (id, light) in lights.iter().filter(|(_, light)| light.inner > light.outer) {
-            let message = format!("`inner` ({}) is greater than `outer` ({})", light.inner, light.outer);
+            let message =
+                format!("`inner` ({}) is greater than `outer` ({})", light.inner, light.outer);
             let problem = Diagnostic::error("out-of-range", message);
-            self.push(format!("lights.{id}.inner"), problem.hint("the full cone lies inside the whole one"));
+            self.push(
+                format!("lights.{id}.inner"),
+                problem.hint("the full cone lies inside the whole one"),
+            );
         }
     }
 
     fn camera(&mut self, camera: &Camera) {
         let view = [0, 1, 2].map(|i| camera.target[i] - camera.eye[i]);
         let [up_x, up_y, up_z] = camera.up;
-        let side = [view[1] * up_z - view[2] * up_y, view[2] * up_x - view[0] * up_z, view[0] * up_y - view[1] * up_x];
+        let side = [
+            view[1] * up_z - view[2] * up_y,
+            view[2] * up_x - view[0] * up_z,
+            view[0] * up_y - view[1] * up_x,
+        ];
         let length = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
         // Asked so that NaN, which a program may have made, is no good either.
         let sees = length(view) > 1e-9;
         let stands = length(side) > 1e-6 * length(view) * length(camera.up);
         if !sees {
-            let problem = Diagnostic::error("bad-camera", "the camera looks at the place where it is");
+            let problem =
+                Diagnostic::error("bad-camera", "the camera looks at the place where it is");
             self.push("camera".to_owned(), problem.hint("move `eye` or `target`"));
         } else if !stands {
             let message = "`up` lies along the view, so the picture could be turned any way";
@@ -120,7 +146,10 @@ impl Check {
             for (index, port) in ports.iter().enumerate() {
                 if port.min.zip(port.max).is_some_and(|(min, max)| min > max) {
                     let problem = Diagnostic::error("out-of-range", "`min` is greater than `max`");
-                    self.push(format!("{prefix}{list}[{index}].min"), problem.hint("exchange them"));
+                    self.push(
+                        format!("{prefix}{list}[{index}].min"),
+                        problem.hint("exchange them"),
+                    );
                 }
             }
         }
@@ -128,9 +157,16 @@ impl Check {
     }
 
     fn graph(&mut self, graph: &Graph, prefix: &str, is_inner: bool) {
-        for (index, id) in graph.nodes.keys().enumerate().filter(|(_, id)| is_inner && is_group_end(id)) {
-            let message = format!("`{id}` is the name of the group's own {id}, so no node in it can have that id");
-            self.push(format!("{prefix}nodes[{index}].id"), Diagnostic::error("reserved-id", message));
+        for (index, id) in
+            graph.nodes.keys().enumerate().filter(|(_, id)| is_inner && is_group_end(id))
+        {
+            let message = format!(
+                "`{id}` is the name of the group's own {id}, so no node in it can have that id"
+            );
+            self.push(
+                format!("{prefix}nodes[{index}].id"),
+                Diagnostic::error("reserved-id", message),
+            );
         }
         let mut into: HashMap<&Endpoint, &Wire> = HashMap::with_capacity(graph.wires.len());
         for (index, wire) in graph.wires.iter().enumerate() {
@@ -138,40 +174,67 @@ impl Check {
             self.wire_end(graph, &wire.from, path.clone() + ".from", is_inner, GROUP_OUTPUTS);
             self.wire_end(graph, &wire.to, path.clone() + ".to", is_inner, GROUP_INPUTS);
             if wire.to.port.as_str().is_empty() {
-                let problem =
-                    Diagnostic::error("wire-to-nothing", format!("the wire leads to no input of `{}`", wire.to));
+                let problem = Diagnostic::error(
+                    "wire-to-nothing",
+                    format!("the wire leads to no input of `{}`", wire.to),
+                );
                 self.push(path.clone() + ".to", problem.hint("write \"node.input\""));
             }
             match into.get(&wire.to) {
                 Some(other) => {
                     let (one, two) = (&other.from, &wire.from);
-                    let message = format!("two wires lead into `{}`: from `{one}` and from `{two}`", wire.to);
-                    self.push(path, Diagnostic::error("two-wires", message).hint("remove one of them"));
+                    let message =
+                        format!("two wires lead into `{}`: from `{one}` and from `{two}`", wire.to);
+                    self.push(
+                        path,
+                        Diagnostic::error("two-wires", message).hint("remove one of them"),
+                    );
                 }
                 None => drop(into.insert(&wire.to, wire)),
             }
         }
         self.frames(graph, prefix);
         let mut keys = HashSet::new();
-        for (index, bookmark) in graph.bookmarks.iter().enumerate().filter(|(_, bookmark)| !keys.insert(bookmark.key)) {
-            let problem = Diagnostic::warning("duplicate-id", format!("another bookmark has the key {}", bookmark.key));
-            self.push(format!("{prefix}bookmarks[{index}].key"), problem.hint("the first one counts; remove this one"));
+        for (index, bookmark) in
+            graph.bookmarks.iter().enumerate().filter(|(_, bookmark)| !keys.insert(bookmark.key))
+        {
+            let problem = Diagnostic::warning(
+                "duplicate-id",
+                format!("another bookmark has the key {}", bookmark.key),
+            );
+            self.push(
+                format!("{prefix}bookmarks[{index}].key"),
+                problem.hint("the first one counts; remove this one"),
+            );
         }
     }
 
-    fn wire_end(&mut self, graph: &Graph, end: &Endpoint, path: String, is_inner: bool, wrong_end: &str) {
+    fn wire_end(
+        &mut self,
+        graph: &Graph,
+        end: &Endpoint,
+        path: String,
+        is_inner: bool,
+        wrong_end: &str,
+    ) {
         if graph.nodes.contains_key(&end.node) {
             return;
         }
         if is_inner && is_group_end(&end.node) {
             if end.node.as_str() == wrong_end {
                 let message = "in a group, wires come from `inputs` and lead to `outputs`";
-                self.push(path, Diagnostic::error("wire-direction", message).hint("exchange the ends of the wire"));
+                self.push(
+                    path,
+                    Diagnostic::error("wire-direction", message)
+                        .hint("exchange the ends of the wire"),
+                );
             }
             return;
         }
-        let problem =
-            Diagnostic::error("unknown-node", format!("the wire names the node `{}`, which does not exist", end.node));
+        let problem = Diagnostic::error(
+            "unknown-node",
+            format!("the wire names the node `{}`, which does not exist", end.node),
+        );
         self.unknown(path, problem, end.node.as_str(), graph.nodes.keys().map(NodeId::as_str));
     }
 
@@ -181,12 +244,21 @@ impl Check {
             for (index, node) in frame.nodes.iter().enumerate() {
                 let path = format!("{prefix}frames.{id}.nodes[{index}]");
                 if !graph.nodes.contains_key(node) {
-                    let message = format!("the frame names the node `{node}`, which does not exist");
+                    let message =
+                        format!("the frame names the node `{node}`, which does not exist");
                     let problem = Diagnostic::warning("unknown-node", message);
-                    self.unknown(path, problem, node.as_str(), graph.nodes.keys().map(NodeId::as_str));
+                    self.unknown(
+                        path,
+                        problem,
+                        node.as_str(),
+                        graph.nodes.keys().map(NodeId::as_str),
+                    );
                 } else if let Some(other) = framed.insert(node, id.as_str()) {
                     let message = format!("the node `{node}` is in the frame `{other}` already");
-                    self.push(path, Diagnostic::warning("two-frames", message).hint("leave it in one of them"));
+                    self.push(
+                        path,
+                        Diagnostic::warning("two-frames", message).hint("leave it in one of them"),
+                    );
                 }
             }
         }
@@ -199,14 +271,23 @@ impl Check {
         what: &str,
     ) {
         let mut seen = HashSet::new();
-        for (index, name) in names.enumerate().filter(|(_, name)| !seen.insert(*name)).collect::<Vec<_>>() {
-            let problem = Diagnostic::error("duplicate-id", format!("another {what} is named `{name}` already"));
+        for (index, name) in
+            names.enumerate().filter(|(_, name)| !seen.insert(*name)).collect::<Vec<_>>()
+        {
+            let problem = Diagnostic::error(
+                "duplicate-id",
+                format!("another {what} is named `{name}` already"),
+            );
             self.push(path(index), problem.hint("give it another name"));
         }
     }
 
     fn exposed(&mut self, look: &Look) {
-        self.unique(look.exposed.iter().map(|e| &e.name), |index| format!("exposed[{index}].name"), "parameter");
+        self.unique(
+            look.exposed.iter().map(|e| &e.name),
+            |index| format!("exposed[{index}].name"),
+            "parameter",
+        );
         for (index, exposed) in look.exposed.iter().enumerate() {
             self.target(look, &exposed.target, format!("exposed[{index}].target"));
         }
@@ -215,9 +296,17 @@ impl Check {
     fn direction_keys(&mut self, look: &Look) {
         for (index, keys) in look.direction_keys.iter().enumerate() {
             let path = format!("direction_keys[{index}]");
-            for light in keys.by.lights().into_iter().filter(|light| !look.lights.contains_key(*light)) {
-                let problem = Diagnostic::error("unknown-light", format!("there is no light `{light}`"));
-                self.unknown(path.clone() + ".by", problem, light.as_str(), look.lights.keys().map(LightId::as_str));
+            for light in
+                keys.by.lights().into_iter().filter(|light| !look.lights.contains_key(*light))
+            {
+                let problem =
+                    Diagnostic::error("unknown-light", format!("there is no light `{light}`"));
+                self.unknown(
+                    path.clone() + ".by",
+                    problem,
+                    light.as_str(),
+                    look.lights.keys().map(LightId::as_str),
+                );
             }
             for output in keys.by.outputs() {
                 self.node_at(look, &output.node, path.clone() + ".by");
@@ -225,7 +314,9 @@ impl Check {
             // Each target is looked for once, not once a key.
             let mut seen = HashSet::new();
             for (index, key) in keys.keys.iter().enumerate() {
-                for target in key.values.keys().filter(|&target| seen.insert(target)).collect::<Vec<_>>() {
+                for target in
+                    key.values.keys().filter(|&target| seen.insert(target)).collect::<Vec<_>>()
+                {
                     let name = serde_json::Value::from(target.to_string());
                     self.target(look, target, format!("{path}.keys[{index}].values[{name}]"));
                 }
@@ -238,10 +329,17 @@ impl Check {
         self.unique(look.time_keys.iter().map(|keys| &keys.target), path, "list of keys");
         for (index, keys) in look.time_keys.iter().enumerate() {
             self.target(look, &keys.target, path(index));
-            for (key, pair) in keys.keys.windows(2).enumerate().filter(|(_, pair)| pair[0].time >= pair[1].time) {
-                let message = format!("times must increase, but {} follows {}", pair[1].time, pair[0].time);
+            for (key, pair) in
+                keys.keys.windows(2).enumerate().filter(|(_, pair)| pair[0].time >= pair[1].time)
+            {
+                let message =
+                    format!("times must increase, but {} follows {}", pair[1].time, pair[0].time);
                 let path = format!("time_keys[{index}].keys[{}].time", key + 1);
-                self.push(path, Diagnostic::error("not-increasing", message).hint("sort the keys, and remove doubles"));
+                self.push(
+                    path,
+                    Diagnostic::error("not-increasing", message)
+                        .hint("sort the keys, and remove doubles"),
+                );
             }
         }
     }
@@ -250,10 +348,19 @@ impl Check {
         match target {
             Target::Light { light, field } => {
                 if !look.lights.contains_key(light) {
-                    let problem = Diagnostic::error("unknown-light", format!("there is no light `{light}`"));
-                    self.unknown(path, problem, light.as_str(), look.lights.keys().map(LightId::as_str));
+                    let problem =
+                        Diagnostic::error("unknown-light", format!("there is no light `{light}`"));
+                    self.unknown(
+                        path,
+                        problem,
+                        light.as_str(),
+                        look.lights.keys().map(LightId::as_str),
+                    );
                 } else if LightField::named(field).is_none() {
-                    let problem = Diagnostic::error("bad-target", format!("a light has no `{field}` that can be set"));
+                    let problem = Diagnostic::error(
+                        "bad-target",
+                        format!("a light has no `{field}` that can be set"),
+                    );
                     self.unknown(path, problem, field, LightField::names());
                 }
             }

@@ -1,4 +1,4 @@
-//! Colours as they are written.
+//! Colors as they are written.
 
 use super::{ColorSpace, Value};
 
@@ -27,8 +27,9 @@ pub fn linear_to_srgb(linear: f64) -> f64 {
 }
 
 impl Value {
-    /// The value as a straight RGBA colour: three or four numbers as they stand, or `#rrggbb` or `#rrggbbaa` as shown.
-    /// `None` for anything else. In a linear look, [`color_in`](Self::color_in) decodes the latter.
+    /// The value as a straight RGBA color: three or four numbers as they stand, or `#rrggbb` or
+    /// `#rrggbbaa` as shown. `None` for anything else. In a linear look,
+    /// [`color_in`](Self::color_in) decodes the latter.
     pub fn color(&self) -> Option<[f64; 4]> {
         match self {
             Self::Vector(numbers) => match numbers[..] {
@@ -41,16 +42,21 @@ impl Value {
         }
     }
 
-    /// The value as a straight RGBA colour in a look's colour space: numbers are in it already, `#rrggbb` is decoded
-    /// where that is linear.
+    /// The value as a straight RGBA color in a look's color space: numbers are in it already,
+    /// `#rrggbb` is decoded where that is linear.
     pub fn color_in(&self, space: ColorSpace) -> Option<[f64; 4]> {
         let color = self.color()?;
         let is_encoded = matches!(self, Self::Text(_)) && space == ColorSpace::Linear;
         let [r, g, b, a] = color;
-        Some(if is_encoded { [srgb_to_linear(r), srgb_to_linear(g), srgb_to_linear(b), a] } else { color })
+        Some(if is_encoded {
+            [srgb_to_linear(r), srgb_to_linear(g), srgb_to_linear(b), a]
+        } else {
+            color
+        })
     }
 
-    /// The value with its `#rrggbb` as numbers in linear light, where the look is linear; else as it is.
+    /// The value with its `#rrggbb` as numbers in linear light, where the look is linear; else as
+    /// it is.
     #[must_use]
     pub fn in_space(self, space: ColorSpace) -> Self {
         match (&self, space) {
@@ -70,7 +76,9 @@ mod tests {
     fn hex_colors_are_read() {
         assert_eq!(parse_hex("#ff0080"), Some([1.0, 0.0, 128.0 / 255.0, 1.0]));
         assert_eq!(parse_hex("#00000000"), Some([0.0; 4]));
-        for wrong in ["", "#", "ff0080", "#ff008", "#ff00800", "#gg0000", "#ffffffffff", "#é1234", "#+1+1+1"] {
+        for wrong in
+            ["", "#", "ff0080", "#ff008", "#ff00800", "#gg0000", "#ffffffffff", "#é1234", "#+1+1+1"]
+        {
             assert_eq!(parse_hex(wrong), None, "{wrong}");
         }
     }
@@ -81,6 +89,9 @@ mod tests {
         assert_eq!(gray.color_in(ColorSpace::Display).unwrap()[0], 128.0 / 255.0);
         // 0.21586 is sRGB's 128 in linear light, as tables of the standard give it.
         assert!((gray.color_in(ColorSpace::Linear).unwrap()[0] - 0.21586).abs() < 1e-5);
-        assert_eq!(Value::Vector(vec![0.5; 3]).color_in(ColorSpace::Linear), Some([0.5, 0.5, 0.5, 1.0]));
+        assert_eq!(
+            Value::Vector(vec![0.5; 3]).color_in(ColorSpace::Linear),
+            Some([0.5, 0.5, 0.5, 1.0])
+        );
     }
 }

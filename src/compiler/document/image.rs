@@ -1,5 +1,6 @@
-//! Documents as they lie in memory, for journals: also what no file says, such as the unknown fields of a part that is
-//! gone now and that undo may bring back. Files hold the canonical form instead.
+//! Documents as they lie in memory, for journals: also what no file says, such as the unknown
+//! fields of a part that is gone now and that undo may bring back. Files hold the canonical form
+//! instead.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -11,8 +12,8 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::packed::Packed;
 use super::{
-    Address, Camera, ColorSpace, Definition, DirectionKeys, Exposed, Graph, Grid, Hcbtf, Light, Look, Object, Rule,
-    Scene, Tier, Tile, TimeKeys, TimeRange, Unknown,
+    Address, Camera, ColorSpace, Definition, DirectionKeys, Exposed, Graph, Grid, Hcbtf, Light,
+    Look, Object, Rule, Scene, Tier, Tile, TimeKeys, TimeRange, Unknown,
 };
 use crate::ids::{DefinitionId, LightId, ObjectId};
 
@@ -67,7 +68,10 @@ struct HcbtfText<'h> {
 }
 
 impl HcbtfImage {
-    pub(super) fn serialize<S: Serializer>(hcbtf: &Hcbtf, serializer: S) -> Result<S::Ok, S::Error> {
+    pub(super) fn serialize<S: Serializer>(
+        hcbtf: &Hcbtf,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
         let mut places: HashMap<&Tile, usize> = HashMap::new();
         let mut tiles = Vec::new();
         let mut painted = Vec::with_capacity(hcbtf.painted.len());
@@ -79,19 +83,26 @@ impl HcbtfImage {
             painted.push((*address, *place));
         }
         let Hcbtf { grid, is_tiling, painted: _, rules } = hcbtf;
-        HcbtfText { grid: *grid, is_tiling: *is_tiling, tiles, painted, rules: rules.into() }.serialize(serializer)
+        HcbtfText { grid: *grid, is_tiling: *is_tiling, tiles, painted, rules: rules.into() }
+            .serialize(serializer)
     }
 
-    pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Hcbtf, D::Error> {
-        let HcbtfText { grid, is_tiling, tiles, painted, rules } = HcbtfText::deserialize(deserializer)?;
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(
+        deserializer: D,
+    ) -> Result<Hcbtf, D::Error> {
+        let HcbtfText { grid, is_tiling, tiles, painted, rules } =
+            HcbtfText::deserialize(deserializer)?;
         // Before anything is unpacked.
         if tiles.iter().map(Packed::texel_bytes).sum::<u64>() > Hcbtf::MAX_PAINTED_BYTES {
             return Err(D::Error::custom("the tiles are larger than can be"));
         }
-        let unpack = |packed: &Packed| packed.tile().map(Arc::new).ok_or_else(|| D::Error::custom("a damaged tile"));
+        let unpack = |packed: &Packed| {
+            packed.tile().map(Arc::new).ok_or_else(|| D::Error::custom("a damaged tile"))
+        };
         let tiles: Vec<Arc<Tile>> = tiles.iter().map(unpack).collect::<Result<_, _>>()?;
         let of = |(address, place): (Address, usize)| {
-            let tile = tiles.get(place).ok_or_else(|| D::Error::custom("a sample without a tile"))?;
+            let tile =
+                tiles.get(place).ok_or_else(|| D::Error::custom("a sample without a tile"))?;
             Ok((address, tile.clone()))
         };
         let painted = painted.into_iter().map(of).collect::<Result<_, D::Error>>()?;
@@ -103,7 +114,9 @@ pub(super) fn serialize<S: Serializer>(look: &Look, serializer: S) -> Result<S::
     LookImage::serialize(look, serializer)
 }
 
-pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Box<Look>, D::Error> {
+pub(super) fn deserialize<'de, D: Deserializer<'de>>(
+    deserializer: D,
+) -> Result<Box<Look>, D::Error> {
     LookImage::deserialize(deserializer).map(Box::new)
 }
 
@@ -114,11 +127,16 @@ pub(super) mod of_scene {
     use super::SceneImage;
     use crate::document::Scene;
 
-    pub(in crate::document) fn serialize<S: Serializer>(scene: &Scene, serializer: S) -> Result<S::Ok, S::Error> {
+    pub(in crate::document) fn serialize<S: Serializer>(
+        scene: &Scene,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
         SceneImage::serialize(scene, serializer)
     }
 
-    pub(in crate::document) fn deserialize<'de, D: Deserializer<'de>>(source: D) -> Result<Box<Scene>, D::Error> {
+    pub(in crate::document) fn deserialize<'de, D: Deserializer<'de>>(
+        source: D,
+    ) -> Result<Box<Scene>, D::Error> {
         SceneImage::deserialize(source).map(Box::new)
     }
 }
@@ -130,11 +148,16 @@ pub(super) mod of_hcbtf {
     use super::HcbtfImage;
     use crate::document::Hcbtf;
 
-    pub(in crate::document) fn serialize<S: Serializer>(hcbtf: &Hcbtf, serializer: S) -> Result<S::Ok, S::Error> {
+    pub(in crate::document) fn serialize<S: Serializer>(
+        hcbtf: &Hcbtf,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
         HcbtfImage::serialize(hcbtf, serializer)
     }
 
-    pub(in crate::document) fn deserialize<'de, D: Deserializer<'de>>(source: D) -> Result<Box<Hcbtf>, D::Error> {
+    pub(in crate::document) fn deserialize<'de, D: Deserializer<'de>>(
+        source: D,
+    ) -> Result<Box<Hcbtf>, D::Error> {
         HcbtfImage::deserialize(source).map(Box::new)
     }
 }
@@ -159,7 +182,9 @@ pub(super) mod of_tile {
     pub(in crate::document) fn deserialize<'de, D: Deserializer<'de>>(
         source: D,
     ) -> Result<Option<Arc<Tile>>, D::Error> {
-        let unpack = |packed: Packed| packed.tile().map(Arc::new).ok_or_else(|| D::Error::custom("a damaged tile"));
+        let unpack = |packed: Packed| {
+            packed.tile().map(Arc::new).ok_or_else(|| D::Error::custom("a damaged tile"))
+        };
         Option::<Packed>::deserialize(source)?.map(unpack).transpose()
     }
 }

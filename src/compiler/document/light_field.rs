@@ -64,7 +64,8 @@ const PLACED: &[LightKind] = &[Point, Spot];
 static ROWS: [Row; 9] = [
     Row {
         field: LightField::Direction, name: "direction", label: "Direction",
-        help: "Toward the light. The middle is toward you, the inner ring sideways, the rim behind.",
+        help: "Toward the light. The middle is toward you, the inner ring sideways, the rim \
+               behind.",
         quantity: LightQuantity::Direction, kinds: &[Directional],
     },
     Row {
@@ -238,10 +239,15 @@ mod tests {
         let names: Vec<String> = LightField::names().map(|name| format!("`{name}`")).collect();
         let (last, first) = names.split_last().unwrap();
         let told = format!("a field of a light: {} or {last}.", first.join(", "));
-        assert!(include_str!("../../../docs/format.md").contains(&told), "docs/format.md is to say: {told}");
+        assert!(
+            include_str!("../../../docs/format.md").contains(&told),
+            "docs/format.md is to say: {told}"
+        );
         let told = ["name", "type", "space"];
-        let of_files = shape::LIGHT.fields.iter().map(|field| field.name).filter(|name| !told.contains(name));
-        let (mut of_files, mut of_table): (Vec<_>, Vec<_>) = (of_files.collect(), LightField::names().collect());
+        let of_files =
+            shape::LIGHT.fields.iter().map(|field| field.name).filter(|name| !told.contains(name));
+        let (mut of_files, mut of_table): (Vec<_>, Vec<_>) =
+            (of_files.collect(), LightField::names().collect());
         of_files.sort_unstable();
         of_table.sort_unstable();
         assert_eq!(of_files, of_table);

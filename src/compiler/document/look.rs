@@ -9,8 +9,9 @@ use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NodePath, NoteId, Objec
 
 /// Fields that this version does not know. They survive a save, and loading warns about them.
 ///
-/// Parts without an `unknown` of their own (lights, wires, a curve) leave theirs to what they belong to: under the name
-/// of its field and what tells the part apart (an id, a wire's input), e.g. `{"lights": {"key": {"flare": 2}}}`.
+/// Parts without an `unknown` of their own (lights, wires, a curve) leave theirs to what they
+/// belong to: under the name of its field and what tells the part apart (an id, a wire's input),
+/// e.g. `{"lights": {"key": {"flare": 2}}}`.
 pub type Unknown = serde_json::Map<String, serde_json::Value>;
 
 /// One shading graph; compiles to one WGSL module.
@@ -20,7 +21,7 @@ pub struct Look {
     pub name: String,
     /// What it shows and how it is built: a paragraph for who finds it.
     pub about: String,
-    /// What the colours mean.
+    /// What the colors mean.
     pub color_space: ColorSpace,
     /// Which implementation is asked for of nodes that do not say their own.
     pub tier: Tier,
@@ -53,7 +54,7 @@ impl Look {
     }
 }
 
-/// What the numbers of a colour mean.
+/// What the numbers of a color mean.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum ColorSpace {
@@ -99,7 +100,8 @@ pub struct Node {
     pub position: [f64; 2],
     /// The values of unwired inputs; what is left out has the node's default.
     pub values: Values,
-    /// Which implementation is asked for; unset, as what the node lies in: its group's node, or else the look.
+    /// Which implementation is asked for; unset, as what the node lies in: its group's node, or
+    /// else the look.
     pub tier: Option<Tier>,
     /// Whether it is left out: what comes in goes out as it is.
     pub muted: bool,
@@ -111,7 +113,9 @@ pub struct Node {
 }
 
 /// One implementation of a node.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize,
+)]
 #[serde(rename_all = "lowercase")]
 pub enum Tier {
     /// The truth, as near as f32 comes.
@@ -289,7 +293,7 @@ pub struct Light {
     pub inner: f64,
     /// Spot lights: the half-angle at which nothing is left, in radians.
     pub outer: f64,
-    /// Straight RGB in the look's colour space.
+    /// Straight RGB in the look's color space.
     pub color: [f64; 3],
     /// A factor, 0 or more.
     pub intensity: f64,
@@ -355,8 +359,8 @@ pub struct Exposed {
     pub label: String,
 }
 
-/// Something that a key or an exposed parameter sets: an unwired input of a node, `path/to/node.port`, or a
-/// field of a light, `lights.key.direction`.
+/// Something that a key or an exposed parameter sets: an unwired input of a node,
+/// `path/to/node.port`, or a field of a light, `lights.key.direction`.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Target {
     /// An unwired input, through the groups it lies in.
@@ -398,7 +402,8 @@ impl<'de> Deserialize<'de> for Target {
 }
 
 impl Target {
-    /// The field of a light that a target names; `None` of an input, or where there is no such field.
+    /// The field of a light that a target names; `None` of an input, or where there is no such
+    /// field.
     pub fn light_field(&self) -> Option<LightField> {
         match self {
             Self::Light { field, .. } => LightField::named(field),
@@ -408,12 +413,15 @@ impl Target {
 
     /// Reads what [`Display`](std::fmt::Display) writes; `None` where there is no `.`.
     pub fn parse(text: &str) -> Option<Self> {
-        if let Some((light, field)) = text.strip_prefix("lights.").and_then(|rest| rest.split_once('.')) {
+        if let Some((light, field)) =
+            text.strip_prefix("lights.").and_then(|rest| rest.split_once('.'))
+        {
             return Some(Self::Light { light: light.into(), field: field.into() });
         }
         let (node, port) = text.rsplit_once('.')?;
         let node = NodePath::parse(node);
-        (!node.ids().is_empty() && !port.is_empty()).then(|| Self::Input { node, port: port.into() })
+        (!node.ids().is_empty() && !port.is_empty())
+            .then(|| Self::Input { node, port: port.into() })
     }
 }
 
@@ -476,9 +484,11 @@ impl KeyDirection {
 pub enum Driver {
     /// From the eye to the object's centre, scene units.
     Distance,
-    /// The angle between the object's front (its z axis) and the direction to the eye: 0 seen from the front, pi from behind.
+    /// The angle between the object's front (its z axis) and the direction to the eye: 0 seen from
+    /// the front, pi from behind.
     Facing,
-    /// How high a light stands over the horizon as the object sees it, radians: pi/2 straight above, 0 at the horizon.
+    /// How high a light stands over the horizon as the object sees it, radians: pi/2 straight
+    /// above, 0 at the horizon.
     Height(LightId),
     /// From this object's centre to another one's, scene units.
     Near(ObjectId),
@@ -506,8 +516,8 @@ impl Driver {
     }
 }
 
-/// An output of a node, through the groups it lies in; written `node.port`, `group/node.port`, or `node` for its first
-/// output.
+/// An output of a node, through the groups it lies in; written `node.port`, `group/node.port`, or
+/// `node` for its first output.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct OutputPort {
     /// The node.

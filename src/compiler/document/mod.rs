@@ -1,9 +1,9 @@
 //! What an artist makes and keeps: looks and scenes, how they are read, edited and written.
 //!
-//! [`Look::read`] and [`Scene::read`] take JSON and give a value, a [`SourceMap`] and every problem at once;
-//! [`Look::to_text`] writes the canonical form, and a document equal to what was read is written back byte for byte.
-//! [`History`] applies every [`Edit`], [`SceneEdit`] and [`HcbtfEdit`], and undoes it; a [`journal`] keeps what is not saved. docs/format.md documents the
-//! files.
+//! [`Look::read`] and [`Scene::read`] take JSON and give a value, a [`SourceMap`] and every problem
+//! at once; [`Look::to_text`] writes the canonical form, and a document equal to what was read is
+//! written back byte for byte. [`History`] applies every [`Edit`], [`SceneEdit`] and [`HcbtfEdit`],
+//! and undoes it; a [`journal`] keeps what is not saved. docs/format.md documents the files.
 
 mod check;
 mod color;
@@ -33,9 +33,9 @@ mod write;
 pub use color::{linear_to_srgb, parse_hex, srgb_to_linear};
 pub use edit::{Applied, Edit, Editable, HcbtfEdit, History, Patch, SceneEdit};
 pub use hcbtf::{
-    Address, Angle as HcbtfAngle, Bundle, Direction, Directions, Grid, Hcbtf, MAX_ANGLE_STEPS, MAX_TILE_SIDE,
-    Placement, Relief, Rule, RuleAbout, StrokeGround, StrokeHighlight, StrokeShadow, StrokeShape, StrokeTones, Strokes,
-    Tile, relief,
+    Address, Angle as HcbtfAngle, Bundle, Direction, Directions, Grid, Hcbtf, MAX_ANGLE_STEPS,
+    MAX_TILE_SIDE, Placement, Relief, Rule, RuleAbout, StrokeGround, StrokeHighlight, StrokeShadow,
+    StrokeShape, StrokeTones, Strokes, Tile, relief,
 };
 pub use light_field::{LightField, LightQuantity};
 pub use look::*;

@@ -56,7 +56,8 @@ impl Problems {
 
     /// Adds a problem at a byte of the text.
     pub(super) fn push(&mut self, offset: usize, problem: Diagnostic) {
-        let count = if problem.severity == Severity::Error { &mut self.errors } else { &mut self.warnings };
+        let count =
+            if problem.severity == Severity::Error { &mut self.errors } else { &mut self.warnings };
         *count += 1;
         if *count <= MAX_PROBLEMS {
             self.found.push((offset, problem));
@@ -72,9 +73,12 @@ impl Problems {
     /// All of them in the order of the text, with file, line and column.
     pub(super) fn finish(mut self, file: &str, text: &str, lines: &Lines) -> Vec<Diagnostic> {
         self.found.sort_by_key(|(offset, _)| *offset);
-        let place = |(offset, problem): (usize, Diagnostic)| problem.in_file(file).at(lines.at(text, offset));
+        let place = |(offset, problem): (usize, Diagnostic)| {
+            problem.in_file(file).at(lines.at(text, offset))
+        };
         let mut all: Vec<Diagnostic> = self.found.into_iter().map(place).collect();
-        let left_out = self.errors.saturating_sub(MAX_PROBLEMS) + self.warnings.saturating_sub(MAX_PROBLEMS);
+        let left_out =
+            self.errors.saturating_sub(MAX_PROBLEMS) + self.warnings.saturating_sub(MAX_PROBLEMS);
         if left_out > 0 {
             all.push(more_problems(left_out).in_file(file));
         }
@@ -88,9 +92,12 @@ mod tests {
 
     #[test]
     fn lines_agree_with_counting() {
-        let text: String = (0..4000).map(|i| ["a", "é\n", "🙂", "\n\n", "xyz"][i * 7 % 5]).collect();
+        let text: String =
+            (0..4000).map(|i| ["a", "é\n", "🙂", "\n\n", "xyz"][i * 7 % 5]).collect();
         let lines = Lines::new(&text);
-        for offset in (0..=text.len() + 10).filter(|offset| *offset > text.len() || text.is_char_boundary(*offset)) {
+        for offset in (0..=text.len() + 10)
+            .filter(|offset| *offset > text.len() || text.is_char_boundary(*offset))
+        {
             assert_eq!(lines.at(&text, offset), LineColumn::of(&text, offset), "{offset}");
         }
         assert_eq!(Lines::new("").at("", 5), LineColumn { line: 1, column: 1 });

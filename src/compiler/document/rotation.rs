@@ -8,14 +8,18 @@ pub(super) fn from_axis_angle(axis: [f64; 3], angle: f64) -> [f64; 4] {
     [x, y, z, cos]
 }
 
-/// A quaternion made unit. One that is unit already, as far as 64-bit numbers can say, stays as it is, so that what
-/// was written is read back.
+/// A quaternion made unit. One that is unit already, as far as 64-bit numbers can say, stays as it
+/// is, so that what was written is read back.
 pub(super) fn from_quaternion(quaternion: [f64; 4]) -> Result<[f64; 4], &'static str> {
     let length = norm(&quaternion);
     if length < 1e-9 {
         return Err("a quaternion of length 0 is no rotation");
     }
-    Ok(if (length - 1.0).abs() < 1e-12 { quaternion } else { quaternion.map(|component| component / length) })
+    Ok(if (length - 1.0).abs() < 1e-12 {
+        quaternion
+    } else {
+        quaternion.map(|component| component / length)
+    })
 }
 
 /// A 3x3 matrix, given by rows, that turns column vectors.
@@ -28,16 +32,24 @@ pub(super) fn from_matrix(m: [[f64; 3]; 3]) -> Result<[f64; 4], &'static str> {
             // Asked so that NaN is no good either.
             let holds = (dot - expected).abs() <= TOLERANCE;
             if !holds {
-                return Err("the rows of the matrix are not of length 1 and at right angles, so it is no rotation");
+                return Err(
+                    "the rows of the matrix are not of length 1 and at right angles, so it is no \
+                     rotation",
+                );
             }
         }
     }
-    let determinant: f64 =
-        (0..3).map(|i| m[0][i] * (m[1][(i + 1) % 3] * m[2][(i + 2) % 3] - m[1][(i + 2) % 3] * m[2][(i + 1) % 3])).sum();
+    let determinant: f64 = (0..3)
+        .map(|i| {
+            m[0][i]
+                * (m[1][(i + 1) % 3] * m[2][(i + 2) % 3] - m[1][(i + 2) % 3] * m[2][(i + 1) % 3])
+        })
+        .sum();
     if determinant < 0.0 {
         return Err("the matrix mirrors, so it is no rotation");
     }
-    // The largest of the four squared components is at least 1/4, so dividing by it is safe (Shepperd 1978).
+    // The largest of the four squared components is at least 1/4, so dividing by it is safe
+    // (Shepperd 1978).
     let trace = m[0][0] + m[1][1] + m[2][2];
     let squares = [m[0][0], m[1][1], m[2][2], trace];
     let largest = (0..4).max_by(|&a, &b| squares[a].total_cmp(&squares[b])).unwrap_or(3);
@@ -100,7 +112,11 @@ mod tests {
 
     #[test]
     fn what_is_no_rotation_is_refused() {
-        assert!(from_matrix([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]]).unwrap_err().contains("mirrors"));
+        assert!(
+            from_matrix([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]])
+                .unwrap_err()
+                .contains("mirrors")
+        );
         assert!(from_matrix([[2.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).is_err());
         assert!(from_matrix([[f64::NAN; 3]; 3]).is_err());
         assert!(from_quaternion([0.0; 4]).is_err());

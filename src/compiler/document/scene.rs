@@ -7,7 +7,8 @@ use super::look::{Light, Unknown};
 use super::value::Values;
 use crate::ids::{LightId, ObjectId};
 
-/// Objects with looks, shared lights, the illumination frame, a camera, a backdrop and a time range.
+/// Objects with looks, shared lights, the illumination frame, a camera, a backdrop and a time
+/// range.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     /// What the artist calls it.
@@ -18,11 +19,12 @@ pub struct Scene {
     pub objects: IndexMap<ObjectId, Object>,
     /// Lights that replace those of the same id in every look of the scene.
     pub lights: IndexMap<LightId, Light>,
-    /// The rotation of the illumination frame, as a quaternion `[x, y, z, w]`: world from illumination frame.
+    /// The rotation of the illumination frame, as a quaternion `[x, y, z, w]`: world from
+    /// illumination frame.
     pub illumination: [f64; 4],
     /// Where the picture is taken from.
     pub camera: Camera,
-    /// Straight RGBA behind the objects, in display colours; `None` for transparent.
+    /// Straight RGBA behind the objects, in display colors; `None` for transparent.
     pub backdrop: Option<[f64; 4]>,
     /// Which times there are.
     pub time: TimeRange,
@@ -54,7 +56,8 @@ pub struct Object {
     pub mesh: String,
     /// Where it stands.
     pub transform: Transform,
-    /// Paths of looks, relative to the scene's file, by material name; `*` is for every other material.
+    /// Paths of looks, relative to the scene's file, by material name; `*` is for every other
+    /// material.
     pub looks: IndexMap<String, String>,
     /// Values of exposed parameters, over those of the looks.
     pub values: Values,
@@ -114,13 +117,14 @@ pub struct Camera {
     pub fov: f64,
     /// Orthographic: the height of the picture, in scene units.
     pub height: f64,
-    /// The width over the height of the picture that it was placed for: a narrower one shows as much in width, and more
-    /// above and below. 0 for any.
+    /// The width over the height of the picture that it was placed for: a narrower one shows as
+    /// much in width, and more above and below. 0 for any.
     pub aspect: f64,
 }
 
 impl Camera {
-    /// The least and the greatest vertical field of view, in radians: of files, of views and of command lines alike.
+    /// The least and the greatest vertical field of view, in radians: of files, of views and of
+    /// command lines alike.
     pub const FOV: [f64; 2] = [0.001, std::f64::consts::PI - 0.01];
 
     /// Whether a vertical field of view, in radians, can be looked through.

@@ -12,8 +12,8 @@ use crate::ids::NodePath;
 /// What came of reading a document.
 #[derive(Clone, Debug)]
 pub struct Loaded<T> {
-    /// The document, as far as it could be understood. `None` where the text is no document of this type, or one of a
-    /// newer version: saving it would lose what this version does not know.
+    /// The document, as far as it could be understood. `None` where the text is no document of this
+    /// type, or one of a newer version: saving it would lose what this version does not know.
     pub value: Option<T>,
     /// The text, and where everything is in it.
     pub source: SourceMap,
@@ -22,7 +22,8 @@ pub struct Loaded<T> {
 }
 
 impl<T> Loaded<T> {
-    /// Whether anything that is written could not be understood. Saving the value over the file would lose that.
+    /// Whether anything that is written could not be understood. Saving the value over the file
+    /// would lose that.
     pub fn has_errors(&self) -> bool {
         crate::diag::has_errors(&self.diagnostics)
     }
@@ -34,7 +35,8 @@ pub struct SourceMap {
     pub(super) file: String,
     pub(super) lines: Lines,
     pub(super) tree: Tree,
-    /// For lists of which items were left out: the index in the text of each item of the value, by the list's path.
+    /// For lists of which items were left out: the index in the text of each item of the value, by
+    /// the list's path.
     pub(super) kept: BTreeMap<String, Vec<u32>>,
 }
 
@@ -49,9 +51,10 @@ impl SourceMap {
         &self.file
     }
 
-    /// Fills in the file, line and column of a diagnostic that names a place in the document: a node (which is looked
-    /// for by its id, through its groups) or a JSON path. Where the text has no such place, because a default was left
-    /// out, the nearest thing around it is taken. A place that is known already stays.
+    /// Fills in the file, line and column of a diagnostic that names a place in the document: a
+    /// node (which is looked for by its id, through its groups) or a JSON path. Where the text has
+    /// no such place, because a default was left out, the nearest thing around it is taken. A place
+    /// that is known already stays.
     pub fn locate(&self, diagnostic: &mut Diagnostic) {
         self.locate_all(std::slice::from_mut(diagnostic));
     }
@@ -75,8 +78,8 @@ impl SourceMap {
     }
 }
 
-/// Finds places in a text. Each list and object that is looked into is gone through once, however many places are looked
-/// for: a document may have 100,000 nodes, and something wrong with each.
+/// Finds places in a text. Each list and object that is looked into is gone through once, however
+/// many places are looked for: a document may have 100,000 nodes, and something wrong with each.
 struct Finder<'s> {
     source: &'s SourceMap,
     items: HashMap<u32, Vec<At>>,
@@ -105,7 +108,8 @@ impl<'s> Finder<'s> {
             // What lies in a group of the library is nowhere in the text; the group's node is.
             let mut around = std::iter::successors(Some(node.clone()), NodePath::parent);
             let path = around.find_map(|node| self.path_of_node(&node));
-            let value = |path: &String| place.port.as_ref().map(|port| format!("{path}.values.{port}"));
+            let value =
+                |path: &String| place.port.as_ref().map(|port| format!("{path}.values.{port}"));
             let value = path.as_ref().and_then(value).filter(|value| self.find(value).1);
             place.json_path = value.or(path);
         }
@@ -122,7 +126,8 @@ impl<'s> Finder<'s> {
         let mut graph = String::new();
         for group in groups {
             let path = self.node_in(&graph, group.as_str())?;
-            let kind = self.find(&format!("{path}.kind")).0.and_then(|at| self.source.tree.string(at))?;
+            let kind =
+                self.find(&format!("{path}.kind")).0.and_then(|at| self.source.tree.string(at))?;
             graph = member_path("definitions", &kind) + ".";
         }
         self.node_in(&graph, last.as_str())
@@ -146,7 +151,8 @@ impl<'s> Finder<'s> {
         Some(format!("{list}[{index}]"))
     }
 
-    /// The value at a path of the text, or the nearest thing around it; and whether it is the value itself.
+    /// The value at a path of the text, or the nearest thing around it; and whether it is the value
+    /// itself.
     fn find(&mut self, path: &str) -> (Option<At>, bool) {
         let mut at = self.source.tree.root();
         for segment in segments(path) {
@@ -159,7 +165,8 @@ impl<'s> Finder<'s> {
         (at, at.is_some())
     }
 
-    /// The value at a path of the document, and its path in the text: they differ where items were left out.
+    /// The value at a path of the document, and its path in the text: they differ where items were
+    /// left out.
     fn find_translated(&mut self, path: &str) -> (Option<At>, String) {
         let mut at = self.source.tree.root();
         let mut so_far = String::new();
@@ -167,7 +174,9 @@ impl<'s> Finder<'s> {
         for segment in segments(path) {
             let kept = self.source.kept.get(&so_far);
             let index = match &segment {
-                Segment::Index(index) => kept.map_or(Some(*index), |kept| kept.get(*index).map(|&kept| kept as usize)),
+                Segment::Index(index) => {
+                    kept.map_or(Some(*index), |kept| kept.get(*index).map(|&kept| kept as usize))
+                }
                 Segment::Key(_) => None,
             };
             let next = at.and_then(|at| self.step(at, &segment, index)).filter(|_| whole);
@@ -196,7 +205,8 @@ impl<'s> Finder<'s> {
                 members.get(key.as_str()).copied()
             }
             (Segment::Index(own), Kind::List) => {
-                let items = self.items.entry(at.index()).or_insert_with(|| tree.children(at).collect());
+                let items =
+                    self.items.entry(at.index()).or_insert_with(|| tree.children(at).collect());
                 items.get(index.unwrap_or(*own)).copied()
             }
             _ => None,
@@ -248,7 +258,8 @@ fn quoted_length(inner: &str) -> usize {
     inner.len()
 }
 
-/// The path of a member of the object at `path`: `.key`, or `["key"]` where the key is not a plain word.
+/// The path of a member of the object at `path`: `.key`, or `["key"]` where the key is not a plain
+/// word.
 pub(super) fn member_path(path: &str, key: &str) -> String {
     let plain = !key.is_empty() && key.chars().all(|c| c.is_alphanumeric() || "_-$".contains(c));
     match (plain, path.is_empty()) {
@@ -264,7 +275,8 @@ mod tests {
 
     #[test]
     fn every_list_is_gone_through_once() {
-        let nodes: Vec<String> = (0..500).map(|i| format!(r#"{{"id": "n{i}", "kind": "k"}}"#)).collect();
+        let nodes: Vec<String> =
+            (0..500).map(|i| format!(r#"{{"id": "n{i}", "kind": "k"}}"#)).collect();
         let text = format!(r#"{{"nodes": [{}]}}"#, nodes.join(",\n"));
         let source = crate::document::Look::read(&text, "a.json").source;
         let mut finder = Finder::new(&source);
@@ -275,15 +287,22 @@ mod tests {
             assert_eq!(problem.place.at.map(|at| at.line), Some(i + 1));
             assert_eq!(problem.place.json_path, Some(format!("nodes[{i}]")));
         }
-        // The document; its list of nodes, by place and by id. Nodes themselves are not looked into.
+        // The document; its list of nodes, by place and by id. Nodes themselves are not looked
+        // into.
         assert_eq!((finder.members.len(), finder.items.len(), finder.nodes.len()), (1, 1, 1));
     }
 
     #[test]
     fn paths_are_taken_apart() {
         let key = |key: &str| Segment::Key(key.to_owned());
-        assert_eq!(segments("nodes[3].values.offset"), [key("nodes"), Segment::Index(3), key("values"), key("offset")]);
-        assert_eq!(segments("looks[\"a]\\\".b\"][0]"), [key("looks"), key("a]\".b"), Segment::Index(0)]);
+        assert_eq!(
+            segments("nodes[3].values.offset"),
+            [key("nodes"), Segment::Index(3), key("values"), key("offset")]
+        );
+        assert_eq!(
+            segments("looks[\"a]\\\".b\"][0]"),
+            [key("looks"), key("a]\".b"), Segment::Index(0)]
+        );
         assert_eq!(segments(""), []);
         // What was put together comes apart again.
         for name in ["plain", "two words", "a.b", "", "\"", "\\", "光", "[0]"] {

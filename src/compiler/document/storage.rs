@@ -3,12 +3,15 @@
 /// A choice between speed and memory.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Storage {
-    /// The lights of each texel beside each other, a layer for each view that differs: the fewest reads.
+    /// The lights of each texel beside each other, a layer for each view that differs: the fewest
+    /// reads.
     #[default]
     Quick,
-    /// Every tile that differs once, with (x, y) innermost, as indices into a palette where that is smaller: exact, too.
+    /// Every tile that differs once, with (x, y) innermost, as indices into a palette where that is
+    /// smaller: exact, too.
     Compact,
-    /// Every tile that differs once, with (x, y) innermost, in compressed blocks of a byte a texel: with a small loss.
+    /// Every tile that differs once, with (x, y) innermost, in compressed blocks of a byte a texel:
+    /// with a small loss.
     Blocks,
 }
 
@@ -28,12 +31,17 @@ impl Storage {
     /// What it is, in a line without a full stop: for help, documentation and menus.
     pub fn about(self) -> &'static str {
         match self {
-            Self::Quick => "for each texel all its lights side by side: the fewest reads, and the most memory; exact",
+            Self::Quick => {
+                "for each texel all its lights side by side: the fewest reads, and the most \
+                 memory; exact"
+            }
             Self::Compact => {
-                "every tile that differs once, with a palette where that is smaller: less memory, more reads; exact"
+                "every tile that differs once, with a palette where that is smaller: less memory, \
+                 more reads; exact"
             }
             Self::Blocks => {
-                "every tile that differs once, compressed to a byte a texel (BC7): colors are off by a little"
+                "every tile that differs once, compressed to a byte a texel (BC7): colors are off \
+                 by a little"
             }
         }
     }

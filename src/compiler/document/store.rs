@@ -23,7 +23,9 @@ pub fn read_text(path: &Path) -> Result<String, Box<Diagnostic>> {
     };
     let cannot = |error: io::Error| {
         let hint = match error.kind() {
-            io::ErrorKind::NotFound => "check the spelling, and the folder that the path starts from",
+            io::ErrorKind::NotFound => {
+                "check the spelling, and the folder that the path starts from"
+            }
             io::ErrorKind::PermissionDenied => "you may not read this file: change its permissions",
             io::ErrorKind::IsADirectory => "this is a folder: name a file in it",
             _ => "",
@@ -37,7 +39,8 @@ pub fn read_text(path: &Path) -> Result<String, Box<Diagnostic>> {
             fail("cannot-read", message, "name a plain file")
         }
         ReadError::TooLarge { .. } => {
-            let message = format!("the file is larger than {} MiB, the bound for documents", MAX_BYTES >> 20);
+            let message =
+                format!("the file is larger than {} MiB, the bound for documents", MAX_BYTES >> 20);
             fail("too-large", message, "keep big data in files that the document names")
         }
     })?;
@@ -50,7 +53,8 @@ pub fn read_text(path: &Path) -> Result<String, Box<Diagnostic>> {
              fills, exports and imports it",
         );
         problem.hints.push(
-            "a look shows it by a node of the kind `hcbtf_lookup`, whose value `sheet` names it: `example:hcbtf/brick.json` is one"
+            "a look shows it by a node of the kind `hcbtf_lookup`, whose value `sheet` names it: \
+             `example:hcbtf/brick.json` is one"
                 .to_owned(),
         );
         return Err(problem);
@@ -63,7 +67,8 @@ pub fn read_text(path: &Path) -> Result<String, Box<Diagnostic>> {
         let valid = error.utf8_error().valid_up_to();
         let before = String::from_utf8_lossy(&bytes[..valid]);
         let message = "the file is not UTF-8 text from here on".into();
-        let mut problem = fail("not-utf8", message, "a document is JSON in UTF-8; is this another kind of file?");
+        let mut problem =
+            fail("not-utf8", message, "a document is JSON in UTF-8; is this another kind of file?");
         problem.place.at = Some(LineColumn::of(&before, valid));
         problem
     })
@@ -76,8 +81,9 @@ fn is_painting(path: &Path, bytes: &[u8]) -> bool {
     bytes.starts_with(b"PK") && (is_called_so || bytes.get(30..43) == Some(b"manifest.json"))
 }
 
-/// Writes a file whole or not at all, as [`FileSet`] has it: into a temporary file in the same folder, which then takes the
-/// old one's name. When this returns, the disk has the file and its name.
+/// Writes a file whole or not at all, as [`FileSet`] has it: into a temporary file in the same
+/// folder, which then takes the old one's name. When this returns, the disk has the file and its
+/// name.
 ///
 /// # Errors
 /// A diagnostic that names the file; the old file is then as it was.
@@ -98,7 +104,10 @@ mod tests {
     use super::*;
 
     fn names(folder: &Path) -> Vec<String> {
-        fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
+        fs::read_dir(folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect()
     }
 
     #[test]
@@ -119,7 +128,10 @@ mod tests {
         assert_eq!(problem.code, "cannot-write");
         assert!(problem.hints[0].contains("folder"), "{problem}");
         assert_eq!(problem.place.file, Some(missing.display().to_string()));
-        assert!(problem.message.contains("no/such`") && !problem.to_string().contains(".chiaro-"), "{problem}");
+        assert!(
+            problem.message.contains("no/such`") && !problem.to_string().contains(".chiaro-"),
+            "{problem}"
+        );
 
         let path = folder.path().join("a.json");
         write_atomic(&path, b"old").unwrap();
@@ -127,7 +139,10 @@ mod tests {
         permissions.set_readonly(true);
         fs::set_permissions(&path, permissions).unwrap();
         let problem = write_atomic(&path, b"new").unwrap_err();
-        assert!(problem.message.contains("read-only") && problem.message.contains("as it was"), "{problem}");
+        assert!(
+            problem.message.contains("read-only") && problem.message.contains("as it was"),
+            "{problem}"
+        );
         assert_eq!(fs::read(&path).unwrap(), b"old");
         assert_eq!(names(folder.path()), ["a.json"]);
         assert_eq!(write_atomic(folder.path(), b"x").unwrap_err().code, "cannot-write");
@@ -187,8 +202,12 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let old = std::time::SystemTime::UNIX_EPOCH + Duration::from_secs(1_000_000_000);
         let mut held = Vec::new();
-        for (name, is_old) in [(".chiaro-a.tmp", true), (".chiaro-b.tmp", false), ("mine.tmp", true), ("a.json", true)]
-        {
+        for (name, is_old) in [
+            (".chiaro-a.tmp", true),
+            (".chiaro-b.tmp", false),
+            ("mine.tmp", true),
+            ("a.json", true),
+        ] {
             let file = File::create(folder.path().join(name)).unwrap();
             if is_old {
                 file.set_modified(old).unwrap();
@@ -212,7 +231,10 @@ mod tests {
         let path = folder.path().join("binary");
         fs::write(&path, b"{\n  \xC3\xA9\xFF").unwrap();
         let problem = read_text(&path).unwrap_err();
-        assert_eq!((problem.code, problem.place.at), ("not-utf8", Some(LineColumn { line: 2, column: 4 })));
+        assert_eq!(
+            (problem.code, problem.place.at),
+            ("not-utf8", Some(LineColumn { line: 2, column: 4 }))
+        );
         for utf_16 in [b"\xFF\xFE{\0", b"{\0\n\0"] {
             fs::write(&path, utf_16).unwrap();
             assert!(read_text(&path).unwrap_err().message.contains("UTF-16"));

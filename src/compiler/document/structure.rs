@@ -44,13 +44,14 @@ impl Look {
         }
     }
 
-    /// Follows a path through the groups of this document. `None` where a step does not exist, and inside groups that
-    /// come from the library.
+    /// Follows a path through the groups of this document. `None` where a step does not exist, and
+    /// inside groups that come from the library.
     pub fn find(&self, path: &NodePath) -> Option<InnerNode<'_>> {
         let mut graph = GraphId::Look;
         let (last, groups) = path.ids().split_last()?;
         for group in groups {
-            let definition = DefinitionId::from(self.graph_of(&graph)?.nodes.get(group)?.kind.as_str());
+            let definition =
+                DefinitionId::from(self.graph_of(&graph)?.nodes.get(group)?.kind.as_str());
             graph = GraphId::Definition(definition);
         }
         let (index, _, node) = self.graph_of(&graph)?.nodes.get_full(last)?;
@@ -63,8 +64,8 @@ impl Look {
         Some(format!("{}nodes[{}]", found.graph.json_prefix(), found.index))
     }
 
-    /// The JSON path of what feeds an input: its wire, else its value, e.g. `nodes[3].values.offset` (which the text
-    /// need not have, as a default may be left out).
+    /// The JSON path of what feeds an input: its wire, else its value, e.g.
+    /// `nodes[3].values.offset` (which the text need not have, as a default may be left out).
     pub fn json_path_of_input(&self, path: &NodePath, port: &PortName) -> Option<String> {
         let found = self.find(path)?;
         let prefix = found.graph.json_prefix();

@@ -5,7 +5,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::ids::PortName;
 
-/// The value of an unwired input. What an input takes is the node's business: `chiaro nodes` lists it.
+/// The value of an unwired input. What an input takes is the node's business: `chiaro nodes` lists
+/// it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum Value {
@@ -13,13 +14,14 @@ pub enum Value {
     Bool(bool),
     /// A number; angles in radians.
     Number(f64),
-    /// A vector or a colour (`[r, g, b]` is opaque).
+    /// A vector or a color (`[r, g, b]` is opaque).
     Vector(Vec<f64>),
-    /// A choice (`"add"`), a light's id, an asset's path, WGSL source, or a colour as `"#rrggbb"` or `"#rrggbbaa"`.
+    /// A choice (`"add"`), a light's id, an asset's path, WGSL source, or a color as `"#rrggbb"`
+    /// or `"#rrggbbaa"`.
     Text(String),
     /// A free curve.
     Curve(Curve),
-    /// A colour ramp.
+    /// A color ramp.
     Ramp(Ramp),
 }
 
@@ -29,7 +31,8 @@ pub type Values = IndexMap<PortName, Value>;
 /// A function of one number, drawn through points.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Curve {
-    /// `[x, y]` pairs in increasing x; at most [`Curve::MAX_POINTS`]. Outside the first and last x the curve is flat.
+    /// `[x, y]` pairs in increasing x; at most [`Curve::MAX_POINTS`]. Outside the first and last x
+    /// the curve is flat.
     pub points: Vec<[f64; 2]>,
     /// How neighbouring points are joined.
     #[serde(default)]
@@ -41,7 +44,7 @@ impl Curve {
     pub const MAX_POINTS: usize = 16;
 }
 
-/// A colour that changes along one number.
+/// A color that changes along one number.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Ramp {
     /// In increasing `at`; at most [`Ramp::MAX_STOPS`].
@@ -56,7 +59,7 @@ impl Ramp {
     pub const MAX_STOPS: usize = 16;
 }
 
-/// One colour of a ramp.
+/// One color of a ramp.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RampStop {
     /// Where along the ramp.

@@ -52,7 +52,8 @@ words!(LightSpace {
 words!(KeyScheme {
     Biharmonic "biharmonic" "the sphere's biharmonic functions in closed form",
     AppendixB "appendix-b" "the continuum limit of the energy of BADF Appendix B, in closed form",
-    Tessellated "tessellated" "the paper's own least squares over a tessellated sphere; for comparison",
+    Tessellated "tessellated" "the paper's own least squares over a tessellated sphere; for \
+                               comparison",
 });
 words!(Interpolation {
     Linear "linear" "straight",

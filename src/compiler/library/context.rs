@@ -52,11 +52,13 @@ pub enum Context {
     KappaDetail,
     /// The same from four neighbours of a pixel.
     KappaDetailSparse,
-    /// Curvature of the surface by direction: xx, xy and yy in camera axes, in 1/viewport-height, convex positive.
+    /// Curvature of the surface by direction: xx, xy and yy in camera axes, in 1/viewport-height,
+    /// convex positive.
     Tensor,
     /// The same from the derivatives of the fragment's normal, without any pass before.
     TensorFast,
-    /// The surface's normal smoothed over the picture, world space; level 1 the least, [`SMOOTH_LEVELS`] the most.
+    /// The surface's normal smoothed over the picture, world space; level 1 the least,
+    /// [`SMOOTH_LEVELS`] the most.
     SmoothNormal(u8),
     /// The rotation from world to camera axes.
     CameraFromWorld,
@@ -68,10 +70,11 @@ pub enum Context {
     Frame,
     /// Width and height in pixels.
     Viewport,
-    /// The pixel's place from the picture's upper left corner: x to the right, y down, in pixels; centres lie at halves.
+    /// The pixel's place from the picture's upper left corner: x to the right, y down, in pixels;
+    /// centres lie at halves.
     Pixel,
-    /// Where the object's origin is seen from the picture's middle, x to the right and y down, and how large a unit of
-    /// the scene is seen there; in picture heights.
+    /// Where the object's origin is seen from the picture's middle, x to the right and y down, and
+    /// how large a unit of the scene is seen there; in picture heights.
     Anchor,
     /// How large a unit of the scene is seen at this distance, in picture heights.
     Magnification,
@@ -118,8 +121,20 @@ const TABLE: &[Row] = &[
         Rate::Fragment,
         "unit surface normal, world space, toward the side that is seen",
     ),
-    (Context::View, "view", "vec3f", Rate::Fragment, "unit, from the surface to the eye, world space"),
-    (Context::Position, "position", "vec3f", Rate::Fragment, "the place on the surface, world space"),
+    (
+        Context::View,
+        "view",
+        "vec3f",
+        Rate::Fragment,
+        "unit, from the surface to the eye, world space",
+    ),
+    (
+        Context::Position,
+        "position",
+        "vec3f",
+        Rate::Fragment,
+        "the place on the surface, world space",
+    ),
     (
         Context::PositionObject,
         "position_object",
@@ -176,7 +191,8 @@ const TABLE: &[Row] = &[
         "kappa_fast",
         "f32",
         Rate::Fragment,
-        "the same from the normals of neighbouring pixels alone, without a pass of its own; triangles show in it",
+        "the same from the normals of neighbouring pixels alone, without a pass of its own; \
+         triangles show in it",
     ),
     (
         Context::KappaDetail,
@@ -197,26 +213,53 @@ const TABLE: &[Row] = &[
         "curvature_tensor",
         "vec3f",
         Rate::Fragment,
-        "curvature of the surface by direction: xx, xy and yy in camera axes, in 1/viewport-height, convex positive",
+        "curvature of the surface by direction: xx, xy and yy in camera axes, in \
+         1/viewport-height, convex positive",
     ),
     (
         Context::TensorFast,
         "curvature_tensor_fast",
         "vec3f",
         Rate::Fragment,
-        "the same from the normals of neighbouring pixels alone, without a pass of its own; triangles show in it",
+        "the same from the normals of neighbouring pixels alone, without a pass of its own; \
+         triangles show in it",
     ),
     (
         Context::SmoothNormal(1),
         "smooth_normal_1",
         "vec3f",
         Rate::Fragment,
-        "the surface's normal smoothed over 1/570 of the picture's height, world space; 0 where there is none",
+        "the surface's normal smoothed over 1/570 of the picture's height, world space; 0 where \
+         there is none",
     ),
-    (Context::SmoothNormal(2), "smooth_normal_2", "vec3f", Rate::Fragment, "the same over 1/250 of the height"),
-    (Context::SmoothNormal(3), "smooth_normal_3", "vec3f", Rate::Fragment, "the same over 1/125 of the height"),
-    (Context::SmoothNormal(4), "smooth_normal_4", "vec3f", Rate::Fragment, "the same over 1/60 of the height"),
-    (Context::CameraFromWorld, "camera_from_world", "mat3x3f", Rate::Frame, "the rotation from world to camera axes"),
+    (
+        Context::SmoothNormal(2),
+        "smooth_normal_2",
+        "vec3f",
+        Rate::Fragment,
+        "the same over 1/250 of the height",
+    ),
+    (
+        Context::SmoothNormal(3),
+        "smooth_normal_3",
+        "vec3f",
+        Rate::Fragment,
+        "the same over 1/125 of the height",
+    ),
+    (
+        Context::SmoothNormal(4),
+        "smooth_normal_4",
+        "vec3f",
+        Rate::Fragment,
+        "the same over 1/60 of the height",
+    ),
+    (
+        Context::CameraFromWorld,
+        "camera_from_world",
+        "mat3x3f",
+        Rate::Frame,
+        "the rotation from world to camera axes",
+    ),
     (Context::ObjectId, "object_id", "f32", Rate::Object, "counts objects from 0"),
     (Context::Time, "time", "f32", Rate::Frame, "seconds"),
     (Context::Frame, "frame", "f32", Rate::Frame, "frames since the start of the time range"),
@@ -226,14 +269,16 @@ const TABLE: &[Row] = &[
         "pixel",
         "vec2f",
         Rate::Fragment,
-        "the pixel's place from the picture's upper left corner, x to the right and y down, in pixels; centres lie at halves",
+        "the pixel's place from the picture's upper left corner, x to the right and y down, in \
+         pixels; centres lie at halves",
     ),
     (
         Context::Anchor,
         "anchor",
         "vec3f",
         Rate::Fragment,
-        "where the object's origin is seen from the picture's middle, x to the right and y down, and how large a unit of \
+        "where the object's origin is seen from the picture's middle, x to the right and y down, \
+         and how large a unit of \
          the scene is seen there; in picture heights",
     ),
     (
@@ -264,7 +309,13 @@ const TABLE: &[Row] = &[
         Rate::Object,
         "unit, toward a directional light, as the artist gave it",
     ),
-    (Context::Light(LightField::Position), "light.position", "vec3f", Rate::Object, "where the light is, world space"),
+    (
+        Context::Light(LightField::Position),
+        "light.position",
+        "vec3f",
+        Rate::Object,
+        "where the light is, world space",
+    ),
     (
         Context::Light(LightField::Aim),
         "light.aim",
@@ -288,7 +339,13 @@ const TABLE: &[Row] = &[
         Rate::Object,
         "the cosines of a spot light's inner and outer half-angles",
     ),
-    (Context::Light(LightField::Fading), "light.fading", "vec2f", Rate::Object, "half distance and range"),
+    (
+        Context::Light(LightField::Fading),
+        "light.fading",
+        "vec2f",
+        Rate::Object,
+        "half distance and range",
+    ),
 ];
 
 impl Context {
@@ -304,8 +361,9 @@ impl Context {
 
     /// What stands for it in a node of this tier.
     ///
-    /// What is off by more than is seen stands for a curvature only where an artist asked for that: in the fast tier, and
-    /// in the balanced one of the node that is the measure itself (`is_measure`) and nothing else.
+    /// What is off by more than is seen stands for a curvature only where an artist asked for that:
+    /// in the fast tier, and in the balanced one of the node that is the measure itself
+    /// (`is_measure`) and nothing else.
     pub fn at_tier(self, tier: Tier, is_measure: bool) -> Self {
         match (self, tier) {
             (Self::Kappa, Tier::Balanced) if is_measure => Self::KappaSparse,
@@ -329,7 +387,14 @@ impl Context {
 
     /// Whether it is a curvature in one number, whatever of and however it is measured.
     pub fn is_curvature(self) -> bool {
-        matches!(self, Self::Kappa | Self::KappaSparse | Self::KappaFast | Self::KappaDetail | Self::KappaDetailSparse)
+        matches!(
+            self,
+            Self::Kappa
+                | Self::KappaSparse
+                | Self::KappaFast
+                | Self::KappaDetail
+                | Self::KappaDetailSparse
+        )
     }
 
     fn row(self) -> &'static Row {
@@ -346,7 +411,8 @@ impl Context {
         self.row().2
     }
 
-    /// When it is known. Lights are of object rate, because a direction key may turn them for each object.
+    /// When it is known. Lights are of object rate, because a direction key may turn them for each
+    /// object.
     pub fn rate(self) -> Rate {
         self.row().3
     }

@@ -19,27 +19,30 @@
 //! /// @source BADF eq. 5
 //! ```
 //!
-//! A `@bypass` says when the node may be left out and what then stands in its place: an input or a number. Its
-//! conditions compare an input with a number, with another input, with words of a choice (`mode = add|alpha`), or
-//! with `black` (first three numbers 0), `unit` (all numbers known to lie in [0, 1]) or `unit_alpha` (the fourth
-//! number, if there is one). Beside `=` there are `<=` and `>=`, against a number or another input: they hold where
-//! constants or ranges show that they hold at every fragment. `@unit` says when the result is known to lie in [0, 1],
-//! but for what a card's rounding may be off, and `@unit alpha` that the alpha of a color does.
-//! A test holds that a bypassed node equals one that is not. An `@error` says how far a cheaper tier may be from the exact
-//! one; a test holds that too.
+//! A `@bypass` says when the node may be left out and what then stands in its place: an input or a
+//! number. Its conditions compare an input with a number, with another input, with words of a
+//! choice (`mode = add|alpha`), or with `black` (first three numbers 0), `unit` (all numbers known
+//! to lie in [0, 1]) or `unit_alpha` (the fourth number, if there is one). Beside `=` there are
+//! `<=` and `>=`, against a number or another input: they hold where constants or ranges show that
+//! they hold at every fragment. `@unit` says when the result is known to lie in [0, 1], but for
+//! what a card's rounding may be off, and `@unit alpha` that the alpha of a color does. A test
+//! holds that a bypassed node equals one that is not. An `@error` says how far a cheaper tier may
+//! be from the exact one; a test holds that too.
 //!
-//! A `@bound` names an input that is a share, with the choices for which it is one: the compiler keeps it within 0 and 1
-//! (of a color its alpha) before the node's functions see it, and does nothing where ranges show that it lies there.
+//! A `@bound` names an input that is a share, with the choices for which it is one: the compiler
+//! keeps it within 0 and 1 (of a color its alpha) before the node's functions see it, and does
+//! nothing where ranges show that it lies there.
 //!
-//! Numbers may be written with `pi` (`pi/2`, `-pi`, `2pi`), vectors with commas and no spaces, text in quotes. A help
-//! text may go on in following lines that are indented by two spaces or more.
+//! Numbers may be written with `pi` (`pi/2`, `-pi`, `2pi`), vectors with commas and no spaces, text
+//! in quotes. A help text may go on in following lines that are indented by two spaces or more.
 
 /// One `@word ...` line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tag {
     /// `param`, `choice`, `return`, `preset`, `bypass`, `bound`, `unit`, `error`, `source`.
     pub word: String,
-    /// What stands between the word and the colon, split at spaces; quoted texts are one piece without their quotes.
+    /// What stands between the word and the colon, split at spaces; quoted texts are one piece
+    /// without their quotes.
     pub pieces: Vec<Piece>,
     /// What stands after ` : `.
     pub help: String,
@@ -76,7 +79,9 @@ pub fn parse(lines: &[String]) -> Docs {
     while let Some(line) = lines.next() {
         if let Some(tag) = line.trim_start().strip_prefix('@') {
             let mut text = tag.to_owned();
-            while let Some(more) = lines.next_if(|next| next.starts_with("  ") && !next.trim_start().starts_with('@')) {
+            while let Some(more) =
+                lines.next_if(|next| next.starts_with("  ") && !next.trim_start().starts_with('@'))
+            {
                 text.push(' ');
                 text.push_str(more.trim());
             }

@@ -1,9 +1,10 @@
-//! The ports of a group, as those of a node: whatever the group's interface leaves out comes from the inner port that
-//! it is wired to first.
+//! The ports of a group, as those of a node: whatever the group's interface leaves out comes from
+//! the inner port that it is wired to first.
 //!
-//! Inspectors and docs want a group to look like any other node: with types, ranges, choices and help. A document says
-//! of an interface port often no more than its name, so the rest is looked for along its first wire, through groups
-//! within groups and reroutes, until a node of the library says it.
+//! Inspectors and docs want a group to look like any other node: with types, ranges, choices and
+//! help. A document says of an interface port often no more than its name, so the rest is looked
+//! for along its first wire, through groups within groups and reroutes, until a node of the library
+//! says it.
 
 use indexmap::IndexMap;
 
@@ -19,8 +20,8 @@ pub const CUSTOM_KIND: &str = "wgsl";
 /// The value that holds it.
 pub const CUSTOM_CODE: &str = "code";
 
-/// As many groups and reroutes as a wire is followed through. Groups may contain one another in a document that is
-/// wrong, and then a wire has no end.
+/// As many groups and reroutes as a wire is followed through. Groups may contain one another in a
+/// document that is wrong, and then a wire has no end.
 const MAX_STEPS: usize = 256;
 
 /// A group's ports, told as a node's are.
@@ -40,14 +41,23 @@ impl GroupDef {
 }
 
 impl GroupPorts {
-    /// The ports of any definition. `own` are the definitions of its document, which go before those of the library.
+    /// The ports of any definition. `own` are the definitions of its document, which go before
+    /// those of the library.
     ///
     /// An input that reaches no node is a number without a value.
-    pub fn of(definition: &Definition, own: &IndexMap<DefinitionId, Definition>, library: &Library) -> Self {
+    pub fn of(
+        definition: &Definition,
+        own: &IndexMap<DefinitionId, Definition>,
+        library: &Library,
+    ) -> Self {
         let finder = Finder { own, library };
         Self {
             inputs: definition.inputs.iter().map(|port| finder.input(definition, port)).collect(),
-            outputs: definition.outputs.iter().map(|port| finder.output(definition, port)).collect(),
+            outputs: definition
+                .outputs
+                .iter()
+                .map(|port| finder.output(definition, port))
+                .collect(),
         }
     }
 }
@@ -88,9 +98,12 @@ impl<'a> Finder<'a> {
         let mut said = vec![port];
         let found = self.inner_input(definition, port, &mut said);
         let (place, found) = found.unzip();
-        let mut input = found.unwrap_or_else(|| plain_input(port.name.as_str(), Type::Float, Fallback::Wire));
+        let mut input =
+            found.unwrap_or_else(|| plain_input(port.name.as_str(), Type::Float, Fallback::Wire));
         input.name = port.name.clone();
-        let first = |get: fn(&InterfacePort) -> Option<&String>| said.iter().find_map(|port| get(port)).cloned();
+        let first = |get: fn(&InterfacePort) -> Option<&String>| {
+            said.iter().find_map(|port| get(port)).cloned()
+        };
         if let Some(label) = first(|port| port.label.as_ref()) {
             input.label = label;
         }
@@ -115,7 +128,8 @@ impl<'a> Finder<'a> {
         input
     }
 
-    /// The node's input that an interface input feeds first, with the ids of the groups around that node and its own.
+    /// The node's input that an interface input feeds first, with the ids of the groups around that
+    /// node and its own.
     fn inner_input(
         &self,
         definition: &'a Definition,
@@ -134,7 +148,9 @@ impl<'a> Finder<'a> {
                 }
                 Kind::Node(def) => {
                     place.push(&wire.to.node);
-                    return def.input(wire.to.port.as_str()).map(|index| (place, def.inputs[index].clone()));
+                    return def
+                        .input(wire.to.port.as_str())
+                        .map(|index| (place, def.inputs[index].clone()));
                 }
                 Kind::Group(inner) => {
                     place.push(&wire.to.node);
@@ -172,17 +188,26 @@ impl<'a> Finder<'a> {
             if from.node.as_str() == GROUP_INPUTS {
                 let passed = definition.inputs.iter().find(|input| input.name == from.port)?;
                 let input = self.input(definition, passed);
-                return Some(Output { name: input.name, label: input.label, help: input.help, ty: input.ty });
+                return Some(Output {
+                    name: input.name,
+                    label: input.label,
+                    help: input.help,
+                    ty: input.ty,
+                });
             }
             match self.kind(definition, &from.node)? {
                 Kind::Node(def) if def.special == Special::Reroute => {
                     to_port = def.inputs.first()?.name.clone();
                     to_node = from.node.clone();
                 }
-                Kind::Node(def) => return def.output(from.port.as_str()).map(|index| def.outputs[index].clone()),
+                Kind::Node(def) => {
+                    return def.output(from.port.as_str()).map(|index| def.outputs[index].clone());
+                }
                 Kind::Group(inner) => {
                     let named = inner.outputs.iter().find(|output| output.name == from.port);
-                    let next = named.or_else(|| inner.outputs.first().filter(|_| from.port.as_str().is_empty()))?;
+                    let next = named.or_else(|| {
+                        inner.outputs.first().filter(|_| from.port.as_str().is_empty())
+                    })?;
                     to_port = next.name.clone();
                     to_node = NodeId::from(GROUP_OUTPUTS);
                     definition = inner;
@@ -195,8 +220,9 @@ impl<'a> Finder<'a> {
 
 /// The first wire from an output of a node; any output where `port` is empty.
 fn first_wire_from<'a>(definition: &'a Definition, node: &str, port: &str) -> Option<&'a Wire> {
-    let is_from =
-        |wire: &&Wire| wire.from.node.as_str() == node && (port.is_empty() || wire.from.port.as_str() == port);
+    let is_from = |wire: &&Wire| {
+        wire.from.node.as_str() == node && (port.is_empty() || wire.from.port.as_str() == port)
+    };
     definition.graph.wires.iter().find(is_from)
 }
 
@@ -206,7 +232,8 @@ mod tests {
     use crate::document::Look;
 
     fn ports_of(definitions: &str, id: &str) -> GroupPorts {
-        let loaded = Look::read(&format!(r#"{{"definitions": {definitions}, "nodes": []}}"#), "test.json");
+        let loaded =
+            Look::read(&format!(r#"{{"definitions": {definitions}, "nodes": []}}"#), "test.json");
         let look = loaded.value.unwrap();
         GroupPorts::of(&look.definitions[id], &look.definitions, Library::built_in())
     }
@@ -233,7 +260,10 @@ mod tests {
         assert_eq!(input(&ports, "light").ty, Type::LightName);
         assert!(matches!(input(&ports, "normal").fallback, Fallback::Context(_)));
         assert_eq!(ports.outputs[0].ty, Type::Composite);
-        assert_eq!((ports.outputs[1].name.as_str(), ports.outputs[1].ty.clone()), ("tone", Type::Float));
+        assert_eq!(
+            (ports.outputs[1].name.as_str(), ports.outputs[1].ty.clone()),
+            ("tone", Type::Float)
+        );
     }
 
     #[test]
@@ -256,8 +286,14 @@ mod tests {
             "outer",
         );
         let width = input(&ports, "width");
-        assert_eq!((width.label.as_str(), width.help.as_str(), width.max), ("Cut", "Ours.", Some(2.0)));
-        assert_eq!((&width.fallback, width.unit.as_str()), (&Fallback::Value(Value::Number(0.5)), "rad"));
+        assert_eq!(
+            (width.label.as_str(), width.help.as_str(), width.max),
+            ("Cut", "Ours.", Some(2.0))
+        );
+        assert_eq!(
+            (&width.fallback, width.unit.as_str()),
+            (&Fallback::Value(Value::Number(0.5)), "rad")
+        );
         assert_eq!((ports.outputs[0].label.as_str(), &ports.outputs[0].ty), ("Tone", &Type::Float));
     }
 
@@ -272,7 +308,10 @@ mod tests {
             }}"#,
             "ring",
         );
-        assert_eq!((&input(&ports, "a").ty, &input(&ports, "a").fallback), (&Type::Float, &Fallback::Wire));
+        assert_eq!(
+            (&input(&ports, "a").ty, &input(&ports, "a").fallback),
+            (&Type::Float, &Fallback::Wire)
+        );
         assert_eq!(ports.outputs.len(), 2);
     }
 }

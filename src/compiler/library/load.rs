@@ -47,7 +47,8 @@ pub struct GroupDef {
 
 static BUILT_IN: LazyLock<Library> = LazyLock::new(|| match Library::load_built_in() {
     Ok(library) => library,
-    // A test loads every shipped file, so a release cannot come here; a developer is told what is wrong.
+    // A test loads every shipped file, so a release cannot come here; a developer is told what is
+    // wrong.
     Err(problems) => Library { problems, ..Library::default() },
 });
 
@@ -59,7 +60,8 @@ impl Library {
 
     fn load_built_in() -> Result<Self, Vec<Diagnostic>> {
         let is_node = |path: &&(&str, &str)| path.0.ends_with(".wgsl");
-        let sources: Vec<_> = NODES.iter().filter(is_node).map(|&(name, text)| Source { name, text }).collect();
+        let sources: Vec<_> =
+            NODES.iter().filter(is_node).map(|&(name, text)| Source { name, text }).collect();
         let module = Arc::new(load_module(&sources)?);
         let mut library = Self::default();
         for source in &sources {
@@ -77,8 +79,8 @@ impl Library {
         if has_errors(&library.problems) { Err(library.problems) } else { Ok(library) }
     }
 
-    /// Adds a file of group definitions: a look whose `definitions` join the library. What is wrong with it goes to
-    /// `problems`.
+    /// Adds a file of group definitions: a look whose `definitions` join the library. What is wrong
+    /// with it goes to `problems`.
     pub fn add_groups(&mut self, path: &str, text: &str) {
         let (_, category) = stem_and_folder(path);
         let look = Look::read(text, path);
@@ -89,12 +91,16 @@ impl Library {
                 self.problems.push(kind_taken(&id, path));
                 continue;
             }
-            self.groups.insert(id.clone(), Arc::new(GroupDef { id, category: category.clone(), definition }));
+            self.groups.insert(
+                id.clone(),
+                Arc::new(GroupDef { id, category: category.clone(), definition }),
+            );
         }
     }
 
-    /// This library and every node under a project's `nodes/` folder. A broken file adds no node and a diagnostic
-    /// with its line; all else goes on. The folder may be a stranger's: what is read of it is bounded.
+    /// This library and every node under a project's `nodes/` folder. A broken file adds no node
+    /// and a diagnostic with its line; all else goes on. The folder may be a stranger's: what is
+    /// read of it is bounded.
     #[must_use]
     pub fn with_project(&self, folder: &Path) -> Self {
         let mut library = self.clone();
@@ -134,7 +140,9 @@ impl Library {
     /// Adds one node file; what is wrong with it goes to `problems`.
     pub fn add_file(&mut self, name: &str, text: &str) {
         match load_node(name, text, None) {
-            Ok(node) if self.nodes.contains_key(&node.kind) || self.groups.contains_key(&node.kind) => {
+            Ok(node)
+                if self.nodes.contains_key(&node.kind) || self.groups.contains_key(&node.kind) =>
+            {
                 self.problems.push(kind_taken(&node.kind, name));
             }
             Ok(node) => {
@@ -152,7 +160,9 @@ impl Library {
 
 /// Whether a file is one of those that Chiaro ships, as it ships it.
 fn is_shipped(file: &Path, text: &str) -> bool {
-    NODES.iter().any(|(path, shipped)| Path::new(path).file_name() == file.file_name() && *shipped == text)
+    NODES
+        .iter()
+        .any(|(path, shipped)| Path::new(path).file_name() == file.file_name() && *shipped == text)
 }
 
 fn kind_taken(kind: &str, file: &str) -> Diagnostic {
@@ -175,7 +185,9 @@ pub struct NodeFiles {
 /// Finds a project's own nodes.
 pub fn node_files(folder: &Path) -> NodeFiles {
     let walked = files::walk(folder, MAX_DEPTH, &|_| true);
-    let is_node = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "wgsl" || ending == "json");
+    let is_node = |path: &PathBuf| {
+        path.extension().is_some_and(|ending| ending == "wgsl" || ending == "json")
+    };
     let mut files: Vec<PathBuf> = walked.files.into_iter().filter(is_node).collect();
     files.sort();
     let is_cut = walked.is_cut || files.len() > MAX_FILES;
@@ -184,7 +196,9 @@ pub fn node_files(folder: &Path) -> NodeFiles {
 }
 
 fn read_node_file(path: &Path) -> Result<String, Diagnostic> {
-    let unreadable = |why: &str| Diagnostic::error("unreadable-node", format!("this node file cannot be read: {why}"));
+    let unreadable = |why: &str| {
+        Diagnostic::error("unreadable-node", format!("this node file cannot be read: {why}"))
+    };
     let bytes = files::read(path, MAX_FILE_BYTES).map_err(|error| {
         let problem = unreadable(&error.to_string());
         match error {
@@ -195,7 +209,8 @@ fn read_node_file(path: &Path) -> Result<String, Diagnostic> {
     if files::is_utf16(&bytes) {
         return Err(unreadable("it is text in UTF-16").hint("save it as UTF-8"));
     }
-    String::from_utf8(bytes).map_err(|_| unreadable("it is no text in UTF-8").hint("save it as UTF-8"))
+    String::from_utf8(bytes)
+        .map_err(|_| unreadable("it is no text in UTF-8").hint("save it as UTF-8"))
 }
 
 fn too_much(folder: &Path) -> Diagnostic {
@@ -223,7 +238,8 @@ mod tests {
     fn a_file_that_is_too_large_or_no_text_is_told_and_the_rest_is_read() {
         let folder = tempfile::tempdir().unwrap();
         let path = |name: &str| folder.path().join(name);
-        std::fs::write(path("half.wgsl"), "fn half(x: f32) -> f32 {\n    return 0.5 * x;\n}\n").unwrap();
+        std::fs::write(path("half.wgsl"), "fn half(x: f32) -> f32 {\n    return 0.5 * x;\n}\n")
+            .unwrap();
         std::fs::File::create(path("hole.wgsl")).unwrap().set_len(1 << 40).unwrap();
         std::fs::write(path("wide.wgsl"), b"\xFF\xFEf\0n\0").unwrap();
         std::fs::write(path("wild.json"), b"{\xFF}").unwrap();
@@ -250,7 +266,9 @@ mod tests {
         use std::os::unix::fs::symlink;
         let folder = tempfile::tempdir().unwrap();
         let path = |name: &str| folder.path().join(name);
-        assert!(std::process::Command::new("mkfifo").arg(path("pipe.wgsl")).status().unwrap().success());
+        assert!(
+            std::process::Command::new("mkfifo").arg(path("pipe.wgsl")).status().unwrap().success()
+        );
         symlink("/dev/zero", path("zero.json")).unwrap();
         symlink("/", path("disk")).unwrap();
         symlink(".", path("ring")).unwrap();
@@ -262,7 +280,8 @@ mod tests {
     fn a_bound_names_a_share_and_the_choices_that_make_it_one() {
         let node = |bound: &str| {
             let text = format!(
-                "/// Probe\n///\n/// @choice mode default=add add=Add alpha=Alpha\n/// @bound {bound}\n\
+                "/// Probe\n///\n/// @choice mode default=add add=Add alpha=Alpha\n/// @bound \
+                 {bound}\n\
                  fn probe_add(share: f32, place: vec3f) -> f32 {{ return share; }}\n\
                  fn probe_alpha(share: f32) -> f32 {{ return share; }}\n"
             );

@@ -1,13 +1,15 @@
 //! The library: every node is one WGSL file, and this room reads what the file says of itself.
 //!
-//! A file `nodes/<category>/<kind>.wgsl` holds one or more functions whose names begin with the kind. The first one's
-//! doc comment tells label, help, ports and presets (see [`docs`]); its signature and those of its siblings tell
-//! ports and types. What a name has after the kind says what the function is:
+//! A file `nodes/<category>/<kind>.wgsl` holds one or more functions whose names begin with the
+//! kind. The first one's doc comment tells label, help, ports and presets (see [`docs`]); its
+//! signature and those of its siblings tell ports and types. What a name has after the kind says
+//! what the function is:
 //!
 //! - a choice's word (`blend_add`): the implementation for that choice;
 //! - `vec2`, `vec3`, `vec4`, `color`: the implementation for wider inputs;
 //! - `balanced`, `fast`: a cheaper tier;
-//! - `prepare`: turns artist's parameters into what the other functions take as their parameter of its result's type.
+//! - `prepare`: turns artist's parameters into what the other functions take as their parameter of
+//!   its result's type.
 //!
 //! Files under a project's own `nodes/` folder are read the same way and add to the library. A file
 //! `nodes/<category>/<name>.json` is a look whose `definitions` become groups of the library.
@@ -21,7 +23,7 @@ mod node;
 mod read;
 mod types;
 
-/// The categories that have a colour of their own, in the order of palettes and of tables. The
+/// The categories that have a color of their own, in the order of palettes and of tables. The
 /// folder that a node's file lies in is its category, and a project's folders may be any others.
 pub const CATEGORIES: [&str; 14] = [
     "layer",
@@ -46,8 +48,8 @@ pub use group::{CUSTOM_CODE, CUSTOM_KIND, GroupPorts};
 pub use load::node_files;
 pub use load::{GroupDef, Library};
 pub use node::{
-    Bypass, BypassResult, Condition, Fallback, Input, Limit, NodeDef, NodeModule, Output, Parameter, Prepare, Preset,
-    Special, Test, TierError, Variant,
+    Bypass, BypassResult, Condition, Fallback, Input, Limit, NodeDef, NodeModule, Output,
+    Parameter, Prepare, Preset, Special, Test, TierError, Variant,
 };
 pub use read::load_node;
 pub use types::{Conversion, Type};

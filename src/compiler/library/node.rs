@@ -151,7 +151,8 @@ pub enum Parameter {
     Sampler(usize),
 }
 
-/// A node's second function, run in f64 before the fragment wherever its parameters are known there.
+/// A node's second function, run in f64 before the fragment wherever its parameters are known
+/// there.
 #[derive(Clone, Debug)]
 pub struct Prepare {
     /// The function's name.
@@ -252,7 +253,8 @@ pub struct Preset {
 }
 
 impl NodeDef {
-    /// Its tiers, the exact one first: those that its functions are for, and those that its surroundings have.
+    /// Its tiers, the exact one first: those that its functions are for, and those that its
+    /// surroundings have.
     pub fn tiers(&self) -> Vec<Tier> {
         let mut tiers: Vec<Tier> = self.variants.iter().map(|variant| variant.tier).collect();
         for input in &self.inputs {
@@ -307,7 +309,8 @@ pub struct NodeModule {
 impl NodeModule {
     /// Wraps validated text.
     pub fn new(linked: Linked, scan: Scan, valid: Valid) -> Self {
-        let by_name = scan.declarations.iter().enumerate().map(|(i, d)| (d.name.clone(), i)).collect();
+        let by_name =
+            scan.declarations.iter().enumerate().map(|(i, d)| (d.name.clone(), i)).collect();
         let operations = Operations::of(&valid.module);
         Self { linked, scan, valid, operations, by_name, programs: Mutex::default() }
     }
@@ -322,8 +325,9 @@ impl NodeModule {
         self.operations.of_function(&self.valid.module, function)
     }
 
-    /// A function, ready to run on the CPU, with constants at f64; compiled on the first call. Derivatives are 0 in it,
-    /// because whatever runs before the fragment is the same in all of them.
+    /// A function, ready to run on the CPU, with constants at f64; compiled on the first call.
+    /// Derivatives are 0 in it, because whatever runs before the fragment is the same in all of
+    /// them.
     ///
     /// # Errors
     /// Names what of the function the interpreter cannot run.

@@ -7,8 +7,8 @@ use indexmap::IndexMap;
 use super::context::Context;
 use super::docs::{self, Docs, Piece, Tag};
 use super::node::{
-    Bound, Bypass, BypassResult, Condition, Fallback, Input, Limit, NodeDef, NodeModule, Output, Parameter, Prepare,
-    Preset, Special, Test, TierError, Variant,
+    Bound, Bypass, BypassResult, Condition, Fallback, Input, Limit, NodeDef, NodeModule, Output,
+    Parameter, Prepare, Preset, Special, Test, TierError, Variant,
 };
 use super::types::Type;
 use crate::diag::{Diagnostic, LineColumn};
@@ -48,12 +48,12 @@ fn place(linked: &Linked, code: &'static str, error: &wgsl::WgslError) -> Diagno
     problem
 }
 
-/// Reads one node file. `kind` names a custom node, whose first function may have any name; otherwise the kind is the
-/// file's stem.
+/// Reads one node file. `kind` names a custom node, whose first function may have any name;
+/// otherwise the kind is the file's stem.
 ///
 /// # Errors
-/// Everything wrong with it, with line and column. Those of a custom node's code are told in the message, since the code
-/// is no file: the place is the node's, in the look.
+/// Everything wrong with it, with line and column. Those of a custom node's code are told in the
+/// message, since the code is no file: the place is the node's, in the look.
 pub fn load_node(file: &str, text: &str, kind: Option<&str>) -> Result<NodeDef, Vec<Diagnostic>> {
     let source = Source { name: file, text };
     let node = load_own_module(&source).and_then(|(module, notes)| {
@@ -61,7 +61,9 @@ pub fn load_node(file: &str, text: &str, kind: Option<&str>) -> Result<NodeDef, 
         Ok(NodeDef { notes, ..node })
     });
     let in_code = |mut problems: Vec<Diagnostic>| {
-        let of_code = |problem: &&mut Diagnostic| kind.is_some() && problem.place.file.as_deref() == Some(file);
+        let of_code = |problem: &&mut Diagnostic| {
+            kind.is_some() && problem.place.file.as_deref() == Some(file)
+        };
         problems.iter_mut().filter(of_code).for_each(tell_place_in_code);
         problems
     };
@@ -74,8 +76,9 @@ pub fn load_node(file: &str, text: &str, kind: Option<&str>) -> Result<NodeDef, 
     }
 }
 
-/// The module of code that a person wrote: within bounds before naga sees it, with nothing in it that a look cannot
-/// run, and with an end to every loop. With it what there is to say of its loops.
+/// The module of code that a person wrote: within bounds before naga sees it, with nothing in it
+/// that a look cannot run, and with an end to every loop. With it what there is to say of its
+/// loops.
 fn load_own_module(source: &Source<'_>) -> Result<(NodeModule, Vec<Diagnostic>), Vec<Diagnostic>> {
     let in_source = |code: &'static str, error: &wgsl::WgslError| {
         let problem = Diagnostic::error(code, error.message.clone()).in_file(source.name);
@@ -90,7 +93,10 @@ fn load_own_module(source: &Source<'_>) -> Result<(NodeModule, Vec<Diagnostic>),
     let own = module.linked.last_source();
     let refusals = wgsl::refusals(&module.valid, &own);
     if !refusals.is_empty() {
-        return Err(refusals.iter().map(|error| place(&module.linked, "code-not-allowed", error)).collect());
+        return Err(refusals
+            .iter()
+            .map(|error| place(&module.linked, "code-not-allowed", error))
+            .collect());
     }
     let loops = wgsl::bound_loops(source.text);
     if !loops.beyond.is_empty() {
@@ -107,7 +113,9 @@ fn counted_loop(source: &Source<'_>, found: &wgsl::CountedLoop) -> Diagnostic {
     let most = wgsl::MAX_ROUNDS;
     let message = match found.rounds {
         Some(rounds) => format!("this loop would take {rounds} rounds, and ends after {most}"),
-        None => format!("the end of this loop cannot be seen: it ends after {most} rounds at the latest"),
+        None => format!(
+            "the end of this loop cannot be seen: it ends after {most} rounds at the latest"
+        ),
     };
     Diagnostic::note("counted-loop", message)
         .in_file(source.name)
@@ -146,7 +154,8 @@ struct Reader<'a> {
 impl Reader<'_> {
     fn problem(&mut self, at: &Declaration, message: impl Into<String>) -> &mut Diagnostic {
         let place = LineColumn::of(self.source.text, at.body.start);
-        let problem = Diagnostic::error("bad-node-file", message).in_file(self.source.name).at(place);
+        let problem =
+            Diagnostic::error("bad-node-file", message).in_file(self.source.name).at(place);
         self.problems.push(problem);
         self.problems.last_mut().expect("just pushed")
     }
@@ -161,15 +170,23 @@ impl Reader<'_> {
         let scan = self.scan;
         let functions = || scan.declarations.iter().filter(|d| d.kind == DeclarationKind::Function);
         let stem = match custom {
-            Some(_) => functions().find(|d| !d.name.ends_with("_prepare")).map_or("", |d| d.name.as_str()),
+            Some(_) => {
+                functions().find(|d| !d.name.ends_with("_prepare")).map_or("", |d| d.name.as_str())
+            }
             None => stem,
         };
         let own: Vec<_> = functions().filter(|d| suffix_of(&d.name, stem).is_some()).collect();
-        let Some(head) = own.iter().find(|d| suffix_of(&d.name, stem) != Some("prepare")).copied() else {
+        let Some(head) = own.iter().find(|d| suffix_of(&d.name, stem) != Some("prepare")).copied()
+        else {
             self.problems.push(
-                Diagnostic::error("bad-node-file", format!("there is no function `{stem}` in this file"))
-                    .in_file(self.source.name)
-                    .hint(format!("a node file holds a function with the file's name: `fn {stem}(...) -> f32`")),
+                Diagnostic::error(
+                    "bad-node-file",
+                    format!("there is no function `{stem}` in this file"),
+                )
+                .in_file(self.source.name)
+                .hint(format!(
+                    "a node file holds a function with the file's name: `fn {stem}(...) -> f32`"
+                )),
             );
             return None;
         };
@@ -209,8 +226,18 @@ impl Reader<'_> {
     }
 
     /// Inputs: documented ones in the order of the docs, then whatever else the functions take.
-    fn inputs(&mut self, node: &mut NodeDef, docs: &Docs, head: &Declaration, own: &[&Declaration], stem: &str) {
-        let prepared = own.iter().find(|d| suffix_of(&d.name, stem) == Some("prepare")).and_then(|d| d.result.clone());
+    fn inputs(
+        &mut self,
+        node: &mut NodeDef,
+        docs: &Docs,
+        head: &Declaration,
+        own: &[&Declaration],
+        stem: &str,
+    ) {
+        let prepared = own
+            .iter()
+            .find(|d| suffix_of(&d.name, stem) == Some("prepare"))
+            .and_then(|d| d.result.clone());
         let mut types: IndexMap<&str, Type> = IndexMap::new();
         for field in own.iter().flat_map(|d| &d.fields) {
             if Some(&field.ty) != prepared.as_ref() && field.ty != "sampler" {
@@ -230,7 +257,12 @@ impl Reader<'_> {
                         None if has_word(tag, "light_name") => Type::LightName,
                         None if has_word(tag, "text") => Type::Text,
                         None => {
-                            self.problem(head, format!("`@param {name}` documents a parameter that no function has"));
+                            self.problem(
+                                head,
+                                format!(
+                                    "`@param {name}` documents a parameter that no function has"
+                                ),
+                            );
                             continue;
                         }
                     };
@@ -250,14 +282,19 @@ impl Reader<'_> {
                 // One step, so that no ring of inputs can form.
                 let has_own = |input: &Input| !matches!(input.fallback, Fallback::Same(_));
                 if node.input(other.as_str()).is_none_or(|other| !has_own(&node.inputs[other])) {
-                    let message =
-                        format!("`@param {own}` is the same as `{other}`, which is no input with a value of its own");
+                    let message = format!(
+                        "`@param {own}` is the same as `{other}`, which is no input with a value \
+                         of its own"
+                    );
                     self.problem(head, message);
                 }
             }
             if let Type::Prepared(name) = &node.inputs[index].ty {
                 let (name, input) = (name.clone(), node.inputs[index].name.clone());
-                self.problem(head, format!("the parameter `{input}` has type `{name}`, which no wire carries"));
+                self.problem(
+                    head,
+                    format!("the parameter `{input}` has type `{name}`, which no wire carries"),
+                );
             }
         }
     }
@@ -274,9 +311,14 @@ impl Reader<'_> {
                 Piece::Word(word) => input.options.push((word.clone(), word.replace('_', " "))),
             }
         }
-        let default = default.or_else(|| input.options.first().map(|option| option.0.clone())).unwrap_or_default();
+        let default = default
+            .or_else(|| input.options.first().map(|option| option.0.clone()))
+            .unwrap_or_default();
         if !input.options.iter().any(|option| option.0 == default) {
-            self.problem(head, format!("`@choice {name}` has no option `{default}` for its default"));
+            self.problem(
+                head,
+                format!("`@choice {name}` has no option `{default}` for its default"),
+            );
         }
         input.fallback = Fallback::Value(Value::Text(default));
         input
@@ -307,14 +349,20 @@ impl Reader<'_> {
                 Piece::Pair(key, value) => set_attribute(&mut input, key, value),
             };
             if !ok {
-                self.problem(head, format!("`@param {name}` has a piece that means nothing: {piece:?}"));
+                self.problem(
+                    head,
+                    format!("`@param {name}` has a piece that means nothing: {piece:?}"),
+                );
             }
         }
         input
     }
 
     fn prepare(&mut self, node: &mut NodeDef, own: &[&Declaration], stem: &str) {
-        let Some(function) = own.iter().find(|d| suffix_of(&d.name, stem) == Some("prepare")) else { return };
+        let Some(function) = own.iter().find(|d| suffix_of(&d.name, stem) == Some("prepare"))
+        else {
+            return;
+        };
         let mut parameters = Vec::new();
         for field in &function.fields {
             match node.input(&field.name) {
@@ -325,7 +373,11 @@ impl Reader<'_> {
             }
         }
         let result = function.result.clone().unwrap_or_default();
-        node.prepare = Some(Prepare { function: function.name.clone(), parameters, result: Type::from_wgsl(&result) });
+        node.prepare = Some(Prepare {
+            function: function.name.clone(),
+            parameters,
+            result: Type::from_wgsl(&result),
+        });
     }
 
     fn variants(&mut self, node: &mut NodeDef, own: &[&Declaration], stem: &str) {
@@ -334,22 +386,36 @@ impl Reader<'_> {
             if suffix == "prepare" {
                 continue;
             }
-            let Some((choice, width, tier)) = self.meaning(node, suffix, function) else { continue };
+            let Some((choice, width, tier)) = self.meaning(node, suffix, function) else {
+                continue;
+            };
             let parameters = self.parameters(node, function);
             let Some(result) = function.result.clone() else {
                 self.problem(function, "a node's function must return something".to_owned());
                 continue;
             };
-            let is_struct = |d: &&Declaration| d.kind == DeclarationKind::Struct && d.name == result;
+            let is_struct =
+                |d: &&Declaration| d.kind == DeclarationKind::Struct && d.name == result;
             let result_is_struct = self.scan.declarations.iter().any(|d| is_struct(&d));
             let result = Type::from_wgsl(&result);
             let function = function.name.clone();
-            node.variants.push(Variant { function, choice, width, tier, parameters, result, result_is_struct });
+            node.variants.push(Variant {
+                function,
+                choice,
+                width,
+                tier,
+                parameters,
+                result,
+                result_is_struct,
+            });
         }
     }
 
     /// What the words after the kind say.
-    #[expect(clippy::type_complexity, reason = "three answers to one question, taken apart at once")]
+    #[expect(
+        clippy::type_complexity,
+        reason = "three answers to one question, taken apart at once"
+    )]
     fn meaning(
         &mut self,
         node: &NodeDef,
@@ -360,15 +426,21 @@ impl Reader<'_> {
         let mut choice = None;
         let mut width = None;
         let mut tier = Tier::Exact;
-        if node.special == Special::Light || (node.special == Special::Output && !suffix.is_empty()) {
+        if node.special == Special::Light || (node.special == Special::Output && !suffix.is_empty())
+        {
             // A light's type and the Output's second root are no choices that a document makes.
             return Some((Some((usize::MAX, suffix.to_owned())), None, tier));
         }
         while !rest.is_empty() {
-            let options =
-                node.inputs.iter().enumerate().flat_map(|(i, input)| input.options.iter().map(move |o| (i, o)));
+            let options = node
+                .inputs
+                .iter()
+                .enumerate()
+                .flat_map(|(i, input)| input.options.iter().map(move |o| (i, o)));
             let matching = options.filter(|(_, option)| begins_with_word(rest, &option.0));
-            if let (None, Some((input, option))) = (&choice, matching.max_by_key(|(_, option)| option.0.len())) {
+            if let (None, Some((input, option))) =
+                (&choice, matching.max_by_key(|(_, option)| option.0.len()))
+            {
                 choice = Some((input, option.0.clone()));
                 rest = rest[option.0.len()..].trim_start_matches('_');
                 continue;
@@ -382,9 +454,15 @@ impl Reader<'_> {
                 "balanced" => tier = Tier::Balanced,
                 "fast" => tier = Tier::Fast,
                 _ => {
-                    self.problem(function, format!("`{word}` in `{}` is no choice, width or tier", function.name))
-                        .hints
-                        .push("name helper functions so that they do not begin with the node's kind".to_owned());
+                    self.problem(
+                        function,
+                        format!("`{word}` in `{}` is no choice, width or tier", function.name),
+                    )
+                    .hints
+                    .push(
+                        "name helper functions so that they do not begin with the node's kind"
+                            .to_owned(),
+                    );
                     return None;
                 }
             }
@@ -404,7 +482,10 @@ impl Reader<'_> {
                 match image {
                     Some(image) => parameters.push(Parameter::Sampler(image)),
                     None => {
-                        self.problem(function, "a sampler must follow the image that it samples".to_owned());
+                        self.problem(
+                            function,
+                            "a sampler must follow the image that it samples".to_owned(),
+                        );
                     }
                 }
             } else if let Some(index) = node.input(&field.name) {
@@ -422,7 +503,12 @@ impl Reader<'_> {
         let Some(variant) = node.variants.first() else { return };
         if variant.result_is_struct {
             let name = variant.result.wgsl().to_owned();
-            let members = self.scan.declarations.iter().find(|d| d.name == name).map_or(&[][..], |d| &d.fields);
+            let members = self
+                .scan
+                .declarations
+                .iter()
+                .find(|d| d.name == name)
+                .map_or(&[][..], |d| &d.fields);
             for member in members {
                 node.outputs.push(Output {
                     name: PortName::new(member.name.as_str()),
@@ -437,13 +523,21 @@ impl Reader<'_> {
                 Some(Piece::Word(name)) => name.clone(),
                 _ => "value".to_owned(),
             };
-            let label = tag.and_then(|tag| tag.pieces.iter().find_map(quoted)).unwrap_or_else(|| sentence(&name));
+            let label = tag
+                .and_then(|tag| tag.pieces.iter().find_map(quoted))
+                .unwrap_or_else(|| sentence(&name));
             let help = tag.map(|tag| tag.help.clone()).unwrap_or_default();
-            node.outputs.push(Output { name: PortName::new(name), label, help, ty: variant.result.clone() });
+            node.outputs.push(Output {
+                name: PortName::new(name),
+                label,
+                help,
+                ty: variant.result.clone(),
+            });
         }
         for output in &node.outputs {
             if matches!(output.ty, Type::Prepared(_)) || output.ty.is_setting() {
-                let message = format!("the output `{}` has a type that no wire carries", output.name);
+                let message =
+                    format!("the output `{}` has a type that no wire carries", output.name);
                 self.problem(head, message);
             }
         }
@@ -455,19 +549,26 @@ impl Reader<'_> {
                 "preset" => match preset(node, tag) {
                     Some(preset) => node.presets.push(preset),
                     None => {
-                        self.problem(head, "a `@preset` names an input that there is not, or no number".to_owned());
+                        self.problem(
+                            head,
+                            "a `@preset` names an input that there is not, or no number".to_owned(),
+                        );
                     }
                 },
                 "bypass" => match bypass(node, tag) {
                     Some(bypass) => node.bypasses.push(bypass),
                     None => {
-                        self.problem(head, "a `@bypass` is not of the form `input when other = value`".to_owned());
+                        self.problem(
+                            head,
+                            "a `@bypass` is not of the form `input when other = value`".to_owned(),
+                        );
                     }
                 },
                 "bound" => match bound(node, tag) {
                     Some(bound) => node.bounds.push(bound),
                     None => {
-                        let form = "`input` or `input when choice = word`, with a float or color input";
+                        let form =
+                            "`input` or `input when choice = word`, with a float or color input";
                         self.problem(head, format!("a `@bound` is not of the form {form}"));
                     }
                 },
@@ -475,19 +576,30 @@ impl Reader<'_> {
                 "unit" => {
                     node.unit_when = unit_conditions(node, tag);
                     if node.unit_when.is_none() {
-                        self.problem(head, "a `@unit` is not of the form `when input = value` or `alpha`".to_owned());
+                        self.problem(
+                            head,
+                            "a `@unit` is not of the form `when input = value` or `alpha`"
+                                .to_owned(),
+                        );
                     }
                 }
-                "error" => match tier_error(tag).filter(|error| node.tiers().contains(&error.tier)) {
-                    Some(error) => node.errors.push(error),
-                    None => {
-                        self.problem(head, "an `@error` is not of the form `tier number`, with a tier of the node");
+                "error" => {
+                    match tier_error(tag).filter(|error| node.tiers().contains(&error.tier)) {
+                        Some(error) => node.errors.push(error),
+                        None => {
+                            self.problem(
+                                head,
+                                "an `@error` is not of the form `tier number`, with \
+                                                a tier of the node",
+                            );
+                        }
                     }
-                },
+                }
                 "param" | "choice" | "return" | "source" => {}
                 other => {
                     self.problem(head, format!("`@{other}` means nothing here")).hints.push(
-                        "the tags are @param, @choice, @return, @preset, @bypass, @bound, @unit, @error and @source"
+                        "the tags are @param, @choice, @return, @preset, @bypass, @bound, @unit, \
+                         @error and @source"
                             .to_owned(),
                     );
                 }
@@ -541,7 +653,9 @@ fn source_text(tag: &Tag) -> String {
 fn sentence(name: &str) -> String {
     let spaced = name.replace('_', " ");
     let mut characters = spaced.chars();
-    characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
+    characters
+        .next()
+        .map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
 }
 
 /// An input that is told nothing of but its name and type.
@@ -570,9 +684,10 @@ fn neutral(ty: &Type) -> Option<Value> {
         Type::Vec3 => Value::Vector(vec![0.0; 3]),
         Type::Vec4 => Value::Vector(vec![0.0; 4]),
         Type::Color | Type::Composite => Value::Vector(vec![0.0, 0.0, 0.0, 1.0]),
-        Type::Curve => {
-            Value::Curve(Curve { points: vec![[0.0, 0.0], [1.0, 1.0]], interpolation: Interpolation::Smooth })
-        }
+        Type::Curve => Value::Curve(Curve {
+            points: vec![[0.0, 0.0], [1.0, 1.0]],
+            interpolation: Interpolation::Smooth,
+        }),
         Type::Ramp => Value::Ramp(Ramp {
             stops: vec![
                 RampStop { at: 0.0, color: vec![0.0, 0.0, 0.0, 1.0] },
@@ -609,7 +724,9 @@ fn value_of(ty: &Type, text: &str) -> Option<Value> {
     Some(match ty {
         Type::Bool => Value::Bool(text.parse().ok()?),
         Type::Float | Type::Int => Value::Number(docs::number(text)?),
-        Type::Choice | Type::Text | Type::LightName | Type::Image | Type::Hcbtf => Value::Text(text.to_owned()),
+        Type::Choice | Type::Text | Type::LightName | Type::Image | Type::Hcbtf => {
+            Value::Text(text.to_owned())
+        }
         _ => {
             let numbers = docs::numbers(text)?;
             (Some(numbers.len()) == ty.width()).then_some(Value::Vector(numbers))?
@@ -629,7 +746,10 @@ fn preset(node: &NodeDef, tag: &Tag) -> Option<Preset> {
 }
 
 fn words(tag: &Tag) -> Vec<&str> {
-    tag.pieces.iter().map(|piece| if let Piece::Word(word) = piece { word.as_str() } else { "" }).collect()
+    tag.pieces
+        .iter()
+        .map(|piece| if let Piece::Word(word) = piece { word.as_str() } else { "" })
+        .collect()
 }
 
 /// `tone when mode = alpha|shade`
@@ -651,7 +771,9 @@ fn unit_conditions(node: &NodeDef, tag: &Tag) -> Option<Vec<Condition>> {
 fn conditions_after_when(node: &NodeDef, words: &[&str]) -> Option<Vec<Condition>> {
     match words {
         [] => Some(Vec::new()),
-        ["when", rest @ ..] => rest.split(|word| *word == "and").map(|words| condition(node, words)).collect(),
+        ["when", rest @ ..] => {
+            rest.split(|word| *word == "and").map(|words| condition(node, words)).collect()
+        }
         _ => None,
     }
 }
@@ -665,7 +787,11 @@ fn bypass(node: &NodeDef, tag: &Tag) -> Option<Bypass> {
         None => BypassResult::Input(node.input(result)?),
     };
     let conditions = conditions.split(|word| *word == "and").map(|words| condition(node, words));
-    Some(Bypass { result, conditions: conditions.collect::<Option<_>>()?, reason: tag.help.clone() })
+    Some(Bypass {
+        result,
+        conditions: conditions.collect::<Option<_>>()?,
+        reason: tag.help.clone(),
+    })
 }
 
 fn condition(node: &NodeDef, words: &[&str]) -> Option<Condition> {

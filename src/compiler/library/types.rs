@@ -31,7 +31,7 @@ pub enum Type {
     Light,
     /// `Curve`: a free function of one number.
     Curve,
-    /// `Ramp`: a colour along one number.
+    /// `Ramp`: a color along one number.
     Ramp,
     /// `texture_2d<f32>` with a sampler.
     Image,
@@ -207,7 +207,8 @@ impl fmt::Display for Type {
 pub enum Conversion {
     /// As it stands.
     None,
-    /// The WGSL expression, with `$` for the value. Functions in it come from `shaders/lib/convert.wgsl`.
+    /// The WGSL expression, with `$` for the value. Functions in it come from
+    /// `shaders/lib/convert.wgsl`.
     Template(&'static str),
 }
 

@@ -28,7 +28,11 @@ impl App {
     pub(super) fn apply(&mut self, ui: &Ui, command: Command) {
         if !matches!(
             command,
-            Command::Act(_) | Command::Select(_) | Command::Reveal(_) | Command::Show(_) | Command::OpenGraph(_)
+            Command::Act(_)
+                | Command::Select(_)
+                | Command::Reveal(_)
+                | Command::Show(_)
+                | Command::OpenGraph(_)
         ) {
             self.message = None;
         }
@@ -74,7 +78,9 @@ impl App {
             }
             Command::ShowOn(Some(path)) => self.show_on(&path.to_string_lossy()),
             Command::StandUp(z_is_up) => self.stand_up(z_is_up),
-            Command::ShowOn(None) => self.dialogs.ask(Purpose::Mesh, Some(Path::new(&self.session.view.mesh))),
+            Command::ShowOn(None) => {
+                self.dialogs.ask(Purpose::Mesh, Some(Path::new(&self.session.view.mesh)))
+            }
             Command::Probe(on) => {
                 self.probe.turn(on);
                 if on {
@@ -83,9 +89,15 @@ impl App {
                 }
             }
             Command::ShowWire(wire) => self.session.show_wire(wire),
-            Command::Export(export, Some(path)) => self.viewport.export(&self.session, export, path),
-            Command::Export(export, None) => self.dialogs.ask(Purpose::Export(export), self.session.path()),
-            Command::ExportLook(language, Some(folder)) => self.look_exports.write(&self.session, language, folder),
+            Command::Export(export, Some(path)) => {
+                self.viewport.export(&self.session, export, path)
+            }
+            Command::Export(export, None) => {
+                self.dialogs.ask(Purpose::Export(export), self.session.path())
+            }
+            Command::ExportLook(language, Some(folder)) => {
+                self.look_exports.write(&self.session, language, folder)
+            }
             Command::ExportLook(language, None) => {
                 let near = self.look_exports.suggested(&self.session);
                 self.dialogs.ask(Purpose::Shaders(language), Some(&near));
@@ -98,7 +110,9 @@ impl App {
             }
             Command::CopyWgsl => self.copy_wgsl(ui),
             Command::ShowReference(Some(path)) => self.viewport.show_reference(path),
-            Command::ShowReference(None) => self.dialogs.ask(Purpose::Reference, self.session.path()),
+            Command::ShowReference(None) => {
+                self.dialogs.ask(Purpose::Reference, self.session.path())
+            }
             Command::LeaveProbe => self.probe.escape(),
             Command::Solo(solo) => self.session.set_solo(solo),
             Command::ShowPanel(dock::Panel::Paint) if painting::look::shows(&self.session) => {
@@ -167,7 +181,9 @@ impl App {
             Action::Tour => Command::StartTour,
             Action::CopyPicture => Command::CopyPicture,
             Action::CopyWgsl => Command::CopyWgsl,
-            Action::CopyShader(language, ending) => return self.look_exports.copy(&self.session, language, ending),
+            Action::CopyShader(language, ending) => {
+                return self.look_exports.copy(&self.session, language, ending);
+            }
             Action::Export(language) => Command::ExportLook(language, None),
             Action::ExportPicture => {
                 let size = self.viewport.size_in_pixels(ui.pixels_per_point());
@@ -175,7 +191,9 @@ impl App {
             }
             Action::Paint => Command::ShowPanel(dock::Panel::Paint),
             Action::PaintShown => Command::Paint(painting::Wish::PaintShown),
-            Action::NewHcbtf(preset) => Command::Paint(painting::Wish::New { grid: preset.grid(), keeps_look: false }),
+            Action::NewHcbtf(preset) => {
+                Command::Paint(painting::Wish::New { grid: preset.grid(), keeps_look: false })
+            }
             Action::NewHcbtfOf => Command::Paint(painting::Wish::AskGrid { changes: false }),
             Action::GridOfHcbtf => Command::Paint(painting::Wish::AskGrid { changes: true }),
             Action::TileOfHcbtf => Command::Paint(painting::Wish::AskSynthesis),
@@ -185,9 +203,11 @@ impl App {
             Action::CloseHcbtf => Command::Paint(painting::Wish::Close),
             Action::ImportHcbtf => Command::Paint(painting::Wish::AskImport),
             Action::ExportHcbtf(Form::Ktx2) => Command::Paint(painting::Wish::AskTexture),
-            Action::ExportHcbtf(form) => {
-                Command::Paint(painting::Wish::Export { form, storage: Storage::default(), to: None })
-            }
+            Action::ExportHcbtf(form) => Command::Paint(painting::Wish::Export {
+                form,
+                storage: Storage::default(),
+                to: None,
+            }),
             Action::Tool(_)
             | Action::Brush { .. }
             | Action::SwapColors
@@ -215,7 +235,9 @@ impl App {
     }
 
     fn add_node(&mut self, kind: &str, at: Option<egui::Pos2>) {
-        let Some(kind) = self.session.catalog.all().find(|known| known.id == kind).cloned() else { return };
+        let Some(kind) = self.session.catalog.all().find(|known| known.id == kind).cloned() else {
+            return;
+        };
         let at = self.canvas.place_for(at);
         let (id, edits) = edits::add(&self.session, &kind, at);
         self.tell(|session| session.apply(Edit::Group { edits }, None));
@@ -241,7 +263,8 @@ impl App {
         self.message = Some(told.to_owned());
     }
 
-    /// Esc gives up a drag on the picture, before it does anything else: what was changed is as it was.
+    /// Esc gives up a drag on the picture, before it does anything else: what was changed is as it
+    /// was.
     pub(super) fn give_up_drag(&mut self, ui: &Ui) {
         if self.viewport.is_dragging()
             && shortcuts::take(ui, (egui::Modifiers::NONE, egui::Key::Escape))
@@ -257,7 +280,8 @@ impl App {
         }
     }
 
-    /// Saves what has changed: the look, and the scene around it. Asks where what has no file is to go.
+    /// Saves what has changed: the look, and the scene around it. Asks where what has no file is to
+    /// go.
     pub(super) fn save(&mut self) {
         let Some(did_paint) = self.save_painting_first() else { return };
         let is_scene_dirty = self.session.stage().is_some_and(Stage::is_dirty);

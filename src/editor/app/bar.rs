@@ -12,7 +12,8 @@ use crate::spots::{self, Spot};
 use crate::stage::Stage;
 use crate::{dock, theme};
 
-/// Below this width, in points, the name of what is open is not told in the bar: the window's title has it too.
+/// Below this width, in points, the name of what is open is not told in the bar: the window's title
+/// has it too.
 const LEAST_NAME: f32 = 60.0;
 /// Why what is about a painting cannot be done.
 const NOTHING_PAINTED: &str = "Nothing is open to be painted: begin a new HCBTF above, or open one";
@@ -20,22 +21,43 @@ const NOTHING_PAINTED: &str = "Nothing is open to be painted: begin a new HCBTF 
 impl App {
     pub(super) fn bar(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
         ui.horizontal(|ui| {
-            let mut button = |ui: &mut Ui, label: &str, help: &str, is_on: bool, command: Command| {
-                let response = ui.add_enabled(is_on, egui::Button::new(label)).on_hover_text(help);
-                if response.clicked() {
-                    commands.push(command);
-                }
-                response.rect
-            };
+            let mut button =
+                |ui: &mut Ui, label: &str, help: &str, is_on: bool, command: Command| {
+                    let response =
+                        ui.add_enabled(is_on, egui::Button::new(label)).on_hover_text(help);
+                    if response.clicked() {
+                        commands.push(command);
+                    }
+                    response.rect
+                };
             button(ui, "New", "A new look (Ctrl+N)", true, Command::New);
-            button(ui, "Open", "Opens a look, a scene or an HCBTF (Ctrl+O)", true, Command::Open(None));
+            button(
+                ui,
+                "Open",
+                "Opens a look, a scene or an HCBTF (Ctrl+O)",
+                true,
+                Command::Open(None),
+            );
             let recent = self.safety.recent_menu(ui);
-            let save =
-                button(ui, "Save", "Saves the look, its scene and what is painted (Ctrl+S)", true, Command::Save);
+            let save = button(
+                ui,
+                "Save",
+                "Saves the look, its scene and what is painted (Ctrl+S)",
+                true,
+                Command::Save,
+            );
             spots::note(ui, Spot::Save, save);
-            button(ui, "Save as", "Saves the look under another name (Ctrl+Shift+S)", true, Command::SaveAs);
+            button(
+                ui,
+                "Save as",
+                "Saves the look under another name (Ctrl+Shift+S)",
+                true,
+                Command::SaveAs,
+            );
             ui.separator();
-            let step = |label: Option<&str>, otherwise: &str| label.map_or(otherwise.to_owned(), str::to_owned);
+            let step = |label: Option<&str>, otherwise: &str| {
+                label.map_or(otherwise.to_owned(), str::to_owned)
+            };
             let (undo, redo) = (self.session.undo_label(), self.session.redo_label());
             let help = format!("Takes back: {} (Ctrl+Z)", step(undo, "nothing"));
             button(ui, "Undo", &help, undo.is_some(), Command::Undo);
@@ -43,26 +65,58 @@ impl App {
             button(ui, "Redo", &help, redo.is_some(), Command::Redo);
             ui.separator();
             commands.extend(recent.map(|path| Command::Open(Some(path))));
-            ui.menu_button("View", |ui| self.view_menu(ui)).response.on_hover_text("Panels, theme and scale");
+            ui.menu_button("View", |ui| self.view_menu(ui))
+                .response
+                .on_hover_text("Panels, theme and scale");
             let news = of_kind(|action| {
                 use Action::{
-                    BakeLook, CloseHcbtf, ExportHcbtf, GridOfHcbtf, ImportHcbtf, NewHcbtf, NewHcbtfOf, SaveHcbtf,
-                    SaveHcbtfAs, TileOfHcbtf,
+                    BakeLook, CloseHcbtf, ExportHcbtf, GridOfHcbtf, ImportHcbtf, NewHcbtf,
+                    NewHcbtfOf, SaveHcbtf, SaveHcbtfAs, TileOfHcbtf,
                 };
                 let is_light = action == Action::PaintLight;
-                let is_new = matches!(action, NewHcbtf(_) | NewHcbtfOf | ImportHcbtf | TileOfHcbtf | BakeLook);
-                let is_of_open = matches!(action, GridOfHcbtf | SaveHcbtf | SaveHcbtfAs | CloseHcbtf | ExportHcbtf(_));
+                let is_new = matches!(
+                    action,
+                    NewHcbtf(_) | NewHcbtfOf | ImportHcbtf | TileOfHcbtf | BakeLook
+                );
+                let is_of_open = matches!(
+                    action,
+                    GridOfHcbtf | SaveHcbtf | SaveHcbtfAs | CloseHcbtf | ExportHcbtf(_)
+                );
                 is_light || is_new || is_of_open
             });
             let is_open = self.session.painting().is_some();
             let why = |action| (!is_open && works_on_painting(action)).then_some(NOTHING_PAINTED);
-            let help = "Light on the picture; surfaces that change with the light and the eye, painted by hand";
-            menu_with(ui, "Paint", help, &news, why, |ui, commands| paint_shown(ui, &self.session, commands), commands);
-            let exports = of_kind(|action| matches!(action, Action::Export(_) | Action::ExportPicture));
-            menu(ui, "Export", "The look as shaders for other programs, or the picture, as files", &exports, commands);
+            let help = "Light on the picture; surfaces that change with the light and the eye, \
+                        painted by hand";
+            menu_with(
+                ui,
+                "Paint",
+                help,
+                &news,
+                why,
+                |ui, commands| paint_shown(ui, &self.session, commands),
+                commands,
+            );
+            let exports =
+                of_kind(|action| matches!(action, Action::Export(_) | Action::ExportPicture));
+            menu(
+                ui,
+                "Export",
+                "The look as shaders for other programs, or the picture, as files",
+                &exports,
+                commands,
+            );
             let shaders = of_kind(|action| matches!(action, Action::CopyShader(..)));
-            let copies = [&[Action::CopyPicture, Action::Copy, Action::CopyWgsl], shaders.as_slice()].concat();
-            menu(ui, "Copy as", "The picture, the selected nodes or the shader, to the clipboard", &copies, commands);
+            let copies =
+                [&[Action::CopyPicture, Action::Copy, Action::CopyWgsl], shaders.as_slice()]
+                    .concat();
+            menu(
+                ui,
+                "Copy as",
+                "The picture, the selected nodes or the shader, to the clipboard",
+                &copies,
+                commands,
+            );
             let helps = [Action::Start, Action::Tour, Action::Commands, Action::Shortcuts];
             menu(ui, "Help", "The start page, the tour, all commands and keys", &helps, commands);
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -112,8 +166,11 @@ impl App {
             for percent in [100, 125, 150, 200] {
                 let factor = percent as f32 / 100.0;
                 let is_it = (zoom - factor).abs() < 0.01;
-                let response = ui.selectable_label(is_it, format!("{percent}%")).on_hover_text("Scale of the window");
-                let name = || WidgetInfo::selected(Role::Button, true, is_it, format!("Scale {percent}%"));
+                let response = ui
+                    .selectable_label(is_it, format!("{percent}%"))
+                    .on_hover_text("Scale of the window");
+                let name =
+                    || WidgetInfo::selected(Role::Button, true, is_it, format!("Scale {percent}%"));
                 response.widget_info(name);
                 if response.clicked() {
                     ui.ctx().set_zoom_factor(factor);
@@ -125,11 +182,15 @@ impl App {
     pub(super) fn status(&self, ui: &mut Ui) -> Option<Command> {
         let of_graph = if self.dock.shows(dock::Panel::Graph) { self.canvas.hint() } else { "" };
         let hints = [self.painting.hint(), self.viewport.hint(), of_graph];
-        let hint = hints.into_iter().find(|hint| !hint.is_empty() && self.start.is_none()).unwrap_or_default();
+        let hint = hints
+            .into_iter()
+            .find(|hint| !hint.is_empty() && self.start.is_none())
+            .unwrap_or_default();
         ui.horizontal(|ui| {
             let command = problems::status(ui, &self.session);
             if let Some(message) = &self.message {
-                // A long one is cut off, and whole under the pointer: it never pushes the window about.
+                // A long one is cut off, and whole under the pointer: it never pushes the window
+                // about.
                 let text = RichText::new(message).color(theme::of(ui).accent);
                 ui.add(egui::Label::new(text).truncate()).on_hover_text(message);
                 ui.separator();
@@ -140,8 +201,8 @@ impl App {
         .inner
     }
 
-    /// What is open: the look, the scene that it is in, and what is painted, each with what stands before it and whether it
-    /// has changes that no file holds.
+    /// What is open: the look, the scene that it is in, and what is painted, each with what stands
+    /// before it and whether it has changes that no file holds.
     fn documents(&self) -> Vec<(&'static str, String, bool)> {
         let session = &self.session;
         let stage = session.stage();
@@ -154,7 +215,8 @@ impl App {
             all.push(("", session.name(), is_look_dirty));
         }
         // A look and its scene may have files of the same name.
-        let within = |stage: &Stage| if stage.name() == session.name() { " in the scene " } else { " in " };
+        let within =
+            |stage: &Stage| if stage.name() == session.name() { " in the scene " } else { " in " };
         all.extend(stage.map(|stage| (within(stage), stage.name(), stage.is_dirty())));
         let between = if all.is_empty() { "" } else { ", " };
         all.extend(work.map(|work| (between, work.name(), work.is_dirty())));
@@ -165,8 +227,11 @@ impl App {
     fn show_documents(&self, ui: &mut Ui) {
         let (colors, font) = (theme::of(ui), egui::TextStyle::Body.resolve(ui.style()));
         let mut job = egui::text::LayoutJob::default();
-        let mut add = |text: &str, color| job.append(text, 0.0, egui::TextFormat::simple(font.clone(), color));
-        let mut help: Vec<String> = self.session.path().map(|path| path.display().to_string()).into_iter().collect();
+        let mut add = |text: &str, color| {
+            job.append(text, 0.0, egui::TextFormat::simple(font.clone(), color))
+        };
+        let mut help: Vec<String> =
+            self.session.path().map(|path| path.display().to_string()).into_iter().collect();
         for (between, name, is_changed) in self.documents() {
             add(between, colors.dim);
             add(&name, ui.visuals().strong_text_color());
@@ -204,7 +269,10 @@ fn of_kind(is_it: impl Fn(Action) -> bool) -> Vec<Action> {
 /// Whether an action is about the painting that is open.
 fn works_on_painting(action: Action) -> bool {
     use Action::{CloseHcbtf, ExportHcbtf, GridOfHcbtf, SaveHcbtf, SaveHcbtfAs, TileOfHcbtf};
-    matches!(action, GridOfHcbtf | TileOfHcbtf | SaveHcbtf | SaveHcbtfAs | CloseHcbtf | ExportHcbtf(_))
+    matches!(
+        action,
+        GridOfHcbtf | TileOfHcbtf | SaveHcbtf | SaveHcbtfAs | CloseHcbtf | ExportHcbtf(_)
+    )
 }
 
 /// A menu of what the table of shortcuts has, with its keys.
@@ -226,8 +294,13 @@ fn menu_with(
         first(ui, commands);
         for row in actions.iter().filter_map(|action| shortcuts::of(*action)) {
             let why = why(row.action);
-            let button = ui.add_enabled(why.is_none(), egui::Button::new(&*row.label).shortcut_text(row.text()));
-            button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::MenuItem, why.is_none(), &*row.label));
+            let button = ui.add_enabled(
+                why.is_none(),
+                egui::Button::new(&*row.label).shortcut_text(row.text()),
+            );
+            button.widget_info(|| {
+                egui::WidgetInfo::labeled(egui::Role::MenuItem, why.is_none(), &*row.label)
+            });
             if button.on_disabled_hover_text(why.unwrap_or_default()).clicked() {
                 commands.push(Command::Act(row.action));
                 ui.close();
@@ -251,8 +324,13 @@ fn paint_shown(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
     };
     if let Some(work) = session.painting() {
         let is_shown = look::shows(session);
-        let label = format!("{} {}", if is_shown { "Go on painting" } else { "Back to" }, work.name());
-        let command = if is_shown { Command::ShowPanel(dock::Panel::Paint) } else { Command::Paint(Wish::GoBack) };
+        let label =
+            format!("{} {}", if is_shown { "Go on painting" } else { "Back to" }, work.name());
+        let command = if is_shown {
+            Command::ShowPanel(dock::Panel::Paint)
+        } else {
+            Command::Paint(Wish::GoBack)
+        };
         entry(ui, &label, "Shows what is open to be painted, where it was painted", Some(command));
     }
     if session.painting().is_none() && all.is_empty() {

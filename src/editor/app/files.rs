@@ -132,7 +132,8 @@ impl App {
         }
     }
 
-    /// Does what would lose changes, where there are none, or where the journal keeps them; else asks first.
+    /// Does what would lose changes, where there are none, or where the journal keeps them; else
+    /// asks first.
     pub(super) fn do_or_ask(&mut self, pending: Pending) {
         self.pending = Some(pending);
         let is_kept = self.keeps_all();
@@ -141,13 +142,16 @@ impl App {
         }
     }
 
-    /// Of which documents what is to be done would lose changes, if nothing keeps them: the look's, and the scene's.
+    /// Of which documents what is to be done would lose changes, if nothing keeps them: the look's,
+    /// and the scene's.
     fn at_risk(&self) -> (bool, bool) {
         let (look, scene) = match self.pending {
             Some(Pending::Switch(_)) => (true, false),
             Some(Pending::LeaveScene) => (false, true),
             Some(Pending::ClosePainting) => (false, false),
-            Some(Pending::NewPainting { keeps_look, .. } | Pending::OpenPainting { keeps_look, .. }) => {
+            Some(
+                Pending::NewPainting { keeps_look, .. } | Pending::OpenPainting { keeps_look, .. },
+            ) => {
                 let stays = keeps_look || self.keeps_look();
                 (!stays, !stays)
             }
@@ -190,7 +194,10 @@ impl App {
     pub(super) fn saves_painting(&self) -> bool {
         // A look that names what has no file is saved after that: it would name nothing else.
         let is_look_saved = self.pending.is_none() || self.at_risk().0;
-        if is_look_saved && self.session.painting().is_some_and(|work| work.path().is_none()) && self.names_unsaved() {
+        if is_look_saved
+            && self.session.painting().is_some_and(|work| work.path().is_none())
+            && self.names_unsaved()
+        {
             return true;
         }
         // One without a file that the open look does not show would be asked about out of the blue.
@@ -228,7 +235,9 @@ impl App {
                 self.safety.look();
             }
             Some(Pending::NewPainting { grid, keeps_look }) => self.new_painting(grid, keeps_look),
-            Some(Pending::OpenPainting { path, keeps_look }) => self.open_painting(&path, keeps_look),
+            Some(Pending::OpenPainting { path, keeps_look }) => {
+                self.open_painting(&path, keeps_look)
+            }
             Some(Pending::ImportPainting { path, import }) => self.import_painting(path, import),
             Some(Pending::BeginPainting { hcbtf }) => self.begin_made(&hcbtf),
             Some(Pending::ClosePainting) => self.close_painting(),
@@ -277,7 +286,9 @@ impl App {
                 if ui.button("Do not save").clicked() {
                     let (look, scene) = self.at_risk();
                     self.session.give_up_changes(look, scene);
-                    if let Some(work) = self.session.painting_mut().filter(|_| self.pending.is_some()) {
+                    if let Some(work) =
+                        self.session.painting_mut().filter(|_| self.pending.is_some())
+                    {
                         work.give_up_changes();
                     }
                     self.go_on();

@@ -23,7 +23,8 @@ impl App {
         }
     }
 
-    /// Begins or ends painting on the picture, which a probe and a turntable would be in the way of.
+    /// Begins or ends painting on the picture, which a probe and a turntable would be in the way
+    /// of.
     pub(super) fn turn_fitting(&mut self, on: bool) {
         self.fitting.turn(on, &mut self.session);
         if on {

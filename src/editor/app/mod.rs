@@ -84,7 +84,8 @@ pub struct App {
     pending: Option<Pending>,
     /// What went wrong with a file or an edit, until the next command.
     message: Option<String>,
-    /// Presses of the pointer, and what had the keyboard: together with a widget they are the hand that edits.
+    /// Presses of the pointer, and what had the keyboard: together with a widget they are the hand
+    /// that edits.
     presses: u64,
     closes: bool,
     /// Whether the last frame was the first one with a picture, where that is to be told.
@@ -111,9 +112,11 @@ impl App {
         let crashes = || session.crashes.clone();
         let picture = render_state.map(|state| Picture::new(state, crashes(), waker()));
         let wipe = Wipe::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
-        let viewport = Viewport::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
+        let viewport =
+            Viewport::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
         let cost = Cost::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
-        let device = picture.as_ref().map_or_else(Device::guaranteed, |picture| picture.gpu().holds());
+        let device =
+            picture.as_ref().map_or_else(Device::guaranteed, |picture| picture.gpu().holds());
         let gpu = picture.as_ref().map(|picture| picture.gpu().clone());
         let panels = Panels::new(gpu, crashes(), waker());
         Self {
@@ -151,8 +154,9 @@ impl App {
         }
     }
 
-    /// Shows the look, or of a scene the selected object, on a mesh: a path, or `shape:` and the name of an own shape. What is wrong with it is told where
-    /// problems are; the last good picture stays.
+    /// Shows the look, or of a scene the selected object, on a mesh: a path, or `shape:` and the
+    /// name of an own shape. What is wrong with it is told where problems are; the last good
+    /// picture stays.
     pub fn show_on(&mut self, mesh: &str) {
         if self.session.stage().is_some() {
             return self.mesh_of_object(mesh);
@@ -221,25 +225,28 @@ impl App {
         self
     }
 
-    /// Answers the next dialog that would ask for a file with this one; for programs that drive the window.
+    /// Answers the next dialog that would ask for a file with this one; for programs that drive the
+    /// window.
     pub fn answer_dialog(&mut self, path: &Path) {
         self.dialogs.prepared.push_back(path.to_owned());
     }
 
-    /// Waits so long for the picture of a drag before a frame is shown without it. A software GPU takes long on a busy
-    /// machine.
+    /// Waits so long for the picture of a drag before a frame is shown without it. A software GPU
+    /// takes long on a busy machine.
     pub fn wait_for_pictures(&mut self, time: Duration) {
         if let Some(picture) = &mut self.picture {
             picture.patience = time;
         }
     }
 
-    /// Writes the picture, in so many pixels, to a PNG file; what becomes of it is told in the status bar.
+    /// Writes the picture, in so many pixels, to a PNG file; what becomes of it is told in the
+    /// status bar.
     pub fn save_picture(&mut self, size: [u32; 2], path: &Path) {
         self.viewport.export(&self.session, Export::Picture(size), path.to_owned());
     }
 
-    /// Writes the look on a ball, so many pixels wide, to a PNG file, as an image for a LitSphere node.
+    /// Writes the look on a ball, so many pixels wide, to a PNG file, as an image for a LitSphere
+    /// node.
     pub fn bake_litsphere(&mut self, side: u32, path: &Path) {
         self.viewport.export(&self.session, Export::LitSphere(side), path.to_owned());
     }
@@ -304,7 +311,8 @@ impl App {
         &self.cost
     }
 
-    /// How the panels share the window, where that changed since it was asked for last: to be remembered.
+    /// How the panels share the window, where that changed since it was asked for last: to be
+    /// remembered.
     pub fn changed_arrangement(&mut self) -> Option<serde_json::Value> {
         self.dock.changed()
     }
@@ -347,7 +355,8 @@ impl App {
         }
     }
 
-    /// Whether the first picture of what is open is being made, while there is one of something else.
+    /// Whether the first picture of what is open is being made, while there is one of something
+    /// else.
     pub fn is_preparing(&self) -> bool {
         let awaited = self.picture.as_ref().and_then(|picture| picture.awaited(&self.session));
         matches!(awaited, Some(Awaited::Shader | Awaited::Picture))
@@ -390,12 +399,19 @@ impl App {
         self.take_look_exports(ui);
         self.message = self.painting.exported().or(self.message.take());
         self.take_made();
-        let dropped = ui.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_path_buf()));
+        let dropped =
+            ui.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_path_buf()));
         let adds = self.adds_what_is_dropped(ui);
         commands.extend(dropped.map(|path| {
-            let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_lowercase();
+            let ending = path
+                .extension()
+                .and_then(|ending| ending.to_str())
+                .unwrap_or_default()
+                .to_lowercase();
             match ending.as_str() {
-                mesh if MESHES.contains(&mesh) && adds => Command::Stage(Wish::Chosen(Purpose::AddMesh, path)),
+                mesh if MESHES.contains(&mesh) && adds => {
+                    Command::Stage(Wish::Chosen(Purpose::AddMesh, path))
+                }
                 mesh if MESHES.contains(&mesh) => Command::ShowOn(Some(path)),
                 image if IMAGES.contains(&image) => Command::ShowReference(Some(path)),
                 _ => Command::Open(Some(path)),
@@ -443,8 +459,8 @@ impl App {
         self.set_title(ui.ctx());
     }
 
-    /// Lays the panels out for painting once what is painted is shown, and for looks once another look is open. Edits of
-    /// the look move nothing: only what is opened and closed does.
+    /// Lays the panels out for painting once what is painted is shown, and for looks once another
+    /// look is open. Edits of the look move nothing: only what is opened and closed does.
     pub(super) fn lay_out(&mut self) {
         let open = (self.session.document_number(), self.painting_number());
         if self.laid_out_for != Some(open) {
@@ -458,13 +474,17 @@ impl App {
     }
 
     fn panels(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
-        Panel::top("bar").frame(theme::panel(ui)).resizable(false).show(ui, |ui| self.bar(ui, commands));
+        Panel::top("bar")
+            .frame(theme::panel(ui))
+            .resizable(false)
+            .show(ui, |ui| self.bar(ui, commands));
         commands.extend(self.safety.show(ui, &self.session).into_iter().map(Command::Safety));
         if let Some(picture) = &self.picture {
             self.session.set_picture_problems(&picture.problems);
         }
         // Of one height, whatever it says, so that nothing above moves under a hand.
-        let status = Panel::bottom("status").frame(theme::panel(ui)).resizable(false).exact_size(STATUS);
+        let status =
+            Panel::bottom("status").frame(theme::panel(ui)).resizable(false).exact_size(STATUS);
         status.show(ui, |ui| {
             commands.extend(self.status(ui));
         });
@@ -511,9 +531,14 @@ impl App {
                 let bar = is_alone.then(|| solo::bar(ui, &self.session)).flatten();
                 self.code.show(ui, &self.session).into_iter().chain(bar).collect()
             }
-            dock::Panel::Effects => self.effects.show(ui, self.picture.as_ref().map(|picture| &picture.effects)),
+            dock::Panel::Effects => {
+                self.effects.show(ui, self.picture.as_ref().map(|picture| &picture.effects))
+            }
             dock::Panel::Cost => {
-                let size = self.viewport.rect().map_or([0, 0], |rect| picture_size(rect, ui.pixels_per_point()));
+                let size = self
+                    .viewport
+                    .rect()
+                    .map_or([0, 0], |rect| picture_size(rect, ui.pixels_per_point()));
                 self.cost.show(ui, &self.session, size)
             }
             dock::Panel::Probe => self.probe.show(ui, &self.session),
@@ -568,11 +593,13 @@ impl App {
         // A field that is being typed in has an undo of its own, and question marks.
         let is_text = |action| matches!(action, Action::Undo | Action::Redo | Action::Shortcuts);
         // The other keys of the picture work over it alone, where it takes them itself.
-        let is_here =
-            |row: &&Shortcut| row.place == Place::Window || matches!(row.action, Action::Probe | Action::PaintLight);
+        let is_here = |row: &&Shortcut| {
+            row.place == Place::Window || matches!(row.action, Action::Probe | Action::PaintLight)
+        };
         for row in shortcuts::ALL.iter().filter(is_here) {
             if shortcuts::is_dialog_open(ui.ctx())
-                || row.place == Place::Picture && (is_typing || self.start.is_some() || self.painting.has_pointer())
+                || row.place == Place::Picture
+                    && (is_typing || self.start.is_some() || self.painting.has_pointer())
                 || is_typing && is_text(row.action)
             {
                 continue;
@@ -582,7 +609,9 @@ impl App {
             }
         }
         let escape = (Modifiers::NONE, Key::Escape);
-        let is_free = self.path_field.is_none() && self.pending.is_none() && !egui::Popup::is_any_open(ui.ctx());
+        let is_free = self.path_field.is_none()
+            && self.pending.is_none()
+            && !egui::Popup::is_any_open(ui.ctx());
         if self.start.is_some() && is_free && shortcuts::take(ui, escape) {
             commands.push(Command::ShowStart(false));
         }

@@ -28,31 +28,46 @@ impl App {
                     work.go_to(address);
                 }
             }
-            Wish::New { grid, keeps_look } => self.do_or_ask(Pending::NewPainting { grid, keeps_look }),
-            Wish::Open { path, keeps_look } => self.do_or_ask(Pending::OpenPainting { path, keeps_look }),
+            Wish::New { grid, keeps_look } => {
+                self.do_or_ask(Pending::NewPainting { grid, keeps_look })
+            }
+            Wish::Open { path, keeps_look } => {
+                self.do_or_ask(Pending::OpenPainting { path, keeps_look })
+            }
             Wish::Divide { grid, lost } => {
                 self.tell(|session| session.apply_to_painting(HcbtfEdit::SetGrid { grid }, None));
                 if lost > 0 && self.message.is_none() {
-                    let text =
-                        format!("{} went with the old grid: Undo brings them back", counted(lost, "painted sample"));
+                    let text = format!(
+                        "{} went with the old grid: Undo brings them back",
+                        counted(lost, "painted sample")
+                    );
                     self.message = Some(text);
                 }
             }
             Wish::GoBack => self.do_or_ask(Pending::ShowPainting),
             Wish::PaintShown => self.paint_shown(),
             Wish::AskGrid { changes } => self.painting.ask_grid(&self.session, changes),
-            Wish::AskSynthesis if self.session.painting().is_some() => self.painting.ask_synthesis(&self.session),
+            Wish::AskSynthesis if self.session.painting().is_some() => {
+                self.painting.ask_synthesis(&self.session)
+            }
             Wish::AskSynthesis => {
-                self.message = Some("Nothing is open to be painted that a tile could be made of".to_owned());
+                self.message =
+                    Some("Nothing is open to be painted that a tile could be made of".to_owned());
             }
             Wish::AskBake => self.painting.ask_bake(),
             Wish::Bake { to: None } => {
                 self.painting.hold_bake();
                 let near = self.session.path().map(|path| path.with_extension("hcbtf"));
-                self.dialogs.ask(Purpose::BakeLook, Some(&near.unwrap_or_else(|| PathBuf::from("baked.hcbtf"))));
+                self.dialogs.ask(
+                    Purpose::BakeLook,
+                    Some(&near.unwrap_or_else(|| PathBuf::from("baked.hcbtf"))),
+                );
             }
-            Wish::Bake { to: Some(path) } if self.session.painting().and_then(Work::path) == Some(path.as_path()) => {
-                self.message = Some(format!("{} is open to be painted: bake to another file", path.display()));
+            Wish::Bake { to: Some(path) }
+                if self.session.painting().and_then(Work::path) == Some(path.as_path()) =>
+            {
+                self.message =
+                    Some(format!("{} is open to be painted: bake to another file", path.display()));
             }
             Wish::Bake { to: Some(path) } => {
                 self.message = self.painting.bake(&self.session, path).err();
@@ -62,15 +77,19 @@ impl App {
             Wish::Import { import, from: None } => {
                 self.dialogs.ask(Purpose::ImportPainting(import), self.session.path());
             }
-            Wish::Import { import, from: Some(path) } => self.do_or_ask(Pending::ImportPainting { path, import }),
+            Wish::Import { import, from: Some(path) } => {
+                self.do_or_ask(Pending::ImportPainting { path, import })
+            }
             Wish::AskTexture if self.session.painting().is_some() => self.painting.ask_texture(),
             Wish::AskTexture => self.tell_nothing_to_export(),
             Wish::Export { form, storage, to } => self.export_painting(form, storage, to),
-            Wish::Save => match self.session.painting().map(|work| work.path().map(Path::to_path_buf)) {
-                Some(Some(path)) => drop(self.save_painting_as(&path)),
-                Some(None) => self.ask_where_to_save_painting(),
-                None => {}
-            },
+            Wish::Save => {
+                match self.session.painting().map(|work| work.path().map(Path::to_path_buf)) {
+                    Some(Some(path)) => drop(self.save_painting_as(&path)),
+                    Some(None) => self.ask_where_to_save_painting(),
+                    None => {}
+                }
+            }
             Wish::SaveAs if self.session.painting().is_some() => self.ask_where_to_save_painting(),
             Wish::SaveAs => {}
             Wish::SaveTo(path) => {
@@ -82,12 +101,15 @@ impl App {
         }
     }
 
-    /// Whether the open look shows what is painted, and so stays when another is painted in its place.
+    /// Whether the open look shows what is painted, and so stays when another is painted in its
+    /// place.
     pub(super) fn keeps_look(&self) -> bool {
         let path = match &self.pending {
             Some(Pending::OpenPainting { path, .. }) => Some(path.as_path()),
             Some(_) => None,
-            None => self.session.painting().map(|work| work.path().unwrap_or(Path::new(UNSAVED_HCBTF))),
+            None => {
+                self.session.painting().map(|work| work.path().unwrap_or(Path::new(UNSAVED_HCBTF)))
+            }
         };
         path.is_some_and(|path| self.session.shows_painting(path))
     }
@@ -96,7 +118,8 @@ impl App {
         self.begin_painting(Work::new(grid), keeps_look);
     }
 
-    /// Opens an HCBTF, in a look of its own where the open one does not show it; tells where that fails.
+    /// Opens an HCBTF, in a look of its own where the open one does not show it; tells where that
+    /// fails.
     pub(super) fn open_painting(&mut self, path: &Path, keeps_look: bool) {
         let Some(_going) = self.begin_to_read(path) else { return };
         match Work::open(path) {
@@ -111,14 +134,18 @@ impl App {
         }
     }
 
-    /// Lets the open look show what is painted wherever it named the example that this is a copy of, as one step.
+    /// Lets the open look show what is painted wherever it named the example that this is a copy
+    /// of, as one step.
     fn name_copy_of_example(&mut self, path: &Path) {
-        let Some(work) = self.session.painting().filter(|work| work.example().is_some()) else { return };
+        let Some(work) = self.session.painting().filter(|work| work.example().is_some()) else {
+            return;
+        };
         let told = format!("{}: saving asks where it is to go", work.name());
         let name = path.to_string_lossy();
         let edits = look::rename(self.session.look(), &self.session.catalog, &name, UNSAVED_HCBTF);
         if !edits.is_empty() {
-            // Nobody has done anything yet in a look that has no file either, and there is nothing to be saved.
+            // Nobody has done anything yet in a look that has no file either, and there is nothing
+            // to be saved.
             let is_untouched = self.session.path().is_none() && !self.session.is_look_dirty();
             self.tell(|session| session.apply(Edit::Group { edits }, None));
             if is_untouched {
@@ -135,16 +162,21 @@ impl App {
         }
         let mut shown = shown(&self.session);
         match (shown.pop(), shown.is_empty()) {
-            (Some(only), true) => self.do_or_ask(Pending::OpenPainting { path: only.path, keeps_look: true }),
+            (Some(only), true) => {
+                self.do_or_ask(Pending::OpenPainting { path: only.path, keeps_look: true })
+            }
             (Some(_), false) => {
                 self.start = None;
                 self.dock.open(Panel::Paint);
             }
-            (None, _) => self.message = Some("The open look shows nothing that is painted".to_owned()),
+            (None, _) => {
+                self.message = Some("The open look shows nothing that is painted".to_owned())
+            }
         }
     }
 
-    /// Shows what is painted in the look that it was painted in; where that is not to be had, in a look of its own.
+    /// Shows what is painted in the look that it was painted in; where that is not to be had, in a
+    /// look of its own.
     pub(super) fn go_back_to_painting(&mut self) {
         self.view_before_painting.keep(&self.session);
         let home = self.session.painting().and_then(Work::home).cloned();
@@ -187,7 +219,10 @@ impl App {
                 self.message = Some(told);
             }
             Some(Made::Baked { to, made: Err(problems) }) => {
-                let why = problems.first().map(|problem| sentence(problem).replace('\n', ": ")).unwrap_or_default();
+                let why = problems
+                    .first()
+                    .map(|problem| sentence(problem).replace('\n', ": "))
+                    .unwrap_or_default();
                 self.message = Some(format!("{} was not baked: {why}", to.display()));
             }
             Some(Made::Tile { .. }) | None => {}
@@ -198,20 +233,32 @@ impl App {
     pub(super) fn begin_made(&mut self, hcbtf: &Hcbtf) {
         let [width, height] = hcbtf.grid.size;
         if self.begin_painting(Work::imported(hcbtf.clone(), Vec::new()), false) {
-            self.message = Some(format!("A new painting of {width} x {height} texels; save it to keep it"));
+            self.message =
+                Some(format!("A new painting of {width} x {height} texels; save it to keep it"));
         }
     }
 
-    fn take_import(&mut self, path: &Path, made: Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>>) {
+    fn take_import(
+        &mut self,
+        path: &Path,
+        made: Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>>,
+    ) {
         match made {
             Ok((hcbtf, notes)) => {
-                let told = format!("{} of {} samples are painted", hcbtf.painted.len(), hcbtf.grid.sample_count());
+                let told = format!(
+                    "{} of {} samples are painted",
+                    hcbtf.painted.len(),
+                    hcbtf.grid.sample_count()
+                );
                 if self.begin_painting(Work::imported(hcbtf, notes), false) {
-                    self.message = Some(self.message.take().map_or(told.clone(), |note| format!("{told} · {note}")));
+                    self.message = Some(
+                        self.message.take().map_or(told.clone(), |note| format!("{told} · {note}")),
+                    );
                 }
             }
             Err(problems) => {
-                let why = problems.first().map(|problem| problem.message.as_str()).unwrap_or_default();
+                let why =
+                    problems.first().map(|problem| problem.message.as_str()).unwrap_or_default();
                 self.message = Some(format!("{} could not be imported: {why}", path.display()));
             }
         }
@@ -224,7 +271,8 @@ impl App {
     fn export_painting(&mut self, form: Form, storage: Storage, to: Option<PathBuf>) {
         let Some(work) = self.session.painting() else { return self.tell_nothing_to_export() };
         let Some(to) = to else {
-            let own = work.path().map_or_else(|| PathBuf::from(work.suggested()), Path::to_path_buf);
+            let own =
+                work.path().map_or_else(|| PathBuf::from(work.suggested()), Path::to_path_buf);
             let stem = own.file_stem().unwrap_or_default().to_string_lossy().into_owned();
             let name = match form {
                 Form::Folder => format!("{stem}-images"),
@@ -232,7 +280,9 @@ impl App {
                 Form::Sheet => format!("{stem}-sheet.png"),
                 Form::Ktx2 => format!("{stem}.ktx2"),
             };
-            return self.dialogs.ask(Purpose::ExportPainting(form, storage), Some(&own.with_file_name(name)));
+            return self
+                .dialogs
+                .ask(Purpose::ExportPainting(form, storage), Some(&own.with_file_name(name)));
         };
         self.painting.export(&self.session, form, storage, to);
     }
@@ -259,7 +309,8 @@ impl App {
     /// Begins a look that shows what is painted, and nothing else.
     fn begin_bare_look(&mut self) {
         let Some(work) = self.session.painting() else { return };
-        let sheet = work.path().map_or_else(|| UNSAVED_HCBTF.to_owned(), |path| path.display().to_string());
+        let sheet =
+            work.path().map_or_else(|| UNSAVED_HCBTF.to_owned(), |path| path.display().to_string());
         let look = look::default_look(&sheet, &work.name(), work.grid().size);
         self.view_before_painting.keep(&self.session);
         self.session.start_from(&look, "painting");
@@ -274,17 +325,23 @@ impl App {
         self.dock.open(Panel::Paint);
     }
 
-    /// After work was taken back: shows what was painted, if that came back. Where nothing else is open it is shown in the
-    /// look that was left with it, or in one of its own. `before` is the number of what was painted before.
+    /// After work was taken back: shows what was painted, if that came back. Where nothing else is
+    /// open it is shown in the look that was left with it, or in one of its own. `before` is the
+    /// number of what was painted before.
     pub(super) fn show_painting_taken_back(&mut self, before: Option<u64>) {
         let now = self.painting_number();
         if now.is_none() || now == before {
             return;
         }
-        let is_new = self.session.path().is_none() && !self.session.is_look_dirty() && self.session.stage().is_none();
+        let is_new = self.session.path().is_none()
+            && !self.session.is_look_dirty()
+            && self.session.stage().is_none();
         if is_new && self.safety.take_back_look_of_painting(&mut self.session) {
             let painting = self.session.painting().map(Work::name).unwrap_or_default();
-            let told = format!("{painting} and {} are as they were, with all their changes", self.session.name());
+            let told = format!(
+                "{painting} and {} are as they were, with all their changes",
+                self.session.name()
+            );
             self.message = Some(told);
         } else if is_new {
             self.begin_bare_look();
@@ -321,8 +378,8 @@ impl App {
         self.tell_saved(path, saved)
     }
 
-    /// Saves what is painted before a look that shows it: whether there was anything to be saved; `None` where it is not
-    /// saved yet.
+    /// Saves what is painted before a look that shows it: whether there was anything to be saved;
+    /// `None` where it is not saved yet.
     pub(super) fn save_painting_first(&mut self) -> Option<bool> {
         if !self.saves_painting() {
             return Some(false);

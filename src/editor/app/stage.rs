@@ -48,7 +48,8 @@ impl App {
     /// What a dialog for a file of the scene begins near to.
     fn near_stage(&self) -> Option<PathBuf> {
         let own = self.session.stage().and_then(Stage::path);
-        own.map(Path::to_path_buf).or_else(|| Some(self.session.path()?.with_file_name("scene.json")))
+        own.map(Path::to_path_buf)
+            .or_else(|| Some(self.session.path()?.with_file_name("scene.json")))
     }
 
     fn chosen(&mut self, purpose: Purpose, path: &Path) {
@@ -59,14 +60,20 @@ impl App {
             (Purpose::ObjectMesh, Some((id, _))) => self.change_object(&id, |stage, object| {
                 object.mesh = stage.name_of(path);
             }),
-            (Purpose::ObjectLook, Some((id, material))) => self.change_object(&id, |stage, object| {
-                object.looks.insert(material, stage.name_of(path));
-            }),
+            (Purpose::ObjectLook, Some((id, material))) => {
+                self.change_object(&id, |stage, object| {
+                    object.looks.insert(material, stage.name_of(path));
+                })
+            }
             _ => {}
         }
     }
 
-    fn change_object(&mut self, id: &ObjectId, change: impl FnOnce(&Stage, &mut crate::document::Object)) {
+    fn change_object(
+        &mut self,
+        id: &ObjectId,
+        change: impl FnOnce(&Stage, &mut crate::document::Object),
+    ) {
         let stage = self.session.stage();
         let edit = stage.and_then(|stage| stage.change(id, |object| change(stage, object)));
         if let Some(edit) = edit {
@@ -78,7 +85,11 @@ impl App {
     fn add_object(&mut self, mesh: &str) {
         self.session.begin_stage();
         let Some(stage) = self.session.stage() else { return };
-        let name = if mesh.starts_with(SHAPE_PREFIX) { mesh.to_owned() } else { stage.name_of(Path::new(mesh)) };
+        let name = if mesh.starts_with(SHAPE_PREFIX) {
+            mesh.to_owned()
+        } else {
+            stage.name_of(Path::new(mesh))
+        };
         let (id, edit) = stage.add(&name);
         self.make(id, edit);
         self.session.frame(None, self.viewport.aspect());
@@ -92,12 +103,20 @@ impl App {
 
     /// Selects an object and opens its look.
     fn pick(&mut self, id: ObjectId, material: Option<&str>) {
-        let Some(object) = self.session.stage().and_then(|stage| stage.scene().objects.get(&id)) else { return };
+        let Some(object) = self.session.stage().and_then(|stage| stage.scene().objects.get(&id))
+        else {
+            return;
+        };
+        let worn = material.map_or_else(
+            || object.looks.get(ANY_MATERIAL).map(String::as_str),
+            |it| look_of(object, it),
+        );
         let worn =
-            material.map_or_else(|| object.looks.get(ANY_MATERIAL).map(String::as_str), |it| look_of(object, it));
-        let worn = worn.or_else(|| object.looks.values().next().map(String::as_str)).map(str::to_owned);
-        // An object that wears the open look on any of its materials keeps it open, unless another was pointed at.
-        let keeps = material.is_none() && self.session.stage().is_some_and(|stage| stage.wears_open(object));
+            worn.or_else(|| object.looks.values().next().map(String::as_str)).map(str::to_owned);
+        // An object that wears the open look on any of its materials keeps it open, unless another
+        // was pointed at.
+        let keeps = material.is_none()
+            && self.session.stage().is_some_and(|stage| stage.wears_open(object));
         self.session.select_object(Some(id));
         if let Some(worn) = worn.filter(|_| !keeps) {
             self.open_worn(&worn);
@@ -108,37 +127,44 @@ impl App {
     fn open_worn(&mut self, name: &str) {
         let Some(stage) = self.session.stage().filter(|stage| !stage.is_open(name)) else { return };
         if stage.wears_unsaved() && self.session.path().is_none() {
-            self.message =
-                Some("Save this look first: objects of the scene wear it, and it has no file yet".to_owned());
+            self.message = Some(
+                "Save this look first: objects of the scene wear it, and it has no file yet"
+                    .to_owned(),
+            );
             return;
         }
         let path = stage.path_of(name);
         if examples::file(&path).is_some() {
-            let text =
-                "This object wears an example: open that from the start page to change it, or choose another look";
+            let text = "This object wears an example: open that from the start page to change it, \
+                        or choose another look";
             self.message = Some(text.to_owned());
             return;
         }
         if name == OPEN_LOOK || !path.is_file() {
-            self.message = Some(format!("There is no look {}: choose another for the object", path.display()));
+            self.message =
+                Some(format!("There is no look {}: choose another for the object", path.display()));
             return;
         }
         self.do_or_ask(Pending::Switch(path));
     }
 
-    /// Puts an object on another mesh: the one under the pointer, or the selected one, or one that wears the open look.
+    /// Puts an object on another mesh: the one under the pointer, or the selected one, or one that
+    /// wears the open look.
     pub(super) fn mesh_of_object(&mut self, mesh: &str) {
         let Some(stage) = self.session.stage() else { return };
         let objects = &stage.scene().objects;
         let worn = || objects.iter().find(|(_, object)| stage.wears_open(object)).map(|(id, _)| id);
         let under = self.viewport.hovered().filter(|id| objects.contains_key(*id));
         let Some(id) = under.or(stage.selected().map(|(id, _)| id)).or_else(worn).cloned() else {
-            self.message = Some("Select the object that is to have this mesh, or hold Shift to add one".to_owned());
+            self.message = Some(
+                "Select the object that is to have this mesh, or hold Shift to add one".to_owned(),
+            );
             return;
         };
         let mesh = mesh.to_owned();
         self.change_object(&id, |stage, object| {
-            object.mesh = if mesh.starts_with(SHAPE_PREFIX) { mesh } else { stage.name_of(Path::new(&mesh)) };
+            object.mesh =
+                if mesh.starts_with(SHAPE_PREFIX) { mesh } else { stage.name_of(Path::new(&mesh)) };
         });
     }
 
@@ -170,8 +196,8 @@ impl App {
         self.tell_saved(path, saved)
     }
 
-    /// Adds an object on a mesh (a path, or `shape:` and the name of an own shape), as a mesh that is dropped with Shift
-    /// does.
+    /// Adds an object on a mesh (a path, or `shape:` and the name of an own shape), as a mesh that
+    /// is dropped with Shift does.
     pub fn add_mesh(&mut self, mesh: &str) {
         self.add_object(mesh);
     }

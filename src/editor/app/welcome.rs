@@ -1,4 +1,5 @@
-//! What greets a newcomer: the start page and the tour; and the field that asks for paths where no dialog does.
+//! What greets a newcomer: the start page and the tour; and the field that asks for paths where no
+//! dialog does.
 
 use std::path::Path;
 
@@ -30,7 +31,8 @@ impl StartPage {
 }
 
 impl App {
-    /// What a window that is opened without a file begins with: where the last one was left, or else the start page.
+    /// What a window that is opened without a file begins with: where the last one was left, or
+    /// else the start page.
     pub fn begin(&mut self) {
         self.resume();
         if self.message.is_none() {
@@ -38,8 +40,8 @@ impl App {
         }
     }
 
-    /// What a window that is opened with a file begins with: the file, or else the start page, where what is wrong is told. Returns
-    /// that, too, for who asked at a terminal.
+    /// What a window that is opened with a file begins with: the file, or else the start page,
+    /// where what is wrong is told. Returns that, too, for who asked at a terminal.
     pub fn begin_with(&mut self, file: &Path) -> Option<String> {
         self.open(file);
         let wrong = self.safety.unopened();
@@ -103,7 +105,11 @@ impl App {
             return;
         }
         let folder = self.session.folder();
-        let folder = if folder.as_os_str().is_empty() { std::env::current_dir().unwrap_or_default() } else { folder };
+        let folder = if folder.as_os_str().is_empty() {
+            std::env::current_dir().unwrap_or_default()
+        } else {
+            folder
+        };
         self.path_field = Some(PathField::new(Purpose::Open, &folder.join(""), false));
     }
 
@@ -113,7 +119,9 @@ impl App {
         for answer in self.dialogs.answers() {
             match answer {
                 Answer::File(purpose, path) => chosen.push((purpose, path)),
-                Answer::NoDialog(purpose, path) => self.path_field = Some(PathField::new(purpose, &path, true)),
+                Answer::NoDialog(purpose, path) => {
+                    self.path_field = Some(PathField::new(purpose, &path, true))
+                }
             }
         }
         if let Some(field) = &mut self.path_field
@@ -130,7 +138,9 @@ impl App {
                 Command::Stage(Wish::Chosen(purpose, path))
             }
             Purpose::SavePainting => Command::Paint(painting::Wish::SaveTo(path)),
-            Purpose::ImportPainting(import) => Command::Paint(painting::Wish::Import { import, from: Some(path) }),
+            Purpose::ImportPainting(import) => {
+                Command::Paint(painting::Wish::Import { import, from: Some(path) })
+            }
             Purpose::BakeLook => Command::Paint(painting::Wish::Bake { to: Some(path) }),
             Purpose::ExportPainting(form, storage) => {
                 Command::Paint(painting::Wish::Export { form, storage, to: Some(path) })

@@ -18,14 +18,21 @@ const STEP: f32 = 12.0;
 
 impl Canvas {
     /// Keys, while no text is being typed, and what the command palette chose.
-    pub(super) fn keys(&mut self, ui: &Ui, pointer: Option<Pos2>, session: &Session, out: &mut Vec<Command>) {
+    pub(super) fn keys(
+        &mut self,
+        ui: &Ui,
+        pointer: Option<Pos2>,
+        session: &Session,
+        out: &mut Vec<Command>,
+    ) {
         let mut actions: Vec<Action> = self.asked.take().into_iter().collect();
         if self.palette.is_some() || self.editing.is_some() {
             return;
         }
         let is_typing = shortcuts::is_keyboard_taken(ui.ctx());
         if !is_typing {
-            // What is open over the window, such as a colour's picker, is closed by this key before anything else is.
+            // What is open over the window, such as a color's picker, is closed by this key before
+            // anything else is.
             let is_free = !egui::Popup::is_any_open(ui.ctx());
             if is_free && shortcuts::take(ui, (egui::Modifiers::NONE, egui::Key::Escape)) {
                 self.cancel();
@@ -40,7 +47,13 @@ impl Canvas {
     }
 
     /// Copy, cut and paste, as the window system sends them.
-    fn clipboard(&mut self, ui: &Ui, pointer: Option<Pos2>, session: &Session, out: &mut Vec<Command>) {
+    fn clipboard(
+        &mut self,
+        ui: &Ui,
+        pointer: Option<Pos2>,
+        session: &Session,
+        out: &mut Vec<Command>,
+    ) {
         let events: Vec<Event> = ui.input_mut(|input| {
             let is_it = |event: &Event| matches!(event, Event::Copy | Event::Cut | Event::Paste(_));
             let (ours, others) = std::mem::take(&mut input.events).into_iter().partition(is_it);
@@ -58,15 +71,28 @@ impl Canvas {
     }
 
     /// Adds nodes that were copied here, in another window or in a text editor.
-    pub(super) fn paste(&mut self, text: &str, pointer: Option<Pos2>, session: &Session, out: &mut Vec<Command>) {
+    pub(super) fn paste(
+        &mut self,
+        text: &str,
+        pointer: Option<Pos2>,
+        session: &Session,
+        out: &mut Vec<Command>,
+    ) {
         let at = pointer.map(|at| self.view.to_graph(at));
         let at = at.map(|at| [at.x - super::theme::NODE_WIDTH / 2.0, at.y].map(f64::from));
         match grouping::paste_text(session.look(), session.graph_id(), text, at) {
             Ok(pasted) => {
-                self.item = pasted.notes.first().cloned().filter(|_| pasted.nodes.is_empty()).map(Item::Note);
+                self.item = pasted
+                    .notes
+                    .first()
+                    .cloned()
+                    .filter(|_| pasted.nodes.is_empty())
+                    .map(Item::Note);
                 out.extend([Command::Edit(pasted.edit), Command::Select(pasted.nodes)]);
             }
-            Err(problem) => out.push(Command::Tell(super::super::problems::sentence(&problem).replace('\n', ": "))),
+            Err(problem) => out.push(Command::Tell(
+                super::super::problems::sentence(&problem).replace('\n', ": "),
+            )),
         }
     }
 
@@ -84,9 +110,17 @@ impl Canvas {
     }
 
     /// Does what was asked for.
-    pub(super) fn run(&mut self, action: Action, pointer: Option<Pos2>, session: &Session, out: &mut Vec<Command>) {
+    pub(super) fn run(
+        &mut self,
+        action: Action,
+        pointer: Option<Pos2>,
+        session: &Session,
+        out: &mut Vec<Command>,
+    ) {
         if session.is_read_only() && changes(action) {
-            out.push(Command::Tell("This group is of the library: make it the look's own to change it".to_owned()));
+            out.push(Command::Tell(
+                "This group is of the library: make it the look's own to change it".to_owned(),
+            ));
             return;
         }
         let chosen = Self::chosen(session);
@@ -106,7 +140,8 @@ impl Canvas {
             Action::ShowSelected => self.fit_selected(session),
             Action::SnapGrid => {
                 self.snaps_to_grid = !self.snaps_to_grid;
-                let what = if self.snaps_to_grid { "Nodes snap to the grid" } else { "Nodes move freely" };
+                let what =
+                    if self.snaps_to_grid { "Nodes snap to the grid" } else { "Nodes move freely" };
                 out.push(Command::Tell(what.to_owned()));
             }
             Action::Minimap => self.hides_minimap = !self.hides_minimap,
@@ -125,7 +160,8 @@ impl Canvas {
             }
             Action::SelectNone => out.push(Command::Select(Vec::new())),
             Action::Invert => {
-                let others = session.graph().nodes.keys().filter(|id| !session.selection.contains(*id));
+                let others =
+                    session.graph().nodes.keys().filter(|id| !session.selection.contains(*id));
                 out.push(Command::Select(others.cloned().collect()));
             }
             Action::Delete if self.item.is_some() => self.delete_item(session, out),
@@ -140,11 +176,19 @@ impl Canvas {
     }
 
     /// What needs selected nodes.
-    fn run_on(&mut self, action: Action, chosen: &[NodeId], session: &Session, out: &mut Vec<Command>) {
+    fn run_on(
+        &mut self,
+        action: Action,
+        chosen: &[NodeId],
+        session: &Session,
+        out: &mut Vec<Command>,
+    ) {
         let graph = session.graph_id();
         let of = session.graph();
         match action {
-            Action::Delete => out.extend(edits::delete(session, chosen.iter().cloned()).map(Command::Edit)),
+            Action::Delete => {
+                out.extend(edits::delete(session, chosen.iter().cloned()).map(Command::Edit))
+            }
             Action::Dissolve => out.extend(edits::dissolve(session, chosen).map(Command::Edit)),
             Action::Duplicate => {
                 let (ids, edit) = edits::duplicate(session, chosen);
@@ -162,13 +206,20 @@ impl Canvas {
             Action::Rename => self.edit_when_there = chosen.last().cloned().map(Item::Node),
             Action::Mute => {
                 let muted = chosen.iter().any(|id| !of.nodes[id].muted);
-                let mute = |id: &NodeId| Edit::SetMuted { graph: graph.clone(), id: id.clone(), muted };
+                let mute =
+                    |id: &NodeId| Edit::SetMuted { graph: graph.clone(), id: id.clone(), muted };
                 out.push(Command::Edit(Edit::Group { edits: chosen.iter().map(mute).collect() }));
             }
             Action::Collapse => {
                 let collapsed = chosen.iter().any(|id| !of.nodes[id].collapsed);
-                let collapse = |id: &NodeId| Edit::SetCollapsed { graph: graph.clone(), id: id.clone(), collapsed };
-                out.push(Command::Edit(Edit::Group { edits: chosen.iter().map(collapse).collect() }));
+                let collapse = |id: &NodeId| Edit::SetCollapsed {
+                    graph: graph.clone(),
+                    id: id.clone(),
+                    collapsed,
+                };
+                out.push(Command::Edit(Edit::Group {
+                    edits: chosen.iter().map(collapse).collect(),
+                }));
             }
             Action::Group => {
                 if let Some((id, edit)) = edits::group(session, chosen) {
@@ -182,7 +233,8 @@ impl Canvas {
             },
             Action::OpenGroup => out.extend(chosen.last().and_then(|id| self.open(session, id))),
             Action::ShareGroup => {
-                let kind = chosen.last().and_then(|id| of.nodes.get(id)).map(|node| node.kind.as_str());
+                let kind =
+                    chosen.last().and_then(|id| of.nodes.get(id)).map(|node| node.kind.as_str());
                 out.extend(
                     kind.filter(|kind| session.definition_of(kind).is_some())
                         .map(|kind| Command::ShareGroup(kind.into())),
@@ -222,11 +274,15 @@ impl Canvas {
 
     /// Wires selected nodes from left to right.
     fn connect_chosen(&mut self, chosen: &[NodeId], session: &Session, out: &mut Vec<Command>) {
-        let mut indices: Vec<usize> = chosen.iter().filter_map(|id| self.table.index_of(id)).collect();
-        indices.sort_by(|&a, &b| self.table.nodes[a].rect.min.x.total_cmp(&self.table.nodes[b].rect.min.x));
+        let mut indices: Vec<usize> =
+            chosen.iter().filter_map(|id| self.table.index_of(id)).collect();
+        indices.sort_by(|&a, &b| {
+            self.table.nodes[a].rect.min.x.total_cmp(&self.table.nodes[b].rect.min.x)
+        });
         let pairs = indices.windows(2).filter_map(|pair| self.pair(pair[0], pair[1]));
-        let edits: Vec<Edit> =
-            pairs.map(|(from, to)| edits::connect(session, self.endpoint(from), self.endpoint(to))).collect();
+        let edits: Vec<Edit> = pairs
+            .map(|(from, to)| edits::connect(session, self.endpoint(from), self.endpoint(to)))
+            .collect();
         if edits.is_empty() {
             self.fit();
         } else {
@@ -234,7 +290,13 @@ impl Canvas {
         }
     }
 
-    fn arrange(&mut self, action: Action, chosen: &[NodeId], session: &Session, out: &mut Vec<Command>) {
+    fn arrange(
+        &mut self,
+        action: Action,
+        chosen: &[NodeId],
+        session: &Session,
+        out: &mut Vec<Command>,
+    ) {
         let indices: Vec<usize> = chosen.iter().filter_map(|id| self.table.index_of(id)).collect();
         let rects: Vec<Rect> = indices.iter().map(|&index| self.table.nodes[index].rect).collect();
         let places = match action {
@@ -252,14 +314,16 @@ impl Canvas {
 
     /// Lays out what is selected, or everything.
     fn lay_out(&mut self, chosen: &[NodeId], session: &Session, out: &mut Vec<Command>) {
-        let all: Vec<usize> = (0..self.table.nodes.len()).filter(|&index| !self.table.nodes[index].is_end).collect();
+        let all: Vec<usize> =
+            (0..self.table.nodes.len()).filter(|&index| !self.table.nodes[index].is_end).collect();
         let some: Vec<usize> = chosen.iter().filter_map(|id| self.table.index_of(id)).collect();
         let indices = if some.len() < 2 { all } else { some };
         let mut own = vec![None; self.table.nodes.len()];
         indices.iter().enumerate().for_each(|(place, &index)| own[index] = Some(place));
         let link = |wire: &super::table::WireRow| {
-            let below =
-                |socket: super::table::Socket| self.table.place(socket).y - self.table.nodes[socket.node].rect.min.y;
+            let below = |socket: super::table::Socket| {
+                self.table.place(socket).y - self.table.nodes[socket.node].rect.min.y
+            };
             let (from, to) = (own[wire.from.node]?, own[wire.to.node]?);
             Some(Link { from, to, from_y: below(wire.from), to_y: below(wire.to) })
         };
@@ -295,8 +359,11 @@ impl Canvas {
                 None => Some(way.length()),
             }
         };
-        let others = self.table.nodes.iter().enumerate().filter(|(index, _)| Some(*index) != current);
-        let found = others.filter_map(|(_, row)| Some((cost(&row.rect)?, &row.id))).min_by(|a, b| a.0.total_cmp(&b.0));
+        let others =
+            self.table.nodes.iter().enumerate().filter(|(index, _)| Some(*index) != current);
+        let found = others
+            .filter_map(|(_, row)| Some((cost(&row.rect)?, &row.id)))
+            .min_by(|a, b| a.0.total_cmp(&b.0));
         if let Some((_, id)) = found {
             out.push(Command::Reveal(id.clone()));
         }
@@ -309,7 +376,9 @@ impl Canvas {
     }
 
     fn go_to(&mut self, session: &Session, key: u8) {
-        if let Some(bookmark) = session.graph().bookmarks.iter().find(|bookmark| bookmark.key == key) {
+        if let Some(bookmark) =
+            session.graph().bookmarks.iter().find(|bookmark| bookmark.key == key)
+        {
             let [x, y] = bookmark.position.map(|x| x as f32);
             self.set_zoom_and_center(super::view::bounded(bookmark.zoom as f32), pos2(x, y));
         }

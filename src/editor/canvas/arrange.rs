@@ -1,8 +1,8 @@
 //! Where nodes are put: aligned, spaced out, or all laid out in layers from left to right.
 //!
-//! The layout is Sugiyama's in its plain form (1981): each node lies in a column left of all that it feeds, columns are
-//! ordered by the mean of their neighbours' places, and each node comes to lie as near to the sockets that it feeds as
-//! the others of its column let it.
+//! The layout is Sugiyama's in its plain form (1981): each node lies in a column left of all that
+//! it feeds, columns are ordered by the mean of their neighbours' places, and each node comes to
+//! lie as near to the sockets that it feeds as the others of its column let it.
 
 use eframe::egui::{Pos2, Rect, Vec2, pos2, vec2};
 
@@ -34,7 +34,8 @@ pub(crate) fn align(rects: &[Rect], side: Side) -> Vec<Pos2> {
     rects.iter().map(place).collect()
 }
 
-/// Moves rectangles so that there is as much room between any two neighbours, across or downward; the outer two stay.
+/// Moves rectangles so that there is as much room between any two neighbours, across or downward;
+/// the outer two stay.
 pub(crate) fn distribute(rects: &[Rect], is_across: bool) -> Vec<Pos2> {
     let along = |v: Vec2| if is_across { v.x } else { v.y };
     let start = |rect: &Rect| along(rect.min.to_vec2());
@@ -82,7 +83,10 @@ pub(crate) fn layers(rects: &[Rect], links: &[Link]) -> Vec<Pos2> {
     let moved = places.iter().zip(rects).map(|(&min, rect)| Rect::from_min_size(min, rect.size()));
     let after = moved.fold(Rect::NOTHING, |all, rect| all.union(rect));
     let shift = before.center() - after.center();
-    places.into_iter().map(|place| pos2((place.x + shift.x).round(), (place.y + shift.y).round())).collect()
+    places
+        .into_iter()
+        .map(|place| pos2((place.x + shift.x).round(), (place.y + shift.y).round()))
+        .collect()
 }
 
 struct Layered<'a> {
@@ -95,7 +99,8 @@ struct Layered<'a> {
 
 impl<'a> Layered<'a> {
     fn new(rects: &'a [Rect], links: &[Link]) -> Self {
-        let mut graph = Self { rects, out: vec![Vec::new(); rects.len()], into: vec![Vec::new(); rects.len()] };
+        let mut graph =
+            Self { rects, out: vec![Vec::new(); rects.len()], into: vec![Vec::new(); rects.len()] };
         for &link in links.iter().filter(|link| link.from != link.to) {
             graph.out[link.from].push(link);
             graph.into[link.to].push(link);
@@ -103,8 +108,8 @@ impl<'a> Layered<'a> {
         graph
     }
 
-    /// Boxes by column, from the right: a box lies beyond everything that it feeds. Wires of a ring are left out where
-    /// they lead back.
+    /// Boxes by column, from the right: a box lies beyond everything that it feeds. Wires of a ring
+    /// are left out where they lead back.
     fn columns(&self) -> Vec<Vec<usize>> {
         let count = self.rects.len();
         let mut rank = vec![0usize; count];
@@ -158,12 +163,17 @@ impl<'a> Layered<'a> {
         columns.iter().for_each(|column| number(column, &mut place));
         for sweep in 0..SWEEPS {
             let is_leftward = sweep % 2 == 0;
-            let order: Vec<usize> =
-                if is_leftward { (0..columns.len()).collect() } else { (0..columns.len()).rev().collect() };
+            let order: Vec<usize> = if is_leftward {
+                (0..columns.len()).collect()
+            } else {
+                (0..columns.len()).rev().collect()
+            };
             for column in order {
                 let mut keyed: Vec<(f32, usize)> = columns[column]
                     .iter()
-                    .map(|&index| (self.mean(index, is_leftward, &place).unwrap_or(place[index]), index))
+                    .map(|&index| {
+                        (self.mean(index, is_leftward, &place).unwrap_or(place[index]), index)
+                    })
                     .collect();
                 keyed.sort_by(|a, b| a.0.total_cmp(&b.0));
                 columns[column] = keyed.into_iter().map(|(_, index)| index).collect();
@@ -172,20 +182,25 @@ impl<'a> Layered<'a> {
         }
     }
 
-    /// The mean place of a box's consumers, or of its sources; sockets count a little, so that wires to one node keep
-    /// its sockets' order.
+    /// The mean place of a box's consumers, or of its sources; sockets count a little, so that
+    /// wires to one node keep its sockets' order.
     fn mean(&self, index: usize, is_leftward: bool, place: &[f32]) -> Option<f32> {
         let links = if is_leftward { &self.out[index] } else { &self.into[index] };
         if links.is_empty() {
             return None;
         }
         let of = |link: &Link| {
-            if is_leftward { place[link.to] + link.to_y * 1e-5 } else { place[link.from] + link.from_y * 1e-5 }
+            if is_leftward {
+                place[link.to] + link.to_y * 1e-5
+            } else {
+                place[link.from] + link.from_y * 1e-5
+            }
         };
         Some(links.iter().map(of).sum::<f32>() / links.len() as f32)
     }
 
-    /// Puts columns side by side from the right, each box level with the sockets that it feeds, as far as there is room.
+    /// Puts columns side by side from the right, each box level with the sockets that it feeds, as
+    /// far as there is room.
     fn place(&self, columns: &[Vec<usize>]) -> Vec<Pos2> {
         let mut places = vec![Pos2::ZERO; self.rects.len()];
         let mut right = 0.0;
@@ -206,13 +221,15 @@ impl<'a> Layered<'a> {
         if links.is_empty() {
             return 0.0;
         }
-        links.iter().map(|link| places[link.to].y + link.to_y - link.from_y).sum::<f32>() / links.len() as f32
+        links.iter().map(|link| places[link.to].y + link.to_y - link.from_y).sum::<f32>()
+            / links.len() as f32
     }
 
-    /// Tops of a column's boxes without overlap, in order, as near to what they wish as least squares have it (boxes
-    /// that touch move together).
+    /// Tops of a column's boxes without overlap, in order, as near to what they wish as least
+    /// squares have it (boxes that touch move together).
     fn spread(&self, column: &[usize], wished: &[f32]) -> Vec<f32> {
-        // Blocks of boxes that touch: the top that their first box should have, how many there are, and their height.
+        // Blocks of boxes that touch: the top that their first box should have, how many there are,
+        // and their height.
         let mut blocks: Vec<(f32, usize, f32)> = Vec::new();
         for (&index, &wish) in column.iter().zip(wished) {
             let mut block = (wish, 1, self.rects[index].height() + ROW_GAP);
@@ -222,7 +239,11 @@ impl<'a> Layered<'a> {
                 }
                 // What comes below wishes that much less for the first box of both.
                 let (a, b) = (count as f32, block.1 as f32);
-                block = ((top * a + (block.0 - height) * b) / (a + b), count + block.1, height + block.2);
+                block = (
+                    (top * a + (block.0 - height) * b) / (a + b),
+                    count + block.1,
+                    height + block.2,
+                );
                 blocks.pop();
             }
             blocks.push(block);
@@ -298,7 +319,11 @@ mod tests {
     }
 
     fn moved(rects: &[Rect], places: &[Pos2]) -> Vec<Rect> {
-        rects.iter().zip(places).map(|(rect, place)| Rect::from_min_size(*place, rect.size())).collect()
+        rects
+            .iter()
+            .zip(places)
+            .map(|(rect, place)| Rect::from_min_size(*place, rect.size()))
+            .collect()
     }
 
     #[test]
@@ -319,15 +344,20 @@ mod tests {
             (seed >> 33) as usize % below
         };
         for count in [1, 2, 7, 40, 200] {
-            let rects: Vec<Rect> = (0..count).map(|_| rect(random(500) as f32, random(500) as f32)).collect();
-            let links: Vec<Link> = (1..count).flat_map(|to| [link(random(to), to), link(random(to), to)]).collect();
+            let rects: Vec<Rect> =
+                (0..count).map(|_| rect(random(500) as f32, random(500) as f32)).collect();
+            let links: Vec<Link> =
+                (1..count).flat_map(|to| [link(random(to), to), link(random(to), to)]).collect();
             let after = moved(&rects, &layers(&rects, &links));
             for link in &links {
                 assert!(after[link.from].max.x + 1.0 < after[link.to].min.x, "{count}: {link:?}");
             }
             for a in 0..count {
                 for b in 0..a {
-                    assert!(!after[a].shrink(1.0).intersects(after[b].shrink(1.0)), "{count}: {a} and {b}");
+                    assert!(
+                        !after[a].shrink(1.0).intersects(after[b].shrink(1.0)),
+                        "{count}: {a} and {b}"
+                    );
                 }
             }
         }

@@ -42,19 +42,31 @@ impl Canvas {
             Gesture::Note { id, from, by, is_resize } => {
                 *by = graph_at - *from;
                 let (id, by, is_resize) = (id.clone(), *by, *is_resize);
-                if let Some((row, note)) =
-                    self.table.notes.iter_mut().find(|row| row.id == id).zip(session.graph().notes.get(&id))
+                if let Some((row, note)) = self
+                    .table
+                    .notes
+                    .iter_mut()
+                    .find(|row| row.id == id)
+                    .zip(session.graph().notes.get(&id))
                 {
                     let corner = Pos2::new(note.position[0] as f32, note.position[1] as f32);
-                    row.rect.set_width(if is_resize { (note.width as f32 + by.x).max(60.0) } else { row.rect.width() });
-                    row.rect = Rect::from_min_size(if is_resize { corner } else { corner + by }, row.rect.size());
+                    row.rect.set_width(if is_resize {
+                        (note.width as f32 + by.x).max(60.0)
+                    } else {
+                        row.rect.width()
+                    });
+                    row.rect = Rect::from_min_size(
+                        if is_resize { corner } else { corner + by },
+                        row.rect.size(),
+                    );
                     row.text = None;
                 }
             }
             Gesture::Wire(drag) => {
                 let fixed = drag.fixed;
                 let radius = 16.0 / self.view.zoom.max(0.4);
-                let target = self.table.socket_at(graph_at, radius, |socket| self.fits(fixed, socket));
+                let target =
+                    self.table.socket_at(graph_at, radius, |socket| self.fits(fixed, socket));
                 if let Gesture::Wire(drag) = &mut self.gesture {
                     drag.target = target;
                 }
@@ -71,7 +83,8 @@ impl Canvas {
         is_inside: impl Fn(Rect) -> bool,
     ) {
         let mut selection = before.to_vec();
-        let inside = self.table.nodes.iter().filter(|row| is_inside(row.rect)).map(|row| row.id.clone());
+        let inside =
+            self.table.nodes.iter().filter(|row| is_inside(row.rect)).map(|row| row.id.clone());
         selection.extend(inside.filter(|id| !before.contains(id)));
         if !selection.iter().eq(session.selected()) {
             out.push(Command::Select(selection));
@@ -84,23 +97,33 @@ impl Canvas {
         let nodes = drag.nodes.clone();
         let (by, wished) = (drag.by, pointer - drag.from);
         // Where the nodes would be without snapping.
-        let moved = edits::around(nodes.iter().map(|&index| self.table.nodes[index].rect)).translate(wished - by);
+        let moved = edits::around(nodes.iter().map(|&index| self.table.nodes[index].rect))
+            .translate(wished - by);
         let is_free = modifiers.command || modifiers.ctrl;
-        let (snapped, guides) = if is_free { (wished, Vec::new()) } else { self.snapped(moved, wished, &nodes) };
+        let (snapped, guides) =
+            if is_free { (wished, Vec::new()) } else { self.snapped(moved, wished, &nodes) };
         self.table.translate(&nodes, snapped - by);
         let into = self.wire_under(&nodes);
         let joins = if modifiers.alt { self.neighbour(&nodes) } else { None };
-        let frame = self.table.frame_at(pointer, &nodes).map(|index| self.table.frames[index].id.clone());
+        let frame =
+            self.table.frame_at(pointer, &nodes).map(|index| self.table.frames[index].id.clone());
         if let Gesture::Move(drag) = &mut self.gesture {
-            (drag.by, drag.guides, drag.into, drag.joins, drag.frame) = (snapped, guides, into, joins, frame);
+            (drag.by, drag.guides, drag.into, drag.joins, drag.frame) =
+                (snapped, guides, into, joins, frame);
         }
     }
 
     /// How far nodes go so that an edge lies on a neighbour's, or their corner on the grid.
-    fn snapped(&self, moved: Rect, wished: Vec2, nodes: &HashSet<usize>) -> (Vec2, Vec<(bool, f32, [f32; 2])>) {
+    fn snapped(
+        &self,
+        moved: Rect,
+        wished: Vec2,
+        nodes: &HashSet<usize>,
+    ) -> (Vec2, Vec<(bool, f32, [f32; 2])>) {
         let visible = self.view.visible();
         let rows = self.table.nodes.iter().enumerate();
-        let others = rows.filter(|(index, row)| !nodes.contains(index) && row.rect.intersects(visible));
+        let others =
+            rows.filter(|(index, row)| !nodes.contains(index) && row.rect.intersects(visible));
         let snap = arrange::snap(moved, others.map(|(_, row)| row.rect), REACH / self.view.zoom);
         let mut shift = snap.shift;
         if self.snaps_to_grid {
@@ -113,7 +136,10 @@ impl Canvas {
             }
         }
         let upright = snap.upright.map(|(at, reach)| (true, at, reach));
-        (wished + shift, upright.into_iter().chain(snap.level.map(|(at, reach)| (false, at, reach))).collect())
+        (
+            wished + shift,
+            upright.into_iter().chain(snap.level.map(|(at, reach)| (false, at, reach))).collect(),
+        )
     }
 
     /// The wire that a lone node without wires lies on, if it can be put into it.
@@ -124,7 +150,8 @@ impl Canvas {
             return None;
         }
         let rect = self.table.nodes[node].rect;
-        let near = self.table.wires.iter().enumerate().filter(|(_, wire)| wire.bounds.intersects(rect));
+        let near =
+            self.table.wires.iter().enumerate().filter(|(_, wire)| wire.bounds.intersects(rect));
         let crosses = |index: usize| {
             let curve = self.table.curve(&self.table.wires[index]);
             (1..16).any(|step| rect.shrink(6.0).contains(point_at(&curve, step as f32 / 16.0)))
@@ -144,10 +171,13 @@ impl Canvas {
         let exact = |index: &usize| kind.inputs[*index].ty == wire.ty;
         let input = (0..kind.inputs.len()).find(|index| takes(index) && exact(index));
         let input = input.or_else(|| (0..kind.inputs.len()).find(takes))?;
-        let gives = |index: &usize| into.takes(&kind.outputs[*index].ty) || target.kind.is_reroute || target.is_end;
+        let gives = |index: &usize| {
+            into.takes(&kind.outputs[*index].ty) || target.kind.is_reroute || target.is_end
+        };
         let exact = |index: &usize| kind.outputs[*index].ty == into.ty;
         let output = (0..kind.outputs.len()).find(|index| gives(index) && exact(index));
-        let output = output.or_else(|| (0..kind.outputs.len()).find(|index| gives(index) || kind.is_reroute))?;
+        let output = output
+            .or_else(|| (0..kind.outputs.len()).find(|index| gives(index) || kind.is_reroute))?;
         Some((input, output))
     }
 
@@ -155,7 +185,10 @@ impl Canvas {
     pub(super) fn pair(&self, a: usize, b: usize) -> Option<(Socket, Socket)> {
         let (from, to) = (&self.table.nodes[a], &self.table.nodes[b]);
         let (output, input) = edits::best_pair(&from.kind, &to.kind, |input| !to.is_wired[input])?;
-        Some((Socket { node: a, port: output, is_output: true }, Socket { node: b, port: input, is_output: false }))
+        Some((
+            Socket { node: a, port: output, is_output: true },
+            Socket { node: b, port: input, is_output: false },
+        ))
     }
 
     /// The wire to the nearest node left or right of what is dragged.
@@ -165,7 +198,9 @@ impl Canvas {
         let rect = self.table.nodes[node].rect;
         let others = self.table.nodes.iter().enumerate().filter(|(index, _)| *index != node);
         let mut near: Vec<(f32, usize)> = others
-            .map(|(index, row)| (rect.distance_sq_to_pos(row.rect.clamp(rect.center())).sqrt(), index))
+            .map(|(index, row)| {
+                (rect.distance_sq_to_pos(row.rect.clamp(rect.center())).sqrt(), index)
+            })
             .filter(|(distance, _)| *distance < NEAR)
             .collect();
         near.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -186,7 +221,8 @@ impl Canvas {
                         note.width = (note.width + f64::from(by.x)).round().clamp(60.0, 2000.0);
                     } else {
                         let [x, y] = note.position;
-                        note.position = [(x + f64::from(by.x)).round(), (y + f64::from(by.y)).round()];
+                        note.position =
+                            [(x + f64::from(by.x)).round(), (y + f64::from(by.y)).round()];
                     }
                 });
                 out.extend(edit.map(Command::Edit));
@@ -199,7 +235,8 @@ impl Canvas {
     }
 
     fn finish_move(&mut self, drag: &Move, session: &Session, out: &mut Vec<Command>) {
-        let ids: Vec<NodeId> = drag.nodes.iter().map(|&index| self.table.nodes[index].id.clone()).collect();
+        let ids: Vec<NodeId> =
+            drag.nodes.iter().map(|&index| self.table.nodes[index].id.clone()).collect();
         let mut all = vec![edits::translate(session, ids.iter(), drag.by)];
         if let (Some(wire), [id]) = (drag.into, ids.as_slice())
             && let Some(node) = self.table.index_of(id)
@@ -220,7 +257,8 @@ impl Canvas {
                 let index = self.table.index_of(id)?;
                 let frame = &self.table.frames[self.table.frame_of(index)?];
                 Some(
-                    drag.frame.as_ref() != Some(&frame.id) && !frame.nodes.iter().all(|node| drag.nodes.contains(node)),
+                    drag.frame.as_ref() != Some(&frame.id)
+                        && !frame.nodes.iter().all(|node| drag.nodes.contains(node)),
                 )
             };
             let changing: Vec<NodeId> =
@@ -250,11 +288,18 @@ impl Canvas {
             return false;
         }
         let curve = self.table.curve(wire);
-        let points: Vec<Pos2> = (0..=PIECES).map(|i| point_at(&curve, i as f32 / PIECES as f32)).collect();
+        let points: Vec<Pos2> =
+            (0..=PIECES).map(|i| point_at(&curve, i as f32 / PIECES as f32)).collect();
         points.windows(2).any(|piece| path.windows(2).any(|stroke| crosses(piece, stroke)))
     }
 
-    fn finish_wire(&mut self, drag: &WireDrag, at: Option<Pos2>, session: &Session, out: &mut Vec<Command>) {
+    fn finish_wire(
+        &mut self,
+        drag: &WireDrag,
+        at: Option<Pos2>,
+        session: &Session,
+        out: &mut Vec<Command>,
+    ) {
         let picked = drag.picked.and_then(|index| session.graph().wires.get(index)).cloned();
         let Some(target) = drag.target else {
             if let Some(at) = at
@@ -268,7 +313,8 @@ impl Canvas {
             }
             return;
         };
-        let (from, to) = if drag.fixed.is_output { (drag.fixed, target) } else { (target, drag.fixed) };
+        let (from, to) =
+            if drag.fixed.is_output { (drag.fixed, target) } else { (target, drag.fixed) };
         let connect = edits::connect(session, self.endpoint(from), self.endpoint(to));
         match picked {
             Some(wire) if wire.to == self.endpoint(to) => {}
@@ -285,7 +331,9 @@ impl Canvas {
         let Some(Hit::Node(index)) = self.hit(at) else { return None };
         let row = &self.table.nodes[index];
         let is_output = row.id.as_str() != GROUP_INPUTS;
-        let (GraphId::Definition(id), Some(definition)) = (session.graph_id(), session.definition()) else {
+        let (GraphId::Definition(id), Some(definition)) =
+            (session.graph_id(), session.definition())
+        else {
             return None;
         };
         if !row.is_end || drag.fixed.is_output != is_output || session.is_read_only() {
@@ -325,7 +373,8 @@ fn crosses(a: &[Pos2], b: &[Pos2]) -> bool {
 fn is_inside(p: Pos2, path: &[Pos2]) -> bool {
     let far = p + vec2(1e8, 0.371);
     let closing = [path.last().copied().unwrap_or(p), path.first().copied().unwrap_or(p)];
-    let count = path.windows(2).chain([&closing[..]]).filter(|piece| crosses(piece, &[p, far])).count();
+    let count =
+        path.windows(2).chain([&closing[..]]).filter(|piece| crosses(piece, &[p, far])).count();
     count % 2 == 1
 }
 
@@ -336,7 +385,8 @@ mod tests {
 
     #[test]
     fn a_loop_has_an_inside() {
-        let path = [pos2(0.0, 0.0), pos2(10.0, 0.0), pos2(10.0, 10.0), pos2(5.0, 3.0), pos2(0.0, 10.0)];
+        let path =
+            [pos2(0.0, 0.0), pos2(10.0, 0.0), pos2(10.0, 10.0), pos2(5.0, 3.0), pos2(0.0, 10.0)];
         assert!(is_inside(pos2(2.0, 2.0), &path));
         assert!(!is_inside(pos2(5.0, 6.0), &path), "the notch is outside");
         assert!(!is_inside(pos2(-1.0, 2.0), &path));

@@ -1,7 +1,8 @@
-//! Draws what is in view into one mesh whose memory is used again each frame; far away, with less detail.
+//! Draws what is in view into one mesh whose memory is used again each frame; far away, with less
+//! detail.
 //!
-//! Zoom above 0.4: everything. 0.25 to 0.4: titles and sockets. 0.1 to 0.25: boxes in two tones. Below: plain boxes.
-//! Selection and errors show at every level.
+//! Zoom above 0.4: everything. 0.25 to 0.4: titles and sockets. 0.1 to 0.25: boxes in two tones.
+//! Below: plain boxes. Selection and errors show at every level.
 
 use eframe::egui;
 use std::sync::Arc;
@@ -43,9 +44,9 @@ impl Canvas {
             Gesture::Wire(drag) => Some(self.fitting_sockets(drag.fixed)),
             _ => None,
         };
-        let fits = fits
-            .as_ref()
-            .map(|fits| move |socket: Socket| fits.contains(&(socket.node, socket.port, socket.is_output)));
+        let fits = fits.as_ref().map(|fits| {
+            move |socket: Socket| fits.contains(&(socket.node, socket.port, socket.is_output))
+        });
         let mut buffer = std::mem::take(&mut self.buffer);
         // The frame before has let go of its share by now, so this copies nothing.
         let mesh = Arc::make_mut(&mut buffer);
@@ -86,7 +87,8 @@ impl Canvas {
         let visible = self.view.visible();
         let fade = ((step * self.view.zoom - 18.0) / 30.0).clamp(0.25, 1.0);
         let color = colors.grid.gamma_multiply(fade);
-        let first = pos2((visible.min.x / step).floor() * step, (visible.min.y / step).floor() * step);
+        let first =
+            pos2((visible.min.x / step).floor() * step, (visible.min.y / step).floor() * step);
         let columns = (visible.width() / step) as usize + 2;
         let rows = (visible.height() / step) as usize + 2;
         for row in 0..rows {
@@ -127,7 +129,9 @@ impl Canvas {
             let (width, color) = match (is_cut, is_marked) {
                 (true, _) => (width + 1.5, pen.colors.error),
                 (_, true) => (width + 1.5, lighter(color)),
-                _ if self.table.nodes[wire.from.node].is_unused => (width, color.gamma_multiply(fade * 0.4)),
+                _ if self.table.nodes[wire.from.node].is_unused => {
+                    (width, color.gamma_multiply(fade * 0.4))
+                }
                 _ => (width, color.gamma_multiply(fade)),
             };
             ribbon(mesh, &c, width, color, clip, tolerance);
@@ -142,11 +146,23 @@ impl Canvas {
     fn draw_loose_wire(&self, mesh: &mut Mesh, colors: &Colors, end: Option<Pos2>) {
         let (Gesture::Wire(drag), Some(end)) = (&self.gesture, end) else { return };
         let fixed = self.table.place(drag.fixed);
-        let end = drag.target.map_or_else(|| self.view.to_graph(end), |socket| self.table.place(socket));
-        let c = if drag.fixed.is_output { curve_between(fixed, end) } else { curve_between(end, fixed) };
+        let end =
+            drag.target.map_or_else(|| self.view.to_graph(end), |socket| self.table.place(socket));
+        let c = if drag.fixed.is_output {
+            curve_between(fixed, end)
+        } else {
+            curve_between(end, fixed)
+        };
         let c = c.map(|p| self.view.to_screen(p));
         let color = colors.of_type(&self.table.socket_type(drag.fixed));
-        ribbon(mesh, &c, (2.4 * self.view.zoom).max(1.5) + 0.6, color, self.view.screen.expand(4.0), 0.25);
+        ribbon(
+            mesh,
+            &c,
+            (2.4 * self.view.zoom).max(1.5) + 0.6,
+            color,
+            self.view.screen.expand(4.0),
+            0.25,
+        );
     }
 
     fn draw_node(&mut self, mesh: &mut Mesh, pen: &Pen<'_>, index: usize) {
@@ -180,7 +196,13 @@ impl Canvas {
         let head = Rect::from_min_size(r.min, vec2(r.width(), TITLE_HEIGHT * pen.zoom));
         let is_hovered = self.hovered == Some(Hit::Node(index));
         let is_head = row.is_collapsed;
-        rounded(mesh, head, round, (true, is_head), if is_hovered { lighter(title) } else { title });
+        rounded(
+            mesh,
+            head,
+            round,
+            (true, is_head),
+            if is_hovered { lighter(title) } else { title },
+        );
         let is_dim = row.is_muted || self.idle_of(row).is_some();
         if pen.zoom > SOCKETS {
             self.draw_text(mesh, pen, index);
@@ -202,10 +224,12 @@ impl Canvas {
     }
 
     fn draw_sockets(&self, mesh: &mut Mesh, pen: &Pen<'_>, index: usize, is_dim: bool) {
-        // Those of a collapsed node lie on one another: the first of each side is seen, and whatever fits a wire.
+        // Those of a collapsed node lie on one another: the first of each side is seen, and
+        // whatever fits a wire.
         let row = &self.table.nodes[index];
         let is_first = |at: &Socket| {
-            let mut sockets = self.table.sockets(index).filter(|other| other.is_output == at.is_output);
+            let mut sockets =
+                self.table.sockets(index).filter(|other| other.is_output == at.is_output);
             sockets.next() == Some(*at) || pen.fits.is_some_and(|fits| fits(*at))
         };
         for at in self.table.sockets(index).filter(|at| !row.is_collapsed || is_first(at)) {
@@ -220,7 +244,13 @@ impl Canvas {
                 _ => pen.colors.of_type(ty),
             };
             if pen.zoom > ALL_TEXT {
-                socket(mesh, theme::SocketShape::of(ty), center, radius + 1.5, pen.colors.node_edge);
+                socket(
+                    mesh,
+                    theme::SocketShape::of(ty),
+                    center,
+                    radius + 1.5,
+                    pen.colors.node_edge,
+                );
             }
             socket(mesh, theme::SocketShape::of(ty), center, radius, color);
         }
@@ -229,9 +259,11 @@ impl Canvas {
     fn draw_text(&mut self, mesh: &mut Mesh, pen: &Pen<'_>, index: usize) {
         let look = pen.session.look();
         let row = &self.table.nodes[index];
-        let tag = if row.is_muted { "muted" } else { self.idle_of(row).map_or("", |idle| idle.word) };
+        let tag =
+            if row.is_muted { "muted" } else { self.idle_of(row).map_or("", |idle| idle.word) };
         let id = row.id.clone();
-        let value = if tag.is_empty() { self.value_of(pen.session, &id).map(str::to_owned) } else { None };
+        let value =
+            if tag.is_empty() { self.value_of(pen.session, &id).map(str::to_owned) } else { None };
         let row = &mut self.table.nodes[index];
         let end = Node::default();
         let node = match pen.session.graph().nodes.get(&row.id) {
@@ -257,13 +289,17 @@ impl Canvas {
             let size = vec2(28.0, ROW_HEIGHT - 7.0) * pen.zoom;
             let r = Rect::from_center_size(corner + *offset * pen.zoom, size);
             rounded(mesh, r.expand(1.0), 3.0 * pen.zoom, (true, true), pen.colors.swatch_edge);
-            let [red, green, blue, alpha] = color.map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
-            // Left half opaque, so that the hue of a transparent colour is seen.
+            let [red, green, blue, alpha] =
+                color.map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
+            // Left half opaque, so that the hue of a transparent color is seen.
             rounded(mesh, r, 2.0 * pen.zoom, (true, true), Color32::from_rgb(red, green, blue));
             if alpha < 255 {
                 let right = Rect::from_min_max(r.center_top(), r.max);
                 mesh.add_colored_rect(right, pen.colors.node);
-                mesh.add_colored_rect(right, Color32::from_rgba_unmultiplied(red, green, blue, alpha));
+                mesh.add_colored_rect(
+                    right,
+                    Color32::from_rgba_unmultiplied(red, green, blue, alpha),
+                );
             }
         }
     }
@@ -276,8 +312,9 @@ impl Canvas {
         socket(mesh, theme::SocketShape::Circle, center, radius, color);
         // An exclamation mark.
         let unit = radius / 8.0;
-        let stroke =
-            |y: f32, height: f32| Rect::from_center_size(center + vec2(0.0, y * unit), vec2(2.0, height) * unit);
+        let stroke = |y: f32, height: f32| {
+            Rect::from_center_size(center + vec2(0.0, y * unit), vec2(2.0, height) * unit)
+        };
         mesh.add_colored_rect(stroke(-1.6, 5.6), pen.colors.node_edge);
         mesh.add_colored_rect(stroke(3.6, 2.0), pen.colors.node_edge);
     }

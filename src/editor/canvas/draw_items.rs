@@ -22,8 +22,13 @@ impl Canvas {
     /// Notes are as high as their text.
     pub(super) fn measure_notes(&mut self, ui: &Ui) {
         for note in self.table.notes.iter_mut().filter(|note| note.text.is_none()) {
-            let text =
-                lay_out(ui.painter(), &note.content, 2 * TEXT_SIZE as i32, note.rect.width(), Color32::PLACEHOLDER);
+            let text = lay_out(
+                ui.painter(),
+                &note.content,
+                2 * TEXT_SIZE as i32,
+                note.rect.width(),
+                Color32::PLACEHOLDER,
+            );
             note.rect.set_height(text.size().y + 2.0 * PADDING);
             note.text = Some((0, text));
         }
@@ -39,13 +44,22 @@ impl Canvas {
             _ => None,
         };
         let view = self.view;
-        for frame in self.table.frames.iter_mut().filter(|frame| frame.rect.intersects(pen.visible)) {
+        for frame in self.table.frames.iter_mut().filter(|frame| frame.rect.intersects(pen.visible))
+        {
             let r = view.rect_to_screen(frame.rect);
             let tint = frame.color.map_or(pen.colors.window_edge, color);
             let round = (8.0 * pen.zoom).min(10.0);
-            let is_marked = chosen.as_ref() == Some(&frame.id) || target.as_ref() == Some(&frame.id);
-            let edge = if is_marked { pen.colors.accent } else { mixed(pen.colors.canvas, tint, 0.6) };
-            rounded(mesh, r.expand(if is_marked { 2.0 } else { 1.0 }), round + 1.0, (true, true), edge);
+            let is_marked =
+                chosen.as_ref() == Some(&frame.id) || target.as_ref() == Some(&frame.id);
+            let edge =
+                if is_marked { pen.colors.accent } else { mixed(pen.colors.canvas, tint, 0.6) };
+            rounded(
+                mesh,
+                r.expand(if is_marked { 2.0 } else { 1.0 }),
+                round + 1.0,
+                (true, true),
+                edge,
+            );
             rounded(mesh, r, round, (true, true), mixed(pen.colors.canvas, tint, 0.2));
             let head = Rect::from_min_size(r.min, vec2(r.width(), FRAME_TITLE * pen.zoom));
             rounded(mesh, head, round, (true, false), mixed(pen.colors.canvas, tint, 0.38));
@@ -56,7 +70,8 @@ impl Canvas {
             let half_points = ((TEXT_SIZE + 1.0) * pen.zoom.max(0.7) * 2.0).round() as i32;
             if frame.text.as_ref().is_none_or(|(size, _)| *size != half_points) {
                 let title = if frame.title.is_empty() { "Frame" } else { &frame.title };
-                let text = one_line(pen.painter, title, half_points, r.width() - 20.0, pen.colors.text);
+                let text =
+                    one_line(pen.painter, title, half_points, r.width() - 20.0, pen.colors.text);
                 frame.text = Some((half_points, text));
             }
             if let Some((_, text)) = &frame.text {
@@ -77,8 +92,15 @@ impl Canvas {
             let tint = note.color.map_or(pen.colors.warning, color);
             let round = (4.0 * pen.zoom).min(6.0);
             let is_chosen = chosen.as_ref() == Some(&note.id);
-            let edge = if is_chosen { pen.colors.accent } else { mixed(pen.colors.canvas, tint, 0.45) };
-            rounded(mesh, r.expand(if is_chosen { 2.0 } else { 1.0 }), round + 1.0, (true, true), edge);
+            let edge =
+                if is_chosen { pen.colors.accent } else { mixed(pen.colors.canvas, tint, 0.45) };
+            rounded(
+                mesh,
+                r.expand(if is_chosen { 2.0 } else { 1.0 }),
+                round + 1.0,
+                (true, true),
+                edge,
+            );
             rounded(mesh, r, round, (true, true), mixed(pen.colors.node, tint, 0.12));
             if pen.zoom < SOCKETS {
                 continue;
@@ -86,8 +108,10 @@ impl Canvas {
             let half_points = (TEXT_SIZE * pen.zoom * 2.0).round() as i32;
             if note.text.as_ref().is_none_or(|(size, _)| *size != half_points) {
                 let width = note.rect.width() * pen.zoom;
-                note.text =
-                    Some((half_points, lay_out(pen.painter, &note.content, half_points, width, pen.colors.text)));
+                note.text = Some((
+                    half_points,
+                    lay_out(pen.painter, &note.content, half_points, width, pen.colors.text),
+                ));
             }
             if let Some((_, text)) = &note.text {
                 glyphs(mesh, r.min + vec2(PADDING, PADDING) * pen.zoom, text, pen.uv, pen.pixels);
@@ -95,8 +119,14 @@ impl Canvas {
         }
     }
 
-    /// A mark where a wire's value is made another type: both colours, the new one's shape.
-    pub(super) fn draw_conversion(&self, mesh: &mut Mesh, pen: &Pen<'_>, c: &[Pos2; 4], (from, to): (&Type, &Type)) {
+    /// A mark where a wire's value is made another type: both colors, the new one's shape.
+    pub(super) fn draw_conversion(
+        &self,
+        mesh: &mut Mesh,
+        pen: &Pen<'_>,
+        c: &[Pos2; 4],
+        (from, to): (&Type, &Type),
+    ) {
         let at = point_at(c, 0.5);
         let radius = theme::SOCKET * pen.zoom;
         let shape = theme::SocketShape::of(to);
@@ -111,7 +141,14 @@ impl Canvas {
         let accent = pen.colors.accent;
         let mut line = |a: Pos2, b: Pos2, color| {
             let (a, b) = (self.view.to_screen(a), self.view.to_screen(b));
-            ribbon(mesh, &[a, a + (b - a) / 3.0, a + (b - a) * (2.0 / 3.0), b], 1.2, color, clip, 1.0);
+            ribbon(
+                mesh,
+                &[a, a + (b - a) / 3.0, a + (b - a) * (2.0 / 3.0), b],
+                1.2,
+                color,
+                clip,
+                1.0,
+            );
         };
         match (&self.gesture, pointer) {
             (Gesture::Box { from, .. }, Some(to)) => {
@@ -132,16 +169,23 @@ impl Canvas {
                     line(last, first, accent.gamma_multiply(0.4));
                 }
             }
-            (Gesture::Cut { path }, _) => path.windows(2).for_each(|piece| line(piece[0], piece[1], pen.colors.error)),
+            (Gesture::Cut { path }, _) => {
+                path.windows(2).for_each(|piece| line(piece[0], piece[1], pen.colors.error))
+            }
             (Gesture::Move(drag), _) => {
                 for &(is_upright, at, [from, to]) in &drag.guides {
-                    let (a, b) =
-                        if is_upright { (pos2(at, from), pos2(at, to)) } else { (pos2(from, at), pos2(to, at)) };
+                    let (a, b) = if is_upright {
+                        (pos2(at, from), pos2(at, to))
+                    } else {
+                        (pos2(from, at), pos2(to, at))
+                    };
                     line(a, b, accent);
                 }
                 if let Some((from, to)) = drag.joins {
-                    let c = curve_between(self.table.place(from), self.table.place(to)).map(|p| self.view.to_screen(p));
-                    let color = pen.colors.of_type(&self.table.socket_type(from)).gamma_multiply(0.7);
+                    let c = curve_between(self.table.place(from), self.table.place(to))
+                        .map(|p| self.view.to_screen(p));
+                    let color =
+                        pen.colors.of_type(&self.table.socket_type(from)).gamma_multiply(0.7);
                     ribbon(mesh, &c, (2.4 * pen.zoom).max(1.5), color, clip, 0.25);
                 }
             }
@@ -151,12 +195,29 @@ impl Canvas {
 }
 
 /// A note's text, broken at its width.
-fn lay_out(painter: &Painter, text: &str, half_points: i32, width: f32, color: Color32) -> Arc<Galley> {
+fn lay_out(
+    painter: &Painter,
+    text: &str,
+    half_points: i32,
+    width: f32,
+    color: Color32,
+) -> Arc<Galley> {
     let size = half_points as f32 / 2.0;
     let padding = PADDING * size / TEXT_SIZE;
-    painter.layout(text.to_owned(), FontId::proportional(size), color, (width - 2.0 * padding).max(10.0))
+    painter.layout(
+        text.to_owned(),
+        FontId::proportional(size),
+        color,
+        (width - 2.0 * padding).max(10.0),
+    )
 }
 
-fn one_line(painter: &Painter, text: &str, half_points: i32, width: f32, color: Color32) -> Arc<Galley> {
+fn one_line(
+    painter: &Painter,
+    text: &str,
+    half_points: i32,
+    width: f32,
+    color: Color32,
+) -> Arc<Galley> {
     super::text::one_line(painter, text, half_points as f32 / 2.0, width, color)
 }

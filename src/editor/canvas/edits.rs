@@ -9,7 +9,9 @@ use indexmap::IndexMap;
 use super::super::catalog::{CODE, CUSTOM_CODE, CUSTOM_KIND, Kind};
 use super::super::session::Session;
 use crate::document::{Edit, Endpoint, Frame, Light, Node, Note, Value, Wire, grouping};
-use crate::ids::{FrameId, GROUP_INPUTS, GROUP_OUTPUTS, LightId, NodeId, NoteId, PortName, make_slug};
+use crate::ids::{
+    FrameId, GROUP_INPUTS, GROUP_OUTPUTS, LightId, NodeId, NoteId, PortName, make_slug,
+};
 use crate::library::Type;
 
 /// How far a copy lies from what it was made of.
@@ -44,7 +46,12 @@ pub(crate) fn add(session: &Session, kind: &Kind, at: Pos2) -> (NodeId, Vec<Edit
         });
         node.values.insert(input.name.clone(), Value::Text(light.to_string()));
     }
-    edits.push(Edit::AddNode { graph: session.graph_id().clone(), id: id.clone(), node, index: None });
+    edits.push(Edit::AddNode {
+        graph: session.graph_id().clone(),
+        id: id.clone(),
+        node,
+        index: None,
+    });
     (id, edits)
 }
 
@@ -84,13 +91,21 @@ pub(crate) fn duplicate(session: &Session, nodes: &[NodeId]) -> (Vec<NodeId>, Ed
         let Some(to) = new_ids.get(&wire.to.node) else { continue };
         let from = new_ids.get(&wire.from.node).unwrap_or(&wire.from.node);
         let from = Endpoint { node: from.clone(), port: wire.from.port.clone() };
-        edits.push(connect(session, from, Endpoint { node: to.clone(), port: wire.to.port.clone() }));
+        edits.push(connect(
+            session,
+            from,
+            Endpoint { node: to.clone(), port: wire.to.port.clone() },
+        ));
     }
     (new_ids.into_values().collect(), Edit::Group { edits })
 }
 
 /// Moves nodes by the same way.
-pub(crate) fn translate<'a>(session: &Session, nodes: impl Iterator<Item = &'a NodeId>, by: egui::Vec2) -> Edit {
+pub(crate) fn translate<'a>(
+    session: &Session,
+    nodes: impl Iterator<Item = &'a NodeId>,
+    by: egui::Vec2,
+) -> Edit {
     let of = session.graph();
     let moved = nodes.filter_map(|id| {
         let [x, y] = of.nodes.get(id)?.position;
@@ -112,8 +127,10 @@ pub(crate) fn group(session: &Session, nodes: &[NodeId]) -> Option<(NodeId, Edit
     // The look's output stays in the look.
     let nodes: Vec<NodeId> = nodes.iter().filter(|id| !is_output(session, id)).cloned().collect();
     let taken = |slug: &str| session.catalog.get(slug).is_some();
-    let first = |node: &Node| session.catalog.of(node)?.outputs.first().map(|port| port.name.clone());
-    let grouped = grouping::group(session.look(), session.graph_id(), &nodes, "Group", taken, first)?;
+    let first =
+        |node: &Node| session.catalog.of(node)?.outputs.first().map(|port| port.name.clone());
+    let grouped =
+        grouping::group(session.look(), session.graph_id(), &nodes, "Group", taken, first)?;
     Some((grouped.node, grouped.edit))
 }
 
@@ -121,8 +138,12 @@ fn is_output(session: &Session, id: &NodeId) -> bool {
     session.graph().nodes.get(id).is_some_and(|node| node.kind == "output")
 }
 
-/// Dissolves groups one after the other. Returns the nodes that take their place and the edit, or why it cannot be.
-pub(crate) fn ungroup(session: &Session, nodes: &[NodeId]) -> Result<Option<(Vec<NodeId>, Edit)>, String> {
+/// Dissolves groups one after the other. Returns the nodes that take their place and the edit, or
+/// why it cannot be.
+pub(crate) fn ungroup(
+    session: &Session,
+    nodes: &[NodeId],
+) -> Result<Option<(Vec<NodeId>, Edit)>, String> {
     let mut trial = session.look().clone();
     let (mut all, mut edits) = (Vec::new(), Vec::new());
     for id in nodes {
@@ -141,14 +162,20 @@ pub(crate) fn ungroup(session: &Session, nodes: &[NodeId]) -> Result<Option<(Vec
 /// Puts a frame around nodes, out of the frames that they are in.
 pub(crate) fn frame(session: &Session, nodes: &[NodeId]) -> Option<(FrameId, Edit)> {
     let of = session.graph();
-    let nodes: Vec<NodeId> = nodes.iter().filter(|id| of.nodes.contains_key(*id)).cloned().collect();
+    let nodes: Vec<NodeId> =
+        nodes.iter().filter(|id| of.nodes.contains_key(*id)).cloned().collect();
     if nodes.is_empty() {
         return None;
     }
     let mut edits = leave_frames(session, &nodes);
     let id = FrameId::new(make_slug("frame", |slug| of.frames.contains_key(slug)));
     let frame = Frame { title: "Frame".to_owned(), color: Vec::new(), nodes };
-    edits.push(Edit::AddFrame { graph: session.graph_id().clone(), id: id.clone(), frame, index: None });
+    edits.push(Edit::AddFrame {
+        graph: session.graph_id().clone(),
+        id: id.clone(),
+        frame,
+        index: None,
+    });
     Some((id, Edit::Group { edits }))
 }
 
@@ -157,7 +184,8 @@ pub(crate) fn leave_frames(session: &Session, nodes: &[NodeId]) -> Vec<Edit> {
     let graph = session.graph_id();
     let mut edits = Vec::new();
     for (id, frame) in &session.graph().frames {
-        let rest: Vec<NodeId> = frame.nodes.iter().filter(|id| !nodes.contains(id)).cloned().collect();
+        let rest: Vec<NodeId> =
+            frame.nodes.iter().filter(|id| !nodes.contains(id)).cloned().collect();
         if rest.len() == frame.nodes.len() {
             continue;
         }
@@ -175,8 +203,11 @@ pub(crate) fn leave_frames(session: &Session, nodes: &[NodeId]) -> Vec<Edit> {
 pub(crate) fn join_frame(session: &Session, nodes: &[NodeId], to: Option<&FrameId>) -> Vec<Edit> {
     let frames = &session.graph().frames;
     let target = to.and_then(|id| Some((id, frames.get(id)?)));
-    let moving: Vec<NodeId> =
-        nodes.iter().filter(|id| target.is_none_or(|(_, frame)| !frame.nodes.contains(id))).cloned().collect();
+    let moving: Vec<NodeId> = nodes
+        .iter()
+        .filter(|id| target.is_none_or(|(_, frame)| !frame.nodes.contains(id)))
+        .cloned()
+        .collect();
     if moving.is_empty() {
         return Vec::new();
     }
@@ -190,14 +221,22 @@ pub(crate) fn join_frame(session: &Session, nodes: &[NodeId], to: Option<&FrameI
 }
 
 /// Changes a frame.
-pub(crate) fn set_frame(session: &Session, id: &FrameId, change: impl FnOnce(&mut Frame)) -> Option<Edit> {
+pub(crate) fn set_frame(
+    session: &Session,
+    id: &FrameId,
+    change: impl FnOnce(&mut Frame),
+) -> Option<Edit> {
     let mut frame = session.graph().frames.get(id)?.clone();
     change(&mut frame);
     Some(Edit::SetFrame { graph: session.graph_id().clone(), id: id.clone(), frame })
 }
 
 /// Changes a note.
-pub(crate) fn set_note(session: &Session, id: &NoteId, change: impl FnOnce(&mut Note)) -> Option<Edit> {
+pub(crate) fn set_note(
+    session: &Session,
+    id: &NoteId,
+    change: impl FnOnce(&mut Note),
+) -> Option<Edit> {
     let mut note = session.graph().notes.get(id)?.clone();
     change(&mut note);
     Some(Edit::SetNote { graph: session.graph_id().clone(), id: id.clone(), note })
@@ -208,19 +247,29 @@ pub(crate) fn note(session: &Session, at: Pos2) -> (NoteId, Edit) {
     let id = NoteId::new(make_slug("note", |slug| session.graph().notes.contains_key(slug)));
     let position = [f64::from(at.x).round(), f64::from(at.y).round()];
     let note = Note { text: "Note".to_owned(), position, ..Note::default() };
-    let edit = Edit::AddNote { graph: session.graph_id().clone(), id: id.clone(), note, index: None };
+    let edit =
+        Edit::AddNote { graph: session.graph_id().clone(), id: id.clone(), note, index: None };
     (id, edit)
 }
 
-/// The output of a kind that fits an input best, and the input: exact types first, then what loses nothing.
-pub(crate) fn best_pair(from: &Kind, to: &Kind, is_free: impl Fn(usize) -> bool) -> Option<(usize, usize)> {
+/// The output of a kind that fits an input best, and the input: exact types first, then what loses
+/// nothing.
+pub(crate) fn best_pair(
+    from: &Kind,
+    to: &Kind,
+    is_free: impl Fn(usize) -> bool,
+) -> Option<(usize, usize)> {
     let mut best: Option<(i32, usize, usize)> = None;
     for (output, out) in from.outputs.iter().enumerate() {
         for (input, port) in to.inputs.iter().enumerate().filter(|(_, port)| port.is_wirable()) {
             if !port.takes(&out.ty) && !from.is_reroute {
                 continue;
             }
-            let exact = if port.ty == out.ty { 4 } else { i32::from(out.ty.converts_without_loss(&port.ty)) * 2 };
+            let exact = if port.ty == out.ty {
+                4
+            } else {
+                i32::from(out.ty.converts_without_loss(&port.ty)) * 2
+            };
             let free = if is_free(input) { 8 } else { 0 };
             // What a node is about comes in first.
             let score = exact + free - (input as i32 + output as i32).min(3);
@@ -232,12 +281,17 @@ pub(crate) fn best_pair(from: &Kind, to: &Kind, is_free: impl Fn(usize) -> bool)
     best.map(|(_, output, input)| (output, input))
 }
 
-/// Removes nodes and wires what fed each to what it fed, where it would let it through were it muted.
+/// Removes nodes and wires what fed each to what it fed, where it would let it through were it
+/// muted.
 pub(crate) fn dissolve(session: &Session, nodes: &[NodeId]) -> Option<Edit> {
     let of = session.graph();
     let gone: HashSet<&NodeId> = nodes.iter().filter(|id| of.nodes.contains_key(*id)).collect();
     let mut edits = Vec::new();
-    for wire in of.wires.iter().filter(|wire| gone.contains(&wire.from.node) && !gone.contains(&wire.to.node)) {
+    for wire in of
+        .wires
+        .iter()
+        .filter(|wire| gone.contains(&wire.from.node) && !gone.contains(&wire.to.node))
+    {
         let mut from = wire.from.clone();
         // Through all that go; rings end this.
         for _ in 0..=gone.len() {
@@ -262,7 +316,8 @@ fn through(session: &Session, from: &Endpoint) -> Option<Endpoint> {
     let output = &kind.outputs[kind.output(from.port.as_str())?];
     let like = |wire: &&Wire| {
         let input = kind.input(wire.to.port.as_str()).map(|index| &kind.inputs[index]);
-        wire.to.node == from.node && input.is_some_and(|input| input.ty == output.ty || kind.is_reroute)
+        wire.to.node == from.node
+            && input.is_some_and(|input| input.ty == output.ty || kind.is_reroute)
     };
     let mut wires: Vec<&Wire> = of.wires.iter().filter(like).collect();
     wires.sort_by_key(|wire| (wire.to.port != output.name, kind.input(wire.to.port.as_str())));
@@ -275,7 +330,8 @@ pub(crate) fn swap(session: &Session, id: &NodeId, kind: &Kind) -> Option<Edit> 
     let graph = session.graph_id();
     let node = of.nodes.get(id)?;
     let old = session.catalog.of(node);
-    let mut edits = vec![Edit::SetKind { graph: graph.clone(), id: id.clone(), kind: kind.id.clone() }];
+    let mut edits =
+        vec![Edit::SetKind { graph: graph.clone(), id: id.clone(), kind: kind.id.clone() }];
     let mut claimed: HashSet<usize> = HashSet::new();
     let into: Vec<&Wire> = of.wires.iter().filter(|wire| wire.to.node == *id).collect();
     let mut rest = Vec::new();
@@ -298,8 +354,10 @@ pub(crate) fn swap(session: &Session, id: &NodeId, kind: &Kind) -> Option<Edit> 
         }
     }
     for wire in of.wires.iter().filter(|wire| wire.from.node == *id) {
-        let takes = |index: &usize| takes(session, &wire.to, &kind.outputs[*index].ty) || kind.is_reroute;
-        if wire.from.port.as_str().is_empty() && kind.output("").is_some_and(|index| takes(&index)) {
+        let takes =
+            |index: &usize| takes(session, &wire.to, &kind.outputs[*index].ty) || kind.is_reroute;
+        if wire.from.port.as_str().is_empty() && kind.output("").is_some_and(|index| takes(&index))
+        {
             continue;
         }
         if kind.output(wire.from.port.as_str()).is_some_and(|index| takes(&index)) {
@@ -316,19 +374,36 @@ pub(crate) fn swap(session: &Session, id: &NodeId, kind: &Kind) -> Option<Edit> 
 }
 
 /// Values that the new kind does not know, or knows as something else, go.
-fn swap_values(session: &Session, id: &NodeId, node: &Node, old: Option<&Kind>, kind: &Kind) -> Vec<Edit> {
+fn swap_values(
+    session: &Session,
+    id: &NodeId,
+    node: &Node,
+    old: Option<&Kind>,
+    kind: &Kind,
+) -> Vec<Edit> {
     let graph = session.graph_id();
-    let type_in = |kind: &Kind, port: &PortName| Some(kind.inputs[kind.input(port.as_str())?].ty.clone());
+    let type_in =
+        |kind: &Kind, port: &PortName| Some(kind.inputs[kind.input(port.as_str())?].ty.clone());
     let mut edits = Vec::new();
     for port in node.values.keys() {
-        let stays =
-            type_in(kind, port).is_some_and(|ty| old.and_then(|old| type_in(old, port)).is_none_or(|old| old == ty));
+        let stays = type_in(kind, port)
+            .is_some_and(|ty| old.and_then(|old| type_in(old, port)).is_none_or(|old| old == ty));
         if !stays {
-            edits.push(Edit::ClearValue { graph: graph.clone(), id: id.clone(), port: port.clone() });
+            edits.push(Edit::ClearValue {
+                graph: graph.clone(),
+                id: id.clone(),
+                port: port.clone(),
+            });
         }
     }
     let mut set = |port: PortName, value: Value| {
-        edits.push(Edit::SetValue { graph: graph.clone(), id: id.clone(), port, value, index: None });
+        edits.push(Edit::SetValue {
+            graph: graph.clone(),
+            id: id.clone(),
+            port,
+            value,
+            index: None,
+        });
     };
     if kind.id == CUSTOM_KIND && !node.values.contains_key(CODE) {
         set(CODE.into(), Value::Text(CUSTOM_CODE.to_owned()));

@@ -68,10 +68,12 @@ pub(super) struct WireDrag {
 }
 
 impl Canvas {
-    /// The wheel zooms about the pointer; middle, right or space drags move the view; a right drag with Ctrl cuts.
+    /// The wheel zooms about the pointer; middle, right or space drags move the view; a right drag
+    /// with Ctrl cuts.
     pub(super) fn navigate(&mut self, ui: &Ui, response: &Response, pointer: Option<Pos2>) {
         if let Some(at) = pointer.filter(|_| self.palette.is_none()) {
-            let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
+            let (scroll, pinch) =
+                ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
             let factor = (scroll / 380.0).exp() * pinch;
             if factor != 1.0 {
                 self.view.zoom_about(at, factor);
@@ -88,8 +90,10 @@ impl Canvas {
             self.gesture = Gesture::Cut { path: vec![self.view.to_graph(origin)] };
             return;
         }
-        let with_space = response.dragged_by(PointerButton::Primary) && ui.input(|input| input.key_down(Key::Space));
-        let is_pan = response.dragged_by(PointerButton::Middle) || response.dragged_by(PointerButton::Secondary);
+        let with_space = response.dragged_by(PointerButton::Primary)
+            && ui.input(|input| input.key_down(Key::Space));
+        let is_pan = response.dragged_by(PointerButton::Middle)
+            || response.dragged_by(PointerButton::Secondary);
         if (is_pan || with_space) && matches!(self.gesture, Gesture::Idle | Gesture::Pan) {
             self.view.pan(response.drag_delta());
             self.gesture = Gesture::Pan;
@@ -97,7 +101,13 @@ impl Canvas {
     }
 
     /// Clicks and drags.
-    pub(super) fn gestures(&mut self, ui: &Ui, response: &Response, session: &Session, out: &mut Vec<Command>) {
+    pub(super) fn gestures(
+        &mut self,
+        ui: &Ui,
+        response: &Response,
+        session: &Session,
+        out: &mut Vec<Command>,
+    ) {
         let modifiers = ui.input(|input| input.modifiers);
         if response.drag_started_by(PointerButton::Primary)
             && matches!(self.gesture, Gesture::Idle)
@@ -149,7 +159,9 @@ impl Canvas {
                 let is_title = self.view.to_graph(at).y < row.rect.min.y + TITLE_HEIGHT;
                 match self.open(session, &row.id) {
                     Some(open) => out.push(open),
-                    None if is_title && !row.is_end => self.edit_when_there = Some(Item::Node(row.id.clone())),
+                    None if is_title && !row.is_end => {
+                        self.edit_when_there = Some(Item::Node(row.id.clone()))
+                    }
                     None => {}
                 }
             }
@@ -163,7 +175,9 @@ impl Canvas {
         let Some(kind) = session.catalog.get("reroute") else { return };
         let at = self.view.to_graph(at) - egui::vec2(NODE_WIDTH / 2.0, TITLE_HEIGHT + ROW_HEIGHT);
         let (id, mut all) = edits::add(session, kind, at);
-        let (Some(input), Some(output)) = (kind.inputs.first(), kind.outputs.first()) else { return };
+        let (Some(input), Some(output)) = (kind.inputs.first(), kind.outputs.first()) else {
+            return;
+        };
         let row = &self.table.wires[wire];
         let into = Endpoint { node: id.clone(), port: input.name.clone() };
         let from = Endpoint { node: id.clone(), port: output.name.clone() };
@@ -179,7 +193,9 @@ impl Canvas {
         match hit {
             Some(Hit::Wire(index)) if modifiers.alt => {
                 let wire = session.graph().wires.get(self.table.wires[index].index);
-                out.extend(wire.map(|wire| Command::Edit(edits::disconnect(session, wire.clone()))));
+                out.extend(
+                    wire.map(|wire| Command::Edit(edits::disconnect(session, wire.clone()))),
+                );
             }
             Some(Hit::Node(index) | Hit::Socket(Socket { node: index, .. })) => {
                 let id = self.table.nodes[index].id.clone();
@@ -197,7 +213,13 @@ impl Canvas {
         }
     }
 
-    fn start_drag(&mut self, origin: Pos2, modifiers: Modifiers, session: &Session, out: &mut Vec<Command>) {
+    fn start_drag(
+        &mut self,
+        origin: Pos2,
+        modifiers: Modifiers,
+        session: &Session,
+        out: &mut Vec<Command>,
+    ) {
         let keep = modifiers.shift || modifiers.command;
         let before = || if keep { session.selected().cloned().collect() } else { Vec::new() };
         let from = self.view.to_graph(origin);
@@ -250,14 +272,17 @@ impl Canvas {
 
     pub(super) fn loose(&self, socket: Socket) -> Loose {
         let kind = &self.table.nodes[socket.node].kind;
-        let accepts = if socket.is_output { Vec::new() } else { kind.inputs[socket.port].accepts.clone() };
+        let accepts =
+            if socket.is_output { Vec::new() } else { kind.inputs[socket.port].accepts.clone() };
         let ty = self.table.socket_type(socket);
         Loose { end: self.endpoint(socket), ty, accepts, is_output: socket.is_output }
     }
 
     /// Takes the Tab key before it moves the focus, while the pointer is on the canvas.
     pub(crate) fn claim_tab(&mut self, ui: &Ui) {
-        let is_here = ui.input(|input| input.pointer.hover_pos()).is_some_and(|at| self.view.screen.contains(at));
+        let is_here = ui
+            .input(|input| input.pointer.hover_pos())
+            .is_some_and(|at| self.view.screen.contains(at));
         self.wants_search = is_here
             && self.palette.is_none()
             && !shortcuts::is_keyboard_taken(ui.ctx())
@@ -297,7 +322,8 @@ impl Canvas {
         if let Some((loose, port)) = fit {
             let ports = if loose.is_output { &kind.inputs } else { &kind.outputs };
             let new = Endpoint { node: id.clone(), port: ports[port].name.clone() };
-            let (from, to) = if loose.is_output { (loose.end.clone(), new) } else { (new, loose.end.clone()) };
+            let (from, to) =
+                if loose.is_output { (loose.end.clone(), new) } else { (new, loose.end.clone()) };
             all.push(edits::connect(session, from, to));
         }
         out.push(Command::Edit(Edit::Group { edits: all }));

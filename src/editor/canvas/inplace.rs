@@ -79,7 +79,8 @@ impl Canvas {
         let is_note = matches!(editing.item, Item::Note(_));
         let size = TEXT_SIZE * self.view.zoom.clamp(0.8, 1.5);
         let width = place.width().max(if is_note { 160.0 } else { 120.0 });
-        let area = Area::new(Id::unique("edit in place")).order(Order::Foreground).fixed_pos(place.min);
+        let area =
+            Area::new(Id::unique("edit in place")).order(Order::Foreground).fixed_pos(place.min);
         let label = match &editing.item {
             Item::Node(_) => "Name of the node",
             Item::Frame(_) => "Title of the frame",
@@ -101,7 +102,8 @@ impl Canvas {
             }
             response
         });
-        let is_done = is_note && ui.input_mut(|input| input.consume_key(Modifiers::COMMAND, Key::Enter));
+        let is_done =
+            is_note && ui.input_mut(|input| input.consume_key(Modifiers::COMMAND, Key::Enter));
         is_done || shown.inner.lost_focus()
     }
 

@@ -1,4 +1,5 @@
-//! What nodes are marked with: errors and warnings with what would mend them, and why a node adds nothing.
+//! What nodes are marked with: errors and warnings with what would mend them, and why a node adds
+//! nothing.
 
 use std::collections::HashMap;
 
@@ -39,7 +40,9 @@ pub(super) fn marks(session: &Session) -> HashMap<NodeId, Mark> {
                 mark.text += &text;
                 mark.fixes.extend(fixes);
             }
-            None => drop(marks.insert(id.clone(), Mark { severity: problem.severity, text, fixes })),
+            None => {
+                drop(marks.insert(id.clone(), Mark { severity: problem.severity, text, fixes }))
+            }
         }
     }
     marks
@@ -63,7 +66,8 @@ pub(super) fn idle(session: &Session) -> HashMap<NodeId, Idle> {
     }
     for (id, removals) in by_step {
         let own = removals.iter().find(|removal| removal.path.ids().len() == here.len() + 1);
-        let inner = || removals.iter().find(|removal| word(removal).is_some_and(|word| word != UNUSED));
+        let inner =
+            || removals.iter().find(|removal| word(removal).is_some_and(|word| word != UNUSED));
         let removal = match own {
             Some(own) => Some(own),
             None if is_left.contains(id) => None,
@@ -72,7 +76,10 @@ pub(super) fn idle(session: &Session) -> HashMap<NodeId, Idle> {
         if let Some(removal) = removal
             && let Some(word) = word(removal)
         {
-            found.insert(id.clone(), Idle { word, reason: format!("Adds nothing: {}.", removal.reason) });
+            found.insert(
+                id.clone(),
+                Idle { word, reason: format!("Adds nothing: {}.", removal.reason) },
+            );
         }
     }
     // What drives keys is read before there is a fragment.

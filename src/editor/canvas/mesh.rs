@@ -14,7 +14,14 @@ fn pieces(c: &[Pos2; 4], tolerance: f32) -> usize {
 }
 
 /// A curve as a ribbon with soft edges; pieces outside `clip` are left out.
-pub(crate) fn ribbon(mesh: &mut Mesh, c: &[Pos2; 4], width: f32, color: Color32, clip: Rect, tolerance: f32) {
+pub(crate) fn ribbon(
+    mesh: &mut Mesh,
+    c: &[Pos2; 4],
+    width: f32,
+    color: Color32,
+    clip: Rect,
+    tolerance: f32,
+) {
     let n = pieces(c, tolerance);
     let half = width * 0.5 + 0.5;
     let core = (width * 0.5 - 0.5).max(0.0);
@@ -48,7 +55,14 @@ pub(crate) fn ribbon(mesh: &mut Mesh, c: &[Pos2; 4], width: f32, color: Color32,
         let end = mesh.vertices.len() as u32 - across;
         let start = end - across;
         for k in 0..across - 1 {
-            mesh.indices.extend_from_slice(&[start + k, start + k + 1, end + k, end + k, start + k + 1, end + k + 1]);
+            mesh.indices.extend_from_slice(&[
+                start + k,
+                start + k + 1,
+                end + k,
+                end + k,
+                start + k + 1,
+                end + k + 1,
+            ]);
         }
     }
 }
@@ -70,7 +84,13 @@ pub(crate) fn convex(mesh: &mut Mesh, outline: &[Pos2], center: Pos2, color: Col
 }
 
 /// A socket's shape around its centre.
-pub(crate) fn socket(mesh: &mut Mesh, shape: SocketShape, center: Pos2, radius: f32, color: Color32) {
+pub(crate) fn socket(
+    mesh: &mut Mesh,
+    shape: SocketShape,
+    center: Pos2,
+    radius: f32,
+    color: Color32,
+) {
     let points = shape.outline();
     let mut outline = [Pos2::ZERO; 12];
     for (place, &(x, y)) in outline.iter_mut().zip(points) {
@@ -86,7 +106,13 @@ pub(crate) fn plain(mesh: &mut Mesh, r: Rect, color: Color32) {
 }
 
 /// A rectangle with round corners, where `top` and `bottom` say whether those are round.
-pub(crate) fn rounded(mesh: &mut Mesh, r: Rect, radius: f32, (top, bottom): (bool, bool), color: Color32) {
+pub(crate) fn rounded(
+    mesh: &mut Mesh,
+    r: Rect,
+    radius: f32,
+    (top, bottom): (bool, bool),
+    color: Color32,
+) {
     const STEPS: usize = 4;
     let radius = radius.min(r.width() / 2.0).min(r.height() / 2.0);
     let corners = [
@@ -101,8 +127,9 @@ pub(crate) fn rounded(mesh: &mut Mesh, r: Rect, radius: f32, (top, bottom): (boo
     for (corner, inward, start, is_round) in corners {
         let steps = if is_round && radius > 1.0 { STEPS } else { 0 };
         for step in 0..=steps {
-            let angle =
-                start + std::f32::consts::FRAC_PI_2 * (if steps == 0 { 0.5 } else { step as f32 / steps as f32 });
+            let angle = start
+                + std::f32::consts::FRAC_PI_2
+                    * (if steps == 0 { 0.5 } else { step as f32 / steps as f32 });
             let out = vec2(angle.cos(), angle.sin());
             let p = if steps == 0 { corner } else { corner + inward * radius + out * radius };
             let soft = if steps == 0 { -inward * 0.5 } else { out * 0.5 };
@@ -117,10 +144,11 @@ pub(crate) fn rounded(mesh: &mut Mesh, r: Rect, radius: f32, (top, bottom): (boo
     }
 }
 
-/// Copies a galley's glyphs: what egui's tessellator does, without a shape for each line. `uv` is one over the size of
-/// the font image; `pixels` are the screen's for each point.
+/// Copies a galley's glyphs: what egui's tessellator does, without a shape for each line. `uv` is
+/// one over the size of the font image; `pixels` are the screen's for each point.
 pub(crate) fn glyphs(mesh: &mut Mesh, at: Pos2, galley: &Galley, uv: Vec2, pixels: f32) {
-    // On whole pixels, as the tessellator does it, or glyphs blur and catch specks of their neighbours.
+    // On whole pixels, as the tessellator does it, or glyphs blur and catch specks of their
+    // neighbours.
     let at = pos2((at.x * pixels).round() / pixels, (at.y * pixels).round() / pixels);
     for row in &galley.rows {
         let from = &row.visuals.mesh;

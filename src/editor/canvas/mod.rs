@@ -1,8 +1,9 @@
-//! The node canvas. It owns no graph: it reads the document, keeps a table derived from it, draws what is in view as one
-//! mesh, and returns what the artist's hand asks for.
+//! The node canvas. It owns no graph: it reads the document, keeps a table derived from it, draws
+//! what is in view as one mesh, and returns what the artist's hand asks for.
 //!
-//! One widget covers the canvas, and what lies under the pointer is found in the table; 5,000 nodes as widgets of their
-//! own would cost tens of milliseconds a frame (docs/decisions.md has the measurements).
+//! One widget covers the canvas, and what lies under the pointer is found in the table; 5,000 nodes
+//! as widgets of their own would cost tens of milliseconds a frame (docs/decisions.md has the
+//! measurements).
 
 mod actions;
 mod arrange;
@@ -95,7 +96,10 @@ impl Canvas {
         self.view.screen = rect;
         self.sync(ui, session);
         let mut commands = Vec::new();
-        let pointer = response.contains_pointer().then(|| ui.input(|input| input.pointer.hover_pos())).flatten();
+        let pointer = response
+            .contains_pointer()
+            .then(|| ui.input(|input| input.pointer.hover_pos()))
+            .flatten();
         self.hovered = match self.gesture {
             Gesture::Idle => pointer.and_then(|p| self.hit(p)),
             _ => None,
@@ -114,9 +118,11 @@ impl Canvas {
         self.show_palette(ui, session, &mut commands);
         self.edit_in_place(ui, session, &mut commands);
         if session.is_read_only() {
-            let is_edit = |command: &Command| matches!(command, Command::Edit(_) | Command::EditHeld(..));
-            let owns =
-                |command: &Command| matches!(command, Command::Edit(crate::document::Edit::AddDefinition { .. }));
+            let is_edit =
+                |command: &Command| matches!(command, Command::Edit(_) | Command::EditHeld(..));
+            let owns = |command: &Command| {
+                matches!(command, Command::Edit(crate::document::Edit::AddDefinition { .. }))
+            };
             let count = commands.len();
             commands.retain(|command| !is_edit(command) || owns(command));
             if commands.len() < count {
@@ -138,7 +144,8 @@ impl Canvas {
             GraphId::Look => None,
             GraphId::Definition(id) => Some(id.as_str()),
         };
-        if self.table.sync(key, session.graph(), &session.catalog, group, &session.driving_nodes()) {
+        if self.table.sync(key, session.graph(), &session.catalog, group, &session.driving_nodes())
+        {
             // Indices are others now.
             self.gesture = Gesture::Idle;
             self.menu_hit = None;
@@ -187,7 +194,8 @@ impl Canvas {
     /// The sockets that a wire from `fixed` may end at.
     fn fitting_sockets(&self, fixed: Socket) -> HashSet<(usize, usize, bool)> {
         let visible = self.view.visible().expand(20.0);
-        let near = (0..self.table.nodes.len()).filter(|&node| self.table.nodes[node].rect.intersects(visible));
+        let near = (0..self.table.nodes.len())
+            .filter(|&node| self.table.nodes[node].rect.intersects(visible));
         let sockets = near.flat_map(|node| self.table.sockets(node));
         let fits = sockets.filter(|&socket| socket == fixed || self.fits(fixed, socket));
         fits.map(|socket| (socket.node, socket.port, socket.is_output)).collect()
@@ -220,8 +228,13 @@ impl Canvas {
                 let problem = self.marks.get(&row.id).map(|mark| format!(", {}", mark.text));
                 let selected = if session.selection.contains(&row.id) { ", selected" } else { "" };
                 let muted = if row.is_muted { ", muted" } else { "" };
-                let idle = self.idle_of(row).map(|idle| format!(", {}", idle.word)).unwrap_or_default();
-                let name = format!("Node {}{selected}{muted}{idle}{}", row.title, problem.unwrap_or_default());
+                let idle =
+                    self.idle_of(row).map(|idle| format!(", {}", idle.word)).unwrap_or_default();
+                let name = format!(
+                    "Node {}{selected}{muted}{idle}{}",
+                    row.title,
+                    problem.unwrap_or_default()
+                );
                 WidgetInfo::labeled(Role::Label, true, name)
             });
         }
@@ -233,7 +246,8 @@ impl Canvas {
         for (index, (rect, name)) in frames.chain(notes).enumerate().take(MAX_NAMED) {
             let rect = self.view.rect_to_screen(rect).intersect(self.view.screen);
             if rect.is_positive() {
-                let response = ui.interact(rect, ui.scope_id().with(("item", index)), Sense::hover());
+                let response =
+                    ui.interact(rect, ui.scope_id().with(("item", index)), Sense::hover());
                 response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &name));
             }
         }
@@ -241,10 +255,12 @@ impl Canvas {
 
     /// Gives the sockets of nodes in view names, by which wires can be drawn from one to another.
     fn name_sockets(&self, ui: &Ui, visible: Rect) {
-        let nodes = (0..self.table.nodes.len()).filter(|&node| self.table.nodes[node].rect.intersects(visible));
+        let nodes = (0..self.table.nodes.len())
+            .filter(|&node| self.table.nodes[node].rect.intersects(visible));
         for socket in nodes.flat_map(|node| self.table.sockets(node)) {
             let at = self.view.to_screen(self.table.place(socket));
-            let rect = Rect::from_center_size(at, egui::Vec2::splat(10.0)).intersect(self.view.screen);
+            let rect =
+                Rect::from_center_size(at, egui::Vec2::splat(10.0)).intersect(self.view.screen);
             if !rect.is_positive() {
                 continue;
             }
@@ -256,7 +272,11 @@ impl Canvas {
                     true => ("Output", &kind.outputs[socket.port]),
                     false => ("Input", &kind.inputs[socket.port]),
                 };
-                WidgetInfo::labeled(Role::Label, true, format!("{way} {} of {}", port.label, row.title))
+                WidgetInfo::labeled(
+                    Role::Label,
+                    true,
+                    format!("{way} {} of {}", port.label, row.title),
+                )
             });
         }
     }
@@ -264,7 +284,10 @@ impl Canvas {
     /// Says what is under the pointer, and what may be done with it.
     fn tell(&mut self, ui: &Ui, response: &Response, session: &Session) {
         self.hint = self.hint_text().to_owned();
-        if self.palette.is_some() || !matches!(self.gesture, Gesture::Idle) || ui.input(|i| i.pointer.any_down()) {
+        if self.palette.is_some()
+            || !matches!(self.gesture, Gesture::Idle)
+            || ui.input(|i| i.pointer.any_down())
+        {
             return;
         }
         let text = match self.hovered {
@@ -292,7 +315,8 @@ impl Canvas {
 
     fn socket_text(&self, socket: Socket) -> Option<String> {
         let kind = &self.table.nodes[socket.node].kind;
-        let port = if socket.is_output { &kind.outputs[socket.port] } else { &kind.inputs[socket.port] };
+        let port =
+            if socket.is_output { &kind.outputs[socket.port] } else { &kind.inputs[socket.port] };
         let ty = self.table.socket_type(socket);
         let help = if port.help.is_empty() { String::new() } else { format!("\n{}", port.help) };
         Some(format!("{} ({ty}){help}", port.label))
@@ -321,15 +345,25 @@ impl Canvas {
     fn wire_text(&self, index: usize) -> Option<String> {
         let wire = self.table.wires.get(index)?;
         let becomes = wire.becomes.as_ref()?;
-        let loses = if wire.ty.converts_without_loss(becomes) { "" } else { "; something is lost on the way" };
+        let loses = if wire.ty.converts_without_loss(becomes) {
+            ""
+        } else {
+            "; something is lost on the way"
+        };
         Some(format!("{} becomes {becomes} here{loses}", wire.ty))
     }
 
     fn hint_text(&self) -> &'static str {
         match (&self.gesture, self.hovered) {
-            (Gesture::Wire(_), _) => "Let go on a bright socket to wire it, on nothing to add a node that fits",
-            (Gesture::Move(drag), _) if drag.into.is_some() => "Let go to put the node into this wire · Esc puts back",
-            (Gesture::Move(drag), _) if drag.joins.is_some() => "Let go to wire it to its neighbour",
+            (Gesture::Wire(_), _) => {
+                "Let go on a bright socket to wire it, on nothing to add a node that fits"
+            }
+            (Gesture::Move(drag), _) if drag.into.is_some() => {
+                "Let go to put the node into this wire · Esc puts back"
+            }
+            (Gesture::Move(drag), _) if drag.joins.is_some() => {
+                "Let go to wire it to its neighbour"
+            }
             (Gesture::Move(drag), _) if drag.frame.is_some() => "Let go to put it into the frame",
             (Gesture::Move(_), _) => {
                 "Let go to put down · Alt wires to a neighbour, Ctrl does not snap · Esc puts back"
@@ -340,15 +374,23 @@ impl Canvas {
             (Gesture::Box { .. }, _) => "Let go to select what is inside · Shift adds",
             (Gesture::Pan, _) => "Moving the view",
             (_, Some(Hit::Socket(Socket { is_output: true, .. }))) => "Drag to an input to wire it",
-            (_, Some(Hit::Socket(_))) => "Drag to an output to wire it; a wire that is there is picked up",
-            (_, Some(Hit::Node(_))) => {
-                "Click to select, drag to move · Del removes · Ctrl+D duplicates · Ctrl+G groups · M mutes · S swaps"
+            (_, Some(Hit::Socket(_))) => {
+                "Drag to an output to wire it; a wire that is there is picked up"
             }
-            (_, Some(Hit::Wire(_))) => "Double-click adds a reroute · Alt-click removes it · Ctrl+right-drag cuts",
-            (_, Some(Hit::Frame(_))) => "Drag to move all of it · double-click renames · right-click colors",
+            (_, Some(Hit::Node(_))) => {
+                "Click to select, drag to move · Del removes · Ctrl+D duplicates · Ctrl+G groups · \
+                 M mutes · S swaps"
+            }
+            (_, Some(Hit::Wire(_))) => {
+                "Double-click adds a reroute · Alt-click removes it · Ctrl+right-drag cuts"
+            }
+            (_, Some(Hit::Frame(_))) => {
+                "Drag to move all of it · double-click renames · right-click colors"
+            }
             (_, Some(Hit::Note(_))) => "Drag to move · double-click edits · right-click colors",
             _ => {
-                "Double-click or Tab adds a node · drag selects · wheel zooms · right or middle drag moves · F shows all · ? lists keys"
+                "Double-click or Tab adds a node · drag selects · wheel zooms · right or middle \
+                 drag moves · F shows all · ? lists keys"
             }
         }
     }

@@ -1,8 +1,11 @@
-//! What lies over the canvas: the way into groups, the map of the whole, and the menu of a right click.
+//! What lies over the canvas: the way into groups, the map of the whole, and the menu of a right
+//! click.
 
 use eframe::egui;
 use eframe::egui::epaint::Mesh;
-use eframe::egui::{Color32, Pos2, Rect, Response, RichText, Sense, Shape, Ui, UiBuilder, WidgetInfo, vec2};
+use eframe::egui::{
+    Color32, Pos2, Rect, Response, RichText, Sense, Shape, Ui, UiBuilder, WidgetInfo, vec2,
+};
 
 use super::super::command::Command;
 use super::super::session::Session;
@@ -19,7 +22,7 @@ use crate::library::Library;
 /// The map's size, on the screen.
 const MAP: egui::Vec2 = vec2(168.0, 112.0);
 
-/// Colours for frames and notes: name, straight RGB.
+/// Colors for frames and notes: name, straight RGB.
 const TINTS: [(&str, [f64; 3]); 7] = [
     ("Red", [0.72, 0.28, 0.26]),
     ("Orange", [0.78, 0.5, 0.22]),
@@ -47,9 +50,12 @@ impl Canvas {
                 let mut crumb = |ui: &mut Ui, name: &str, depth: usize| {
                     let is_here = depth == path.len();
                     let text = RichText::new(name);
-                    let text = if is_here { text.strong() } else { text.color(theme::of(ui).accent) };
+                    let text =
+                        if is_here { text.strong() } else { text.color(theme::of(ui).accent) };
                     let response = ui.add(egui::Button::new(text).frame(false));
-                    response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, !is_here, format!("Go to {name}")));
+                    response.widget_info(|| {
+                        WidgetInfo::labeled(egui::Role::Button, !is_here, format!("Go to {name}"))
+                    });
                     if response.clicked() && !is_here {
                         out.push(Command::OpenGraph(path[..depth].to_vec()));
                     }
@@ -61,7 +67,8 @@ impl Canvas {
                 }
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                     if session.is_read_only() {
-                        let help = "Puts this group into the look's file, for all its nodes in the look. Then it can be changed";
+                        let help = "Puts this group into the look's file, for all its nodes in the \
+                                    look. Then it can be changed";
                         if ui.button("Make it the look's own").on_hover_text(help).clicked() {
                             out.extend(session.own_group().map(Command::Edit));
                         }
@@ -69,7 +76,8 @@ impl Canvas {
                         let text = format!("{from}: look, don't touch");
                         ui.label(RichText::new(text).color(theme::of(ui).dim)).on_hover_text(help);
                     } else if let GraphId::Definition(id) = session.graph_id() {
-                        let help = "Puts this group into the nodes folder beside the look, where every look of the folder has it";
+                        let help = "Puts this group into the nodes folder beside the look, where \
+                                    every look of the folder has it";
                         if ui.button("Share with the project").on_hover_text(help).clicked() {
                             out.push(Command::ShareGroup(id.clone()));
                         }
@@ -79,7 +87,8 @@ impl Canvas {
         });
     }
 
-    /// The whole graph, small, in the corner; a drag there moves the view. Only while there is more than is in view.
+    /// The whole graph, small, in the corner; a drag there moves the view. Only while there is more
+    /// than is in view.
     pub(super) fn minimap(&mut self, ui: &Ui) {
         let all = self.table.bounds();
         let visible = self.view.visible();
@@ -96,7 +105,9 @@ impl Canvas {
         let scale = (place.width() / world.width()).min(place.height() / world.height());
         let to_map = |p: Pos2| place.center() + (p - world.center()) * scale;
         let map_rect = |r: Rect| Rect::from_min_max(to_map(r.min), to_map(r.max));
-        if let Some(at) = response.interact_pointer_pos().filter(|_| response.dragged() || response.clicked()) {
+        if let Some(at) =
+            response.interact_pointer_pos().filter(|_| response.dragged() || response.clicked())
+        {
             self.view.center = world.center() + (at - place.center()) / scale;
         }
         let colors = theme::of(ui);
@@ -107,21 +118,39 @@ impl Canvas {
             plain(&mut mesh, map_rect(frame.rect), colors.grid);
         }
         for row in &self.table.nodes {
-            plain(&mut mesh, map_rect(row.rect), super::draw::lighter(colors.of_category(&row.kind.category)));
+            plain(
+                &mut mesh,
+                map_rect(row.rect),
+                super::draw::lighter(colors.of_category(&row.kind.category)),
+            );
         }
         let painter = ui.painter_at(place.expand(1.0));
         painter.add(Shape::mesh(mesh));
         let seen = map_rect(visible).intersect(place);
-        painter.rect(seen, 2.0, colors.accent.gamma_multiply(0.08), (1.0, colors.accent), egui::StrokeKind::Inside);
+        painter.rect(
+            seen,
+            2.0,
+            colors.accent.gamma_multiply(0.08),
+            (1.0, colors.accent),
+            egui::StrokeKind::Inside,
+        );
     }
 
     /// The menu of a right click.
-    pub(super) fn menu(&mut self, ui: &Ui, response: &Response, session: &Session, out: &mut Vec<Command>) {
+    pub(super) fn menu(
+        &mut self,
+        ui: &Ui,
+        response: &Response,
+        session: &Session,
+        out: &mut Vec<Command>,
+    ) {
         let mut chosen = None;
         response.context_menu(|ui| {
             ui.set_min_width(210.0);
             match self.menu_hit {
-                Some(Hit::Node(index) | Hit::Socket(Socket { node: index, .. })) if index < self.table.nodes.len() => {
+                Some(Hit::Node(index) | Hit::Socket(Socket { node: index, .. }))
+                    if index < self.table.nodes.len() =>
+                {
                     chosen = self.node_menu(ui, index, session, out);
                 }
                 Some(Hit::Wire(index)) => self.wire_menu(ui, index, session, out),
@@ -147,12 +176,21 @@ impl Canvas {
         }
     }
 
-    fn node_menu(&self, ui: &mut Ui, index: usize, session: &Session, out: &mut Vec<Command>) -> Option<Action> {
+    fn node_menu(
+        &self,
+        ui: &mut Ui,
+        index: usize,
+        session: &Session,
+        out: &mut Vec<Command>,
+    ) -> Option<Action> {
         use Action as A;
         let row = &self.table.nodes[index];
         let fixes = self.marks.get(&row.id).map_or(&[][..], |mark| &mark.fixes);
         for fix in fixes {
-            if ui.button(RichText::new(format!("Fix: {}", fix.label)).color(theme::of(ui).accent)).clicked() {
+            if ui
+                .button(RichText::new(format!("Fix: {}", fix.label)).color(theme::of(ui).accent))
+                .clicked()
+            {
                 out.push(Command::Edit(fix.edit.clone()));
             }
         }
@@ -167,7 +205,11 @@ impl Canvas {
         } else {
             &[A::Group]
         };
-        let frame: &[A] = if self.table.frame_of(index).is_some() { &[A::Frame, A::Unframe] } else { &[A::Frame] };
+        let frame: &[A] = if self.table.frame_of(index).is_some() {
+            &[A::Frame, A::Unframe]
+        } else {
+            &[A::Frame]
+        };
         let chosen = rows(
             ui,
             &[
@@ -196,7 +238,9 @@ impl Canvas {
     }
 
     fn wire_menu(&mut self, ui: &mut Ui, index: usize, session: &Session, out: &mut Vec<Command>) {
-        let Some(wire) = self.table.wires.get(index).and_then(|row| session.graph().wires.get(row.index)) else {
+        let Some(wire) =
+            self.table.wires.get(index).and_then(|row| session.graph().wires.get(row.index))
+        else {
             return;
         };
         if ui.button("Remove the wire").clicked() {
@@ -230,7 +274,9 @@ impl Canvas {
         ui.horizontal(|ui| {
             for (name, rgb) in TINTS {
                 let (rect, response) = ui.allocate_exact_size(vec2(20.0, 20.0), Sense::click());
-                response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, format!("Color {name}")));
+                response.widget_info(|| {
+                    WidgetInfo::labeled(egui::Role::Button, true, format!("Color {name}"))
+                });
                 ui.painter().rect_filled(rect.shrink(1.0), 4.0, color(rgb));
                 if response.on_hover_text(name).clicked() {
                     tint = Some(rgb.to_vec());
@@ -250,7 +296,10 @@ impl Canvas {
             out.extend(edit.map(Command::Edit));
         }
         ui.separator();
-        let (what, graph) = (if matches!(item, Item::Frame(_)) { "frame" } else { "note" }, session.graph_id().clone());
+        let (what, graph) = (
+            if matches!(item, Item::Frame(_)) { "frame" } else { "note" },
+            session.graph_id().clone(),
+        );
         if ui.button(format!("Remove the {what}")).clicked() {
             out.push(Command::Edit(match item {
                 Item::Frame(id) => crate::document::Edit::RemoveFrame { graph, id },
@@ -261,7 +310,7 @@ impl Canvas {
     }
 }
 
-/// A colour of a document, for the screen.
+/// A color of a document, for the screen.
 pub(super) fn color(rgb: [f64; 3]) -> Color32 {
     let [r, g, b] = rgb.map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
     Color32::from_rgb(r, g, b)
@@ -299,7 +348,9 @@ fn crumb_names(session: &Session, path: &[NodeId]) -> Vec<String> {
             (_, Some(kind)) => kind.label.to_string(),
             _ => id.to_string(),
         });
-        graph = node.and_then(|node| session.definition_of(&node.kind)).map(|definition| &definition.graph);
+        graph = node
+            .and_then(|node| session.definition_of(&node.kind))
+            .map(|definition| &definition.graph);
     }
     names
 }

@@ -3,7 +3,9 @@
 use eframe::egui;
 use std::sync::Arc;
 
-use eframe::egui::{Align2, Area, Id, Key, Modifiers, Order, Pos2, RichText, ScrollArea, TextEdit, Ui, pos2, vec2};
+use eframe::egui::{
+    Align2, Area, Id, Key, Modifiers, Order, Pos2, RichText, ScrollArea, TextEdit, Ui, pos2, vec2,
+};
 
 use super::super::catalog::{Catalog, Kind, Port};
 use super::super::theme;
@@ -33,10 +35,13 @@ impl Loose {
             let first = kind.inputs.iter().position(Port::is_wirable);
             // What a node is about comes in first.
             let weight = |index| if Some(index) == first { 1.5 } else { 0.0 };
-            return best(ports.map(|(index, port)| (index, fitness(&self.ty, &port.ty) + weight(index))));
+            return best(
+                ports.map(|(index, port)| (index, fitness(&self.ty, &port.ty) + weight(index))),
+            );
         }
         let fits = |ty: &Type| self.accepts.iter().any(|to| ty.convert_to(to).is_some());
-        let ports = kind.outputs.iter().enumerate().filter(|(_, port)| kind.is_reroute || fits(&port.ty));
+        let ports =
+            kind.outputs.iter().enumerate().filter(|(_, port)| kind.is_reroute || fits(&port.ty));
         best(ports.map(|(index, port)| (index, fitness(&port.ty, &self.ty))))
     }
 }
@@ -103,7 +108,9 @@ impl Palette {
         }
         self.index = self.index.min(found.len().saturating_sub(1));
         if key(Key::Enter) {
-            return found.get(self.index).map_or(Outcome::Open, |kind| Outcome::Chosen(kind.clone()));
+            return found
+                .get(self.index)
+                .map_or(Outcome::Open, |kind| Outcome::Chosen(kind.clone()));
         }
         let size = vec2(WIDTH, ROW * ROWS + 60.0);
         let corner = pos2(
@@ -111,7 +118,10 @@ impl Palette {
             self.at.y.min(screen.max.y - size.y).max(screen.min.y),
         );
         let mut outcome = Outcome::Open;
-        let area = Area::new(Id::unique("palette")).order(Order::Foreground).fixed_pos(corner).pivot(Align2::LEFT_TOP);
+        let area = Area::new(Id::unique("palette"))
+            .order(Order::Foreground)
+            .fixed_pos(corner)
+            .pivot(Align2::LEFT_TOP);
         let shown = area.show(ui.ctx(), |ui| {
             egui::Frame::popup(ui.style()).show(ui, |ui| {
                 ui.set_width(WIDTH);
@@ -126,7 +136,11 @@ impl Palette {
             press.is_some_and(|press| !shown.response.rect.contains(press))
         });
         let was_new = std::mem::replace(&mut self.is_new, false);
-        if is_outside && !was_new && matches!(outcome, Outcome::Open) { Outcome::Closed } else { outcome }
+        if is_outside && !was_new && matches!(outcome, Outcome::Open) {
+            Outcome::Closed
+        } else {
+            outcome
+        }
     }
 
     fn show_query(&mut self, ui: &mut Ui) {
@@ -135,7 +149,8 @@ impl Palette {
             (_, Some(_)) => "Swap for: search for a node",
             _ => "Search for a node",
         };
-        let edit = TextEdit::singleline(&mut self.query).hint_text(hint).desired_width(f32::INFINITY);
+        let edit =
+            TextEdit::singleline(&mut self.query).hint_text(hint).desired_width(f32::INFINITY);
         let response = ui.add(edit.id(Id::unique("palette query")));
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SearchInput, true, hint));
         if self.is_new {
@@ -154,15 +169,21 @@ impl Palette {
         }
         let mut chosen = None;
         ui.spacing_mut().item_spacing.y = 0.0;
-        ScrollArea::vertical().max_height(ROW * ROWS).min_scrolled_height(ROW * ROWS).auto_shrink([false, true]).show(
-            ui,
-            |ui| {
+        ScrollArea::vertical()
+            .max_height(ROW * ROWS)
+            .min_scrolled_height(ROW * ROWS)
+            .auto_shrink([false, true])
+            .show(ui, |ui| {
                 for (index, kind) in found.iter().enumerate() {
                     let is_current = index == self.index;
-                    let (rect, response) =
-                        ui.allocate_exact_size(vec2(ui.available_width(), ROW), egui::Sense::click());
+                    let (rect, response) = ui
+                        .allocate_exact_size(vec2(ui.available_width(), ROW), egui::Sense::click());
                     response.widget_info(|| {
-                        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Add {}", kind.label))
+                        egui::WidgetInfo::labeled(
+                            egui::Role::Button,
+                            true,
+                            format!("Add {}", kind.label),
+                        )
                     });
                     if is_current && ui.input(|input| input.keys_down.len()) > 0 {
                         response.scroll_to_me(None);
@@ -174,8 +195,7 @@ impl Palette {
                         chosen = Some(kind.clone());
                     }
                 }
-            },
-        );
+            });
         chosen
     }
 
@@ -188,7 +208,11 @@ impl Palette {
                     Some((_, fit)) => fit,
                     None => continue,
                 },
-                None => self.swaps.as_ref().and_then(|(_, old)| likeness(old.as_ref()?, kind)).unwrap_or(0.0),
+                None => self
+                    .swaps
+                    .as_ref()
+                    .and_then(|(_, old)| likeness(old.as_ref()?, kind))
+                    .unwrap_or(0.0),
             };
             if let Some(score) = score(&self.query, kind) {
                 found.push((score + fit * 2.0, kind));
@@ -200,19 +224,26 @@ impl Palette {
     }
 }
 
-/// How much of a node stays when another kind takes its place, from 0 to 1; none where it is the same kind.
+/// How much of a node stays when another kind takes its place, from 0 to 1; none where it is the
+/// same kind.
 fn likeness(old: &Kind, new: &Kind) -> Option<f32> {
     if old.id == new.id {
         return None;
     }
     let stays = |ports: &[Port], others: &[Port]| {
-        let same = |port: &&Port| others.iter().any(|other| (&other.name, &other.ty) == (&port.name, &port.ty));
+        let same = |port: &&Port| {
+            others.iter().any(|other| (&other.name, &other.ty) == (&port.name, &port.ty))
+        };
         ports.iter().filter(same).count() as f32 / ports.len().max(1) as f32
     };
     let gives = |index: usize| new.outputs.get(index).map(|port| &port.ty);
     let is_taken_up = old.outputs.first().is_none_or(|port| gives(0) == Some(&port.ty));
     let is_near = f32::from(u8::from(old.category == new.category));
-    Some(if is_taken_up { 0.5 + 0.35 * stays(&old.inputs, &new.inputs) + 0.15 * is_near } else { 0.0 })
+    Some(if is_taken_up {
+        0.5 + 0.35 * stays(&old.inputs, &new.inputs) + 0.15 * is_near
+    } else {
+        0.0
+    })
 }
 
 fn paint_row(ui: &Ui, rect: egui::Rect, kind: &Kind, is_current: bool, is_hovered: bool) {
@@ -231,7 +262,13 @@ fn paint_row(ui: &Ui, rect: egui::Rect, kind: &Kind, is_current: bool, is_hovere
         font.clone(),
         theme::of(ui).text,
     );
-    painter.text(rect.right_center() - vec2(8.0, 0.0), Align2::RIGHT_CENTER, &kind.category, font, theme::of(ui).dim);
+    painter.text(
+        rect.right_center() - vec2(8.0, 0.0),
+        Align2::RIGHT_CENTER,
+        &kind.category,
+        font,
+        theme::of(ui).dim,
+    );
 }
 
 /// The first sentence of a help text.
@@ -298,7 +335,8 @@ mod tests {
     fn what_keeps_the_most_of_a_node_is_offered_first_in_its_place() {
         let catalog = Catalog::new(Library::built_in());
         let of = |kind: &str| {
-            let palette = Palette::swapping(Pos2::ZERO, NodeId::new("a"), catalog.get(kind).cloned());
+            let palette =
+                Palette::swapping(Pos2::ZERO, NodeId::new("a"), catalog.get(kind).cloned());
             palette.found(&catalog).iter().map(|kind| kind.id.clone()).collect::<Vec<_>>()
         };
         for kind in ["add", "light_layer", "profile"] {
@@ -314,6 +352,9 @@ mod tests {
         let end = Endpoint::new("a", "b");
         let light = Loose { end, ty: Type::Light, accepts: vec![Type::Light], is_output: true };
         let found = find("", Some(light));
-        assert!(found.contains(&"light_apply".to_owned()) && !found.contains(&"profile".to_owned()), "{found:?}");
+        assert!(
+            found.contains(&"light_apply".to_owned()) && !found.contains(&"profile".to_owned()),
+            "{found:?}"
+        );
     }
 }

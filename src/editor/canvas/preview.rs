@@ -1,14 +1,18 @@
-//! What the outputs of nodes give: a ball shaded by them, or, where it is the same everywhere, the value in a few letters.
+//! What the outputs of nodes give: a ball shaded by them, or, where it is the same everywhere, the
+//! value in a few letters.
 //!
-//! A thread evaluates one node at a time in the interpreter, on a small grid of points of a ball: those in view first,
-//! and only once nothing was changed for a moment. So neither the window nor the renderer waits for it.
+//! A thread evaluates one node at a time in the interpreter, on a small grid of points of a ball:
+//! those in view first, and only once nothing was changed for a moment. So neither the window nor
+//! the renderer waits for it.
 
 use eframe::egui;
 use std::collections::HashMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use eframe::egui::{Color32, ColorImage, Context, Pos2, Rect, TextureHandle, TextureOptions, Ui, pos2, vec2};
+use eframe::egui::{
+    Color32, ColorImage, Context, Pos2, Rect, TextureHandle, TextureOptions, Ui, pos2, vec2,
+};
 
 use super::super::safety::crashes::{DocumentOrigin, Step};
 use super::super::session::Session;
@@ -36,7 +40,8 @@ const MAX_NODES: usize = 1500;
 const MIN_ZOOM: f32 = 0.18;
 /// In a node's title, in points.
 const SIDE: f32 = 22.0;
-/// Between a ball and the sockets beside it, where it takes the place of values that would be too small to read.
+/// Between a ball and the sockets beside it, where it takes the place of values that would be too
+/// small to read.
 const MARGIN: f32 = 18.0;
 
 /// What an output gives.
@@ -96,10 +101,16 @@ impl Previews {
     }
 
     /// Takes what was evaluated, and asks for what is missing among `visible`.
-    fn update(&mut self, ctx: &Context, session: &Session, visible: impl Iterator<Item = (NodePath, PortName)>) {
+    fn update(
+        &mut self,
+        ctx: &Context,
+        session: &Session,
+        visible: impl Iterator<Item = (NodePath, PortName)>,
+    ) {
         let state = (session.document_number(), session.meaning());
         for Answer { key: (path, of), values } in self.worker.iter().flat_map(Worker::answers) {
-            let shown = values.map_or(Preview::Nothing, |(values, ty)| show(ctx, &path, &values, &ty));
+            let shown =
+                values.map_or(Preview::Nothing, |(values, ty)| show(ctx, &path, &values, &ty));
             self.known.insert(path, (of, shown));
             self.waits = false;
         }
@@ -114,12 +125,16 @@ impl Previews {
         if session.graph().nodes.len() > MAX_NODES || session.look().graph.nodes.len() > MAX_NODES {
             return;
         }
-        let is_missing = |(path, _): &(NodePath, PortName)| self.known.get(path).is_none_or(|(of, _)| *of != state);
+        let is_missing = |(path, _): &(NodePath, PortName)| {
+            self.known.get(path).is_none_or(|(of, _)| *of != state)
+        };
         let mut missing = visible.filter(is_missing);
         let Some(root) = missing.next() else { return };
         drop(missing);
         if rested < REST {
-            ctx.request_repaint_after(std::time::Duration::from_secs_f64((REST - rested).max(0.01)));
+            ctx.request_repaint_after(std::time::Duration::from_secs_f64(
+                (REST - rested).max(0.01),
+            ));
             return;
         }
         if self.look.as_ref().is_none_or(|(of, _)| *of != state) {
@@ -131,20 +146,26 @@ impl Previews {
             look: look.clone(),
             source: session.source().clone(),
             library: session.library.clone(),
-            folder: session.path().and_then(|path| path.parent()).map(PathBuf::from).unwrap_or_default(),
+            folder: session
+                .path()
+                .and_then(|path| path.parent())
+                .map(PathBuf::from)
+                .unwrap_or_default(),
             root,
             file: session.shown_file(),
             samples: self.samples.get_or_insert_with(|| Arc::new(ball())).clone(),
         };
         let worker = self.worker.get_or_insert_with(|| {
-            let (ctx, crashes, mut assets) = (ctx.clone(), session.crashes.clone(), Assets::default());
+            let (ctx, crashes, mut assets) =
+                (ctx.clone(), session.crashes.clone(), Assets::default());
             Worker::new(
                 "previews",
                 move || ctx.request_repaint(),
                 move |request: Request| {
                     let (name, path) = &request.file;
-                    let _going =
-                        crashes.begin(Step::Draw, || DocumentOrigin::new(name, path.as_deref(), &request.look));
+                    let _going = crashes.begin(Step::Draw, || {
+                        DocumentOrigin::new(name, path.as_deref(), &request.look)
+                    });
                     evaluate(request, &mut assets)
                 },
             )
@@ -154,7 +175,8 @@ impl Previews {
     }
 }
 
-/// Points of a ball as the camera sees it, row by row; those of the corners lie on its rim and are not shown.
+/// Points of a ball as the camera sees it, row by row; those of the corners lie on its rim and are
+/// not shown.
 fn ball() -> Vec<EvalSample> {
     let sample = |index: usize| {
         let along = |i: usize| (i as f64 + 0.5) / SIZE as f64 * 2.0 - 1.0;
@@ -165,7 +187,15 @@ fn ball() -> Vec<EvalSample> {
         let uv = glam::DVec2::new(0.5 + x / 2.0, 0.5 - y / 2.0);
         // A ball as high as the picture.
         let pixel = glam::DVec2::new(uv.x, 1.0 - uv.y);
-        EvalSample { normal, position: normal, uv, kappa: 2.0, pixel, magnification: 0.5, ..EvalSample::default() }
+        EvalSample {
+            normal,
+            position: normal,
+            uv,
+            kappa: 2.0,
+            pixel,
+            magnification: 0.5,
+            ..EvalSample::default()
+        }
     };
     (0..SIZE * SIZE).map(sample).collect()
 }
@@ -174,26 +204,31 @@ fn evaluate(request: Request, assets: &mut Assets) -> Answer {
     let Request { key, look, source, library, folder, root, samples, file: _ } = request;
     let setup = SetupLook { look: (*look).clone(), source, folder };
     let options = Options { root: Some(root), ..Options::default() };
-    let evaluated = eval_batches(&setup, &library, &samples, &options, assets).ok().and_then(|batches| {
-        let mut values = vec![[0.0; 4]; samples.len()];
-        let mut ty = None;
-        for batch in &batches {
-            let found = reference::evaluate(batch, Precision::F32).ok()?;
-            for (&index, value) in batch.indices.iter().zip(found) {
-                values[index] = value;
+    let evaluated =
+        eval_batches(&setup, &library, &samples, &options, assets).ok().and_then(|batches| {
+            let mut values = vec![[0.0; 4]; samples.len()];
+            let mut ty = None;
+            for batch in &batches {
+                let found = reference::evaluate(batch, Precision::F32).ok()?;
+                for (&index, value) in batch.indices.iter().zip(found) {
+                    values[index] = value;
+                }
+                ty = Some(batch.shader.root_type.clone());
             }
-            ty = Some(batch.shader.root_type.clone());
-        }
-        Some((values, ty?))
-    });
+            Some((values, ty?))
+        });
     Answer { key, values: evaluated }
 }
 
 /// Points as a picture, or as the one value that they all have.
 fn show(ctx: &Context, path: &NodePath, values: &[[f64; 4]], ty: &Type) -> Preview {
-    let Some(width) = (if *ty == Type::Angle { Some(1) } else { ty.width() }) else { return Preview::Nothing };
+    let Some(width) = (if *ty == Type::Angle { Some(1) } else { ty.width() }) else {
+        return Preview::Nothing;
+    };
     // An angle is given as the sine and cosine of its half.
-    let number = |value: &[f64; 4]| if *ty == Type::Angle { 2.0 * value[0].atan2(value[1]) } else { value[0] };
+    let number = |value: &[f64; 4]| {
+        if *ty == Type::Angle { 2.0 * value[0].atan2(value[1]) } else { value[0] }
+    };
     let is_color = matches!(ty, Type::Color | Type::Composite);
     if let Some(first) = values.first()
         && !is_color
@@ -218,7 +253,11 @@ fn show(ctx: &Context, path: &NodePath, values: &[[f64; 4]], ty: &Type) -> Previ
             Color32::from_rgba_unmultiplied(r, g, b, a)
         }
         // Directions, from -1 to 1, as normal maps have them.
-        _ => Color32::from_rgb(byte(value[0] * 0.5 + 0.5), byte(value[1] * 0.5 + 0.5), byte(value[2] * 0.5 + 0.5)),
+        _ => Color32::from_rgb(
+            byte(value[0] * 0.5 + 0.5),
+            byte(value[1] * 0.5 + 0.5),
+            byte(value[2] * 0.5 + 0.5),
+        ),
     };
     let pixels = values.iter().enumerate().map(|(index, value)| {
         let along = |i: usize| i as f32 + 0.5 - SIZE as f32 / 2.0;
@@ -238,7 +277,8 @@ impl Canvas {
         }
         let visible = self.view.visible();
         let rows = self.table.nodes.iter().enumerate();
-        let rows = rows.filter(|(_, row)| row.rect.intersects(visible) && !row.is_end && !row.kind.is_missing);
+        let rows = rows
+            .filter(|(_, row)| row.rect.intersects(visible) && !row.is_end && !row.kind.is_missing);
         let shown: Vec<(usize, NodePath)> = rows
             .filter(|(_, row)| row.kind.outputs.first().is_some_and(|port| can_be_shown(&port.ty)))
             .map(|(index, row)| (index, session.path_of(&row.id)))
@@ -251,13 +291,17 @@ impl Canvas {
         let painter = ui.painter_at(self.view.screen);
         for (index, path) in shown {
             let row = &self.table.nodes[index];
-            let Some((_, Preview::Ball(texture))) = self.previews.known.get(&path) else { continue };
+            let Some((_, Preview::Ball(texture))) = self.previews.known.get(&path) else {
+                continue;
+            };
             let (center, side) = place(row, self.view.zoom);
             let is_tagged = row.is_muted || self.idle_of(row).is_some();
             // What lies on top is drawn already.
-            let is_covered = self.table.nodes[index + 1..].iter().any(|other| other.rect.contains(center));
+            let is_covered =
+                self.table.nodes[index + 1..].iter().any(|other| other.rect.contains(center));
             if !is_tagged && !is_covered {
-                let place = self.view.rect_to_screen(Rect::from_center_size(center, vec2(side, side)));
+                let place =
+                    self.view.rect_to_screen(Rect::from_center_size(center, vec2(side, side)));
                 let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
                 painter.image(texture.id(), place, uv, Color32::WHITE);
             }
@@ -291,7 +335,8 @@ impl Canvas {
     }
 }
 
-/// Where a node's ball is and how wide: in the title, or, from afar, all over the node, which is told apart by it then.
+/// Where a node's ball is and how wide: in the title, or, from afar, all over the node, which is
+/// told apart by it then.
 fn place(row: &NodeRow, zoom: f32) -> (Pos2, f32) {
     let body = Rect::from_min_max(row.rect.min + vec2(0.0, TITLE_HEIGHT), row.rect.max);
     let side = (body.width() - 2.0 * MARGIN).min(body.height() - 8.0);

@@ -1,7 +1,8 @@
-//! What is derived from one revision of a graph: rectangles, sockets, wires with port names resolved to places.
+//! What is derived from one revision of a graph: rectangles, sockets, wires with port names
+//! resolved to places.
 //!
-//! The document stays the one model; this is thrown away and made again at each revision (0.5 ms for 5,000 nodes),
-//! and moved in place while nodes are dragged.
+//! The document stays the one model; this is thrown away and made again at each revision (0.5 ms
+//! for 5,000 nodes), and moved in place while nodes are dragged.
 
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
@@ -11,7 +12,9 @@ use eframe::egui::{Galley, Pos2, Rect, Vec2, pos2, vec2};
 use super::super::catalog::{Catalog, Kind};
 use super::text::NodeText;
 use crate::document::Graph;
-use crate::drawing::{FRAME_MARGIN, FRAME_TITLE, NODE_WIDTH, TITLE_HEIGHT, node_height, row_center, wire_reach};
+use crate::drawing::{
+    FRAME_MARGIN, FRAME_TITLE, NODE_WIDTH, TITLE_HEIGHT, node_height, row_center, wire_reach,
+};
 use crate::ids::{FrameId, NodeId, NoteId};
 use crate::library::Type;
 
@@ -115,8 +118,8 @@ pub(crate) struct Table {
 }
 
 impl Table {
-    /// Makes the table again if `key` (which document, which revision, which of its graphs) is another; `group` is the
-    /// kind whose graph it is. Whether it was.
+    /// Makes the table again if `key` (which document, which revision, which of its graphs) is
+    /// another; `group` is the kind whose graph it is. Whether it was.
     pub(crate) fn sync(
         &mut self,
         key: (u64, u64, u64),
@@ -137,7 +140,8 @@ impl Table {
             let height = if node.collapsed { TITLE_HEIGHT } else { height(&kind) };
             // A position may be any finite number, and beyond f32 nothing can be drawn.
             let [x, y] = node.position.map(|x| (x as f32).clamp(-1e7, 1e7));
-            let title = if node.name.is_empty() { kind.label.to_string() } else { node.name.clone() };
+            let title =
+                if node.name.is_empty() { kind.label.to_string() } else { node.name.clone() };
             self.nodes.push(NodeRow {
                 id: id.clone(),
                 title,
@@ -155,7 +159,8 @@ impl Table {
         if let Some(ends) = group.and_then(|group| catalog.ends(group)) {
             self.add_ends(ends);
         }
-        self.by_id = self.nodes.iter().enumerate().map(|(index, row)| (row.id.clone(), index)).collect();
+        self.by_id =
+            self.nodes.iter().enumerate().map(|(index, row)| (row.id.clone(), index)).collect();
         self.sync_wires(graph);
         self.level_ends();
         self.find_unused(driving);
@@ -166,10 +171,18 @@ impl Table {
     /// The ends of a group lie left and right of all that is in it.
     fn add_ends(&mut self, ends: [Kind; 2]) {
         let bounds = self.nodes.iter().fold(Rect::NOTHING, |bounds, row| bounds.union(row.rect));
-        let bounds = if bounds.is_positive() { bounds } else { Rect::from_min_size(Pos2::ZERO, vec2(60.0, 80.0)) };
+        let bounds = if bounds.is_positive() {
+            bounds
+        } else {
+            Rect::from_min_size(Pos2::ZERO, vec2(60.0, 80.0))
+        };
         for (index, kind) in ends.into_iter().enumerate() {
             let size = vec2(NODE_WIDTH, height(&kind));
-            let x = if index == 0 { bounds.min.x - END_GAP - NODE_WIDTH } else { bounds.max.x + END_GAP };
+            let x = if index == 0 {
+                bounds.min.x - END_GAP - NODE_WIDTH
+            } else {
+                bounds.max.x + END_GAP
+            };
             let corner = pos2(x, (bounds.center().y - size.y / 2.0).round());
             self.nodes.push(NodeRow {
                 id: kind.id.as_str().into(),
@@ -189,7 +202,9 @@ impl Table {
 
     /// Moves the ends of a group up or down so that their wires run level, on the whole.
     fn level_ends(&mut self) {
-        for end in (0..self.nodes.len()).filter(|&index| self.nodes[index].is_end).collect::<Vec<_>>() {
+        for end in
+            (0..self.nodes.len()).filter(|&index| self.nodes[index].is_end).collect::<Vec<_>>()
+        {
             let rise = |wire: &WireRow| self.place(wire.to).y - self.place(wire.from).y;
             let way = |wire: &WireRow| if wire.from.node == end { rise(wire) } else { -rise(wire) };
             let own = self.wires.iter().filter(|wire| wire.from.node == end || wire.to.node == end);
@@ -200,7 +215,9 @@ impl Table {
             }
         }
         for index in 0..self.wires.len() {
-            if self.nodes[self.wires[index].from.node].is_end || self.nodes[self.wires[index].to.node].is_end {
+            if self.nodes[self.wires[index].from.node].is_end
+                || self.nodes[self.wires[index].to.node].is_end
+            {
                 self.wires[index].bounds = self.wire_bounds(index);
             }
         }
@@ -208,9 +225,11 @@ impl Table {
 
     /// Marks what no output depends on, where there is one, and what drives no keys.
     fn find_unused(&mut self, driving: &[NodeId]) {
-        let is_output = |row: &NodeRow| row.kind.id == "output" || row.is_end && row.kind.outputs.is_empty();
+        let is_output =
+            |row: &NodeRow| row.kind.id == "output" || row.is_end && row.kind.outputs.is_empty();
         let is_root = |row: &NodeRow| is_output(row) || driving.contains(&row.id);
-        let mut open: Vec<usize> = (0..self.nodes.len()).filter(|&index| is_root(&self.nodes[index])).collect();
+        let mut open: Vec<usize> =
+            (0..self.nodes.len()).filter(|&index| is_root(&self.nodes[index])).collect();
         if !self.nodes.iter().any(is_output) {
             return;
         }
@@ -282,7 +301,9 @@ impl Table {
     fn sync_wires(&mut self, graph: &Graph) {
         self.wires.clear();
         for (index, wire) in graph.wires.iter().enumerate() {
-            let (Some(from), Some(to)) = (self.index_of(&wire.from.node), self.index_of(&wire.to.node)) else {
+            let (Some(from), Some(to)) =
+                (self.index_of(&wire.from.node), self.index_of(&wire.to.node))
+            else {
                 continue;
             };
             let output = self.nodes[from].kind.output(wire.from.port.as_str());
@@ -291,13 +312,22 @@ impl Table {
             self.nodes[to].is_wired[input] = true;
             let from = Socket { node: from, port: output, is_output: true };
             let to = Socket { node: to, port: input, is_output: false };
-            self.wires.push(WireRow { index, from, to, bounds: Rect::NOTHING, ty: Type::Float, becomes: None });
+            self.wires.push(WireRow {
+                index,
+                from,
+                to,
+                bounds: Rect::NOTHING,
+                ty: Type::Float,
+                becomes: None,
+            });
         }
-        let into: HashMap<usize, usize> = self.wires.iter().enumerate().map(|(i, wire)| (wire.to.node, i)).collect();
+        let into: HashMap<usize, usize> =
+            self.wires.iter().enumerate().map(|(i, wire)| (wire.to.node, i)).collect();
         for node in 0..self.nodes.len() {
             if self.nodes[node].kind.is_reroute {
                 let socket = Socket { node, port: 0, is_output: true };
-                self.nodes[node].passes = into.contains_key(&node).then(|| self.resolved_type(socket, &into));
+                self.nodes[node].passes =
+                    into.contains_key(&node).then(|| self.resolved_type(socket, &into));
             }
         }
         for index in 0..self.wires.len() {
@@ -307,7 +337,8 @@ impl Table {
             let accepts = &target.kind.inputs[to.port].accepts;
             let is_free = target.kind.is_reroute || target.kind.is_missing || target.is_end;
             let becomes = || accepts.iter().find(|accepted| ty.convert_to(accepted).is_some());
-            self.wires[index].becomes = if is_free || accepts.contains(&ty) { None } else { becomes().cloned() };
+            self.wires[index].becomes =
+                if is_free || accepts.contains(&ty) { None } else { becomes().cloned() };
             self.wires[index].ty = ty;
             self.wires[index].bounds = self.wire_bounds(index);
         }
@@ -324,7 +355,11 @@ impl Table {
                 None => break,
             }
         }
-        self.nodes[socket.node].kind.outputs.get(socket.port).map_or(Type::Float, |port| port.ty.clone())
+        self.nodes[socket.node]
+            .kind
+            .outputs
+            .get(socket.port)
+            .map_or(Type::Float, |port| port.ty.clone())
     }
 
     /// The type that a socket gives or takes.
@@ -388,8 +423,11 @@ impl Table {
 
     /// Around all nodes, frames and notes.
     pub(crate) fn bounds(&self) -> Rect {
-        let rects = self.nodes.iter().map(|row| row.rect).chain(self.frames.iter().map(|row| row.rect));
-        rects.chain(self.notes.iter().map(|row| row.rect)).fold(Rect::NOTHING, |bounds, rect| bounds.union(rect))
+        let rects =
+            self.nodes.iter().map(|row| row.rect).chain(self.frames.iter().map(|row| row.rect));
+        rects
+            .chain(self.notes.iter().map(|row| row.rect))
+            .fold(Rect::NOTHING, |bounds, rect| bounds.union(rect))
     }
 
     /// The node that reaches farthest to the right, where a graph ends.
@@ -401,17 +439,27 @@ impl Table {
     /// The sockets of a node that wires may be drawn to.
     pub(crate) fn sockets(&self, node: usize) -> impl Iterator<Item = Socket> + '_ {
         let kind = &self.nodes[node].kind;
-        let outputs = (0..kind.outputs.len()).map(move |port| Socket { node, port, is_output: true });
+        let outputs =
+            (0..kind.outputs.len()).map(move |port| Socket { node, port, is_output: true });
         let inputs = (0..kind.inputs.len()).filter(|&port| kind.inputs[port].is_wirable());
         outputs.chain(inputs.map(move |port| Socket { node, port, is_output: false }))
     }
 
     /// The nearest socket within `radius`.
-    pub(crate) fn socket_at(&self, p: Pos2, radius: f32, fits: impl Fn(Socket) -> bool) -> Option<Socket> {
-        let near = self.nodes.iter().enumerate().filter(|(_, row)| row.rect.expand(radius).contains(p));
+    pub(crate) fn socket_at(
+        &self,
+        p: Pos2,
+        radius: f32,
+        fits: impl Fn(Socket) -> bool,
+    ) -> Option<Socket> {
+        let near =
+            self.nodes.iter().enumerate().filter(|(_, row)| row.rect.expand(radius).contains(p));
         let sockets = near.flat_map(|(node, _)| self.sockets(node)).filter(|&socket| fits(socket));
         let by_distance = sockets.map(|socket| (self.place(socket).distance(p), socket));
-        by_distance.filter(|(distance, _)| *distance <= radius).min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, s)| s)
+        by_distance
+            .filter(|(distance, _)| *distance <= radius)
+            .min_by(|a, b| a.0.total_cmp(&b.0))
+            .map(|(_, s)| s)
     }
 
     /// The socket, the topmost node or the nearest wire at a point.
@@ -422,7 +470,11 @@ impl Table {
         if let Some(index) = self.nodes.iter().rposition(|row| row.rect.contains(p)) {
             return Some(Hit::Node(index));
         }
-        let near = self.wires.iter().enumerate().filter(|(_, wire)| wire.bounds.expand(radius).contains(p));
+        let near = self
+            .wires
+            .iter()
+            .enumerate()
+            .filter(|(_, wire)| wire.bounds.expand(radius).contains(p));
         let by_distance = near.map(|(index, wire)| (index, curve_distance(p, &self.curve(wire))));
         let hits = by_distance.filter(|(_, distance)| *distance < radius);
         if let Some((index, _)) = hits.min_by(|a, b| a.1.total_cmp(&b.1)) {
@@ -436,9 +488,9 @@ impl Table {
 
     /// The smallest frame around a point, other than those that hold all of `moved`.
     pub(crate) fn frame_at(&self, p: Pos2, moved: &HashSet<usize>) -> Option<usize> {
-        self.frames
-            .iter()
-            .rposition(|frame| frame.rect.contains(p) && !frame.nodes.iter().all(|node| moved.contains(node)))
+        self.frames.iter().rposition(|frame| {
+            frame.rect.contains(p) && !frame.nodes.iter().all(|node| moved.contains(node))
+        })
     }
 
     /// The frame that a node is in.

@@ -20,7 +20,7 @@ pub(crate) struct NodeText {
     pub(crate) lines: Vec<(Vec2, Arc<Galley>)>,
     /// What is said of the node beside its title.
     pub(crate) tag: Option<(Vec2, Arc<Galley>)>,
-    /// Colours shown in rows: where their middle is, and straight RGBA.
+    /// Colors shown in rows: where their middle is, and straight RGBA.
     pub(crate) swatches: Vec<(Vec2, [f64; 4])>,
 }
 
@@ -51,10 +51,12 @@ pub(crate) fn lay_out(
 
     let mut room = (NODE_WIDTH - 18.0) * zoom;
     if !tag.is_empty() {
-        let tag = one_line(painter, tag, (size * 0.85).max(LEAST_TITLE - 1.0), room * 0.6, colors.dim);
+        let tag =
+            one_line(painter, tag, (size * 0.85).max(LEAST_TITLE - 1.0), room * 0.6, colors.dim);
         let width = tag.size().x;
         room -= width + 6.0 * zoom;
-        text.tag = Some((vec2(NODE_WIDTH - 10.0 - width / zoom, centered(&tag, TITLE_HEIGHT / 2.0)), tag));
+        text.tag =
+            Some((vec2(NODE_WIDTH - 10.0 - width / zoom, centered(&tag, TITLE_HEIGHT / 2.0)), tag));
     }
     let title = one_line(painter, &row.title, size.max(LEAST_TITLE), room, colors.text);
     text.lines.push((vec2(10.0, centered(&title, TITLE_HEIGHT / 2.0)), title));
@@ -76,7 +78,11 @@ pub(crate) fn lay_out(
         let is_wired = row.is_wired[index];
         let shown = if is_wired { Shown::Nothing } else { values::shown(port, node, look) };
         let mut room = NODE_WIDTH - 24.0;
-        let color = if matches!(shown, Shown::Source(_)) { colors.dim.gamma_multiply(0.7) } else { colors.text };
+        let color = if matches!(shown, Shown::Source(_)) {
+            colors.dim.gamma_multiply(0.7)
+        } else {
+            colors.text
+        };
         match shown {
             Shown::Nothing => {}
             Shown::Color(color) => {
@@ -97,7 +103,13 @@ pub(crate) fn lay_out(
 }
 
 /// One line, cut off with an ellipsis where it is longer than `width`.
-pub(super) fn one_line(painter: &Painter, text: &str, size: f32, width: f32, color: Color32) -> Arc<Galley> {
+pub(super) fn one_line(
+    painter: &Painter,
+    text: &str,
+    size: f32,
+    width: f32,
+    color: Color32,
+) -> Arc<Galley> {
     let format = TextFormat { font_id: FontId::proportional(size), color, ..TextFormat::default() };
     let mut job = LayoutJob::single_section(text.replace(['\n', '\r'], " "), format);
     job.wrap = TextWrapping::truncate_at_width(width.max(1.0));

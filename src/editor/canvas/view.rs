@@ -74,8 +74,8 @@ impl View {
         self.center = bounds.center();
     }
 
-    /// Shows a graph that was just opened: all of `bounds` where that can be read, or else the right end, where the picture
-    /// comes out at `last`, as large as can be read.
+    /// Shows a graph that was just opened: all of `bounds` where that can be read, or else the
+    /// right end, where the picture comes out at `last`, as large as can be read.
     pub(crate) fn begin(&mut self, bounds: Rect, last: Rect) {
         self.fit(bounds);
         if self.zoom >= LEGIBLE {
@@ -139,6 +139,9 @@ mod tests {
         let last = Rect::from_min_max(pos2(2800.0, -100.0), pos2(3000.0, 100.0));
         view.begin(large, last);
         assert!(view.zoom >= LEGIBLE && view.visible().contains_rect(last));
-        assert!(view.visible().max.x < large.max.x + 2.0 * MARGIN / LEGIBLE, "no room is lost beyond the end");
+        assert!(
+            view.visible().max.x < large.max.x + 2.0 * MARGIN / LEGIBLE,
+            "no room is lost beyond the end"
+        );
     }
 }

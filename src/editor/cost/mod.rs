@@ -1,5 +1,5 @@
-//! What accuracy costs in time: the look and each of its nodes in each tier, measured in the background when that is
-//! asked for. A click on a tier adopts it.
+//! What accuracy costs in time: the look and each of its nodes in each tier, measured in the
+//! background when that is asked for. A click on a tier adopts it.
 
 mod panel;
 mod plot;
@@ -70,8 +70,8 @@ pub struct Cost {
 }
 
 impl Cost {
-    /// Nothing is measured by itself. `wake` is called from another thread when there is news. Without a GPU there is
-    /// nothing to measure.
+    /// Nothing is measured by itself. `wake` is called from another thread when there is news.
+    /// Without a GPU there is nothing to measure.
     pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Clone + Send + 'static) -> Self {
         let start = |gpu: Gpu| {
             let mut renderer = None;
@@ -108,7 +108,8 @@ impl Cost {
         self.cancel = Arc::default();
         self.progress = Arc::default();
         let (cancel, progress) = (self.cancel.clone(), self.progress.clone());
-        // Of a scene, what wears the look: only its figures are asked for, and only its tiers can be chosen.
+        // Of a scene, what wears the look: only its figures are asked for, and only its tiers can
+        // be chosen.
         let still = session.still_of(Arc::new(session.look().clone())).alone();
         let job = Job { still, size, cancel, progress };
         if let Some(worker) = &self.worker {
@@ -124,8 +125,10 @@ impl Cost {
     fn update(&mut self, session: &Session) {
         for done in self.worker.as_ref().map(Worker::answers).unwrap_or_default() {
             // What was stopped leaves what was measured before.
-            let is_stopped =
-                done.result.as_ref().is_err_and(|problems| problems.iter().any(|problem| problem.code == "stopped"));
+            let is_stopped = done
+                .result
+                .as_ref()
+                .is_err_and(|problems| problems.iter().any(|problem| problem.code == "stopped"));
             if !is_stopped {
                 self.done = Some(done);
                 self.is_current.0 = 0;
@@ -145,10 +148,15 @@ impl Drop for Cost {
     }
 }
 
-/// The edit that adopts a row's tier, as one step; `None` where it already is so, or the row is no choice.
+/// The edit that adopts a row's tier, as one step; `None` where it already is so, or the row is no
+/// choice.
 fn adopt(look: &Look, row: &Row) -> Option<Edit> {
     let tier = row.tier?;
-    let set = |id: &crate::ids::NodeId, tier| Edit::SetTier { graph: GraphId::Look, id: id.clone(), tier };
+    let set = |id: &crate::ids::NodeId, tier| Edit::SetTier {
+        graph: GraphId::Look,
+        id: id.clone(),
+        tier,
+    };
     match &row.subject {
         Subject::Whole => {
             let mut edits: Vec<Edit> = Vec::new();
@@ -165,7 +173,8 @@ fn adopt(look: &Look, row: &Row) -> Option<Edit> {
         }
         Subject::Node { id, .. } => {
             let node = look.graph.nodes.get(id)?;
-            (node.tier.unwrap_or(look.tier) != tier).then(|| set(id, (tier != look.tier).then_some(tier)))
+            (node.tier.unwrap_or(look.tier) != tier)
+                .then(|| set(id, (tier != look.tier).then_some(tier)))
         }
         Subject::Pass(_) => None,
     }
@@ -180,14 +189,16 @@ fn measure(renderer: &mut Option<Renderer>, window: &Gpu, wake: &impl Fn(), job:
     let mut run = || {
         let (setup, _) = job.still.setup(&mut Assets::default())?;
         let plan = PlanOptions { size: job.size, samples: 1, time: job.still.time };
-        let options = BenchOptions { plan, rounds: ROUNDS, nodes: MeasuredNodes::Tiered, truth: true };
+        let options =
+            BenchOptions { plan, rounds: ROUNDS, nodes: MeasuredNodes::Tiered, truth: true };
         let mut told = |done, total| {
             job.progress.done.store(done, Ordering::Relaxed);
             job.progress.total.store(total, Ordering::Relaxed);
             wake();
             !job.cancel.load(Ordering::Relaxed)
         };
-        bench(&setup, &job.still.library, renderer, &options, &mut Progress::new(&mut told)).map_err(Vec::from)
+        bench(&setup, &job.still.library, renderer, &options, &mut Progress::new(&mut told))
+            .map_err(Vec::from)
     };
     let result = run();
     let stage = job.still.stage.as_ref().map(|stage| stage.version());

@@ -26,7 +26,11 @@ impl Cost {
         }
         self.head(ui, session, size);
         let Some(done) = &self.done else {
-            hint(ui, "Measures time and error of the look and of each node in each tier. It takes a while.");
+            hint(
+                ui,
+                "Measures time and error of the look and of each node in each tier. It takes a \
+                 while.",
+            );
             return Vec::new();
         };
         let report = match &done.result {
@@ -40,8 +44,11 @@ impl Cost {
         };
         let mut picked = None;
         let area = ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
-            let rows: Vec<&Row> =
-                report.rows.iter().filter(|row| row.subject == self.subject && row.error.is_some()).collect();
+            let rows: Vec<&Row> = report
+                .rows
+                .iter()
+                .filter(|row| row.subject == self.subject && row.error.is_some())
+                .collect();
             let plotted = plot::show(ui, &rows, name(&self.subject), |row| in_use(session, row));
             ui.add_space(6.0);
             ui.spacing_mut().item_spacing.y = 0.0;
@@ -50,33 +57,43 @@ impl Cost {
         if let Some(subject) = picked {
             self.subject = subject;
         }
-        area.inner.and_then(|row| adopt(session.look(), &row)).map(Command::Edit).into_iter().collect()
+        area.inner
+            .and_then(|row| adopt(session.look(), &row))
+            .map(Command::Edit)
+            .into_iter()
+            .collect()
     }
 
     fn head(&mut self, ui: &mut Ui, session: &Session, size: [u32; 2]) {
         ui.horizontal(|ui| {
             if self.is_busy() {
-                let (done, total) =
-                    (self.progress.done.load(Ordering::Relaxed), self.progress.total.load(Ordering::Relaxed));
+                let (done, total) = (
+                    self.progress.done.load(Ordering::Relaxed),
+                    self.progress.total.load(Ordering::Relaxed),
+                );
                 let share = done as f32 / total.max(1) as f32;
-                let text = if total == 0 { "starting".to_owned() } else { format!("{done} of {total}") };
+                let text =
+                    if total == 0 { "starting".to_owned() } else { format!("{done} of {total}") };
                 ui.add(egui::ProgressBar::new(share).desired_width(160.0).text(text));
                 if ui.button("Stop").clicked() {
                     self.stop();
                 }
                 return;
             }
-            let help = "Draws the look and each of its nodes in each tier, and holds them against the truth in f64";
+            let help = "Draws the look and each of its nodes in each tier, and holds them against \
+                        the truth in f64";
             if ui.button("Measure").on_hover_text(help).clicked() {
                 self.start(session, size);
             }
             let Some(report) = self.report() else { return };
             if !self.is_current.1 {
                 let help = "The look was changed since, by more than its tiers";
-                ui.label(RichText::new("of before").color(theme::of(ui).warning)).on_hover_text(help);
+                ui.label(RichText::new("of before").color(theme::of(ui).warning))
+                    .on_hover_text(help);
             }
             let [width, height] = report.size;
-            let clock = if report.has_timestamps { "GPU timestamps" } else { "the clock on the wall" };
+            let clock =
+                if report.has_timestamps { "GPU timestamps" } else { "the clock on the wall" };
             let software = if report.is_software { "; software, not a GPU" } else { "" };
             let text = format!("{width}×{height} on {}", report.adapter);
             ui.add(egui::Label::new(RichText::new(&text).color(theme::of(ui).dim)).truncate())
@@ -123,8 +140,16 @@ fn table(
     picked: &mut Option<Subject>,
 ) -> Option<Row> {
     let (head, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
-    for (index, title) in ["Tier", "Milliseconds (95%)", "Max error", "RMS", "> 1/255"].into_iter().enumerate() {
-        cell(ui, column(head, index), title, FontId::proportional(theme::SMALL_TEXT), theme::of(ui).dim);
+    for (index, title) in
+        ["Tier", "Milliseconds (95%)", "Max error", "RMS", "> 1/255"].into_iter().enumerate()
+    {
+        cell(
+            ui,
+            column(head, index),
+            title,
+            FontId::proportional(theme::SMALL_TEXT),
+            theme::of(ui).dim,
+        );
     }
     let mut chosen = None;
     let mut last: Option<&Subject> = None;
@@ -143,12 +168,20 @@ fn table(
 }
 
 fn subject(ui: &mut Ui, subject: &Subject, is_plotted: bool) -> bool {
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW + 2.0), Sense::click());
+    let (rect, response) =
+        ui.allocate_exact_size(vec2(ui.available_width(), ROW + 2.0), Sense::click());
     let name = name(subject);
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Plot {name}")));
-    let color = if is_plotted || response.hovered() { theme::of(ui).accent } else { theme::of(ui).text };
+    response.widget_info(|| {
+        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Plot {name}"))
+    });
+    let color =
+        if is_plotted || response.hovered() { theme::of(ui).accent } else { theme::of(ui).text };
     cell(ui, rect, &name, FontId::proportional(theme::TEXT_SIZE), color);
-    ui.painter().hline(rect.x_range(), rect.bottom() - 1.0, egui::Stroke::new(1.0, theme::of(ui).grid));
+    ui.painter().hline(
+        rect.x_range(),
+        rect.bottom() - 1.0,
+        egui::Stroke::new(1.0, theme::of(ui).grid),
+    );
     response.on_hover_text("A click plots this one").clicked()
 }
 
@@ -163,7 +196,11 @@ fn figures(ui: &mut Ui, session: &Session, row: &Row) -> bool {
     } else if response.hovered() && row.tier.is_some() {
         ui.painter().rect_filled(rect, 2.0, theme::of(ui).field.gamma_multiply(0.6));
     }
-    ui.painter().circle_filled(pos2(rect.left() + 7.0, rect.center().y), 3.5, theme::of(ui).of_tier(row.tier));
+    ui.painter().circle_filled(
+        pos2(rect.left() + 7.0, rect.center().y),
+        3.5,
+        theme::of(ui).of_tier(row.tier),
+    );
     let mut first = column(rect, 0);
     first.min.x += 16.0;
     cell(ui, first, word, FontId::proportional(theme::TEXT_SIZE), theme::of(ui).text);
@@ -177,9 +214,16 @@ fn figures(ui: &mut Ui, session: &Session, row: &Row) -> bool {
     } else {
         2
     };
-    let text = format!("{:.places$}  ({:.places$} to {:.places$})", time.median, time.low, time.high);
+    let text =
+        format!("{:.places$}  ({:.places$} to {:.places$})", time.median, time.low, time.high);
     let mono = FontId::monospace(11.0);
-    cell(ui, column(rect, 1), &text, mono.clone(), if is_noise { theme::of(ui).dim } else { theme::of(ui).text });
+    cell(
+        ui,
+        column(rect, 1),
+        &text,
+        mono.clone(),
+        if is_noise { theme::of(ui).dim } else { theme::of(ui).text },
+    );
     if let Some(error) = &row.error {
         let ink = |bad: bool| if bad { theme::of(ui).warning } else { theme::of(ui).text };
         cell(ui, column(rect, 2), &small(error.max), mono.clone(), ink(error.max > 1.0 / 255.0));
@@ -194,17 +238,28 @@ fn figures(ui: &mut Ui, session: &Session, row: &Row) -> bool {
 /// A row in words.
 pub(super) fn told(row: &Row, is_used: bool) -> String {
     let mut text = format!("{}, {}", name(&row.subject), tier_word(row.tier));
-    text += &format!("\n{:.3} ms, 95% from {:.3} to {:.3}", row.time.median, row.time.low, row.time.high);
+    text += &format!(
+        "\n{:.3} ms, 95% from {:.3} to {:.3}",
+        row.time.median, row.time.low, row.time.high
+    );
     if matches!(row.subject, Subject::Node { .. }) {
-        text += if row.time.is_noise() { "\nnothing seen beyond noise" } else { "\nadded by the node" };
+        text +=
+            if row.time.is_noise() { "\nnothing seen beyond noise" } else { "\nadded by the node" };
     }
     if let Some(sizes) = &row.sizes {
         let megabytes = sizes.traffic as f64 / f64::from(1 << 20);
-        text += &format!("\n{} instructions, {megabytes:.1} MiB moved in a frame, as counted", sizes.instructions);
+        text += &format!(
+            "\n{} instructions, {megabytes:.1} MiB moved in a frame, as counted",
+            sizes.instructions
+        );
     }
     if let Some(error) = &row.error {
         let [x, y] = error.worst;
-        text += &format!("\nerror max {} at pixel {x}, {y}; rms {}", small(error.max), small(error.rms));
+        text += &format!(
+            "\nerror max {} at pixel {x}, {y}; rms {}",
+            small(error.max),
+            small(error.rms)
+        );
         text += &format!("\n{} of {} pixels over 1/255", error.visible, error.pixels);
     }
     if row.tier.is_some() {

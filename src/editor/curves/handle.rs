@@ -2,7 +2,8 @@
 
 use eframe::egui;
 use eframe::egui::{
-    CursorIcon, EventFilter, Id, Key, Modifiers, Pos2, Rect, Response, Sense, Ui, Vec2, WidgetInfo, vec2,
+    CursorIcon, EventFilter, Id, Key, Modifiers, Pos2, Rect, Response, Sense, Ui, Vec2, WidgetInfo,
+    vec2,
 };
 
 /// How large a handle is to a hand, in points.
@@ -33,7 +34,8 @@ pub(super) fn handle(ui: &Ui, id: Id, at: Pos2, label: &str, value: f64, is_on: 
         response.request_focus();
     }
     let pointer = response.interact_pointer_pos().filter(|_| response.dragged());
-    let to = pointer.map(|pointer| pointer + ui.data(|data| data.get_temp::<Vec2>(grip)).unwrap_or_default());
+    let to = pointer
+        .map(|pointer| pointer + ui.data(|data| data.get_temp::<Vec2>(grip)).unwrap_or_default());
     let steps = if response.has_focus() { arrows(ui, id) } else { Vec2::ZERO };
     let response = if is_on { response.on_hover_cursor(CursorIcon::Grab) } else { response };
     Handled { response, to, steps }
@@ -41,7 +43,8 @@ pub(super) fn handle(ui: &Ui, id: Id, at: Pos2, label: &str, value: f64, is_on: 
 
 /// Presses of arrow keys, which would else move the focus; with Shift they count a tenth.
 fn arrows(ui: &Ui, id: Id) -> Vec2 {
-    let filter = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
+    let filter =
+        EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(id, filter));
     let mut steps = Vec2::ZERO;
     let ways = [

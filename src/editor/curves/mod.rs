@@ -1,4 +1,5 @@
-//! Panels in which values are drawn and not typed: a layer's profile, values over directions, values over time.
+//! Panels in which values are drawn and not typed: a layer's profile, values over directions,
+//! values over time.
 
 mod handle;
 pub(crate) mod keys;

@@ -18,12 +18,14 @@ pub(crate) fn note(ui: &mut Ui, session: &Session, still: &[Driver]) {
         1 => "1 wire never changes".to_owned(),
         count => format!("{count} wires never change"),
     };
-    let mut names: Vec<String> = still.iter().take(NAMED).map(|driver| session.driver_name(driver)).collect();
+    let mut names: Vec<String> =
+        still.iter().take(NAMED).map(|driver| session.driver_name(driver)).collect();
     if still.len() > NAMED {
         names.push(format!("and {} more", still.len() - NAMED));
     }
     let help = format!(
-        "Left out, for keys by them would stand still:\n{}\nExpose what they come from, key it in time, or wire a light or \
+        "Left out, for keys by them would stand still:\n{}\nExpose what they come from, key it in \
+         time, or wire a light or \
          the time to it, and they are offered here.",
         names.join("\n")
     );

@@ -1,4 +1,5 @@
-//! Everything that the picture may cost: what runs, what still stands from before, what was dropped, and the proof.
+//! Everything that the picture may cost: what runs, what still stands from before, what was
+//! dropped, and the proof.
 
 use eframe::egui;
 use eframe::egui::{Color32, FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
@@ -51,14 +52,19 @@ impl Effects {
         self.filters(ui);
         let mut commands = Vec::new();
         ui.spacing_mut().item_spacing.y = 0.0;
-        ScrollArea::vertical().auto_shrink([false, false]).show_rows(ui, ROW, self.lines.len(), |ui, rows| {
-            for line in &self.lines[rows] {
-                match line {
-                    Line::Kind(kind, count) => head(ui, *kind, *count),
-                    Line::Effect(index) => commands.extend(row(ui, &self.of[*index])),
+        ScrollArea::vertical().auto_shrink([false, false]).show_rows(
+            ui,
+            ROW,
+            self.lines.len(),
+            |ui, rows| {
+                for line in &self.lines[rows] {
+                    match line {
+                        Line::Kind(kind, count) => head(ui, *kind, *count),
+                        Line::Effect(index) => commands.extend(row(ui, &self.of[*index])),
+                    }
                 }
-            }
-        });
+            },
+        );
         commands
     }
 
@@ -68,9 +74,14 @@ impl Effects {
         ui.horizontal(|ui| {
             for (state, is_listed) in STATES.into_iter().zip(&mut self.is_listed) {
                 let count = self.of.iter().filter(|effect| effect.state == state).count();
-                let color = if *is_listed { color(state, theme::of(ui)) } else { theme::of(ui).dim };
+                let color =
+                    if *is_listed { color(state, theme::of(ui)) } else { theme::of(ui).dim };
                 let text = RichText::new(format!("{count} {}", word(state, count))).color(color);
-                let help = if *is_listed { "Listed; a click hides them" } else { "Hidden; a click lists them" };
+                let help = if *is_listed {
+                    "Listed; a click hides them"
+                } else {
+                    "Hidden; a click lists them"
+                };
                 let button = egui::Button::new(text).small().selected(*is_listed);
                 if ui.add(button).on_hover_text(help).clicked() {
                     *is_listed = !*is_listed;
@@ -85,8 +96,11 @@ impl Effects {
     }
 
     fn list(&mut self) {
-        let is_listed = |effect: &Effect| STATES.iter().zip(&self.is_listed).any(|(s, on)| *on && *s == effect.state);
-        let mut order: Vec<usize> = (0..self.of.len()).filter(|&index| is_listed(&self.of[index])).collect();
+        let is_listed = |effect: &Effect| {
+            STATES.iter().zip(&self.is_listed).any(|(s, on)| *on && *s == effect.state)
+        };
+        let mut order: Vec<usize> =
+            (0..self.of.len()).filter(|&index| is_listed(&self.of[index])).collect();
         let rank = |state: EffectState| STATES.iter().position(|other| *other == state);
         order.sort_by_key(|&index| (self.of[index].kind, rank(self.of[index].state)));
         self.lines.clear();
@@ -139,16 +153,21 @@ fn row(ui: &mut Ui, effect: &Effect) -> Option<Command> {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
     let name = effect.what.replace('`', "");
     let name = name.strip_prefix("node ").or(name.strip_prefix("object ")).unwrap_or(&name);
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Effect {name}")));
+    response.widget_info(|| {
+        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Effect {name}"))
+    });
     let is_dropped = effect.state == EffectState::Dropped;
-    let node = effect.node.as_deref().map(NodePath::parse).and_then(|path| path.outermost().cloned());
+    let node =
+        effect.node.as_deref().map(NodePath::parse).and_then(|path| path.outermost().cloned());
     if response.hovered() && node.is_some() {
         ui.painter().rect_filled(rect, 2.0, theme::of(ui).field.gamma_multiply(0.6));
     }
     let dot = if is_dropped { theme::of(ui).dim } else { color(effect.state, theme::of(ui)) };
     let center = pos2(rect.left() + 7.0, rect.center().y);
     match effect.state {
-        EffectState::Dropped => ui.painter().circle_stroke(center, 3.5, egui::Stroke::new(1.5, dot)),
+        EffectState::Dropped => {
+            ui.painter().circle_stroke(center, 3.5, egui::Stroke::new(1.5, dot))
+        }
         _ => ui.painter().circle_filled(center, 3.5, dot),
     };
     let font = FontId::proportional(theme::TEXT_SIZE);
@@ -157,7 +176,9 @@ fn row(ui: &mut Ui, effect: &Effect) -> Option<Command> {
     let proof = effect.proof.map(|proof| proof.label());
     let proof_width = if proof.is_some() { (width * 0.22).min(140.0) } else { 0.0 };
     let cost_width = (width * 0.24).min(130.0);
-    let column = |from: f32, width: f32| Rect::from_min_size(pos2(from, rect.top()), vec2(width, rect.height()));
+    let column = |from: f32, width: f32| {
+        Rect::from_min_size(pos2(from, rect.top()), vec2(width, rect.height()))
+    };
     let ink = if is_dropped { theme::of(ui).dim } else { theme::of(ui).text };
     cell(ui, column(left, name_width - 8.0), name, font.clone(), ink);
     let cost = short_cost(effect);
@@ -167,7 +188,13 @@ fn row(ui: &mut Ui, effect: &Effect) -> Option<Command> {
     let reason_width = (rect.right() - proof_width - 8.0 - reason_left).max(0.0);
     cell(ui, column(reason_left, reason_width), &reason, font.clone(), theme::of(ui).dim);
     if let Some(proof) = proof {
-        cell(ui, column(rect.right() - proof_width, proof_width), proof, font, dot.gamma_multiply(1.3));
+        cell(
+            ui,
+            column(rect.right() - proof_width, proof_width),
+            proof,
+            font,
+            dot.gamma_multiply(1.3),
+        );
     }
     let state = match effect.state {
         EffectState::Runs => "Runs for this picture",
@@ -178,15 +205,19 @@ fn row(ui: &mut Ui, effect: &Effect) -> Option<Command> {
     let lead = if node.is_some() { "\nA click shows the node" } else { "" };
     let clicked = response.clicked();
     let verb = if is_dropped { "Saves" } else { "Costs" };
-    response.on_hover_text(format!("{name}: {state}\n{verb} {}\n{reason}{proof}{lead}", effect.cost));
+    response
+        .on_hover_text(format!("{name}: {state}\n{verb} {}\n{reason}{proof}{lead}", effect.cost));
     node.filter(|_| clicked).map(|id| Command::Show(NodePath::root(id)))
 }
 
-/// The weightiest part of what an effect costs, in few letters; what would be saved stands after a minus.
+/// The weightiest part of what an effect costs, in few letters; what would be saved stands after a
+/// minus.
 fn short_cost(effect: &Effect) -> String {
     let cost = &effect.cost;
     let short = match (cost.milliseconds, cost.operations) {
-        (Some(milliseconds), _) => EffectCost { milliseconds: Some(milliseconds), ..EffectCost::default() }.to_string(),
+        (Some(milliseconds), _) => {
+            EffectCost { milliseconds: Some(milliseconds), ..EffectCost::default() }.to_string()
+        }
         (None, 1..) if effect.kind != EffectKind::Pass => format!("{} ops", cost.operations),
         _ if cost.bytes > 0 => EffectCost::bytes(cost.bytes).to_string(),
         _ => return String::new(),

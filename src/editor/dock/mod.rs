@@ -1,16 +1,17 @@
-//! The panels of the window: which there are, and how they share it. They can be dragged by their tabs, stacked, split,
-//! closed and brought back; the arrangement is remembered.
+//! The panels of the window: which there are, and how they share it. They can be dragged by their
+//! tabs, stacked, split, closed and brought back; the arrangement is remembered.
 
 pub(crate) mod effects;
 mod workspace;
 
 use eframe::egui;
 use eframe::egui::{
-    Color32, Rect, Response, Sense, Stroke, TextStyle, Ui, UiBuilder, Vec2, Visuals, WidgetInfo, WidgetText, vec2,
+    Color32, Rect, Response, Sense, Stroke, TextStyle, Ui, UiBuilder, Vec2, Visuals, WidgetInfo,
+    WidgetText, vec2,
 };
 use egui_tiles::{
-    Behavior, Container, Linear, LinearDir, SimplificationOptions, TabState, Tabs, Tile, TileId, Tiles, Tree,
-    UiResponse,
+    Behavior, Container, Linear, LinearDir, SimplificationOptions, TabState, Tabs, Tile, TileId,
+    Tiles, Tree, UiResponse,
 };
 use serde::{Deserialize, Serialize};
 
@@ -114,30 +115,43 @@ impl Panel {
         match self {
             Self::Picture => "The look on a mesh: drag the lights and the camera",
             Self::Graph => "The nodes of the look and their wires",
-            Self::Paint => "A surface that changes with the light and the eye, to be painted on (HCBTF)",
+            Self::Paint => {
+                "A surface that changes with the light and the eye, to be painted on (HCBTF)"
+            }
             Self::Samples => {
-                "All lights and views of what is painted at a glance: go from one to another, copy, delete"
+                "All lights and views of what is painted at a glance: go from one to another, \
+                 copy, delete"
             }
             Self::Sheet => {
-                "All of what is painted and filled in one picture, as the thesis lays it out; tells what lies where"
+                "All of what is painted and filled in one picture, as the thesis lays it out; \
+                 tells what lies where"
             }
-            Self::Directions => "Where the light and the eye are that you paint for, and what is painted already",
+            Self::Directions => {
+                "Where the light and the eye are that you paint for, and what is painted already"
+            }
             Self::Rules => "The rules that fill the lights and views that nobody painted",
             Self::Inspector => "The values of what is selected",
             Self::Code => "The generated WGSL",
             Self::Effects => "Everything that the picture costs, what was left out, and the proof",
             Self::Cost => "What each tier costs in time, and how far it is from the truth",
             Self::Probe => "The value on every wire at a pixel, f32 beside f64 (I)",
-            Self::Profile => "How a layer's tone falls with the angle: drag offset, fall-off and cut-off",
+            Self::Profile => {
+                "How a layer's tone falls with the angle: drag offset, fall-off and cut-off"
+            }
             Self::Keys => "Values that change with the direction of a light or of the view",
             Self::Timeline => "Values that change with time: keys, play, scrub",
             Self::Layers => "The look as a stack of layers: another view of the same graph",
             Self::Lights => "The lights that layers name: which shine, from where, how bright",
-            Self::Objects => "The objects of the scene: their meshes, their looks, where they stand",
+            Self::Objects => {
+                "The objects of the scene: their meshes, their looks, where they stand"
+            }
             Self::Problems => "What is wrong, where, and what mends it",
             Self::History => "Everything that was done; a click goes there and back",
             Self::Library => "Nodes to drag onto the canvas, and finished looks to begin with",
-            Self::Fit => "Paint on the picture where it should be lighter or darker: the look is fitted to that (L)",
+            Self::Fit => {
+                "Paint on the picture where it should be lighter or darker: the look is fitted to \
+                 that (L)"
+            }
         }
     }
 
@@ -148,14 +162,36 @@ impl Panel {
             Self::Paint => &[Self::Graph],
             Self::Sheet => &[Self::Paint, Self::Graph],
             Self::Rules => &[Self::Inspector],
-            Self::Samples => &[Self::Profile, Self::Keys, Self::Code, Self::Effects, Self::Problems],
-            Self::Profile | Self::Keys | Self::Timeline => &[Self::Profile, Self::Keys, Self::Code, Self::Effects],
+            Self::Samples => {
+                &[Self::Profile, Self::Keys, Self::Code, Self::Effects, Self::Problems]
+            }
+            Self::Profile | Self::Keys | Self::Timeline => {
+                &[Self::Profile, Self::Keys, Self::Code, Self::Effects]
+            }
             Self::Code | Self::Problems | Self::Effects | Self::Cost | Self::Probe | Self::Fit => {
-                &[Self::Code, Self::Problems, Self::Effects, Self::Cost, Self::Probe, Self::Profile, Self::Keys]
+                &[
+                    Self::Code,
+                    Self::Problems,
+                    Self::Effects,
+                    Self::Cost,
+                    Self::Probe,
+                    Self::Profile,
+                    Self::Keys,
+                ]
             }
-            Self::Directions | Self::Layers | Self::Lights | Self::Objects | Self::Library | Self::History => {
-                &[Self::Layers, Self::Lights, Self::Objects, Self::Library, Self::History, Self::Inspector]
-            }
+            Self::Directions
+            | Self::Layers
+            | Self::Lights
+            | Self::Objects
+            | Self::Library
+            | Self::History => &[
+                Self::Layers,
+                Self::Lights,
+                Self::Objects,
+                Self::Library,
+                Self::History,
+                Self::Inspector,
+            ],
         }
     }
 }
@@ -172,7 +208,12 @@ pub(crate) struct Dock {
 
 impl Default for Dock {
     fn default() -> Self {
-        Self { tree: arrangement(), workspace: Workspace::default(), aside: None, is_changed: false }
+        Self {
+            tree: arrangement(),
+            workspace: Workspace::default(),
+            aside: None,
+            is_changed: false,
+        }
     }
 }
 
@@ -184,10 +225,18 @@ fn arrangement() -> Tree<Panel> {
         tiles.insert_tab_tile(panes)
     };
     let picture = tabs(&[Panel::Picture]);
-    let below =
-        tabs(&[Panel::Profile, Panel::Keys, Panel::Code, Panel::Problems, Panel::Effects, Panel::Cost, Panel::Probe]);
+    let below = tabs(&[
+        Panel::Profile,
+        Panel::Keys,
+        Panel::Code,
+        Panel::Problems,
+        Panel::Effects,
+        Panel::Cost,
+        Panel::Probe,
+    ]);
     let graph = tabs(&[Panel::Graph]);
-    let stack = tabs(&[Panel::Layers, Panel::Lights, Panel::Objects, Panel::Library, Panel::History]);
+    let stack =
+        tabs(&[Panel::Layers, Panel::Lights, Panel::Objects, Panel::Library, Panel::History]);
     let inspector = tabs(&[Panel::Inspector]);
     let mut shared = |dir, parts: &[(TileId, f32)]| {
         let mut linear = Linear::new(dir, parts.iter().map(|(tile, _)| *tile).collect());
@@ -214,7 +263,10 @@ impl Dock {
 
     /// Whether this panel is seen.
     pub(crate) fn shows(&self, panel: Panel) -> bool {
-        self.tree.tiles.find_pane(&panel).is_some_and(|tile| self.tree.active_tiles().contains(&tile))
+        self.tree
+            .tiles
+            .find_pane(&panel)
+            .is_some_and(|tile| self.tree.active_tiles().contains(&tile))
     }
 
     /// Whether this panel is there, seen or behind another's tab.
@@ -246,14 +298,18 @@ impl Dock {
             return;
         }
         let beside = panel.neighbours().iter().filter(|other| **other != panel);
-        let beside = beside.filter_map(|other| tiles.find_pane(other)).find_map(|tile| tiles.parent_of(tile));
+        let beside = beside
+            .filter_map(|other| tiles.find_pane(other))
+            .find_map(|tile| tiles.parent_of(tile));
         if let Some(Tile::Container(container)) = beside.and_then(|tabs| tiles.get_mut(tabs)) {
             container.add_child(pane);
             return;
         }
         let tabs = tiles.insert_tab_tile(vec![pane]);
         match self.tree.root.map(|root| (root, self.tree.tiles.get_mut(root))) {
-            Some((_, Some(Tile::Container(Container::Linear(linear))))) if linear.dir == LinearDir::Horizontal => {
+            Some((_, Some(Tile::Container(Container::Linear(linear)))))
+                if linear.dir == LinearDir::Horizontal =>
+            {
                 linear.add_child(tabs);
             }
             Some((root, _)) => {
@@ -297,7 +353,8 @@ impl Behavior<Panel> for Shown<'_> {
         };
         frame.show(ui, |ui| {
             ui.set_min_size(ui.available_size());
-            // In less room than a few letters panels need not know what to do: the rest of them is cut off.
+            // In less room than a few letters panels need not know what to do: the rest of them is
+            // cut off.
             let room = ui.available_rect_before_wrap();
             let whole = Rect::from_min_size(room.min, room.size().max(LEAST));
             ui.scope_builder(UiBuilder::new().max_rect(whole), |ui| {
@@ -320,26 +377,36 @@ impl Behavior<Panel> for Shown<'_> {
         tile: TileId,
         state: &TabState,
     ) -> Response {
-        let Some(&panel) = tiles.get_pane(&tile) else { return ui.allocate_response(vec2(0.0, 0.0), Sense::hover()) };
+        let Some(&panel) = tiles.get_pane(&tile) else {
+            return ui.allocate_response(vec2(0.0, 0.0), Sense::hover());
+        };
         let colors = theme::of(ui);
         let color = if state.active { colors.text } else { colors.dim };
         let font = TextStyle::Body.resolve(ui.style());
         let galley = ui.painter().layout_no_wrap(panel.label().to_owned(), font, color);
-        let (_, rect) = ui.allocate_space(vec2(galley.size().x + TAB_MARGIN, ui.available_height()));
+        let (_, rect) =
+            ui.allocate_space(vec2(galley.size().x + TAB_MARGIN, ui.available_height()));
         let response = ui.interact(rect, id, Sense::click_and_drag());
-        response.widget_info(|| WidgetInfo::selected(egui::Role::Tab, true, state.active, panel.label()));
+        response.widget_info(|| {
+            WidgetInfo::selected(egui::Role::Tab, true, state.active, panel.label())
+        });
         if !state.is_being_dragged {
             let color = if response.hovered() { colors.text } else { color };
             // What is cut off by the end of the row has no half letters.
             let seen = rect.intersect(ui.clip_rect()).shrink2(vec2(TAB_MARGIN / 4.0, 0.0));
             let name = galley.size().x;
             if seen.width() >= name {
-                let middle = rect.center().x.clamp(seen.left() + name / 2.0, seen.right() - name / 2.0);
+                let middle =
+                    rect.center().x.clamp(seen.left() + name / 2.0, seen.right() - name / 2.0);
                 let at = egui::pos2(middle, rect.center().y) - galley.size() / 2.0;
                 ui.painter().galley_with_override_text_color(at, galley, color);
             }
             if state.active {
-                ui.painter().hline(rect.shrink(10.0).x_range(), rect.bottom() - 2.0, Stroke::new(2.0, colors.accent));
+                ui.painter().hline(
+                    rect.shrink(10.0).x_range(),
+                    rect.bottom() - 2.0,
+                    Stroke::new(2.0, colors.accent),
+                );
             }
         }
         if response.clicked_by(egui::PointerButton::Middle) {
@@ -355,13 +422,24 @@ impl Behavior<Panel> for Shown<'_> {
         response.on_hover_text(panel.help())
     }
 
-    /// Where tabs have no room beside each other: a list of all of them, and the one in front is always seen.
-    fn top_bar_right_ui(&mut self, tiles: &Tiles<Panel>, ui: &mut Ui, stack: TileId, tabs: &Tabs, offset: &mut f32) {
+    /// Where tabs have no room beside each other: a list of all of them, and the one in front is
+    /// always seen.
+    fn top_bar_right_ui(
+        &mut self,
+        tiles: &Tiles<Panel>,
+        ui: &mut Ui,
+        stack: TileId,
+        tabs: &Tabs,
+        offset: &mut f32,
+    ) {
         let font = TextStyle::Body.resolve(ui.style());
         let mut end = 0.0;
         let mut all = Vec::new();
-        for (tile, panel) in tabs.children.iter().filter_map(|tile| Some((*tile, *tiles.get_pane(tile)?))) {
-            let galley = ui.painter().layout_no_wrap(panel.label().to_owned(), font.clone(), Color32::WHITE);
+        for (tile, panel) in
+            tabs.children.iter().filter_map(|tile| Some((*tile, *tiles.get_pane(tile)?)))
+        {
+            let galley =
+                ui.painter().layout_no_wrap(panel.label().to_owned(), font.clone(), Color32::WHITE);
             let from = end;
             end += galley.size().x + TAB_MARGIN;
             all.push((tile, panel, from..=end));
@@ -375,18 +453,26 @@ impl Behavior<Panel> for Shown<'_> {
                 let is_it = tabs.active == Some(*tile);
                 let entry = ui.selectable_label(is_it, panel.label()).on_hover_text(panel.help());
                 let label = format!("Show {}", panel.label());
-                entry.widget_info(|| WidgetInfo::selected(egui::Role::MenuItem, true, is_it, &label));
+                entry.widget_info(|| {
+                    WidgetInfo::selected(egui::Role::MenuItem, true, is_it, &label)
+                });
                 if entry.clicked() {
                     self.wanted = Some(*tile);
                     ui.close();
                 }
             }
         });
-        menu.response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, "All panels of this stack"));
+        menu.response.widget_info(|| {
+            WidgetInfo::labeled(egui::Role::Button, true, "All panels of this stack")
+        });
         menu.response.on_hover_text("Lists all panels that lie here");
         let known = egui::Id::unique("front tab").with(stack);
-        let (before, frames) = ui.data(|data| data.get_temp::<(Option<TileId>, u8)>(known)).unwrap_or_default();
-        let Some((tile, _, span)) = all.into_iter().find(|(tile, ..)| tabs.active == Some(*tile)) else { return };
+        let (before, frames) =
+            ui.data(|data| data.get_temp::<(Option<TileId>, u8)>(known)).unwrap_or_default();
+        let Some((tile, _, span)) = all.into_iter().find(|(tile, ..)| tabs.active == Some(*tile))
+        else {
+            return;
+        };
         let frames = if before == Some(tile) { frames.saturating_add(1) } else { 0 };
         // How wide all tabs are together is known in the frame after.
         if frames < FRAMES {
@@ -428,7 +514,13 @@ pub(crate) fn hint(ui: &mut Ui, text: &str) {
 }
 
 /// Text in a column of a row, cut where it is too long.
-pub(crate) fn cell(ui: &Ui, rect: egui::Rect, text: &str, font: egui::FontId, color: egui::Color32) {
+pub(crate) fn cell(
+    ui: &Ui,
+    rect: egui::Rect,
+    text: &str,
+    font: egui::FontId,
+    color: egui::Color32,
+) {
     let mut job = egui::text::LayoutJob::single_section(
         text.to_owned(),
         egui::text::TextFormat { font_id: font, color, ..egui::text::TextFormat::default() },

@@ -1,5 +1,5 @@
-//! Two layouts of the panels, one for looks and one for painting. Each keeps what was arranged in it by hand: whoever comes
-//! back to it finds it as it was left.
+//! Two layouts of the panels, one for looks and one for painting. Each keeps what was arranged in
+//! it by hand: whoever comes back to it finds it as it was left.
 
 use egui_tiles::{Container, Tile, Tree};
 use serde_json::{Value, json};
@@ -32,9 +32,12 @@ impl Workspace {
     pub(crate) fn help(self) -> &'static str {
         match self {
             Self::Look => {
-                "Where the panels lie while nothing is painted: it comes with every look that shows no open painting"
+                "Where the panels lie while nothing is painted: it comes with every look that \
+                 shows no open painting"
             }
-            Self::Painting => "Where the panels lie while you paint: it comes and goes with what is painted",
+            Self::Painting => {
+                "Where the panels lie while you paint: it comes and goes with what is painted"
+            }
         }
     }
 }
@@ -48,8 +51,8 @@ impl Dock {
         self.workspace
     }
 
-    /// Lays the panels out for something else, as they lay there last. The first time, painting begins with what there is
-    /// and the panels that it needs.
+    /// Lays the panels out for something else, as they lay there last. The first time, painting
+    /// begins with what there is and the panels that it needs.
     pub(crate) fn enter(&mut self, workspace: Workspace) {
         if self.workspace == workspace {
             return;
@@ -84,15 +87,17 @@ impl Dock {
             return None;
         }
         let here = serde_json::to_value(&self.tree).ok()?;
-        let aside = self.aside.as_ref().map(serde_json::to_value).transpose().ok()?.unwrap_or_default();
+        let aside =
+            self.aside.as_ref().map(serde_json::to_value).transpose().ok()?.unwrap_or_default();
         Some(match self.workspace {
             Workspace::Look => json!({ "look": here, "painting": aside }),
             Workspace::Painting => json!({ "look": aside, "painting": here }),
         })
     }
 
-    /// Takes on the layouts of before, and begins with the one for looks. One that cannot be read, or in which a panel is
-    /// twice, changes nothing. There was one layout alone at first: painting left its panels in it.
+    /// Takes on the layouts of before, and begins with the one for looks. One that cannot be read,
+    /// or in which a panel is twice, changes nothing. There was one layout alone at first: painting
+    /// left its panels in it.
     pub(crate) fn restore(&mut self, saved: &Value) {
         let read = |name: &str| saved.get(name).and_then(sound);
         let (look, painting) = match sound(saved) {
@@ -112,14 +117,19 @@ impl Dock {
 /// A layout that was saved, where it can be used.
 fn sound(saved: &Value) -> Option<Tree<Panel>> {
     let tree = serde_json::from_value::<Tree<Panel>>(saved.clone()).ok()?;
-    let count = |panel| tree.tiles.tiles().filter(|tile| matches!(tile, Tile::Pane(found) if *found == panel)).count();
-    let is_sound =
-        Panel::ALL.into_iter().all(|panel| count(panel) < 2) && count(Panel::Picture) + count(Panel::Graph) > 0;
+    let count = |panel| {
+        tree.tiles
+            .tiles()
+            .filter(|tile| matches!(tile, Tile::Pane(found) if *found == panel))
+            .count()
+    };
+    let is_sound = Panel::ALL.into_iter().all(|panel| count(panel) < 2)
+        && count(Panel::Picture) + count(Panel::Graph) > 0;
     (is_sound && tree.root.is_some()).then_some(tree)
 }
 
-/// Brings the graph to the front where the panel to paint on covers it: that was opened to paint, and looks are made of
-/// graphs. Returns whether it was so.
+/// Brings the graph to the front where the panel to paint on covers it: that was opened to paint,
+/// and looks are made of graphs. Returns whether it was so.
 fn uncover_graph(tree: &mut Tree<Panel>) -> bool {
     let (graph, paint) = (tree.tiles.find_pane(&Panel::Graph), tree.tiles.find_pane(&Panel::Paint));
     let (Some(graph), Some(paint)) = (graph, paint) else { return false };

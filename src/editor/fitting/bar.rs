@@ -1,6 +1,8 @@
 //! The brushes, above the picture.
 
-use eframe::egui::{self, DragValue, Response, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2};
+use eframe::egui::{
+    self, DragValue, Response, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
+};
 
 use super::tools::{Kind, SIZES};
 use super::{Fitting, Wish};
@@ -17,7 +19,8 @@ const SUN: f32 = 28.0;
 impl Fitting {
     /// What turns painting on and off.
     pub(crate) fn toggle(&self, ui: &mut Ui, out: &mut Vec<Command>) {
-        let help = "Paint on the picture where it should be lighter or darker, and fit the look to that (L)";
+        let help = "Paint on the picture where it should be lighter or darker, and fit the look to \
+                    that (L)";
         if sun(ui, self.is_on).on_hover_text(help).clicked() {
             out.push(Command::Fit(Wish::Turn(!self.is_on)));
         }
@@ -34,25 +37,43 @@ impl Fitting {
                 let is_it = self.tools.kind == kind;
                 let response = ui.selectable_label(is_it, kind.label()).on_hover_text(kind.help());
                 let name = format!("Brush: {}", kind.label());
-                response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_it, &name));
+                response
+                    .widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_it, &name));
                 if response.clicked() {
                     self.tools.kind = kind;
                 }
             }
             let [r, g, b] = self.tools.color;
-            let swatch = color::named_swatch(ui, "Color to paint", [r, g, b, 1.0], ColorSpace::Display, false);
+            let swatch = color::named_swatch(
+                ui,
+                "Color to paint",
+                [r, g, b, 1.0],
+                ColorSpace::Display,
+                false,
+            );
             if let Some((_, [r, g, b, _])) = swatch {
                 self.tools.color = [r, g, b];
                 self.tools.kind = Kind::Color;
             }
             ui.separator();
-            let help = "The brush's diameter, in percent of the picture's height ([ and ] change it)";
+            let help = "The brush's diameter, in percent of the picture's height ([ and ] change \
+                        it)";
             percent(ui, true, "Size", help, &mut self.tools.size, SIZES);
-            percent(ui, true, "Hardness", "How sharp the brush's edge is", &mut self.tools.hardness, 0.0..=1.0);
-            // All tools have all controls: a bar that grew would push the picture, which would be read anew.
+            percent(
+                ui,
+                true,
+                "Hardness",
+                "How sharp the brush's edge is",
+                &mut self.tools.hardness,
+                0.0..=1.0,
+            );
+            // All tools have all controls: a bar that grew would push the picture, which would be
+            // read anew.
             let has_amount = matches!(self.tools.kind, Kind::Light | Kind::Dark);
-            let help = "How much lighter or darker Light and Dark make it, as an eye sees it: from black to white is 100%. A \
-                        stroke that crosses itself makes no more of it; another stroke goes on from there";
+            let help = "How much lighter or darker Light and Dark make it, as an eye sees it: from \
+                        black to white is 100%. A \
+                        stroke that crosses itself makes no more of it; another stroke goes on \
+                        from there";
             percent(ui, has_amount, "Amount", help, &mut self.tools.amount, 0.01..=1.0);
         });
     }
@@ -60,7 +81,8 @@ impl Fitting {
 
 /// A button with a sun, half of it painted: above the picture there is no room for words.
 fn sun(ui: &mut Ui, is_on: bool) -> Response {
-    let (rect, response) = ui.allocate_exact_size(vec2(SUN, ui.spacing().interact_size.y), Sense::click());
+    let (rect, response) =
+        ui.allocate_exact_size(vec2(SUN, ui.spacing().interact_size.y), Sense::click());
     response.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, is_on, "Paint light"));
     let colors = theme::of(ui);
     let fill = match (is_on, response.hovered()) {

@@ -1,7 +1,8 @@
 //! How much a stroke covers each pixel of a sketch.
 //!
-//! A stroke is the way of a round brush: a pixel is covered as its distance from that way says, so that a stroke which
-//! crosses itself, or goes slowly, covers no more there, and its edge stays as soft as the brush's.
+//! A stroke is the way of a round brush: a pixel is covered as its distance from that way says, so
+//! that a stroke which crosses itself, or goes slowly, covers no more there, and its edge stays as
+//! soft as the brush's.
 
 use glam::DVec2;
 
@@ -20,10 +21,17 @@ pub(super) struct Cover {
 impl Cover {
     /// Nothing of a sketch of this size.
     pub(super) fn new(size: [u32; 2], radius: f64, hardness: f64) -> Self {
-        Self { size, radius, hardness, last: None, shares: vec![0.0; size[0] as usize * size[1] as usize] }
+        Self {
+            size,
+            radius,
+            hardness,
+            last: None,
+            shares: vec![0.0; size[0] as usize * size[1] as usize],
+        }
     }
 
-    /// Goes on to a place in pixels, and returns the pixels that are covered more by that, with how much they are now.
+    /// Goes on to a place in pixels, and returns the pixels that are covered more by that, with how
+    /// much they are now.
     pub(super) fn to(&mut self, at: DVec2) -> Vec<([u32; 2], f64)> {
         let from = self.last.replace(at).unwrap_or(at);
         let range = |axis: usize| {

@@ -1,4 +1,5 @@
-//! A fit from its beginning to what becomes of it: asked for, stopped, previewed, applied or let go.
+//! A fit from its beginning to what becomes of it: asked for, stopped, previewed, applied or let
+//! go.
 
 use std::sync::Arc;
 
@@ -68,11 +69,15 @@ impl Fitting {
         if let Some(obstacle) = self.obstacle(session) {
             return Err(obstacle);
         }
-        let Some(ground) = self.ground() else { return Err("The picture is still being read: fit in a moment") };
+        let Some(ground) = self.ground() else {
+            return Err("The picture is still being read: fit in a moment");
+        };
         let painted = match self.wishes() {
             [] => return Err("No stroke lies well inside of an object that wears this look"),
             few if few.len() < LEAST_PAINTED => {
-                return Err("Too little is painted to tell anything of lights: paint a larger spot");
+                return Err(
+                    "Too little is painted to tell anything of lights: paint a larger spot",
+                );
             }
             wishes => wishes.to_vec(),
         };
@@ -95,7 +100,8 @@ impl Fitting {
         Ok(())
     }
 
-    /// Ends the fit that is going on: what it has come to is shown soon after. Again, that is given up too.
+    /// Ends the fit that is going on: what it has come to is shown soon after. Again, that is given
+    /// up too.
     pub(crate) fn stop(&mut self) {
         let Some(running) = &self.running else { return };
         if running.progress.is_stopped() {
@@ -116,7 +122,11 @@ impl Fitting {
 
     pub(super) fn take(&mut self, done: Done, session: &mut Session) {
         // What was given up, or is of a look that is gone, is nobody's.
-        if !self.running.as_ref().is_some_and(|running| Arc::ptr_eq(&running.progress, &done.progress)) {
+        if !self
+            .running
+            .as_ref()
+            .is_some_and(|running| Arc::ptr_eq(&running.progress, &done.progress))
+        {
             return;
         }
         let running = self.running.take();
@@ -128,14 +138,18 @@ impl Fitting {
             Ok(fitted) if fitted.look == *done.look || gains_nothing(&fitted.report) => {
                 let tried = fitted.report.tried.told().unwrap_or_else(|| "nothing".to_owned());
                 let help = self.advice(done.what, &fitted.report);
-                self.told =
-                    Some(format!("Nothing was turned: {tried} of this look bring it no nearer to the strokes. {help}"));
+                self.told = Some(format!(
+                    "Nothing was turned: {tried} of this look bring it no nearer to the strokes. \
+                     {help}"
+                ));
             }
             Ok(Fitted { look, edit, report, .. }) => {
                 session.set_preview(Some(Arc::new(look)));
-                self.told = report.is_stopped.then(|| "Stopped: this is the best so far".to_owned());
+                self.told =
+                    report.is_stopped.then(|| "Stopped: this is the best so far".to_owned());
                 let strokes = Strokes::of(session);
-                self.outcome = Some(Outcome { what: done.what, strokes, edit, report, applied: None });
+                self.outcome =
+                    Some(Outcome { what: done.what, strokes, edit, report, applied: None });
             }
         }
     }
@@ -180,7 +194,8 @@ fn why(problems: &[Diagnostic]) -> String {
     match first.code {
         "stopped" => STOPPED.to_owned(),
         "fit-nothing" => {
-            "The look has no light, profile or color that may change: keep less, or fit new layers. What is \
+            "The look has no light, profile or color that may change: keep less, or fit new \
+             layers. What is \
                           wired or keyed stays as it is."
                 .to_owned()
         }

@@ -1,7 +1,9 @@
-//! The picture under the strokes: small, and by the reference, so that what is compared is what the fit itself sees.
+//! The picture under the strokes: small, and by the reference, so that what is compared is what the
+//! fit itself sees.
 //!
-//! A wish for more light is a wish for a colour, made of the one that is seen. So the look's picture is drawn once for
-//! each look and view, on a thread, at the size that is fitted at; strokes read it between its pixels.
+//! A wish for more light is a wish for a color, made of the one that is seen. So the look's
+//! picture is drawn once for each look and view, on a thread, at the size that is fitted at;
+//! strokes read it between its pixels.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -30,7 +32,8 @@ impl Moment {
     }
 }
 
-/// What the look shows at each pixel of a small picture. Lists have a pixel each, rows from the top.
+/// What the look shows at each pixel of a small picture. Lists have a pixel each, rows from the
+/// top.
 pub(super) struct Ground {
     pub(super) size: [u32; 2],
     /// Straight RGB as shown.
@@ -44,8 +47,9 @@ pub(super) struct Ground {
 }
 
 impl Ground {
-    /// The colour of the pixel at a place in pixels, and how much of what is around there wears the look, from 0 to 1. It
-    /// is not mixed of pixels: what is to stay as it is would be a wish for another picture.
+    /// The color of the pixel at a place in pixels, and how much of what is around there wears the
+    /// look, from 0 to 1. It is not mixed of pixels: what is to stay as it is would be a wish for
+    /// another picture.
     pub(super) fn at(&self, x: f64, y: f64) -> ([f64; 3], f64) {
         let [width, height] = self.size.map(|side| side as usize);
         let pixel = |at: f64, side: usize| (at.max(0.0) as usize).min(side - 1);
@@ -54,7 +58,8 @@ impl Ground {
         let mut share = 0.0;
         for (down, weight_y) in [(0.0, 1.0 - (y - y.floor())), (1.0, y - y.floor())] {
             for (across, weight_x) in [(0.0, 1.0 - (x - x.floor())), (1.0, x - x.floor())] {
-                let place = pixel(y.floor() + down, height) * width + pixel(x.floor() + across, width);
+                let place =
+                    pixel(y.floor() + down, height) * width + pixel(x.floor() + across, width);
                 share += weight_x * weight_y * f64::from(u8::from(self.wears[place]));
             }
         }
@@ -64,11 +69,18 @@ impl Ground {
 
 #[cfg(test)]
 impl Ground {
-    /// One colour all over, on something that wears the look.
+    /// One color all over, on something that wears the look.
     pub(super) fn flat(size: [u32; 2], color: [f64; 3]) -> Self {
         let count = (size[0] * size[1]) as usize;
-        let image = ColorImage::filled(size.map(|side| side as usize), eframe::egui::Color32::BLACK);
-        Self { size, colors: vec![color; count], wears: vec![true; count], counts: vec![true; count], image }
+        let image =
+            ColorImage::filled(size.map(|side| side as usize), eframe::egui::Color32::BLACK);
+        Self {
+            size,
+            colors: vec![color; count],
+            wears: vec![true; count],
+            counts: vec![true; count],
+            image,
+        }
     }
 }
 
@@ -96,14 +108,23 @@ impl Grounds {
     pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
         let mut planner = Reused::new(|assets| Planner::new(assets).culling(Cull::Objects));
         let draw = move |job: Job| Done { result: draw(&mut planner, &job), moment: job.moment };
-        Self { worker: Worker::new("ground", wake, draw), asked: None, cancel: Arc::default(), known: None }
+        Self {
+            worker: Worker::new("ground", wake, draw),
+            asked: None,
+            cancel: Arc::default(),
+            known: None,
+        }
     }
 
     /// Takes what was drawn, and asks for what is shown now.
     pub(super) fn update(&mut self, session: &Session, moment: &Moment) {
         for done in self.worker.answers() {
             // The same may have been given up and asked for again.
-            let is_whole = done.result.as_ref().err().is_none_or(|found| found.iter().all(|it| it.code != "cancelled"));
+            let is_whole = done
+                .result
+                .as_ref()
+                .err()
+                .is_none_or(|found| found.iter().all(|it| it.code != "cancelled"));
             if is_whole && self.asked.as_ref() == Some(&done.moment) {
                 self.known = Some(done);
             }
@@ -112,7 +133,8 @@ impl Grounds {
             self.rest();
             self.cancel = Arc::default();
             self.asked = Some(moment.clone());
-            let job = Job { moment: moment.clone(), still: session.still(), cancel: self.cancel.clone() };
+            let job =
+                Job { moment: moment.clone(), still: session.still(), cancel: self.cancel.clone() };
             self.worker.request(|_| job);
         }
     }
@@ -127,7 +149,8 @@ impl Grounds {
 
     /// The ground of what is shown now.
     pub(super) fn current(&self) -> Option<&Ground> {
-        let known = self.known.as_ref().filter(|known| Some(&known.moment) == self.asked.as_ref())?;
+        let known =
+            self.known.as_ref().filter(|known| Some(&known.moment) == self.asked.as_ref())?;
         known.result.as_ref().ok()
     }
 
@@ -138,7 +161,8 @@ impl Grounds {
 
     /// Why there is none.
     pub(super) fn problem(&self) -> Option<&Diagnostic> {
-        let known = self.known.as_ref().filter(|known| Some(&known.moment) == self.asked.as_ref())?;
+        let known =
+            self.known.as_ref().filter(|known| Some(&known.moment) == self.asked.as_ref())?;
         known.result.as_ref().err()?.first()
     }
 
@@ -176,7 +200,8 @@ fn draw(planner: &mut Reused, job: &Job) -> Result<Ground, Vec<Diagnostic>> {
     let [width, height] = *size;
     let places = || (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
     let on_top = |x: u32, y: u32| picture.coverage(x, y).draw;
-    let wears: Vec<bool> = places().map(|(x, y)| on_top(x, y).is_some_and(|draw| is_worn[draw as usize])).collect();
+    let wears: Vec<bool> =
+        places().map(|(x, y)| on_top(x, y).is_some_and(|draw| is_worn[draw as usize])).collect();
     let is_inner = |(x, y): (u32, u32)| {
         let around = |at: u32, side: u32| at.saturating_sub(1)..(at + 2).min(side);
         around(y, height).all(|v| around(x, width).all(|u| on_top(u, v) == on_top(x, y)))
@@ -187,10 +212,13 @@ fn draw(planner: &mut Reused, job: &Job) -> Result<Ground, Vec<Diagnostic>> {
     let seen = |(x, y): (u32, u32)| -> [f64; 3] {
         let [r, g, b, a] = picture.straight(x, y);
         let rgb = [r, g, b];
-        std::array::from_fn(|channel| rgb[channel] * a + backdrop[channel] * backdrop[3] * (1.0 - a))
+        std::array::from_fn(|channel| {
+            rgb[channel] * a + backdrop[channel] * backdrop[3] * (1.0 - a)
+        })
     };
     let colors: Vec<[f64; 3]> = places().map(seen).collect();
-    let bytes: Vec<u8> = colors.iter().flatten().map(|x| x.clamp(0.0, 1.0).mul_add(255.0, 0.5) as u8).collect();
+    let bytes: Vec<u8> =
+        colors.iter().flatten().map(|x| x.clamp(0.0, 1.0).mul_add(255.0, 0.5) as u8).collect();
     let image = ColorImage::from_rgb(size.map(|side| side as usize), &bytes);
     Ok(Ground { size: *size, colors, wears, counts, image })
 }

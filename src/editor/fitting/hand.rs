@@ -74,16 +74,27 @@ fn laid(before: &[u8], cover: f64, shown: [f64; 3], tools: &Tools) -> [u8; 4] {
         return [before[0], before[1], before[2], byte(alpha * (1.0 - cover))];
     };
     let rest = alpha * (1.0 - cover);
-    let [r, g, b] = std::array::from_fn(|c| byte((wish[c] * cover + was[c] * rest) / (cover + rest)));
+    let [r, g, b] =
+        std::array::from_fn(|c| byte((wish[c] * cover + was[c] * rest) / (cover + rest)));
     [r, g, b, byte(cover + rest)]
 }
 
 impl Fitting {
     /// Does what the pointer asks for over the picture in `rect`.
-    pub(super) fn paint(&mut self, ui: &Ui, response: &Response, rect: Rect, session: &mut Session) -> Option<Command> {
+    pub(super) fn paint(
+        &mut self,
+        ui: &Ui,
+        response: &Response,
+        rect: Rect,
+        session: &mut Session,
+    ) -> Option<Command> {
         let (is_down, is_pressed, modifiers) = ui.input(|input| {
             let pointer = &input.pointer;
-            (pointer.primary_down(), pointer.button_pressed(PointerButton::Primary), input.modifiers)
+            (
+                pointer.primary_down(),
+                pointer.button_pressed(PointerButton::Primary),
+                input.modifiers,
+            )
         });
         let canvas = Self::canvas(rect, self.size(session));
         // However wide the picture becomes, its middle and its height stay where they are.
@@ -107,7 +118,9 @@ impl Fitting {
         if let Some(going) = &mut self.going {
             let ground = self.grounds.latest();
             for at in path {
-                ground.into_iter().for_each(|ground| going.to(on_sketch(at, going.before.size()), ground));
+                ground
+                    .into_iter()
+                    .for_each(|ground| going.to(on_sketch(at, going.before.size()), ground));
             }
         } else if let Some(waiting) = self.waiting.as_mut().filter(|waiting| !waiting.is_over) {
             waiting.path.extend(path);
@@ -133,7 +146,9 @@ impl Fitting {
         }
         if modifiers.command {
             let Some(ground) = self.ground() else {
-                return Some(Command::Tell("The picture is being read: take the color in a moment".to_owned()));
+                return Some(Command::Tell(
+                    "The picture is being read: take the color in a moment".to_owned(),
+                ));
             };
             let place = on_sketch(at, ground.size);
             let (shown, share) = ground.at(place.x, place.y);
@@ -199,7 +214,10 @@ mod tests {
         let twice = laid(&whole, 1.0, shown, &tools);
         assert!((0..3).all(|c| twice[c] > whole[c]) && twice[3] == 255);
         let keep = Tools { kind: Kind::Keep, ..tools.clone() };
-        assert!((0..3).all(|c| near(laid(&twice, 1.0, shown, &keep)[c], shown[c])), "it stays as the look shows it");
+        assert!(
+            (0..3).all(|c| near(laid(&twice, 1.0, shown, &keep)[c], shown[c])),
+            "it stays as the look shows it"
+        );
         let erase = Tools { kind: Kind::Erase, ..tools };
         assert_eq!(laid(&twice, 1.0, shown, &erase)[3], 0);
         assert!(near(laid(&twice, 0.25, shown, &erase)[3], 0.75));

@@ -1,9 +1,11 @@
-//! Painted shading in the window (Okabe et al. 2007): paint on the picture where it should be lighter, darker or of a
-//! colour, and the look's lights, profiles and colours are fitted to the strokes.
+//! Painted shading in the window (Okabe et al. 2007): paint on the picture where it should be
+//! lighter, darker or of a color, and the look's lights, profiles and colors are fitted to the
+//! strokes.
 //!
-//! `sketch` holds what was painted, and `session` holds that, so that undo knows it. `ground` is what the look shows under
-//! the strokes; `hand` paints, `target` makes wishes of it, `work` fits on a thread. What comes of that is shown as a
-//! preview of the session, which is no edit until it is applied, as one step.
+//! `sketch` holds what was painted, and `session` holds that, so that undo knows it. `ground` is
+//! what the look shows under the strokes; `hand` paints, `target` makes wishes of it, `work` fits
+//! on a thread. What comes of that is shown as a preview of the session, which is no edit until it
+//! is applied, as one step.
 
 mod bar;
 mod cover;
@@ -62,8 +64,8 @@ pub(crate) enum Wish {
     Back,
 }
 
-/// The height of the picture that is fitted at, in pixels: what is painted is broad, and a fit looks at some hundred
-/// pixels only.
+/// The height of the picture that is fitted at, in pixels: what is painted is broad, and a fit
+/// looks at some hundred pixels only.
 const HEIGHT: u32 = 128;
 /// The widest such picture, in parts of its height.
 const WIDEST: f64 = 2.0;
@@ -165,8 +167,8 @@ impl Fitting {
         self.wishes.as_ref().map_or(0, |(.., wishes)| wishes.len())
     }
 
-    /// How far the picture was off what is painted before the last fit, and how far it is after it: RMS of a channel, from
-    /// 0 to 1.
+    /// How far the picture was off what is painted before the last fit, and how far it is after it:
+    /// RMS of a channel, from 0 to 1.
     pub fn errors(&self) -> Option<[f64; 2]> {
         self.outcome.as_ref().map(|outcome| [outcome.report.before, outcome.report.after])
     }
@@ -176,8 +178,8 @@ impl Fitting {
         self.told.as_deref()
     }
 
-    /// Fits at pictures of another height, in pixels, and from another number of beginnings; for programs that drive the
-    /// window.
+    /// Fits at pictures of another height, in pixels, and from another number of beginnings; for
+    /// programs that drive the window.
     pub fn set_effort(&mut self, height: u32, starts: usize) {
         self.height = height.clamp(16, 512);
         self.how.starts = starts.max(1);
@@ -251,7 +253,8 @@ impl Fitting {
         }
         if self.running.as_ref().is_some_and(|running| !running.strokes.are(session)) {
             self.give_up();
-            self.told = Some("The strokes were changed while they were fitted: fit again".to_owned());
+            self.told =
+                Some("The strokes were changed while they were fitted: fit again".to_owned());
         }
         if self.outcome.as_ref().is_some_and(|outcome| !outcome.strokes.are(session)) {
             let awaited = self.awaits();
@@ -261,7 +264,10 @@ impl Fitting {
         }
         if self.awaits() && session.preview().is_none() {
             self.outcome = None;
-            self.told = Some("The look was changed, and what was fitted to it before is gone: fit again".to_owned());
+            self.told = Some(
+                "The look was changed, and what was fitted to it before is gone: fit again"
+                    .to_owned(),
+            );
         }
         let applied = self.outcome.as_ref().and_then(|outcome| outcome.applied);
         if applied.is_some_and(|applied| applied != of(session)) {
@@ -304,11 +310,14 @@ impl Fitting {
     /// Makes wishes of the strokes, where either is another.
     fn weigh(&mut self, session: &Session) {
         let moment = self.grounds.moment();
-        let (Some(tile), Some(ground), Some(moment)) = (session.sketch().tile(), self.grounds.latest(), moment) else {
+        let (Some(tile), Some(ground), Some(moment)) =
+            (session.sketch().tile(), self.grounds.latest(), moment)
+        else {
             self.wishes = None;
             return;
         };
-        let is_known = self.wishes.as_ref().is_some_and(|(of, at, _)| Arc::ptr_eq(of, tile) && at == moment);
+        let is_known =
+            self.wishes.as_ref().is_some_and(|(of, at, _)| Arc::ptr_eq(of, tile) && at == moment);
         if !is_known {
             self.wishes = Some((tile.clone(), moment.clone(), target::wishes(tile, ground)));
         }

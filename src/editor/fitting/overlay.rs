@@ -1,11 +1,12 @@
-//! What is seen of the strokes over the picture: what they wish, where they end, where the look misses them.
+//! What is seen of the strokes over the picture: what they wish, where they end, where the look
+//! misses them.
 
 use std::sync::Arc;
 
 use eframe::egui;
 use eframe::egui::{
-    Align2, Color32, ColorImage, Context, CursorIcon, FontId, Pos2, Rect, Response, Role, Stroke, TextureHandle,
-    TextureId, TextureOptions, Ui, UiBuilder, WidgetInfo, pos2, vec2,
+    Align2, Color32, ColorImage, Context, CursorIcon, FontId, Pos2, Rect, Response, Role, Stroke,
+    TextureHandle, TextureId, TextureOptions, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 
 use glam::DVec2;
@@ -39,18 +40,31 @@ pub(super) struct Textures {
 impl Fitting {
     /// What the look shows, as a picture in place of one that a GPU would draw.
     pub(crate) fn stand_in(&mut self, ui: &Ui, rect: Rect) -> bool {
-        let (Some(ground), Some(moment)) = (self.grounds.latest().filter(|_| self.is_on), self.grounds.moment()) else {
+        let (Some(ground), Some(moment)) =
+            (self.grounds.latest().filter(|_| self.is_on), self.grounds.moment())
+        else {
             return false;
         };
-        let known = self.textures.ground.as_ref().filter(|(of, _)| of == moment).map(|(_, handle)| handle.id());
+        let known = self
+            .textures
+            .ground
+            .as_ref()
+            .filter(|(of, _)| of == moment)
+            .map(|(_, handle)| handle.id());
         let texture = known.unwrap_or_else(|| {
-            let handle = ui.ctx().load_texture("ground", ground.image.clone(), TextureOptions::LINEAR);
+            let handle =
+                ui.ctx().load_texture("ground", ground.image.clone(), TextureOptions::LINEAR);
             let id = handle.id();
             self.textures.ground = Some((moment.clone(), handle));
             id
         });
         ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
-        ui.painter_at(rect).image(texture, Self::canvas(rect, ground.size), whole(), Color32::WHITE);
+        ui.painter_at(rect).image(
+            texture,
+            Self::canvas(rect, ground.size),
+            whole(),
+            Color32::WHITE,
+        );
         true
     }
 
@@ -90,16 +104,22 @@ impl Fitting {
             self.hint = "The strokes belong to another view";
             return;
         }
-        let pointer = response.contains_pointer().then(|| ui.input(|input| input.pointer.hover_pos())).flatten();
+        let pointer = response
+            .contains_pointer()
+            .then(|| ui.input(|input| input.pointer.hover_pos()))
+            .flatten();
         let is_at_work = self.going.is_some() || self.waiting.is_some();
-        let Some(at) = pointer.or(ui.input(|input| input.pointer.latest_pos()).filter(|_| is_at_work)) else {
+        let Some(at) =
+            pointer.or(ui.input(|input| input.pointer.latest_pos()).filter(|_| is_at_work))
+        else {
             return;
         };
         let is_reading = self.ground().is_none() && self.going.is_none();
         self.hint = match is_reading {
             true => "Reading the picture: a stroke waits until it is read",
             _ => {
-                "Drag to paint · [ and ] change the brush · Ctrl-click takes a color · Alt-drag turns the camera · Esc ends it"
+                "Drag to paint · [ and ] change the brush · Ctrl-click takes a color · Alt-drag \
+                 turns the camera · Esc ends it"
             }
         };
         if self.obstacle(session).is_some() {
@@ -112,13 +132,16 @@ impl Fitting {
         painter.circle_stroke(at, inner, Stroke::new(1.0, Color32::from_white_alpha(70)));
         painter.circle_filled(at, 1.2, Color32::WHITE);
         if let Some(waiting) = &self.waiting {
-            let place = |at: &DVec2| canvas.center() + vec2(at.x as f32, at.y as f32) * canvas.height();
-            painter.line(waiting.path.iter().map(place).collect(), Stroke::new(1.5, Color32::WHITE));
+            let place =
+                |at: &DVec2| canvas.center() + vec2(at.x as f32, at.y as f32) * canvas.height();
+            painter
+                .line(waiting.path.iter().map(place).collect(), Stroke::new(1.5, Color32::WHITE));
         }
         ui.ctx().set_cursor_icon(if is_reading { CursorIcon::Progress } else { CursorIcon::None });
     }
 
-    /// The strokes as they are now. Under a preview, and where they are not to be seen, their outlines alone.
+    /// The strokes as they are now. Under a preview, and where they are not to be seen, their
+    /// outlines alone.
     fn strokes(&mut self, ctx: &Context, session: &Session) -> Option<TextureId> {
         let tile = self.going.as_ref().map(|going| &going.now).or(session.sketch().tile())?.clone();
         let outlines_only = !self.shows.strokes || self.shows.misses || self.awaits();
@@ -147,7 +170,11 @@ impl Fitting {
     fn misses(&mut self, ctx: &Context) -> Option<TextureId> {
         let (tile, moment, wishes) = self.wishes.as_ref()?;
         let ground = self.grounds.latest()?;
-        let of = Of { tile: Arc::as_ptr(tile) as usize, moment: Some(moment.clone()), outlines_only: false };
+        let of = Of {
+            tile: Arc::as_ptr(tile) as usize,
+            moment: Some(moment.clone()),
+            outlines_only: false,
+        };
         if let Some((known, handle)) = &self.textures.misses
             && *known == of
         {
@@ -179,7 +206,10 @@ fn tag(ui: &Ui, corner: Pos2, text: &str) -> f32 {
 
 /// Says that the strokes are not seen from here, and leads back.
 fn elsewhere(ui: &mut Ui, rect: Rect, out: &mut Vec<Command>) {
-    let room = Rect::from_min_max(pos2(rect.left() + 8.0, rect.bottom() - 44.0), rect.max - vec2(8.0, 8.0));
+    let room = Rect::from_min_max(
+        pos2(rect.left() + 8.0, rect.bottom() - 44.0),
+        rect.max - vec2(8.0, 8.0),
+    );
     ui.scope_builder(UiBuilder::new().id_salt("elsewhere").max_rect(room), |ui| {
         let frame = egui::Frame::new()
             .fill(theme::of(ui).panel.gamma_multiply(0.9))
@@ -188,11 +218,14 @@ fn elsewhere(ui: &mut Ui, rect: Rect, out: &mut Vec<Command>) {
         frame.show(ui, |ui| {
             ui.horizontal(|ui| {
                 let button = ui.button("Back to the painted view");
-                button.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Back to the painted view"));
+                button.widget_info(|| {
+                    WidgetInfo::labeled(Role::Button, true, "Back to the painted view")
+                });
                 if button.clicked() {
                     out.push(Command::Fit(Wish::Back));
                 }
-                let text = egui::RichText::new("The strokes belong to another view").color(theme::of(ui).accent);
+                let text = egui::RichText::new("The strokes belong to another view")
+                    .color(theme::of(ui).accent);
                 ui.add(egui::Label::new(text).truncate());
             });
         });

@@ -1,7 +1,10 @@
 //! The panel of painted light: what is painted, how it is fitted, and what came of it.
 
 use eframe::egui;
-use eframe::egui::{Button, Color32, DragValue, ProgressBar, RichText, Role, ScrollArea, Slider, Ui, WidgetInfo, vec2};
+use eframe::egui::{
+    Button, Color32, DragValue, ProgressBar, RichText, Role, ScrollArea, Slider, Ui, WidgetInfo,
+    vec2,
+};
 
 use super::fit::Outcome;
 use super::{Fitting, What, Wish, target};
@@ -27,7 +30,8 @@ impl Fitting {
             }
             hint(
                 ui,
-                "Paint on the picture where it should be lighter, darker or of a color (L). The lights, profiles and \
+                "Paint on the picture where it should be lighter, darker or of a color (L). The \
+                 lights, profiles and \
                  colors of the look are then fitted to that, and stay an ordinary look.",
             );
             return out;
@@ -64,21 +68,25 @@ impl Fitting {
             let text = match (is_empty, ground) {
                 (true, _) => "Nothing is painted yet: drag on the object".to_owned(),
                 (false, Some(ground)) => {
-                    let off = target::off(self.wishes(), |pixel| Some(target::shown(ground, pixel)));
+                    let off =
+                        target::off(self.wishes(), |pixel| Some(target::shown(ground, pixel)));
                     format!("{} pixels painted, off by {}", self.wishes().len(), steps(off))
                 }
                 (false, None) => "Reading the picture".to_owned(),
             };
             let [width, height] = self.size(session);
             let help = format!(
-                "It is fitted at {width} by {height} pixels. Errors are RMS of a channel over what is painted, as the \
+                "It is fitted at {width} by {height} pixels. Errors are RMS of a channel over what \
+                 is painted, as the \
                  picture shows it now"
             );
             ui.label(text).on_hover_text(help);
         });
         ui.horizontal_wrapped(|ui| {
-            ui.toggle_value(&mut self.shows.strokes, "Strokes").on_hover_text("Shows what the strokes wish");
-            let help = "Where the picture is not as painted: black where it is, over red and yellow to white";
+            ui.toggle_value(&mut self.shows.strokes, "Strokes")
+                .on_hover_text("Shows what the strokes wish");
+            let help = "Where the picture is not as painted: black where it is, over red and \
+                        yellow to white";
             ui.toggle_value(&mut self.shows.misses, "Misses").on_hover_text(help);
             let help = "Takes all strokes away; undo brings them back";
             if ui.add_enabled(!is_empty, Button::new("Clear")).on_hover_text(help).clicked() {
@@ -103,7 +111,8 @@ impl Fitting {
             }
         });
         ui.horizontal_wrapped(|ui| {
-            let help = "How far what is not painted stays as it is: at 0% only strokes count, and the rest becomes what it \
+            let help = "How far what is not painted stays as it is: at 0% only strokes count, and \
+                        the rest becomes what it \
                         will; at 100% it moves only where strokes cannot be met otherwise";
             let label = ui.label("Keep the rest").on_hover_text(help);
             let mut percent = self.how.keep_rest * 100.0;
@@ -145,7 +154,8 @@ impl Fitting {
         });
         let last = ways.pop().unwrap_or_default();
         let ways = if ways.is_empty() { last } else { format!("{}, or {last}", ways.join(", ")) };
-        let wired = if what == What::ThisLook { " What is wired or keyed stays as it is." } else { "" };
+        let wired =
+            if what == What::ThisLook { " What is wired or keyed stays as it is." } else { "" };
         format!("What may help: {ways}.{wired}")
     }
 
@@ -162,16 +172,19 @@ impl Fitting {
             return;
         }
         ui.horizontal_wrapped(|ui| {
-            let help = "Turns lights, profiles and colors of this look until it shows what is painted. Its nodes and wires stay";
+            let help = "Turns lights, profiles and colors of this look until it shows what is \
+                        painted. Its nodes and wires stay";
             if ui.button("Fit this look").on_hover_text(help).clicked() {
                 out.push(Command::Fit(Wish::Fit(What::ThisLook)));
             }
-            let help = "Begins from nothing: light layers over a base, as many as help, in place of all nodes of this look";
+            let help = "Begins from nothing: light layers over a base, as many as help, in place \
+                        of all nodes of this look";
             if ui.button("Fit new layers").on_hover_text(help).clicked() {
                 out.push(Command::Fit(Wish::Fit(What::Layers(self.how.layers))));
             }
             let label = ui.label("at most");
-            ui.add(DragValue::new(&mut self.how.layers).range(1..=MOST_LAYERS).speed(0.05)).labelled_by(label.id);
+            ui.add(DragValue::new(&mut self.how.layers).range(1..=MOST_LAYERS).speed(0.05))
+                .labelled_by(label.id);
         });
     }
 }
@@ -184,8 +197,11 @@ fn errors(ui: &mut Ui, report: &Report) {
         ui.label(RichText::new(text).strong()).on_hover_text(help);
         if let Some(rest) = report.rest {
             let help = "How far what is not painted went off, though it was to stay";
-            ui.label(RichText::new(format!("the rest moved by {}", steps(rest))).color(theme::of(ui).dim))
-                .on_hover_text(help);
+            ui.label(
+                RichText::new(format!("the rest moved by {}", steps(rest)))
+                    .color(theme::of(ui).dim),
+            )
+            .on_hover_text(help);
         }
     });
 }
@@ -204,7 +220,9 @@ fn choice(ui: &mut Ui, outcome: &Outcome, out: &mut Vec<Command>) {
             out.push(Command::Fit(Wish::Discard));
         }
         if let What::Layers(_) = outcome.what {
-            ui.label(RichText::new("New layers take the place of all nodes").color(theme::of(ui).dim));
+            ui.label(
+                RichText::new("New layers take the place of all nodes").color(theme::of(ui).dim),
+            );
         }
     });
 }
@@ -239,19 +257,25 @@ fn named(change: &Changed, session: &Session) -> (String, String) {
     if change.what == "light" {
         let light = session.look().lights.get(change.place.as_str());
         let name = light.map(|light| light.name.clone()).filter(|name| !name.is_empty());
-        return (format!("Light {}", name.unwrap_or_else(|| change.place.clone())), "direction".to_owned());
+        return (
+            format!("Light {}", name.unwrap_or_else(|| change.place.clone())),
+            "direction".to_owned(),
+        );
     }
     let (node, port) = match change.what {
         "color" => change.place.rsplit_once('.').unwrap_or((change.place.as_str(), "color")),
         _ => (change.place.as_str(), "profile"),
     };
     let port = match port.strip_suffix(']').and_then(|port| port.split_once('[')) {
-        Some((ramp, index)) => format!("{ramp}, stop {}", index.parse::<usize>().unwrap_or_default() + 1),
+        Some((ramp, index)) => {
+            format!("{ramp}, stop {}", index.parse::<usize>().unwrap_or_default() + 1)
+        }
         None => port.to_owned(),
     };
     let id = node.split('/').next().unwrap_or(node);
     // New layers are not in the open look yet.
-    let fitted = session.preview().and_then(|look| look.graph.nodes.get(id)).map(|node| node.name.clone());
+    let fitted =
+        session.preview().and_then(|look| look.graph.nodes.get(id)).map(|node| node.name.clone());
     let title = fitted.filter(|name| !name.is_empty()).unwrap_or_else(|| session.title(&id.into()));
     (title, port.replace('_', " "))
 }
@@ -268,7 +292,7 @@ fn turned(change: &Changed) -> String {
     }
 }
 
-/// A value; of a colour its swatch.
+/// A value; of a color its swatch.
 fn value(ui: &mut Ui, text: &str) {
     if let Some([r, g, b, _]) = text.starts_with('#').then(|| parse_hex(text)).flatten() {
         let byte = |x: f64| (x.clamp(0.0, 1.0) * 255.0).round() as u8;

@@ -1,8 +1,9 @@
 //! What was painted on the picture, and its past.
 //!
-//! A sketch is a small picture over the viewport's, straight RGBA as the command `chiaro fit` takes it: the colour is what
-//! a pixel should show, alpha how much that is wished. It says something of the view that it was painted in, and of no
-//! other. Its steps lie in the window's one order of undo while they are seen.
+//! A sketch is a small picture over the viewport's, straight RGBA as the command `chiaro fit` takes
+//! it: the color is what a pixel should show, alpha how much that is wished. It says something of
+//! the view that it was painted in, and of no other. Its steps lie in the window's one order of
+//! undo while they are seen.
 
 use std::sync::Arc;
 
@@ -28,13 +29,19 @@ impl Standpoint {
 
     /// Whether pixels show the same places in another view. How the lights are turned is not asked.
     pub(super) fn sees_as(&self, orbit: &Orbit, time: f64) -> bool {
-        let of = |orbit: &Orbit| -> (Camera, String, bool) { (orbit.camera(), orbit.mesh.clone(), orbit.z_is_up) };
+        let of = |orbit: &Orbit| -> (Camera, String, bool) {
+            (orbit.camera(), orbit.mesh.clone(), orbit.z_is_up)
+        };
         self.time == time && of(&self.orbit) == of(orbit)
     }
 
     /// The same view, lit as `orbit` is, before its backdrop; and the moment in seconds.
     pub(super) fn back(&self, orbit: &Orbit) -> (Orbit, f64) {
-        let back = Orbit { illumination: orbit.illumination, backdrop: orbit.backdrop, ..self.orbit.clone() };
+        let back = Orbit {
+            illumination: orbit.illumination,
+            backdrop: orbit.backdrop,
+            ..self.orbit.clone()
+        };
         (back, self.time)
     }
 }
@@ -72,7 +79,10 @@ impl Sketch {
 
     /// Whether nothing is wished.
     pub fn is_empty(&self) -> bool {
-        self.state.tile.as_ref().is_none_or(|tile| tile.bytes().chunks_exact(4).all(|texel| texel[3] == 0))
+        self.state
+            .tile
+            .as_ref()
+            .is_none_or(|tile| tile.bytes().chunks_exact(4).all(|texel| texel[3] == 0))
     }
 
     /// Where it was painted from.
@@ -81,12 +91,19 @@ impl Sketch {
     }
 
     /// Paints: a step that can be taken back.
-    pub(crate) fn did(&mut self, what: &'static str, standpoint: Standpoint, tile: Option<Tile>, now: u64) {
+    pub(crate) fn did(
+        &mut self,
+        what: &'static str,
+        standpoint: Standpoint,
+        tile: Option<Tile>,
+        now: u64,
+    ) {
         if self.done.len() >= MOST_STEPS {
             self.done.remove(0);
             self.times.fit((self.done.len(), self.undone.len()));
         }
-        let state = State { standpoint: tile.is_some().then_some(standpoint), tile: tile.map(Arc::new) };
+        let state =
+            State { standpoint: tile.is_some().then_some(standpoint), tile: tile.map(Arc::new) };
         self.done.push((what, std::mem::replace(&mut self.state, state)));
         self.undone.clear();
         self.times.did((self.done.len(), 0), now);
@@ -119,7 +136,8 @@ impl Sketch {
         self.done.len()
     }
 
-    /// What every step is called: those that are done, then those that were taken back, the next first.
+    /// What every step is called: those that are done, then those that were taken back, the next
+    /// first.
     pub(crate) fn labels(&self) -> impl Iterator<Item = &'static str> {
         self.done.iter().chain(self.undone.iter().rev()).map(|(what, _)| *what)
     }

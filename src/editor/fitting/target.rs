@@ -9,8 +9,8 @@ pub(super) const FINENESS: u32 = 3;
 /// What is covered by less than this was hardly painted.
 const LEAST: f64 = 1.0 / 32.0;
 
-/// The wishes of a sketch at the pixels that can be compared. Colours are means of what covers a pixel, and the weight is
-/// how much of it is covered.
+/// The wishes of a sketch at the pixels that can be compared. Colors are means of what covers a
+/// pixel, and the weight is how much of it is covered.
 pub(super) fn wishes(tile: &Tile, ground: &Ground) -> Vec<Wish> {
     let [width, height] = ground.size;
     if tile.size() != ground.size.map(|side| side * FINENESS) {
@@ -28,13 +28,19 @@ pub(super) fn wishes(tile: &Tile, ground: &Ground) -> Vec<Wish> {
             let first = ((y * FINENESS + row) as usize) * stride + (x * FINENESS) as usize;
             for texel in &texels[first..first + FINENESS as usize] {
                 let cover = f64::from(texel[3]) / 255.0;
-                (0..3).for_each(|channel| sum[channel] += cover * f64::from(texel[channel]) / 255.0);
+                (0..3)
+                    .for_each(|channel| sum[channel] += cover * f64::from(texel[channel]) / 255.0);
                 alpha += cover;
             }
         }
         let weight = alpha / f64::from(FINENESS * FINENESS);
         if weight >= LEAST {
-            wishes.push(Wish { pixel: [x, y], color: sum.map(|channel| channel / alpha), weight, is_rest: false });
+            wishes.push(Wish {
+                pixel: [x, y],
+                color: sum.map(|channel| channel / alpha),
+                weight,
+                is_rest: false,
+            });
         }
     }
     wishes
@@ -45,7 +51,8 @@ pub(super) fn off(wishes: &[Wish], shown: impl Fn([u32; 2]) -> Option<[f64; 3]>)
     let (mut sum, mut total) = (0.0, 0.0);
     for wish in wishes {
         let Some(shown) = shown(wish.pixel) else { continue };
-        let squares: f64 = shown.iter().zip(wish.color).map(|(shown, wished)| (shown - wished).powi(2)).sum();
+        let squares: f64 =
+            shown.iter().zip(wish.color).map(|(shown, wished)| (shown - wished).powi(2)).sum();
         sum += wish.weight * squares / 3.0;
         total += wish.weight;
     }
@@ -83,7 +90,9 @@ mod tests {
         let painted = wishes(&tile, &ground);
         let at: Vec<[u32; 2]> = painted.iter().map(|wish| wish.pixel).collect();
         assert_eq!(at, [[0, 0], [2, 0], [3, 0]]);
-        let near = |wish: &Wish| wish.color.iter().zip([1.0, 0.0, 0.2]).all(|(a, b)| (a - b).abs() < 1e-12);
+        let near = |wish: &Wish| {
+            wish.color.iter().zip([1.0, 0.0, 0.2]).all(|(a, b)| (a - b).abs() < 1e-12)
+        };
         assert!(painted.iter().all(near));
         assert!((painted[2].weight - 1.0 / 3.0).abs() < 1e-12 && painted[0].weight == 1.0);
         // Of three pixels, of which each is off by 0.8, 0.2 and 0 in its channels.
@@ -94,6 +103,8 @@ mod tests {
 
     #[test]
     fn a_sketch_of_another_size_wishes_nothing() {
-        assert!(wishes(&Tile::filled([6, 6], [255; 4]), &Ground::flat([3, 3], [0.5; 3])).is_empty());
+        assert!(
+            wishes(&Tile::filled([6, 6], [255; 4]), &Ground::flat([3, 3], [0.5; 3])).is_empty()
+        );
     }
 }

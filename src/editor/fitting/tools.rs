@@ -9,7 +9,7 @@ pub(crate) enum Kind {
     Light,
     /// Darker than it is seen.
     Dark,
-    /// A colour.
+    /// A color.
     Color,
     /// As the look shows it.
     Keep,
@@ -19,7 +19,8 @@ pub(crate) enum Kind {
 
 impl Kind {
     /// All, in the order of the bar.
-    pub(crate) const ALL: [Self; 5] = [Self::Light, Self::Dark, Self::Color, Self::Keep, Self::Erase];
+    pub(crate) const ALL: [Self; 5] =
+        [Self::Light, Self::Dark, Self::Color, Self::Keep, Self::Erase];
 
     /// What people call it.
     pub(crate) fn label(self) -> &'static str {
@@ -37,7 +38,9 @@ impl Kind {
         match self {
             Self::Light => "Here it should be lighter, as if more light fell on it (B)",
             Self::Dark => "Here it should be darker (D)",
-            Self::Color => "Here it should have this color (C). Ctrl-click takes a color from the picture",
+            Self::Color => {
+                "Here it should have this color (C). Ctrl-click takes a color from the picture"
+            }
             Self::Keep => "Here it should stay as it is (K)",
             Self::Erase => "Takes strokes away (E)",
         }
@@ -90,8 +93,8 @@ impl Tools {
         (0.5 * self.size * f64::from(height)).max(0.5)
     }
 
-    /// What is wished of a pixel that the look shows as `shown` and that is seen, with what was painted before, as `seen`;
-    /// `None` for nothing.
+    /// What is wished of a pixel that the look shows as `shown` and that is seen, with what was
+    /// painted before, as `seen`; `None` for nothing.
     pub(super) fn wish(&self, shown: [f64; 3], seen: [f64; 3]) -> Option<[f64; 3]> {
         match self.kind {
             Kind::Light => Some(lighter(seen, self.amount)),
@@ -108,9 +111,9 @@ fn luminance([r, g, b]: [f64; 3]) -> f64 {
     0.2126 * r + 0.7152 * g + 0.0722 * b
 }
 
-/// A colour as shown under more light, or with a negative `by` under less: the cube root of its luminance, which goes
-/// about as lightness is seen, changes by so much. It keeps its hue; what would be brighter than its channels can show
-/// goes toward white instead.
+/// A color as shown under more light, or with a negative `by` under less: the cube root of its
+/// luminance, which goes about as lightness is seen, changes by so much. It keeps its hue; what
+/// would be brighter than its channels can show goes toward white instead.
 pub(super) fn lighter(color: [f64; 3], by: f64) -> [f64; 3] {
     let linear = color.map(|x| srgb_to_linear(x.clamp(0.0, 1.0)));
     let before = luminance(linear);
@@ -132,15 +135,23 @@ mod tests {
 
     #[test]
     fn lighter_is_lighter_by_so_much_and_dark_takes_it_back() {
-        for color in [[0.5, 0.5, 0.5], [0.3, 0.2, 0.1], [0.16, 0.15, 0.2], [0.8, 0.3, 0.2], [0.1, 0.2, 0.9]] {
+        for color in
+            [[0.5, 0.5, 0.5], [0.3, 0.2, 0.1], [0.16, 0.15, 0.2], [0.8, 0.3, 0.2], [0.1, 0.2, 0.9]]
+        {
             let more = lighter(color, 0.2);
             assert!((lightness(more) - lightness(color) - 0.2).abs() < 1e-9, "{color:?}: {more:?}");
             assert!(more.iter().all(|x| (0.0..=1.0).contains(x)));
             let is_unclipped = more.iter().all(|x| *x < 1.0 - 1e-9);
             let back = lighter(more, -0.2);
-            assert!(!is_unclipped || back.iter().zip(color).all(|(a, b)| (a - b).abs() < 1e-6), "{color:?}: {back:?}");
+            assert!(
+                !is_unclipped || back.iter().zip(color).all(|(a, b)| (a - b).abs() < 1e-6),
+                "{color:?}: {back:?}"
+            );
         }
-        assert!(lighter([0.9; 3], 0.5).iter().all(|x| (x - 1.0).abs() < 1e-9), "no lighter than white");
+        assert!(
+            lighter([0.9; 3], 0.5).iter().all(|x| (x - 1.0).abs() < 1e-9),
+            "no lighter than white"
+        );
         assert_eq!(lighter([0.1; 3], -1.0), [0.0; 3]);
         let [r, g, b] = lighter([0.0; 3], 0.3);
         assert!(r > 0.1 && r == g && g == b, "black has no hue to keep");

@@ -1,8 +1,9 @@
-//! Strokes as a picture over the one that is painted on: veils of what they wish, hatched where it stays, with a dashed
-//! outline that is seen on anything.
+//! Strokes as a picture over the one that is painted on: veils of what they wish, hatched where it
+//! stays, with a dashed outline that is seen on anything.
 //!
-//! What is wished is made of the picture that is fitted at, whose pixels are large on the screen. So veils are smoothed over
-//! these, and outlines are as wide as their distance from the stroke's edge says.
+//! What is wished is made of the picture that is fitted at, whose pixels are large on the screen.
+//! So veils are smoothed over these, and outlines are as wide as their distance from the stroke's
+//! edge says.
 
 use std::f32::consts::PI;
 use std::ops::Range;
@@ -36,7 +37,7 @@ pub(super) fn strokes(tile: &Tile, ground: Option<&Ground>, outlines_only: bool)
     layer.into_image()
 }
 
-/// Premultiplied colours from 0 to 1, of which only a part is not clear.
+/// Premultiplied colors from 0 to 1, of which only a part is not clear.
 struct Layer {
     size: [usize; 2],
     colors: Vec<[f32; 4]>,
@@ -56,7 +57,8 @@ impl Layer {
             }
         }
         let around = 2 * FINENESS as usize;
-        let range = |axis: usize| low[axis].saturating_sub(around)..(high[axis] + around).min(size[axis]);
+        let range =
+            |axis: usize| low[axis].saturating_sub(around)..(high[axis] + around).min(size[axis]);
         Self { size, colors: vec![[0.0; 4]; size[0] * size[1]], columns: range(0), rows: range(1) }
     }
 
@@ -67,10 +69,17 @@ impl Layer {
     }
 
     /// Every place where something is wished: what, and how much.
-    fn wishes<'a>(&self, tile: &'a Tile) -> impl Iterator<Item = ([usize; 2], usize, [f64; 3], f64)> + use<'a> {
+    fn wishes<'a>(
+        &self,
+        tile: &'a Tile,
+    ) -> impl Iterator<Item = ([usize; 2], usize, [f64; 3], f64)> + use<'a> {
         let (texels, _) = tile.bytes().as_chunks::<4>();
-        let wished = self.places().map(|(at, index)| (at, index, texels[index].map(|byte| f64::from(byte) / 255.0)));
-        wished.filter(|(.., [_, _, _, alpha])| *alpha > 0.0).map(|(at, index, [r, g, b, a])| (at, index, [r, g, b], a))
+        let wished = self
+            .places()
+            .map(|(at, index)| (at, index, texels[index].map(|byte| f64::from(byte) / 255.0)));
+        wished
+            .filter(|(.., [_, _, _, alpha])| *alpha > 0.0)
+            .map(|(at, index, [r, g, b, a])| (at, index, [r, g, b], a))
     }
 
     fn lay_veils(&mut self, tile: &Tile, ground: &Ground) {
@@ -94,7 +103,9 @@ impl Layer {
     fn lay_outlines(&mut self, tile: &Tile) {
         let (texels, _) = tile.bytes().as_chunks::<4>();
         let [width, height] = self.size;
-        let share = |x: usize, y: usize| f32::from(texels[y.min(height - 1) * width + x.min(width - 1)][3]) / 255.0;
+        let share = |x: usize, y: usize| {
+            f32::from(texels[y.min(height - 1) * width + x.min(width - 1)][3]) / 255.0
+        };
         for ([x, y], index) in self.places() {
             let across = share(x + 1, y) - share(x.saturating_sub(1), y);
             let down = share(x, y + 1) - share(x, y.saturating_sub(1));
@@ -122,7 +133,8 @@ impl Layer {
             let before = self.colors.clone();
             for (at, index) in self.places() {
                 let stride = [1, self.size[0]][axis];
-                let around = at[axis].saturating_sub(half)..(at[axis] + half + 1).min(self.size[axis]);
+                let around =
+                    at[axis].saturating_sub(half)..(at[axis] + half + 1).min(self.size[axis]);
                 let count = around.len() as f32;
                 let first = index - (at[axis] - around.start) * stride;
                 let mut sum = [0.0; 4];
@@ -157,8 +169,8 @@ fn stays(wish: [f64; 3], shown: [f64; 3]) -> bool {
     wish.iter().zip(shown).all(|(wish, shown)| (wish - shown).abs() < SAME)
 }
 
-/// The thinnest veil over what is shown through which it looks as wished, so that the picture's own detail is seen through
-/// it; as much of it as there is of the wish. Premultiplied.
+/// The thinnest veil over what is shown through which it looks as wished, so that the picture's own
+/// detail is seen through it; as much of it as there is of the wish. Premultiplied.
 fn veil(shown: [f64; 3], wish: [f64; 3], share: f64) -> [f32; 4] {
     let cover = shown.iter().zip(wish).map(|(shown, wish)| {
         let room = if wish > *shown { 1.0 - shown } else { *shown };
@@ -173,23 +185,28 @@ fn veil(shown: [f64; 3], wish: [f64; 3], share: f64) -> [f32; 4] {
 mod tests {
     use super::*;
 
-    /// One block of a light wish amid of others: on the screen there is no step from one to the next.
+    /// One block of a light wish amid of others: on the screen there is no step from one to the
+    /// next.
     #[test]
     fn veils_have_no_blocks_and_a_stroke_has_an_outline() {
         let fine = FINENESS as usize;
         let size = [20 * FINENESS; 2];
         let mut tile = Tile::filled(size, [0; 4]);
         let width = size[0] as usize;
-        for (x, y) in (0..10 * fine).flat_map(|y| (0..10 * fine).map(move |x| (x + 5 * fine, y + 5 * fine))) {
+        for (x, y) in
+            (0..10 * fine).flat_map(|y| (0..10 * fine).map(move |x| (x + 5 * fine, y + 5 * fine)))
+        {
             let is_lighter = (x / fine + y / fine).is_multiple_of(2);
             let value = if is_lighter { 200 } else { 160 };
-            tile.bytes_mut()[4 * (y * width + x)..][..4].copy_from_slice(&[value, value, value, 255]);
+            tile.bytes_mut()[4 * (y * width + x)..][..4]
+                .copy_from_slice(&[value, value, value, 255]);
         }
         let ground = Ground::flat([20; 2], [0.4; 3]);
         let image = strokes(&tile, Some(&ground), false);
         let at = |x: usize, y: usize| image.pixels[y * width + x];
         let middle = 10 * fine;
-        let steps = (middle - 6..middle + 6).map(|x| at(x, middle).a().abs_diff(at(x + 1, middle).a()));
+        let steps =
+            (middle - 6..middle + 6).map(|x| at(x, middle).a().abs_diff(at(x + 1, middle).a()));
         assert!(
             steps.max().unwrap() < 12,
             "{:?}",

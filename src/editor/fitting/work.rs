@@ -51,6 +51,8 @@ fn fit(assets: &mut Assets, job: &Job) -> Result<Fitted, Vec<Diagnostic>> {
     // The open look is the first.
     match what {
         What::ThisLook => fit_look(&setup, 0, &still.library, target, options, progress),
-        What::Layers(count) => fit_layers(&setup, 0, &still.library, target, *count, options, progress),
+        What::Layers(count) => {
+            fit_layers(&setup, 0, &still.library, target, *count, options, progress)
+        }
     }
 }

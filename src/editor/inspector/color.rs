@@ -1,4 +1,4 @@
-//! A colour: a swatch that opens a picker, and its hex code.
+//! A color: a swatch that opens a picker, and its hex code.
 
 use eframe::egui;
 use eframe::egui::ecolor::{gamma_from_linear, linear_from_gamma};
@@ -9,7 +9,7 @@ use super::super::{theme, values};
 use super::picker;
 use crate::document::{ColorSpace, parse_hex, srgb_to_linear};
 
-/// Edits a straight RGBA colour of a look's colour space. Who changed it, and to what.
+/// Edits a straight RGBA color of a look's color space. Who changed it, and to what.
 pub(crate) fn edit(
     ui: &mut Ui,
     label: Id,
@@ -34,7 +34,7 @@ pub(in super::super) fn swatch(
     swatch_of(ui, color, space, with_alpha, |response| response.labelled_by(label))
 }
 
-/// What a swatch opens, here and now: for an opaque colour, as it is shown.
+/// What a swatch opens, here and now: for an opaque color, as it is shown.
 pub(in super::super) fn pick(ui: &mut Ui, color: [f64; 4]) -> Option<[f64; 4]> {
     let id = ui.scope_id().with("color");
     let picked = picker::pick(ui, id, color.map(|x| x as f32), false)?;
@@ -62,7 +62,7 @@ fn swatch_of(
     with_alpha: bool,
     name: impl FnOnce(egui::Response) -> egui::Response,
 ) -> Option<(Id, [f64; 4])> {
-    // A picker shows colours as they are seen; a look's are so too unless it says otherwise.
+    // A picker shows colors as they are seen; a look's are so too unless it says otherwise.
     let [r, g, b, a] = encoded(color, space).map(|x| x as f32);
     let mut typed = None;
     let (response, picked) = picker::swatch(ui, [r, g, b, a], with_alpha, name, |ui| {
@@ -74,12 +74,13 @@ fn swatch_of(
         ColorSpace::Linear => f64::from(linear_from_gamma(x)),
     };
     // Four decimals are more than a picker's hand gives, and keep files readable.
-    let picked =
-        picked.map(|[r, g, b, a]| [decode(r), decode(g), decode(b), f64::from(a)].map(|x| (x * 1e4).round() / 1e4));
+    let picked = picked.map(|[r, g, b, a]| {
+        [decode(r), decode(g), decode(b), f64::from(a)].map(|x| (x * 1e4).round() / 1e4)
+    });
     picked.map(|color| (response.id, color)).or(typed)
 }
 
-/// A colour of a look's colour space as it is shown.
+/// A color of a look's color space as it is shown.
 pub(in super::super) fn encoded(color: [f64; 4], space: ColorSpace) -> [f64; 4] {
     let [r, g, b, a] = color.map(|x| x.clamp(0.0, 1.0));
     match space {
@@ -91,7 +92,7 @@ pub(in super::super) fn encoded(color: [f64; 4], space: ColorSpace) -> [f64; 4] 
     }
 }
 
-/// A colour as people type it: with its mark, without, or with one too many.
+/// A color as people type it: with its mark, without, or with one too many.
 fn parse_typed(text: &str) -> Option<[f64; 4]> {
     parse_hex(&format!("#{}", text.trim().trim_start_matches('#')))
 }
@@ -102,7 +103,7 @@ fn hex(ui: &mut Ui, label: Id, color: [f64; 4], space: ColorSpace) -> Option<(Id
         ColorSpace::Display => color,
         ColorSpace::Linear => encoded(color, space),
     });
-    // While it is being typed it is no colour yet, so the text is kept aside.
+    // While it is being typed it is no color yet, so the text is kept aside.
     let mut text = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| shown.clone());
     let is_bad = parse_typed(&text).is_none();
     let edit = TextEdit::singleline(&mut text)
@@ -115,7 +116,7 @@ fn hex(ui: &mut Ui, label: Id, color: [f64; 4], space: ColorSpace) -> Option<(Id
     let mut output = edit.show(ui);
     let response = output.response.response.labelled_by(label);
     if response.gained_focus() {
-        // Whoever comes here types a colour anew.
+        // Whoever comes here types a color anew.
         let all = CCursorRange::two(CCursor::new(0), CCursor::new(text.chars().count()));
         output.state.cursor.set_char_range(Some(all));
         output.state.store(ui.ctx(), id);
@@ -125,7 +126,11 @@ fn hex(ui: &mut Ui, label: Id, color: [f64; 4], space: ColorSpace) -> Option<(Id
     } else {
         ui.data_mut(|data| data.remove::<String>(id));
     }
-    let response = if is_bad { response.on_hover_text("No color: type six digits, as in #d08040") } else { response };
+    let response = if is_bad {
+        response.on_hover_text("No color: type six digits, as in #d08040")
+    } else {
+        response
+    };
     let parsed = parse_typed(&text).filter(|_| response.changed() && text.trim() != shown)?;
     let [r, g, b, a] = parsed;
     Some((

@@ -1,4 +1,5 @@
-//! A free curve: drag its points, double-click to add one, double-click a point or drag it out to remove it.
+//! A free curve: drag its points, double-click to add one, double-click a point or drag it out to
+//! remove it.
 
 use eframe::egui::epaint::PathShape;
 use eframe::egui::{ComboBox, Id, Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
@@ -19,7 +20,10 @@ pub(super) fn show(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id,
     let bounds = bounds(&curve);
     let to_screen = |p: [f64; 2]| {
         let t = |x: f64, range: &[f64; 2]| ((x - range[0]) / (range[1] - range[0])) as f32;
-        pos2(area.min.x + t(p[0], &bounds[0]) * area.width(), area.max.y - t(p[1], &bounds[1]) * area.height())
+        pos2(
+            area.min.x + t(p[0], &bounds[0]) * area.width(),
+            area.max.y - t(p[1], &bounds[1]) * area.height(),
+        )
     };
     let from_screen = |p: Pos2| {
         let at = |t: f32, range: &[f64; 2]| range[0] + f64::from(t) * (range[1] - range[0]);
@@ -30,7 +34,8 @@ pub(super) fn show(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id,
         ]
     };
     let near = |curve: &Curve, p: Pos2| {
-        let distances = curve.points.iter().enumerate().map(|(i, &point)| (i, to_screen(point).distance(p)));
+        let distances =
+            curve.points.iter().enumerate().map(|(i, &point)| (i, to_screen(point).distance(p)));
         distances.filter(|(_, d)| *d < 12.0).min_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
     };
     let mut changed = false;
@@ -101,13 +106,20 @@ fn paint(ui: &Ui, rect: Rect, curve: &Curve, to_screen: &dyn Fn([f64; 2]) -> Pos
     let line = outline(curve).into_iter().map(to_screen).collect();
     painter.add(PathShape::line(line, Stroke::new(2.0, theme::of(ui).accent)));
     for &point in &curve.points {
-        painter.circle(to_screen(point), 4.5, theme::of(ui).panel, Stroke::new(2.0, theme::of(ui).accent));
+        painter.circle(
+            to_screen(point),
+            4.5,
+            theme::of(ui).panel,
+            Stroke::new(2.0, theme::of(ui).accent),
+        );
     }
 }
 
 /// The curve as straight pieces, flat to both sides.
 fn outline(curve: &Curve) -> Vec<[f64; 2]> {
-    let (Some(first), Some(last)) = (curve.points.first(), curve.points.last()) else { return Vec::new() };
+    let (Some(first), Some(last)) = (curve.points.first(), curve.points.last()) else {
+        return Vec::new();
+    };
     let [x_range, _] = bounds(curve);
     let mut line = vec![[x_range[0], first[1]], *first];
     for (i, pair) in curve.points.windows(2).enumerate() {
@@ -125,9 +137,11 @@ fn outline(curve: &Curve) -> Vec<[f64; 2]> {
     line
 }
 
-/// The slope at a point by Fritsch and Carlson: 0 at extremes, the harmonic mean of the neighbours elsewhere.
+/// The slope at a point by Fritsch and Carlson: 0 at extremes, the harmonic mean of the neighbours
+/// elsewhere.
 fn slope(points: &[[f64; 2]], i: usize) -> f64 {
-    let secant = |i: usize| (points[i + 1][1] - points[i][1]) / (points[i + 1][0] - points[i][0]).max(1e-9);
+    let secant =
+        |i: usize| (points[i + 1][1] - points[i][1]) / (points[i + 1][0] - points[i][0]).max(1e-9);
     if i == 0 {
         return secant(0);
     }
@@ -156,11 +170,12 @@ pub(super) fn interpolation(ui: &mut Ui, label: Id, current: &mut Interpolation)
         Interpolation::Stepped => "Stepped",
     };
     let before = *current;
-    let combo = ComboBox::from_id_salt("interpolation").selected_text(name(before)).show_ui(ui, |ui| {
-        for choice in [Interpolation::Linear, Interpolation::Smooth, Interpolation::Stepped] {
-            ui.selectable_value(current, choice, name(choice));
-        }
-    });
+    let combo =
+        ComboBox::from_id_salt("interpolation").selected_text(name(before)).show_ui(ui, |ui| {
+            for choice in [Interpolation::Linear, Interpolation::Smooth, Interpolation::Stepped] {
+                ui.selectable_value(current, choice, name(choice));
+            }
+        });
     combo.response.labelled_by(label);
     *current != before
 }

@@ -12,9 +12,15 @@ use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, PortName, make_slug}
 
 /// Shows the group that is open.
 pub(super) fn show(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
-    let (GraphId::Definition(id), Some(definition)) = (session.graph_id(), session.definition()) else { return };
-    ui.label(RichText::new(if definition.label.is_empty() { id.as_str() } else { &definition.label }).heading())
-        .on_hover_text(format!("group {id}"));
+    let (GraphId::Definition(id), Some(definition)) = (session.graph_id(), session.definition())
+    else {
+        return;
+    };
+    ui.label(
+        RichText::new(if definition.label.is_empty() { id.as_str() } else { &definition.label })
+            .heading(),
+    )
+    .on_hover_text(format!("group {id}"));
     let users = users(session, id);
     let shared = match users {
         0 | 1 => "What is changed here is this group, wherever it is used.".to_owned(),
@@ -22,12 +28,29 @@ pub(super) fn show(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     };
     ui.label(RichText::new(shared).color(theme::of(ui).dim));
     ui.add_space(4.0);
-    text_row(ui, "Name", "What its nodes are called", &definition.label, id.as_str(), |widget, label| {
-        out.push(Command::EditHeld(widget, set(id, definition, |changed| changed.label = label)));
-    });
-    text_row(ui, "Help", "What it does, for whoever uses it", &definition.help, "", |widget, help| {
-        out.push(Command::EditHeld(widget, set(id, definition, |changed| changed.help = help)));
-    });
+    text_row(
+        ui,
+        "Name",
+        "What its nodes are called",
+        &definition.label,
+        id.as_str(),
+        |widget, label| {
+            out.push(Command::EditHeld(
+                widget,
+                set(id, definition, |changed| changed.label = label),
+            ));
+        },
+    );
+    text_row(
+        ui,
+        "Help",
+        "What it does, for whoever uses it",
+        &definition.help,
+        "",
+        |widget, help| {
+            out.push(Command::EditHeld(widget, set(id, definition, |changed| changed.help = help)));
+        },
+    );
     ui.separator();
     ports(ui, "Inputs", (id, definition), false, out);
     ports(ui, "Outputs", (id, definition), true, out);
@@ -36,10 +59,20 @@ pub(super) fn show(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     ui.label(RichText::new(hint).color(theme::of(ui).dim));
 }
 
-fn text_row(ui: &mut Ui, label: &str, help: &str, text: &str, hint: &str, changed: impl FnOnce(egui::Id, String)) {
+fn text_row(
+    ui: &mut Ui,
+    label: &str,
+    help: &str,
+    text: &str,
+    hint: &str,
+    changed: impl FnOnce(egui::Id, String),
+) {
     row::labelled(ui, label, help, |ui, id| {
         let mut text = text.to_owned();
-        let edit = TextEdit::singleline(&mut text).hint_text(hint).desired_width(f32::INFINITY).char_limit(200);
+        let edit = TextEdit::singleline(&mut text)
+            .hint_text(hint)
+            .desired_width(f32::INFINITY)
+            .char_limit(200);
         let response = ui.add(edit).labelled_by(id);
         if response.changed() {
             changed(response.id, text);
@@ -59,7 +92,11 @@ fn list(definition: &mut Definition, is_output: bool) -> &mut Vec<InterfacePort>
 }
 
 /// The edit that changes what a group shows to the outside.
-pub(crate) fn set(id: &DefinitionId, definition: &Definition, change: impl FnOnce(&mut Definition)) -> Edit {
+pub(crate) fn set(
+    id: &DefinitionId,
+    definition: &Definition,
+    change: impl FnOnce(&mut Definition),
+) -> Edit {
     let mut changed = Definition { graph: Default::default(), ..definition.clone() };
     change(&mut changed);
     let Definition { label, help, inputs, outputs, .. } = changed;
@@ -81,28 +118,42 @@ fn ports(
             ui.horizontal(|ui| {
                 let mut label = port.label.clone().unwrap_or_default();
                 let width = (ui.available_width() - 136.0).max(60.0);
-                let edit = TextEdit::singleline(&mut label).hint_text(port.name.as_str()).desired_width(width);
+                let edit = TextEdit::singleline(&mut label)
+                    .hint_text(port.name.as_str())
+                    .desired_width(width);
                 let response = ui.add(edit).on_hover_text(format!("The label of {}", port.name));
                 response.widget_info(|| {
-                    egui::WidgetInfo::labeled(egui::Role::TextInput, true, format!("Label of {what} {}", port.name))
+                    egui::WidgetInfo::labeled(
+                        egui::Role::TextInput,
+                        true,
+                        format!("Label of {what} {}", port.name),
+                    )
                 });
                 if response.changed() {
                     let label = (!label.is_empty()).then_some(label);
-                    let edit = set(id, definition, |changed| list(changed, is_output)[index].label = label);
+                    let edit = set(id, definition, |changed| {
+                        list(changed, is_output)[index].label = label
+                    });
                     out.push(Command::EditHeld(response.id, edit));
                 }
                 let button = |ui: &mut Ui, text: &str, verb: &str, is_on: bool| {
                     let response = ui.add_enabled(is_on, egui::Button::new(text).small());
                     let name = format!("{verb} {what} {}", port.name);
-                    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, is_on, &name));
+                    response.widget_info(|| {
+                        egui::WidgetInfo::labeled(egui::Role::Button, is_on, &name)
+                    });
                     response.on_hover_text(name).clicked()
                 };
                 if button(ui, "Up", "Move up", index > 0) {
-                    let edit = set(id, definition, |changed| list(changed, is_output).swap(index, index - 1));
+                    let edit = set(id, definition, |changed| {
+                        list(changed, is_output).swap(index, index - 1)
+                    });
                     out.push(Command::Edit(edit));
                 }
                 if button(ui, "Down", "Move down", index + 1 < ports.len()) {
-                    let edit = set(id, definition, |changed| list(changed, is_output).swap(index, index + 1));
+                    let edit = set(id, definition, |changed| {
+                        list(changed, is_output).swap(index, index + 1)
+                    });
                     out.push(Command::Edit(edit));
                 }
                 if button(ui, "×", "Remove", true) {
@@ -128,8 +179,11 @@ pub(crate) fn free_port(definition: &Definition, is_output: bool, wished: &str) 
 /// Removes a port with the wires to it inside.
 fn remove(id: &DefinitionId, definition: &Definition, is_output: bool, index: usize) -> Edit {
     let graph = GraphId::Definition(id.clone());
-    let name = if is_output { &definition.outputs[index].name } else { &definition.inputs[index].name };
-    let leads = |end: &crate::document::Endpoint, node: &str| end.node.as_str() == node && end.port == *name;
+    let name =
+        if is_output { &definition.outputs[index].name } else { &definition.inputs[index].name };
+    let leads = |end: &crate::document::Endpoint, node: &str| {
+        end.node.as_str() == node && end.port == *name
+    };
     let wires = definition.graph.wires.iter().filter(|wire| match is_output {
         true => leads(&wire.to, GROUP_OUTPUTS),
         false => leads(&wire.from, GROUP_INPUTS),

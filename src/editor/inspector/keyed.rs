@@ -1,7 +1,8 @@
-//! What stands below a keyed value: what it is now, what decides and where that is, and at which key a hand sets it.
+//! What stands below a keyed value: what it is now, what decides and where that is, and at which
+//! key a hand sets it.
 //!
-//! The widget above shows the value of that one key, so what is typed stays as it was typed; what the picture has lies
-//! between the keys.
+//! The widget above shows the value of that one key, so what is typed stays as it was typed; what
+//! the picture has lies between the keys.
 
 use eframe::egui::{Button, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 
@@ -48,13 +49,17 @@ fn by_direction(ui: &mut Ui, marked: &Marked<'_>, set: usize, out: &mut Vec<Comm
     line(ui, |ui| {
         if let Some(now) = session.value_now(&marked.target) {
             chip(ui, marked, &now);
-            ui.label(RichText::new(format!("Now {}", said_of(&now))).small().color(theme::of(ui).text));
+            ui.label(
+                RichText::new(format!("Now {}", said_of(&now))).small().color(theme::of(ui).text),
+            );
         }
         let text = decided_by(session, set, keys);
-        ui.label(quiet(ui, text)).on_hover_text("What decides between the keys, and where that is now");
+        ui.label(quiet(ui, text))
+            .on_hover_text("What decides between the keys, and where that is now");
     });
     line(ui, |ui| {
-        let help = "At which key a value is set that is typed here; what is seen now lies between the keys";
+        let help = "At which key a value is set that is typed here; what is seen now lies between \
+                    the keys";
         ui.label(quiet(ui, "Sets")).on_hover_text(help);
         for index in 0..keys.keys.len() {
             let value = keys.keys[index].values.get(&marked.target).map(said_of);
@@ -63,14 +68,14 @@ fn by_direction(ui: &mut Ui, marked: &Marked<'_>, set: usize, out: &mut Vec<Comm
     });
 }
 
-/// A colour as it is seen; `None` of what is no colour.
+/// A color as it is seen; `None` of what is no color.
 fn shown_color(marked: &Marked<'_>, value: &Value) -> Option<[f64; 4]> {
     let space = marked.session.look().color_space;
     let is_color = matches!(marked.ty, Type::Color | Type::Composite);
     Some(color::encoded(value.color_in(space).filter(|_| is_color)?, space))
 }
 
-/// A colour as it is now.
+/// A color as it is now.
 fn chip(ui: &mut Ui, marked: &Marked<'_>, now: &Value) {
     let Some(color) = shown_color(marked, now) else { return };
     let [r, g, b, _] = color.map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
@@ -117,15 +122,22 @@ fn one_key(
         let place = match &keys.by {
             KeyDirection::Drivers(drivers) => {
                 let each = drivers.iter().zip(keys.keys[index].direction);
-                let each = each.map(|(driver, at)| format!("{}: {}", session.driver_name(driver), said(driver, at)));
+                let each = each.map(|(driver, at)| {
+                    format!("{}: {}", session.driver_name(driver), said(driver, at))
+                });
                 format!(" ({})", each.collect::<Vec<_>>().join(", "))
             }
             KeyDirection::View | KeyDirection::Light(_) => String::new(),
         };
         let value = value.unwrap_or_else(|| "the look's own value".to_owned());
         let weight = session.key_weights(set).get(index).copied().unwrap_or(0.0);
-        ui.label(format!("{value} at key {}{place}, which counts {:.0}% now.", index + 1, weight * 100.0));
-        let help = if held { "Press to follow the heaviest key again" } else { "Press to set this key" };
+        ui.label(format!(
+            "{value} at key {}{place}, which counts {:.0}% now.",
+            index + 1,
+            weight * 100.0
+        ));
+        let help =
+            if held { "Press to follow the heaviest key again" } else { "Press to set this key" };
         ui.label(quiet(ui, help));
     });
 }

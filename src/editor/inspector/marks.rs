@@ -1,5 +1,5 @@
-//! What else can be done with a value than set it: key it, expose it, reset it. From the diamond beside it, or by a right
-//! click on its name.
+//! What else can be done with a value than set it: key it, expose it, reset it. From the diamond
+//! beside it, or by a right click on its name.
 
 use eframe::egui;
 use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
@@ -15,7 +15,8 @@ use crate::document::{Edit, Exposed, KeyDirection, Target};
 use crate::ids::{PortName, is_slug, make_slug};
 use crate::library::Type;
 
-/// Something with a mark: what it is, what its values are, and the edits that give it its default back.
+/// Something with a mark: what it is, what its values are, and the edits that give it its default
+/// back.
 pub(crate) struct Marked<'a> {
     pub(crate) session: &'a Session,
     pub(crate) target: Target,
@@ -40,7 +41,9 @@ impl Marked<'_> {
         if self.session.keyed_by(&self.target) != KeyedBy::Nothing {
             lines.push(mark::help(self.session, &self.target));
         }
-        if let Some(exposed) = self.exposed().and_then(|index| self.session.look().exposed.get(index)) {
+        if let Some(exposed) =
+            self.exposed().and_then(|index| self.session.look().exposed.get(index))
+        {
             lines.push(format!("Exposed as \"{}\".", exposed.name));
         }
         lines.join("\n")
@@ -102,9 +105,11 @@ pub(super) fn menu(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
 }
 
 fn keys_in_time(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
-    let is_timed = marked.session.look().time_keys.iter().any(|track| track.target == marked.target);
+    let is_timed =
+        marked.session.look().time_keys.iter().any(|track| track.target == marked.target);
     let text = if is_timed { "Key at the playhead" } else { "Key in time" };
-    let help = "A key at the playhead with the value of now; setting it at another time adds another key";
+    let help =
+        "A key at the playhead with the value of now; setting it at another time adds another key";
     if ui.button(text).on_hover_text(help).clicked() {
         out.extend(marked.session.key_in_time(&marked.target).map(Command::Edit));
         out.push(Command::ShowPanel(Panel::Timeline));
@@ -134,10 +139,13 @@ fn keys_by_direction(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
     for by in lights.chain([KeyDirection::View]).chain(drivers) {
         let text = match &by {
             KeyDirection::Drivers(drivers) => {
-                let names: Vec<String> = drivers.iter().map(|driver| session.driver_name(driver)).collect();
+                let names: Vec<String> =
+                    drivers.iter().map(|driver| session.driver_name(driver)).collect();
                 format!("New keys by: {}", names.join(", "))
             }
-            KeyDirection::Light(id) => format!("New keys by the light \"{}\"", session.light_name(id)),
+            KeyDirection::Light(id) => {
+                format!("New keys by the light \"{}\"", session.light_name(id))
+            }
             KeyDirection::View => "New keys by the view".to_owned(),
         };
         begin(ui, text, by);
@@ -146,7 +154,8 @@ fn keys_by_direction(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
     if wires.is_empty() && still.is_empty() {
         return;
     }
-    let help = "What is the same all over the object may decide: an exposed or keyed value, the time, a light's \
+    let help = "What is the same all over the object may decide: an exposed or keyed value, the \
+                time, a light's \
                 direction, and what is computed from these";
     let menu = ui.menu_button("New keys by a wire…", |ui| {
         ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
@@ -162,15 +171,22 @@ fn keys_by_direction(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
 fn expose(marked: &Marked<'_>) -> Edit {
     let session = marked.session;
     let [owner, what] = session.names_of(&marked.target);
-    let is_taken = |slug: &str| session.look().exposed.iter().any(|exposed| exposed.name.as_str() == slug);
+    let is_taken =
+        |slug: &str| session.look().exposed.iter().any(|exposed| exposed.name.as_str() == slug);
     let name = PortName::new(make_slug(&format!("{owner} {what}"), is_taken));
     let exposed = Exposed { name, target: marked.target.clone(), label: String::new() };
     session.grounded(Some(&marked.target), Edit::AddExposed { exposed, index: None })
 }
 
 /// The exposed parameters whose targets `is_shown` takes, with their names.
-pub(super) fn list(ui: &mut Ui, session: &Session, is_shown: impl Fn(&Target) -> bool, out: &mut Vec<Command>) {
-    let shown = session.look().exposed.iter().enumerate().filter(|(_, exposed)| is_shown(&exposed.target));
+pub(super) fn list(
+    ui: &mut Ui,
+    session: &Session,
+    is_shown: impl Fn(&Target) -> bool,
+    out: &mut Vec<Command>,
+) {
+    let shown =
+        session.look().exposed.iter().enumerate().filter(|(_, exposed)| is_shown(&exposed.target));
     let shown: Vec<_> = shown.collect();
     if shown.is_empty() {
         return;
@@ -182,13 +198,18 @@ pub(super) fn list(ui: &mut Ui, session: &Session, is_shown: impl Fn(&Target) ->
         ui.push_id(index, |ui| {
             let [owner, what] = session.names_of(&exposed.target);
             let called = format!("{owner}: {what}");
-            row::labelled(ui, &called, "The name of this parameter: small letters, digits and _", |ui, label| {
-                let width = (ui.available_width() - 78.0).max(60.0);
-                rename(ui, session, index, exposed, (label, width), out);
-                if ui.small_button("Unexpose").clicked() {
-                    out.push(Command::Edit(Edit::RemoveExposed { index }));
-                }
-            });
+            row::labelled(
+                ui,
+                &called,
+                "The name of this parameter: small letters, digits and _",
+                |ui, label| {
+                    let width = (ui.available_width() - 78.0).max(60.0);
+                    rename(ui, session, index, exposed, (label, width), out);
+                    if ui.small_button("Unexpose").clicked() {
+                        out.push(Command::Edit(Edit::RemoveExposed { index }));
+                    }
+                },
+            );
         });
     }
 }
@@ -203,25 +224,36 @@ fn rename(
     out: &mut Vec<Command>,
 ) {
     let id = ui.scope_id().with("parameter");
-    let mut text = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| exposed.name.to_string());
-    let is_free =
-        session.look().exposed.iter().enumerate().all(|(at, other)| at == index || other.name.as_str() != text);
+    let mut text =
+        ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| exposed.name.to_string());
+    let is_free = session
+        .look()
+        .exposed
+        .iter()
+        .enumerate()
+        .all(|(at, other)| at == index || other.name.as_str() != text);
     let is_good = is_slug(&text) && is_free;
     let ink = if is_good { theme::of(ui).text } else { theme::of(ui).error };
-    let edit = TextEdit::singleline(&mut text).id(id).desired_width(width).text_color(ink).char_limit(64);
+    let edit =
+        TextEdit::singleline(&mut text).id(id).desired_width(width).text_color(ink).char_limit(64);
     let response = ui.add(edit).labelled_by(label);
     if response.has_focus() {
         ui.data_mut(|data| data.insert_temp(id, text.clone()));
     } else {
         ui.data_mut(|data| data.remove::<String>(id));
     }
-    let is_free =
-        session.look().exposed.iter().enumerate().all(|(at, other)| at == index || other.name.as_str() != text);
+    let is_free = session
+        .look()
+        .exposed
+        .iter()
+        .enumerate()
+        .all(|(at, other)| at == index || other.name.as_str() != text);
     if response.changed() && is_slug(&text) && is_free {
         let exposed = Exposed { name: PortName::new(text), ..exposed.clone() };
         out.push(Command::EditHeld(id, Edit::SetExposed { index, exposed }));
     }
     if !is_good {
-        response.on_hover_text("Small letters, digits and _, beginning with a letter, and used once");
+        response
+            .on_hover_text("Small letters, digits and _, beginning with a letter, and used once");
     }
 }

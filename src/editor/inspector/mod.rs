@@ -39,7 +39,8 @@ struct Subject<'a> {
 /// Shows the node that was selected last, or the look itself.
 pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
     let mut commands = Vec::new();
-    let selected = session.selection.last().and_then(|id| Some((id, session.graph().nodes.get(id)?)));
+    let selected =
+        session.selection.last().and_then(|id| Some((id, session.graph().nodes.get(id)?)));
     ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
         // Room for the scroll bar.
         ui.set_max_width((ui.available_width() - 8.0).max(0.0));
@@ -94,8 +95,10 @@ fn show_node(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
     for port in kind.inputs.iter().filter(|port| fits(port, &wanted)) {
         let top = ui.cursor().top();
         row::show(ui, subject, port, out);
-        let rect =
-            egui::Rect::from_x_y_ranges(ui.max_rect().x_range(), top..=ui.cursor().top() - ui.spacing().item_spacing.y);
+        let rect = egui::Rect::from_x_y_ranges(
+            ui.max_rect().x_range(),
+            top..=ui.cursor().top() - ui.spacing().item_spacing.y,
+        );
         spots::note(ui, Spot::Input(port.name.clone()), rect);
     }
     let hidden = kind.inputs.iter().filter(|port| !fits(port, &wanted)).count();
@@ -111,7 +114,12 @@ fn show_node(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
     tier_row(ui, subject, out);
     shown_row(ui, subject, out);
     let path = session.path_of(id);
-    marks::list(ui, session, |target| matches!(target, Target::Input { node, .. } if *node == path), out);
+    marks::list(
+        ui,
+        session,
+        |target| matches!(target, Target::Input { node, .. } if *node == path),
+        out,
+    );
     lights_of(ui, subject, out);
 }
 
@@ -125,8 +133,12 @@ fn search(ui: &mut Ui, kind: &Kind) -> String {
     }
     let id = search_id(kind);
     let mut text = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_default();
-    let response =
-        ui.add(TextEdit::singleline(&mut text).id(id).hint_text("Find a value").desired_width(f32::INFINITY));
+    let response = ui.add(
+        TextEdit::singleline(&mut text)
+            .id(id)
+            .hint_text("Find a value")
+            .desired_width(f32::INFINITY),
+    );
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Find a value"));
     if response.changed() {
         ui.data_mut(|data| data.insert_temp(id, text.clone()));
@@ -143,10 +155,17 @@ fn fits(port: &super::catalog::Port, wanted: &str) -> bool {
     wanted.is_empty() || has_it(&port.label) || has_it(port.name.as_str()) || has_it(&port.help)
 }
 
-fn name_row(ui: &mut Ui, Subject { session, id, node, kind }: &Subject<'_>, out: &mut Vec<Command>) {
+fn name_row(
+    ui: &mut Ui,
+    Subject { session, id, node, kind }: &Subject<'_>,
+    out: &mut Vec<Command>,
+) {
     row::labelled(ui, "Name", "What you call it; the generated code uses it", |ui, label| {
         let mut name = node.name.clone();
-        let edit = TextEdit::singleline(&mut name).hint_text(&*kind.label).desired_width(f32::INFINITY).char_limit(80);
+        let edit = TextEdit::singleline(&mut name)
+            .hint_text(&*kind.label)
+            .desired_width(f32::INFINITY)
+            .char_limit(80);
         let response = ui.add(edit).labelled_by(label);
         if response.changed() {
             let edit = Edit::SetName { graph: session.graph_id().clone(), id: (*id).clone(), name };
@@ -162,36 +181,59 @@ fn presets(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: &m
     ui.horizontal_wrapped(|ui| {
         for preset in &kind.presets {
             if ui.button(&preset.label).on_hover_text("Sets the values of this preset").clicked() {
-                let values = preset.values.iter().map(|(port, value)| (session.target(id, port), value.clone()));
+                let values = preset
+                    .values
+                    .iter()
+                    .map(|(port, value)| (session.target(id, port), value.clone()));
                 out.push(Command::Edit(session.set_all_at(values)));
             }
         }
     });
 }
 
-fn tier_row(ui: &mut Ui, Subject { session, node, kind, .. }: &Subject<'_>, out: &mut Vec<Command>) {
+fn tier_row(
+    ui: &mut Ui,
+    Subject { session, node, kind, .. }: &Subject<'_>,
+    out: &mut Vec<Command>,
+) {
     if kind.tiers.len() < 2 {
         return;
     }
-    row::labelled(ui, "Tier", "Which implementation: exact, or faster with a measured error", |ui, label| {
-        let name = |tier: Option<Tier>| tier.map_or("As the look", tier_name);
-        let combo = egui::ComboBox::from_id_salt("tier").selected_text(name(node.tier)).show_ui(ui, |ui| {
-            for tier in std::iter::once(None).chain(kind.tiers.iter().copied().map(Some)) {
-                let response =
-                    ui.selectable_label(node.tier == tier, name(tier)).on_hover_text(error_of(session, kind, tier));
-                if response.clicked() {
-                    let alike = session.selection.iter().filter(|id| {
-                        let other = session.graph().nodes.get(*id).and_then(|node| session.catalog.of(node));
-                        other.is_some_and(|other| other.tiers == kind.tiers)
-                    });
-                    let graph = session.graph_id();
-                    let edits = alike.map(|id| Edit::SetTier { graph: graph.clone(), id: id.clone(), tier });
-                    out.push(Command::Edit(Edit::Group { edits: edits.collect() }));
-                }
-            }
-        });
-        combo.response.labelled_by(label);
-    });
+    row::labelled(
+        ui,
+        "Tier",
+        "Which implementation: exact, or faster with a measured error",
+        |ui, label| {
+            let name = |tier: Option<Tier>| tier.map_or("As the look", tier_name);
+            let combo = egui::ComboBox::from_id_salt("tier")
+                .selected_text(name(node.tier))
+                .show_ui(ui, |ui| {
+                    for tier in std::iter::once(None).chain(kind.tiers.iter().copied().map(Some)) {
+                        let response = ui
+                            .selectable_label(node.tier == tier, name(tier))
+                            .on_hover_text(error_of(session, kind, tier));
+                        if response.clicked() {
+                            let alike = session.selection.iter().filter(|id| {
+                                let other = session
+                                    .graph()
+                                    .nodes
+                                    .get(*id)
+                                    .and_then(|node| session.catalog.of(node));
+                                other.is_some_and(|other| other.tiers == kind.tiers)
+                            });
+                            let graph = session.graph_id();
+                            let edits = alike.map(|id| Edit::SetTier {
+                                graph: graph.clone(),
+                                id: id.clone(),
+                                tier,
+                            });
+                            out.push(Command::Edit(Edit::Group { edits: edits.collect() }));
+                        }
+                    }
+                });
+            combo.response.labelled_by(label);
+        },
+    );
 }
 
 /// How far a tier may be from the exact one, as its node's file says.
@@ -213,32 +255,45 @@ fn shown_row(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: 
         return;
     }
     let shown = session.wire().filter(|wire| wire.node == session.path_of(id));
-    row::labelled(ui, "View wire", "Shows an output of this node in place of the picture", |ui, label| {
-        let name = |port: &super::catalog::Port| port.label.to_string();
-        let port = shown.and_then(|wire| kind.outputs.iter().find(|port| port.name == wire.port));
-        let text = port.map_or("Not shown".to_owned(), name);
-        let combo = egui::ComboBox::from_id_salt("wire").selected_text(text).width(90.0).show_ui(ui, |ui| {
-            if ui.selectable_label(shown.is_none(), "Not shown").clicked() {
-                out.push(Command::ShowWire(None));
-            }
-            for port in &kind.outputs {
-                let is_it = shown.is_some_and(|wire| wire.port == port.name);
-                if ui.selectable_label(is_it, &*port.label).clicked() {
-                    let style = shown.map(|wire| wire.style).unwrap_or_default();
-                    out.push(Command::ShowWire(Some(ShownWire {
-                        node: session.path_of(id),
-                        port: port.name.clone(),
-                        style,
-                    })));
-                }
-            }
-        });
-        combo.response.labelled_by(label);
-    });
+    row::labelled(
+        ui,
+        "View wire",
+        "Shows an output of this node in place of the picture",
+        |ui, label| {
+            let name = |port: &super::catalog::Port| port.label.to_string();
+            let port =
+                shown.and_then(|wire| kind.outputs.iter().find(|port| port.name == wire.port));
+            let text = port.map_or("Not shown".to_owned(), name);
+            let combo = egui::ComboBox::from_id_salt("wire")
+                .selected_text(text)
+                .width(90.0)
+                .show_ui(ui, |ui| {
+                    if ui.selectable_label(shown.is_none(), "Not shown").clicked() {
+                        out.push(Command::ShowWire(None));
+                    }
+                    for port in &kind.outputs {
+                        let is_it = shown.is_some_and(|wire| wire.port == port.name);
+                        if ui.selectable_label(is_it, &*port.label).clicked() {
+                            let style = shown.map(|wire| wire.style).unwrap_or_default();
+                            out.push(Command::ShowWire(Some(ShownWire {
+                                node: session.path_of(id),
+                                port: port.name.clone(),
+                                style,
+                            })));
+                        }
+                    }
+                });
+            combo.response.labelled_by(label);
+        },
+    );
     let Some(wire) = shown else { return };
     row::labelled(ui, "Seen as", "How its numbers are seen", |ui, _| {
         for style in Style::ALL {
-            if ui.selectable_label(wire.style == style, style.label()).on_hover_text(style.help()).clicked() {
+            if ui
+                .selectable_label(wire.style == style, style.label())
+                .on_hover_text(style.help())
+                .clicked()
+            {
                 out.push(Command::ShowWire(Some(ShownWire { style, ..wire.clone() })));
             }
         }
@@ -248,9 +303,13 @@ fn shown_row(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: 
 /// The lights that a node names.
 fn lights_of(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
     for port in subject.kind.inputs.iter().filter(|port| port.ty == Type::LightName) {
-        let Some(Value::Text(id)) = values::current(port, subject.node.values.get(&port.name)) else { continue };
+        let Some(Value::Text(id)) = values::current(port, subject.node.values.get(&port.name))
+        else {
+            continue;
+        };
         let id = LightId::from(id.as_str());
-        let lamp = subject.session.lamp(&id).filter(|_| subject.session.look().lights.contains_key(&id));
+        let lamp =
+            subject.session.lamp(&id).filter(|_| subject.session.look().lights.contains_key(&id));
         if let Some(lamp) = lamp {
             ui.separator();
             let whose = if lamp.owner == Owner::Scene { " of the scene" } else { "" };
@@ -287,43 +346,63 @@ fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     ui.add_space(4.0);
     row::labelled(ui, "Name", "What you call this look", |ui, label| {
         let mut name = look.name.clone();
-        let response = ui.add(TextEdit::singleline(&mut name).desired_width(f32::INFINITY)).labelled_by(label);
+        let response =
+            ui.add(TextEdit::singleline(&mut name).desired_width(f32::INFINITY)).labelled_by(label);
         if response.changed() {
             out.push(Command::EditHeld(response.id, Edit::SetLookName { name }));
         }
     });
-    row::labelled(ui, "About", "What it shows and how it is built, for who finds it", |ui, label| {
-        let mut about = look.about.clone();
-        let field = TextEdit::multiline(&mut about).desired_width(f32::INFINITY).desired_rows(2);
-        let response = ui.add(field.hint_text("What it shows, how it is built")).labelled_by(label);
-        if response.changed() {
-            out.push(Command::EditHeld(response.id, Edit::SetLookAbout { about }));
-        }
-    });
+    row::labelled(
+        ui,
+        "About",
+        "What it shows and how it is built, for who finds it",
+        |ui, label| {
+            let mut about = look.about.clone();
+            let field =
+                TextEdit::multiline(&mut about).desired_width(f32::INFINITY).desired_rows(2);
+            let response =
+                ui.add(field.hint_text("What it shows, how it is built")).labelled_by(label);
+            if response.changed() {
+                out.push(Command::EditHeld(response.id, Edit::SetLookAbout { about }));
+            }
+        },
+    );
     row::labelled(ui, "Colors", "What the numbers of a color mean", |ui, label| {
         let name = |space| match space {
             ColorSpace::Display => "As shown",
             ColorSpace::Linear => "Linear light",
         };
-        let combo = egui::ComboBox::from_id_salt("space").selected_text(name(look.color_space)).show_ui(ui, |ui| {
-            for color_space in [ColorSpace::Display, ColorSpace::Linear] {
-                if ui.selectable_label(look.color_space == color_space, name(color_space)).clicked() {
-                    out.push(Command::Edit(Edit::SetColorSpace { color_space }));
+        let combo = egui::ComboBox::from_id_salt("space")
+            .selected_text(name(look.color_space))
+            .show_ui(ui, |ui| {
+                for color_space in [ColorSpace::Display, ColorSpace::Linear] {
+                    if ui
+                        .selectable_label(look.color_space == color_space, name(color_space))
+                        .clicked()
+                    {
+                        out.push(Command::Edit(Edit::SetColorSpace { color_space }));
+                    }
                 }
-            }
-        });
+            });
         combo.response.labelled_by(label);
     });
-    row::labelled(ui, "Tier", "Which implementation nodes have that do not say their own", |ui, label| {
-        let combo = egui::ComboBox::from_id_salt("tier").selected_text(tier_name(look.tier)).show_ui(ui, |ui| {
-            for tier in [Tier::Exact, Tier::Balanced, Tier::Fast] {
-                if ui.selectable_label(look.tier == tier, tier_name(tier)).clicked() {
-                    out.push(Command::Edit(Edit::SetLookTier { tier }));
-                }
-            }
-        });
-        combo.response.labelled_by(label);
-    });
+    row::labelled(
+        ui,
+        "Tier",
+        "Which implementation nodes have that do not say their own",
+        |ui, label| {
+            let combo = egui::ComboBox::from_id_salt("tier")
+                .selected_text(tier_name(look.tier))
+                .show_ui(ui, |ui| {
+                    for tier in [Tier::Exact, Tier::Balanced, Tier::Fast] {
+                        if ui.selectable_label(look.tier == tier, tier_name(tier)).clicked() {
+                            out.push(Command::Edit(Edit::SetLookTier { tier }));
+                        }
+                    }
+                });
+            combo.response.labelled_by(label);
+        },
+    );
     marks::list(ui, session, |_| true, out);
     lights_row(ui, session, out);
 }

@@ -1,12 +1,13 @@
-//! What a colour's swatch opens: a square of saturation and brightness, a strip of hues, red, green and blue as every
-//! painting program counts them, the opacity, and the hex code. egui's own picker speaks of `U8`, which no painter knows,
-//! and names none of its parts for screen readers.
+//! What a color's swatch opens: a square of saturation and brightness, a strip of hues, red, green
+//! and blue as every painting program counts them, the opacity, and the hex code. egui's own picker
+//! speaks of `U8`, which no painter knows, and names none of its parts for screen readers.
 
 use eframe::egui;
 use eframe::egui::style::StyleModifier;
 use eframe::egui::{
-    Color32, CornerRadius, DragValue, EventFilter, Id, Key, Mesh, Modifiers, Popup, PopupCloseBehavior, Rect, Response,
-    Role, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, color_picker, pos2, vec2,
+    Color32, CornerRadius, DragValue, EventFilter, Id, Key, Mesh, Modifiers, Popup,
+    PopupCloseBehavior, Rect, Response, Role, Sense, Shape, Stroke, StrokeKind, Ui, Vec2,
+    WidgetInfo, color_picker, pos2, vec2,
 };
 
 use super::super::theme;
@@ -14,12 +15,12 @@ use super::super::theme;
 /// The square's sides and the strip's height, in points.
 const SQUARE: Vec2 = vec2(236.0, 150.0);
 const STRIP: f32 = 16.0;
-/// The square is painted in so many steps a side: between them colours are mixed.
+/// The square is painted in so many steps a side: between them colors are mixed.
 const STEPS: u8 = 12;
 /// How far an arrow key goes, of the whole.
 const STEP: f32 = 0.01;
 
-/// A colour by its hue, saturation and brightness, each from 0 to 1, as it is shown (sRGB-encoded).
+/// A color by its hue, saturation and brightness, each from 0 to 1, as it is shown (sRGB-encoded).
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Hsv {
     h: f32,
@@ -49,7 +50,8 @@ impl Hsv {
         Self { h: (sixth / 6.0).rem_euclid(1.0), s, v: most }
     }
 
-    /// A colour's, with the hue and the saturation that a hand gave it last: grey has no hue, and black neither.
+    /// A color's, with the hue and the saturation that a hand gave it last: grey has no hue, and
+    /// black neither.
     fn remembered(ui: &Ui, id: Id, rgb: [f32; 3]) -> Self {
         let last: Option<Self> = ui.data(|data| data.get_temp(id));
         let is_it = |last: &Self| last.to_rgb().iter().zip(rgb).all(|(a, b)| (a - b).abs() < 2e-3);
@@ -66,8 +68,9 @@ fn color32(rgb: [f32; 3]) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-/// A swatch of a straight colour as it is shown, and below it while it is open what changes that. `hex` shows a field for
-/// its hex code. Returns the swatch, and the colour where a hand has changed it here.
+/// A swatch of a straight color as it is shown, and below it while it is open what changes that.
+/// `hex` shows a field for its hex code. Returns the swatch, and the color where a hand has
+/// changed it here.
 pub(super) fn swatch(
     ui: &mut Ui,
     color: [f32; 4],
@@ -107,12 +110,21 @@ fn paint_swatch(ui: &Ui, rect: Rect, response: &Response, is_open: bool, color: 
     let visuals = if is_open { &ui.visuals().widgets.open } else { ui.style().interact(response) };
     let rect = rect.expand(visuals.expansion);
     color_picker::show_color_at(ui.painter(), color, rect.shrink(1.0));
-    let edge =
-        if is_open || response.hovered() || response.has_focus() { theme::of(ui).accent } else { visuals.bg_fill };
-    ui.painter().rect_stroke(rect, visuals.corner_radius, Stroke::new(1.0, edge), StrokeKind::Inside);
+    let edge = if is_open || response.hovered() || response.has_focus() {
+        theme::of(ui).accent
+    } else {
+        visuals.bg_fill
+    };
+    ui.painter().rect_stroke(
+        rect,
+        visuals.corner_radius,
+        Stroke::new(1.0, edge),
+        StrokeKind::Inside,
+    );
 }
 
-/// Everything in the picker but the hex code; the colour that a hand gave. The hue of a grey is remembered by `id`.
+/// Everything in the picker but the hex code; the color that a hand gave. The hue of a grey is
+/// remembered by `id`.
 pub(super) fn pick(ui: &mut Ui, id: Id, color: [f32; 4], with_alpha: bool) -> Option<[f32; 4]> {
     let [r, g, b, a] = color;
     let mut hsv = Hsv::remembered(ui, id, [r, g, b]);
@@ -125,10 +137,15 @@ pub(super) fn pick(ui: &mut Ui, id: Id, color: [f32; 4], with_alpha: bool) -> Op
     }
     let mut is_changed = hsv != before;
     ui.horizontal(|ui| {
-        for (value, (letter, name)) in rgb.iter_mut().zip([("R", "Red"), ("G", "Green"), ("B", "Blue")]) {
+        for (value, (letter, name)) in
+            rgb.iter_mut().zip([("R", "Red"), ("G", "Green"), ("B", "Blue")])
+        {
             let mut byte = f64::from(value.clamp(0.0, 1.0)) * 255.0;
-            let drag =
-                DragValue::new(&mut byte).range(0.0..=255.0).max_decimals(0).speed(0.5).prefix(format!("{letter} "));
+            let drag = DragValue::new(&mut byte)
+                .range(0.0..=255.0)
+                .max_decimals(0)
+                .speed(0.5)
+                .prefix(format!("{letter} "));
             let response = ui.add(drag).on_hover_text(format!("{name}, from 0 to 255"));
             ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
             if response.changed() {
@@ -165,7 +182,11 @@ fn square(ui: &mut Ui, hsv: &mut Hsv) {
     let (rect, response) = ui.allocate_exact_size(SQUARE, Sense::click_and_drag());
     let (v, h) = (hsv.v, hsv.h);
     response.widget_info(|| {
-        WidgetInfo::slider(true, f64::from(v) * 100.0, "Saturation and brightness: arrow keys, or drag")
+        WidgetInfo::slider(
+            true,
+            f64::from(v) * 100.0,
+            "Saturation and brightness: arrow keys, or drag",
+        )
     });
     if let Some(at) = grabbed(&response, rect) {
         (hsv.s, hsv.v) = (at.x, 1.0 - at.y);
@@ -185,7 +206,8 @@ fn square(ui: &mut Ui, hsv: &mut Hsv) {
 fn hues(ui: &mut Ui, hsv: &mut Hsv) {
     let (rect, response) = ui.allocate_exact_size(vec2(SQUARE.x, STRIP), Sense::click_and_drag());
     let h = hsv.h;
-    response.widget_info(|| WidgetInfo::slider(true, f64::from(h) * 360.0, "Hue: arrow keys, or drag"));
+    response
+        .widget_info(|| WidgetInfo::slider(true, f64::from(h) * 360.0, "Hue: arrow keys, or drag"));
     if let Some(at) = grabbed(&response, rect) {
         // The end is red again, but a hand that stays there does not jump to the beginning.
         hsv.h = at.x.min(0.9999);
@@ -211,7 +233,8 @@ fn hues(ui: &mut Ui, hsv: &mut Hsv) {
 /// Where a hand holds it, from 0 to 1 along each side.
 fn grabbed(response: &Response, rect: Rect) -> Option<Vec2> {
     let at = response.interact_pointer_pos()?;
-    // In the very frame that changes something first: what is edited with another focus is another step.
+    // In the very frame that changes something first: what is edited with another focus is another
+    // step.
     if !response.has_focus() {
         response.request_focus();
     }
@@ -225,12 +248,19 @@ fn arrows(ui: &Ui, response: &Response, vertical_arrows: bool) -> Vec2 {
     }
     let filter = EventFilter { horizontal_arrows: true, vertical_arrows, ..EventFilter::default() };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
-    let pressed = |key| ui.input_mut(|input| input.count_and_consume_key(Modifiers::NONE, key)) as f32 * STEP;
+    let pressed =
+        |key| ui.input_mut(|input| input.count_and_consume_key(Modifiers::NONE, key)) as f32 * STEP;
     let up = if vertical_arrows { pressed(Key::ArrowUp) - pressed(Key::ArrowDown) } else { 0.0 };
     vec2(pressed(Key::ArrowRight) - pressed(Key::ArrowLeft), up)
 }
 
-fn paint_grid(ui: &Ui, rect: Rect, cells: [u8; 2], corner: impl Fn(u8, u8) -> Vec2, color: impl Fn(Vec2) -> Color32) {
+fn paint_grid(
+    ui: &Ui,
+    rect: Rect,
+    cells: [u8; 2],
+    corner: impl Fn(u8, u8) -> Vec2,
+    color: impl Fn(Vec2) -> Color32,
+) {
     let mut mesh = Mesh::default();
     for y in 0..=cells[1] {
         for x in 0..=cells[0] {
@@ -239,7 +269,9 @@ fn paint_grid(ui: &Ui, rect: Rect, cells: [u8; 2], corner: impl Fn(u8, u8) -> Ve
         }
     }
     let row = u32::from(cells[0]) + 1;
-    for (x, y) in (0..u32::from(cells[1])).flat_map(|y| (0..u32::from(cells[0])).map(move |x| (x, y))) {
+    for (x, y) in
+        (0..u32::from(cells[1])).flat_map(|y| (0..u32::from(cells[0])).map(move |x| (x, y)))
+    {
         let first = y * row + x;
         mesh.add_triangle(first, first + 1, first + row);
         mesh.add_triangle(first + 1, first + row, first + row + 1);
@@ -250,7 +282,12 @@ fn paint_grid(ui: &Ui, rect: Rect, cells: [u8; 2], corner: impl Fn(u8, u8) -> Ve
 fn edge(ui: &Ui, rect: Rect, response: &Response) {
     let colors = theme::of(ui);
     let color = if response.has_focus() { colors.accent } else { colors.node_edge };
-    ui.painter().rect_stroke(rect, CornerRadius::ZERO, Stroke::new(1.0, color), StrokeKind::Outside);
+    ui.painter().rect_stroke(
+        rect,
+        CornerRadius::ZERO,
+        Stroke::new(1.0, color),
+        StrokeKind::Outside,
+    );
 }
 
 #[cfg(test)]
@@ -267,7 +304,12 @@ mod tests {
         assert_eq!(Hsv::of([1.0, 0.5, 0.0]), Hsv { h: 1.0 / 12.0, s: 1.0, v: 1.0 });
         assert_eq!(Hsv::of([0.5; 3]), Hsv { h: 0.0, s: 0.0, v: 0.5 });
         for odd in [f32::NAN, -1.0, 9.0, f32::INFINITY] {
-            assert!(Hsv::of([odd, 0.2, 0.1]).to_rgb().iter().all(|x| x.is_nan() || (0.0..=1.0).contains(x)));
+            assert!(
+                Hsv::of([odd, 0.2, 0.1])
+                    .to_rgb()
+                    .iter()
+                    .all(|x| x.is_nan() || (0.0..=1.0).contains(x))
+            );
         }
     }
 }

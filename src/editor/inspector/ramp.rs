@@ -1,8 +1,11 @@
-//! A colour ramp: drag its stops, double-click to add one, set the colour of the one that is selected.
+//! A color ramp: drag its stops, double-click to add one, set the color of the one that is
+//! selected.
 
 use eframe::egui;
 use eframe::egui::epaint::{Mesh, Vertex};
-use eframe::egui::{Color32, Id, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
+use eframe::egui::{
+    Color32, Id, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
 
 use super::super::theme;
 use super::{color, curve};
@@ -18,7 +21,8 @@ pub(super) fn show(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id,
     if ramp.stops.is_empty() {
         return None;
     }
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), BAR + HANDLES), Sense::click_and_drag());
+    let (rect, response) =
+        ui.allocate_exact_size(vec2(ui.available_width(), BAR + HANDLES), Sense::click_and_drag());
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Ramp"));
     let bar = Rect::from_min_size(rect.min, vec2(rect.width(), BAR)).shrink2(vec2(8.0, 0.0));
     let low = ramp.stops.iter().map(|stop| stop.at).fold(0.0, f64::min);
@@ -29,11 +33,13 @@ pub(super) fn show(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id,
         ((low + t * (high - low)) * 1e3).round() / 1e3
     };
     let near = |ramp: &Ramp, p: Pos2| {
-        let distances = ramp.stops.iter().enumerate().map(|(i, stop)| (i, (to_screen(stop.at) - p.x).abs()));
+        let distances =
+            ramp.stops.iter().enumerate().map(|(i, stop)| (i, (to_screen(stop.at) - p.x).abs()));
         distances.filter(|(_, d)| *d < 9.0).min_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
     };
     let selected_id = response.id.with("selected");
-    let mut selected = ui.data(|data| data.get_temp::<usize>(selected_id)).unwrap_or(0).min(ramp.stops.len() - 1);
+    let mut selected =
+        ui.data(|data| data.get_temp::<usize>(selected_id)).unwrap_or(0).min(ramp.stops.len() - 1);
     let mut changed = None;
     let pressed = response.drag_started() || response.clicked();
     let press = ui.input(|input| input.pointer.press_origin()).or(response.interact_pointer_pos());
@@ -56,8 +62,10 @@ pub(super) fn show(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id,
     ui.data_mut(|data| data.insert_temp(selected_id, selected));
     paint(ui, rect, bar, &ramp, selected, &to_screen);
     ui.horizontal(|ui| {
-        // Ramps hold colours of the look's space; the common one is as shown.
-        if let Some((id, color)) = color::edit(ui, label, rgba(&ramp.stops[selected]), ColorSpace::Display, true) {
+        // Ramps hold colors of the look's space; the common one is as shown.
+        if let Some((id, color)) =
+            color::edit(ui, label, rgba(&ramp.stops[selected]), ColorSpace::Display, true)
+        {
             let opaque = color[3] == 1.0;
             ramp.stops[selected].color = if opaque { color[..3].to_vec() } else { color.to_vec() };
             changed = Some(id);
@@ -96,7 +104,11 @@ fn color_at(ramp: &Ramp, at: f64) -> [f64; 4] {
     match (after.checked_sub(1).and_then(|i| ramp.stops.get(i)), ramp.stops.get(after)) {
         (Some(a), Some(b)) if ramp.interpolation != Interpolation::Stepped => {
             let t = (at - a.at) / (b.at - a.at).max(1e-9);
-            let t = if ramp.interpolation == Interpolation::Smooth { t * t * (3.0 - 2.0 * t) } else { t };
+            let t = if ramp.interpolation == Interpolation::Smooth {
+                t * t * (3.0 - 2.0 * t)
+            } else {
+                t
+            };
             let (a, b) = (rgba(a), rgba(b));
             [0, 1, 2, 3].map(|i| a[i] + (b[i] - a[i]) * t)
         }
@@ -111,7 +123,14 @@ fn shown(color: [f64; 4]) -> Color32 {
     Color32::from_rgba_unmultiplied(r, g, b, a)
 }
 
-fn paint(ui: &Ui, rect: Rect, bar: Rect, ramp: &Ramp, selected: usize, to_screen: &dyn Fn(f64) -> f32) {
+fn paint(
+    ui: &Ui,
+    rect: Rect,
+    bar: Rect,
+    ramp: &Ramp,
+    selected: usize,
+    to_screen: &dyn Fn(f64) -> f32,
+) {
     const PIECES: usize = 96;
     let painter = ui.painter_at(rect);
     painter.rect_filled(bar, 3.0, theme::of(ui).canvas);
@@ -134,8 +153,15 @@ fn paint(ui: &Ui, rect: Rect, bar: Rect, ramp: &Ramp, selected: usize, to_screen
         let x = to_screen(stop.at);
         let color = if index == selected { theme::of(ui).accent } else { theme::of(ui).dim };
         let handle = Rect::from_center_size(pos2(x, bar.max.y + HANDLES / 2.0), vec2(11.0, 11.0));
-        painter.line_segment([pos2(x, bar.max.y - 4.0), handle.center_top()], Stroke::new(1.5, color));
+        painter
+            .line_segment([pos2(x, bar.max.y - 4.0), handle.center_top()], Stroke::new(1.5, color));
         let [r, g, b, _] = rgba(stop);
-        painter.rect(handle, 2.0, shown([r, g, b, 1.0]), Stroke::new(1.5, color), egui::StrokeKind::Outside);
+        painter.rect(
+            handle,
+            2.0,
+            shown([r, g, b, 1.0]),
+            Stroke::new(1.5, color),
+            egui::StrokeKind::Outside,
+        );
     }
 }

@@ -40,8 +40,12 @@ pub(crate) fn marked(
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 3.0;
         marks::diamond(ui, marked, out);
-        let response =
-            name(ui, label, help, if marked.is_some() { egui::Sense::click() } else { egui::Sense::hover() });
+        let response = name(
+            ui,
+            label,
+            help,
+            if marked.is_some() { egui::Sense::click() } else { egui::Sense::hover() },
+        );
         if let Some(marked) = marked {
             response.context_menu(|ui| marks::menu(ui, marked, out));
         }
@@ -99,8 +103,13 @@ pub(super) fn show(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Ve
             Type::Ramp => wide(ui, subject, port, shown, out, ramp::show),
             _ => {
                 let reset_edit = reset_edit(subject, port);
-                let with_marks =
-                    Marked { session: subject.session, target, ty: &port.ty, label: &port.label, reset: reset_edit };
+                let with_marks = Marked {
+                    session: subject.session,
+                    target,
+                    ty: &port.ty,
+                    label: &port.label,
+                    reset: reset_edit,
+                };
                 let is_mixed = is_mixed(subject, port);
                 let tone = if shown.is_some() { theme::of(ui).text } else { theme::of(ui).dim };
                 let mut text = RichText::new(&*port.label).color(tone);
@@ -153,8 +162,12 @@ fn help_of(port: &Port) -> String {
     help
 }
 
-/// The nodes that are selected with this one and have the same input free: what is set here is set there too.
-fn alike<'a>(subject: &'a Subject<'_>, port: &'a Port) -> impl Iterator<Item = (&'a NodeId, &'a Node)> {
+/// The nodes that are selected with this one and have the same input free: what is set here is set
+/// there too.
+fn alike<'a>(
+    subject: &'a Subject<'_>,
+    port: &'a Port,
+) -> impl Iterator<Item = (&'a NodeId, &'a Node)> {
     let session = subject.session;
     session.selection.iter().filter(move |id| *id != subject.id).filter_map(move |id| {
         let node = session.graph().nodes.get(id)?;
@@ -175,23 +188,30 @@ fn is_mixed(subject: &Subject<'_>, port: &Port) -> bool {
 /// The edit that takes own values away.
 fn reset_edit(subject: &Subject<'_>, port: &Port) -> Option<Edit> {
     let with_own = std::iter::once((subject.id, subject.node)).chain(alike(subject, port));
-    let clears = with_own.filter(|(_, node)| node.values.contains_key(&port.name)).map(|(id, _)| Edit::ClearValue {
-        graph: subject.session.graph_id().clone(),
-        id: id.clone(),
-        port: port.name.clone(),
-    });
+    let clears =
+        with_own.filter(|(_, node)| node.values.contains_key(&port.name)).map(|(id, _)| {
+            Edit::ClearValue {
+                graph: subject.session.graph_id().clone(),
+                id: id.clone(),
+                port: port.name.clone(),
+            }
+        });
     let edits: Vec<Edit> = clears.collect();
     (!edits.is_empty()).then_some(Edit::Group { edits })
 }
 
-/// Sets a value of all selected nodes that have it, each where it is looked at: at its key, or at all.
+/// Sets a value of all selected nodes that have it, each where it is looked at: at its key, or at
+/// all.
 fn held(subject: &Subject<'_>, port: &Port, widget: Id, value: Value) -> Command {
     let session = subject.session;
     let target = session.target(subject.id, &port.name);
-    let others: Vec<_> = alike(subject, port).map(|(id, _)| session.target(id, &port.name)).collect();
+    let others: Vec<_> =
+        alike(subject, port).map(|(id, _)| session.target(id, &port.name)).collect();
     let edit = match others.is_empty() {
         true => session.set_at(&target, value),
-        false => session.set_all_at(std::iter::once(target).chain(others).map(|target| (target, value.clone()))),
+        false => session.set_all_at(
+            std::iter::once(target).chain(others).map(|target| (target, value.clone())),
+        ),
     };
     Command::EditHeld(widget, edit)
 }
@@ -207,11 +227,15 @@ fn wired(ui: &mut Ui, subject: &Subject<'_>, port: &Port, wire: &Wire, out: &mut
             (_, Some(kind)) => kind.label.to_string(),
             _ => node.to_string(),
         };
-        if ui.link(format!("from {name}")).on_hover_text("Shows the node that feeds this").clicked() {
+        if ui.link(format!("from {name}")).on_hover_text("Shows the node that feeds this").clicked()
+        {
             out.push(Command::Reveal(node.clone()));
         }
         if ui.small_button("Unwire").on_hover_text("Removes the wire").clicked() {
-            out.push(Command::Edit(Edit::RemoveWire { graph: subject.session.graph_id().clone(), wire: wire.clone() }));
+            out.push(Command::Edit(Edit::RemoveWire {
+                graph: subject.session.graph_id().clone(),
+                wire: wire.clone(),
+            }));
         }
     });
 }
@@ -238,7 +262,13 @@ fn reset(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Vec<Command>
 }
 
 /// Opens the HCBTF of this input to be painted; a new one where there is none.
-fn paint_button(ui: &mut Ui, subject: &Subject<'_>, port: &Port, own: Option<&Value>, out: &mut Vec<Command>) {
+fn paint_button(
+    ui: &mut Ui,
+    subject: &Subject<'_>,
+    port: &Port,
+    own: Option<&Value>,
+    out: &mut Vec<Command>,
+) {
     let name = match own {
         Some(Value::Text(name)) => name.as_str(),
         _ => "",
@@ -255,17 +285,27 @@ fn paint_button(ui: &mut Ui, subject: &Subject<'_>, port: &Port, own: Option<&Va
         out.push(held(subject, port, response.id, Value::Text(UNSAVED_HCBTF.to_owned())));
         out.push(Command::Paint(Wish::New { grid: Grid::THESIS, keeps_look: true }));
     } else if name.starts_with(PREFIX) {
-        // What is painted is a copy of the example, which has no file yet: the look names that once it is there.
+        // What is painted is a copy of the example, which has no file yet: the look names that once
+        // it is there.
         out.push(Command::Paint(Wish::Open { path: name.into(), keeps_look: true }));
     } else if name != UNSAVED_HCBTF {
-        out.push(Command::Paint(Wish::Open { path: subject.session.folder().join(name), keeps_look: true }));
+        out.push(Command::Paint(Wish::Open {
+            path: subject.session.folder().join(name),
+            keeps_look: true,
+        }));
     } else {
         out.push(Command::ShowPanel(Panel::Paint));
     }
 }
 
 /// The widget of a type; the new value where it was changed, and who changed it.
-fn widget(ui: &mut Ui, label: Id, subject: &Subject<'_>, port: &Port, own: Option<&Value>) -> Option<(Id, Value)> {
+fn widget(
+    ui: &mut Ui,
+    label: Id,
+    subject: &Subject<'_>,
+    port: &Port,
+    own: Option<&Value>,
+) -> Option<(Id, Value)> {
     let value = values::current(port, own);
     match &port.ty {
         _ if value.is_none() => unset(ui, subject, port),
@@ -274,7 +314,8 @@ fn widget(ui: &mut Ui, label: Id, subject: &Subject<'_>, port: &Port, own: Optio
     }
 }
 
-/// The widget of a type that is set by itself, whatever node it is of; `space` is what the numbers of a colour mean.
+/// The widget of a type that is set by itself, whatever node it is of; `space` is what the numbers
+/// of a color mean.
 pub(crate) fn plain(
     ui: &mut Ui,
     label: Id,
@@ -290,7 +331,8 @@ pub(crate) fn plain(
         }
         Type::Choice => choice(ui, label, port, value),
         Type::Color | Type::Composite => {
-            let color = value.and_then(|value| value.color_in(space)).unwrap_or([0.0, 0.0, 0.0, 1.0]);
+            let color =
+                value.and_then(|value| value.color_in(space)).unwrap_or([0.0, 0.0, 0.0, 1.0]);
             let (id, color) = color::edit(ui, label, color, space, true)?;
             let is_opaque = color[3] == 1.0;
             Some((id, Value::Vector(if is_opaque { color[..3].to_vec() } else { color.to_vec() })))
@@ -316,12 +358,18 @@ fn unset(ui: &mut Ui, subject: &Subject<'_>, port: &Port) -> Option<(Id, Value)>
         None => None,
     };
     let (text, first) = match &port.fallback {
-        Fallback::Context(context) => (format!("the surface's {}", values::context_words(*context)), of_all(0.0)),
+        Fallback::Context(context) => {
+            (format!("the surface's {}", values::context_words(*context)), of_all(0.0))
+        }
         Fallback::Same(other) => {
             let kind = subject.session.catalog.of(subject.node);
             let of_other = kind.and_then(|kind| Some(&kind.inputs[kind.input(other.as_str())?]));
-            let value = of_other.and_then(|other| values::current(other, subject.node.values.get(&other.name)));
-            (format!("as {}", values::words(other.as_str())), value.cloned().or_else(|| of_all(1.0)))
+            let value = of_other
+                .and_then(|other| values::current(other, subject.node.values.get(&other.name)));
+            (
+                format!("as {}", values::words(other.as_str())),
+                value.cloned().or_else(|| of_all(1.0)),
+            )
         }
         _ => {
             ui.label(RichText::new("wire something here").color(theme::of(ui).warning));
@@ -365,7 +413,8 @@ fn number(ui: &mut Ui, label: Id, port: &Port, value: Option<&Value>) -> Option<
             ui.add(if is_int { slider.integer() } else { slider })
         }
         (min, max) => {
-            let range = min.map_or(f64::NEG_INFINITY, |x| x * scale)..=max.map_or(f64::INFINITY, |x| x * scale);
+            let range = min.map_or(f64::NEG_INFINITY, |x| x * scale)
+                ..=max.map_or(f64::INFINITY, |x| x * scale);
             let speed = if is_int { 0.1 } else { 0.01 * scale.max(1.0) };
             let drag = DragValue::new(&mut shown)
                 .range(range)
@@ -383,16 +432,26 @@ fn number(ui: &mut Ui, label: Id, port: &Port, value: Option<&Value>) -> Option<
     Some((response.id, Value::Number(if is_int { shown.round() } else { shown / scale })))
 }
 
-fn vector(ui: &mut Ui, label: Id, port: &Port, value: Option<&Value>, width: usize) -> Option<(Id, Value)> {
+fn vector(
+    ui: &mut Ui,
+    label: Id,
+    port: &Port,
+    value: Option<&Value>,
+    width: usize,
+) -> Option<(Id, Value)> {
     let mut numbers = values::vector(value, width);
-    let each = ((ui.available_width() - ui.spacing().item_spacing.x * (width as f32 - 1.0)) / width as f32).max(16.0);
+    let each = ((ui.available_width() - ui.spacing().item_spacing.x * (width as f32 - 1.0))
+        / width as f32)
+        .max(16.0);
     let mut changed = None;
     for number in &mut numbers {
-        let mut drag = DragValue::new(number).speed(0.01).max_decimals(3).clamp_existing_to_range(false);
+        let mut drag =
+            DragValue::new(number).speed(0.01).max_decimals(3).clamp_existing_to_range(false);
         if let (Some(min), Some(max)) = (port.min, port.max) {
             drag = drag.range(min..=max);
         }
-        let response = ui.add_sized(vec2(each, ui.spacing().interact_size.y), drag).labelled_by(label);
+        let response =
+            ui.add_sized(vec2(each, ui.spacing().interact_size.y), drag).labelled_by(label);
         if response.changed() {
             changed = Some(response.id);
         }
@@ -406,21 +465,31 @@ fn choice(ui: &mut Ui, label: Id, port: &Port, value: Option<&Value>) -> Option<
         Some(Value::Text(word)) => word.as_str(),
         _ => "",
     };
-    let shown = port.options.iter().find(|(known, _)| known == word).map_or(word, |(_, label)| label);
+    let shown =
+        port.options.iter().find(|(known, _)| known == word).map_or(word, |(_, label)| label);
     let width = room(ui);
     let mut chosen = None;
-    let combo = ComboBox::from_id_salt("choice").width(width).truncate().selected_text(shown).show_ui(ui, |ui| {
-        for (known, label) in &port.options {
-            if ui.selectable_label(known == word, label).clicked() && known != word {
-                chosen = Some(known.clone());
+    let combo = ComboBox::from_id_salt("choice")
+        .width(width)
+        .truncate()
+        .selected_text(shown)
+        .show_ui(ui, |ui| {
+            for (known, label) in &port.options {
+                if ui.selectable_label(known == word, label).clicked() && known != word {
+                    chosen = Some(known.clone());
+                }
             }
-        }
-    });
+        });
     let response = combo.response.labelled_by(label).on_hover_text(shown);
     chosen.map(|word| (response.id.with(&word), Value::Text(word)))
 }
 
-fn light_name(ui: &mut Ui, label: Id, subject: &Subject<'_>, value: Option<&Value>) -> Option<(Id, Value)> {
+fn light_name(
+    ui: &mut Ui,
+    label: Id,
+    subject: &Subject<'_>,
+    value: Option<&Value>,
+) -> Option<(Id, Value)> {
     let id = match value {
         Some(Value::Text(id)) => id.as_str(),
         _ => "",
@@ -432,13 +501,17 @@ fn light_name(ui: &mut Ui, label: Id, subject: &Subject<'_>, value: Option<&Valu
     };
     let mut chosen = None;
     let shown = if id.is_empty() { "choose a light".to_owned() } else { name(id) };
-    let combo = ComboBox::from_id_salt("light").width(room(ui)).truncate().selected_text(&shown).show_ui(ui, |ui| {
-        for known in lights.keys() {
-            if ui.selectable_label(known.as_str() == id, name(known.as_str())).clicked() {
-                chosen = Some(known.to_string());
+    let combo = ComboBox::from_id_salt("light")
+        .width(room(ui))
+        .truncate()
+        .selected_text(&shown)
+        .show_ui(ui, |ui| {
+            for known in lights.keys() {
+                if ui.selectable_label(known.as_str() == id, name(known.as_str())).clicked() {
+                    chosen = Some(known.to_string());
+                }
             }
-        }
-    });
+        });
     let response = combo.response.labelled_by(label).on_hover_text(shown);
     chosen.map(|id| (response.id.with(&id), Value::Text(id)))
 }
@@ -448,7 +521,9 @@ fn path(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id, Value)> {
         Some(Value::Text(text)) => text.clone(),
         _ => String::new(),
     };
-    let edit = TextEdit::singleline(&mut text).hint_text("path beside the look").desired_width(f32::INFINITY);
+    let edit = TextEdit::singleline(&mut text)
+        .hint_text("path beside the look")
+        .desired_width(f32::INFINITY);
     let response = ui.add(edit).labelled_by(label);
     let changed = response.changed().then_some(response.id);
     // A long path does not fit.
@@ -459,13 +534,20 @@ fn path(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id, Value)> {
 }
 
 /// WGSL of a custom node.
-fn code(ui: &mut Ui, subject: &Subject<'_>, port: &Port, own: Option<&Value>, out: &mut Vec<Command>) {
+fn code(
+    ui: &mut Ui,
+    subject: &Subject<'_>,
+    port: &Port,
+    own: Option<&Value>,
+    out: &mut Vec<Command>,
+) {
     let mut text = match values::current(port, own) {
         Some(Value::Text(text)) => text.clone(),
         _ => String::new(),
     };
     let label = ui.label(&*port.label).on_hover_text(help_of(port)).id;
-    let edit = TextEdit::multiline(&mut text).code_editor().desired_rows(10).desired_width(f32::INFINITY);
+    let edit =
+        TextEdit::multiline(&mut text).code_editor().desired_rows(10).desired_width(f32::INFINITY);
     let response = ui.add(edit).labelled_by(label);
     if response.changed() {
         out.push(held(subject, port, response.id, Value::Text(text)));
@@ -475,7 +557,14 @@ fn code(ui: &mut Ui, subject: &Subject<'_>, port: &Port, own: Option<&Value>, ou
 type Editor = fn(&mut Ui, Id, Option<&Value>) -> Option<(Id, Value)>;
 
 /// An editor that takes the whole width, below its label.
-fn wide(ui: &mut Ui, subject: &Subject<'_>, port: &Port, own: Option<&Value>, out: &mut Vec<Command>, show: Editor) {
+fn wide(
+    ui: &mut Ui,
+    subject: &Subject<'_>,
+    port: &Port,
+    own: Option<&Value>,
+    out: &mut Vec<Command>,
+    show: Editor,
+) {
     let label = ui.label(&*port.label).on_hover_text(help_of(port)).id;
     if let Some((id, value)) = show(ui, label, values::current(port, own)) {
         out.push(held(subject, port, id, value));

@@ -9,7 +9,13 @@ use crate::document::{ColorSpace, Value};
 use crate::library::Type;
 
 /// Edits a value in place; `name` is what screen readers call it. Who changed it, and to what.
-pub(crate) fn cell(ui: &mut Ui, name: &str, port: &Port, value: &Value, space: ColorSpace) -> Option<(Id, Value)> {
+pub(crate) fn cell(
+    ui: &mut Ui,
+    name: &str,
+    port: &Port,
+    value: &Value,
+    space: ColorSpace,
+) -> Option<(Id, Value)> {
     match &port.ty {
         Type::Bool => {
             let mut on = values::number(Some(value)) > 0.5;
@@ -43,7 +49,8 @@ fn number(ui: &mut Ui, name: &str, port: &Port, value: &Value) -> Option<(Id, Va
     let scale = if port.unit == "rad" { 180.0 / std::f64::consts::PI } else { 1.0 };
     let is_int = port.ty == Type::Int;
     let mut shown = values::number(Some(value)) * scale;
-    let range = port.min.map_or(f64::NEG_INFINITY, |x| x * scale)..=port.max.map_or(f64::INFINITY, |x| x * scale);
+    let range = port.min.map_or(f64::NEG_INFINITY, |x| x * scale)
+        ..=port.max.map_or(f64::INFINITY, |x| x * scale);
     let drag = DragValue::new(&mut shown)
         .range(range)
         .clamp_existing_to_range(false)
@@ -78,18 +85,20 @@ fn vector(ui: &mut Ui, name: &str, value: &Value, width: usize) -> Option<(Id, V
 
 fn choice(ui: &mut Ui, name: &str, port: &Port, value: &Value) -> Option<(Id, Value)> {
     let Value::Text(word) = value else { return None };
-    let shown = port.options.iter().find(|(known, _)| known == word).map_or(word, |(_, label)| label);
+    let shown =
+        port.options.iter().find(|(known, _)| known == word).map_or(word, |(_, label)| label);
     let mut chosen = None;
-    let combo = ComboBox::from_id_salt(name).width(80.0).wrap_mode(TextWrapMode::Extend).selected_text(shown).show_ui(
-        ui,
-        |ui| {
+    let combo = ComboBox::from_id_salt(name)
+        .width(80.0)
+        .wrap_mode(TextWrapMode::Extend)
+        .selected_text(shown)
+        .show_ui(ui, |ui| {
             for (known, label) in &port.options {
                 if ui.selectable_label(known == word, label).clicked() && known != word {
                     chosen = Some(known.clone());
                 }
             }
-        },
-    );
+        });
     named(&combo.response, eframe::egui::Role::ComboBox, name);
     chosen.map(|word| (combo.response.id.with(&word), Value::Text(word)))
 }

@@ -1,4 +1,5 @@
-//! What drives keys: numbers of the scene and wires of the look, what each is now, and what it is called.
+//! What drives keys: numbers of the scene and wires of the look, what each is now, and what it is
+//! called.
 
 use super::super::session::Session;
 use super::super::values::number_text;
@@ -40,7 +41,9 @@ impl Session {
             self.own_value(&Target::Input { node: node.clone(), port: port.clone() })
         };
         let (rig, _) = Rig::new(&trial);
-        let now = self.at_this_moment(|moment| rig.keyed_values(&base, Some(Wires::of(&shader)), moment)).ok()?;
+        let now = self
+            .at_this_moment(|moment| rig.keyed_values(&base, Some(Wires::of(&shader)), moment))
+            .ok()?;
         now.decided.last().map(|(now, _)| now.x)
     }
 
@@ -74,13 +77,17 @@ impl Session {
         [Driver::Distance, Driver::Facing].into_iter().chain(heights).chain(near).collect()
     }
 
-    /// The wires that can drive keys of these targets: first those that may change while the look stays as it is, then
-    /// those that never do, and so would hold every key where it is.
+    /// The wires that can drive keys of these targets: first those that may change while the look
+    /// stays as it is, then those that never do, and so would hold every key where it is.
     pub(crate) fn wires(&self, moved: &[Target]) -> [Vec<Driver>; 2] {
         let look = self.look();
         let exposed = look.exposed.iter().map(|exposed| &exposed.target);
         let in_time = look.time_keys.iter().map(|track| &track.target);
-        let by_direction = look.direction_keys.iter().flat_map(|keys| &keys.keys).flat_map(|key| key.values.keys());
+        let by_direction = look
+            .direction_keys
+            .iter()
+            .flat_map(|keys| &keys.keys)
+            .flat_map(|key| key.values.keys());
         let set: Vec<Target> = exposed.chain(in_time).chain(by_direction).cloned().collect();
         let found = self.typed().map(|typed| typed.drivable(moved, &set)).unwrap_or_default();
         // The compiler may be a step behind.

@@ -3,12 +3,14 @@
 use super::super::session::Session;
 use crate::document::OutputPort;
 
-/// By how much another key must outweigh the one that is followed before that is followed: near a tie nothing flickers.
+/// By how much another key must outweigh the one that is followed before that is followed: near a
+/// tie nothing flickers.
 const MARGIN: f64 = 0.2;
 
 impl Session {
-    /// Follows the heaviest key of each set, slowly; never while a hand holds something, which would go on at another key,
-    /// nor while the shader does not have the wires yet that drive a set.
+    /// Follows the heaviest key of each set, slowly; never while a hand holds something, which
+    /// would go on at another key, nor while the shader does not have the wires yet that drive a
+    /// set.
     pub(crate) fn follow_keys(&mut self, is_held: bool) {
         let sets = &self.look().direction_keys;
         let followed = sets.iter().enumerate().map(|(set, keys)| {
@@ -16,14 +18,16 @@ impl Session {
             let known = self.keyed.followed.get(set).copied().filter(|&key| key < keys.keys.len());
             let Some(known) = known else { return heaviest };
             let knows = keys.by.outputs().all(|wire| self.knows_wire(wire));
-            let weight = |key: usize| self.decided(set).and_then(|(_, weights)| weights.get(key)).copied();
+            let weight =
+                |key: usize| self.decided(set).and_then(|(_, weights)| weights.get(key)).copied();
             let outweighs = weight(heaviest).unwrap_or(0.0) - weight(known).unwrap_or(0.0) > MARGIN;
             if outweighs && !is_held && knows { heaviest } else { known }
         });
         self.keyed.followed = followed.collect();
     }
 
-    /// The key of a set at which values are set: the one that is selected, or else the one that is followed.
+    /// The key of a set at which values are set: the one that is selected, or else the one that is
+    /// followed.
     pub(crate) fn key_at(&self, set: usize) -> usize {
         if let Some((_, key)) = self.key.filter(|(selected, _)| *selected == set) {
             return key;
@@ -42,6 +46,7 @@ impl Session {
     }
 
     fn knows_wire(&self, wire: &OutputPort) -> bool {
-        self.current_shader().is_some_and(|shader| shader.host.drivers.iter().any(|known| known.wire == *wire))
+        self.current_shader()
+            .is_some_and(|shader| shader.host.drivers.iter().any(|known| known.wire == *wire))
     }
 }

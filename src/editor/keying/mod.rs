@@ -1,7 +1,8 @@
 //! Keyed values: what keys make of a value now, what else is said of it, and which edit sets it.
 //!
-//! Who changes a value need not know whether it is keyed: [`Session::set_at`] gives the edit that shows, which is one of
-//! the key at the playhead, of the direction key that is selected, or of the document's own value.
+//! Who changes a value need not know whether it is keyed: [`Session::set_at`] gives the edit that
+//! shows, which is one of the key at the playhead, of the direction key that is selected, or of the
+//! document's own value.
 
 mod drivers;
 mod edits;
@@ -19,7 +20,8 @@ use super::orbit::Orbit;
 use super::session::Session;
 use super::still::Stamp;
 use crate::document::{
-    DirectionKeys, KeyDirection, Light, LightField, LightKind, Node, Object, Scene, Target, Value, Values,
+    DirectionKeys, KeyDirection, Light, LightField, LightKind, Node, Object, Scene, Target, Value,
+    Values,
 };
 use crate::frame::{KeyedValues, Moment, Rig, Wires};
 use crate::ids::{LightId, NodeId, NodePath, ObjectId, PortName};
@@ -68,15 +70,19 @@ impl Session {
         };
         let wires = self.shader_of_wires(sets_values).map(Wires::of);
         // What runs without end is told by the compiler and the picture.
-        let now = self.at_this_moment(|moment| rig.keyed_values(&base, wires, moment)).unwrap_or_default();
+        let now = self
+            .at_this_moment(|moment| rig.keyed_values(&base, wires, moment))
+            .unwrap_or_default();
         let followed = std::mem::take(&mut self.keyed.followed);
         self.keyed = Keyed { stamp: Some(stamp), own, rig: Some(rig), now, followed };
         let sets = &self.look().direction_keys;
-        let is_there = |&(set, key): &(usize, usize)| sets.get(set).is_some_and(|keys| key < keys.keys.len());
+        let is_there =
+            |&(set, key): &(usize, usize)| sets.get(set).is_some_and(|keys| key < keys.keys.len());
         self.key = self.key.filter(is_there);
     }
 
-    /// The object of the scene that stands for all that wear the open look: the one that is selected, or else the first.
+    /// The object of the scene that stands for all that wear the open look: the one that is
+    /// selected, or else the first.
     fn own_object(&self) -> Option<(&ObjectId, &Object)> {
         let stage = self.stage()?;
         let seen = || stage.scene().objects.iter().filter(|(_, object)| object.visible);
@@ -91,10 +97,12 @@ impl Session {
         let place = |object: &Object| DVec3::from(object.transform.translate);
         let own = self.own_object();
         let own_place = own.map_or(DVec3::ZERO, |(_, object)| place(object));
-        let front = own.map_or(DVec3::Z, |(_, object)| DQuat::from_array(object.transform.rotate) * DVec3::Z);
+        let front = own
+            .map_or(DVec3::Z, |(_, object)| DQuat::from_array(object.transform.rotate) * DVec3::Z);
         let others = scene.into_iter().flat_map(|scene| &scene.objects);
         let others = others.filter(|(id, _)| own.is_none_or(|(own, _)| own != *id));
-        let near = others.map(|(id, object)| (id.clone(), place(object).distance(own_place))).collect();
+        let near =
+            others.map(|(id, object)| (id.clone(), place(object).distance(own_place))).collect();
         let (none, no_values) = (IndexMap::new(), Values::new());
         ask(&Moment {
             time: self.time,
@@ -172,7 +180,8 @@ impl Session {
     /// What moves a target. Direction keys lie over those of time.
     pub(crate) fn keyed_by(&self, target: &Target) -> KeyedBy {
         let look = self.look();
-        let has_it = |keys: &DirectionKeys| keys.keys.iter().any(|key| key.values.contains_key(target));
+        let has_it =
+            |keys: &DirectionKeys| keys.keys.iter().any(|key| key.values.contains_key(target));
         if let Some(set) = look.direction_keys.iter().rposition(has_it) {
             return KeyedBy::Direction(set);
         }
@@ -194,14 +203,20 @@ impl Session {
         }
     }
 
-    /// The direction that decides now, or the drivers' values, as the keys of a set by it would be given.
+    /// The direction that decides now, or the drivers' values, as the keys of a set by it would be
+    /// given.
     pub(crate) fn direction_of(&self, by: &KeyDirection) -> DVec3 {
         match by {
             KeyDirection::View => from_center_to_eye(&self.view),
-            KeyDirection::Light(id) => self.light(id).map_or(DVec3::Z, |light| light_in_camera(light, &self.view)),
+            KeyDirection::Light(id) => {
+                self.light(id).map_or(DVec3::Z, |light| light_in_camera(light, &self.view))
+            }
             KeyDirection::Drivers(drivers) => {
                 let mut values = [0.0; 3];
-                values.iter_mut().zip(drivers).for_each(|(value, driver)| *value = self.driver_now(driver));
+                values
+                    .iter_mut()
+                    .zip(drivers)
+                    .for_each(|(value, driver)| *value = self.driver_now(driver));
                 values.into()
             }
         }

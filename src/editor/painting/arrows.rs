@@ -1,4 +1,5 @@
-//! Where the light comes from and where the eye is, as translucent arrows to the middle of the tile.
+//! Where the light comes from and where the eye is, as translucent arrows to the middle of the
+//! tile.
 
 use eframe::egui::{Color32, Painter, Pos2, Shape, Stroke, Ui, Vec2};
 use glam::DVec3;
@@ -39,14 +40,21 @@ fn arrow(painter: &Painter, middle: Pos2, from: Vec2, color: Color32, head: Head
         for (stroke, color) in [(5.0, theme::HALO), (2.5, ink)] {
             painter.line_segment([start, neck], Stroke::new(stroke, color));
         }
-        painter.add(Shape::convex_polygon(vec![tip, neck + side, neck - side], ink, Stroke::new(1.0, theme::HALO)));
+        painter.add(Shape::convex_polygon(
+            vec![tip, neck + side, neck - side],
+            ink,
+            Stroke::new(1.0, theme::HALO),
+        ));
     }
     match head {
         Head::Sun => {
             for step in 0..8_u8 {
                 let ray = Vec2::angled(f32::from(step) * std::f32::consts::FRAC_PI_4);
                 for (width, color) in [(4.0, theme::HALO), (1.8, ink)] {
-                    painter.line_segment([start + ray * 9.0, start + ray * 13.0], Stroke::new(width, color));
+                    painter.line_segment(
+                        [start + ray * 9.0, start + ray * 13.0],
+                        Stroke::new(width, color),
+                    );
                 }
             }
             painter.circle(start, 6.5, ink, Stroke::new(1.0, theme::HALO));

@@ -3,7 +3,9 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use eframe::egui::{Color32, ColorImage, Context, Painter, Pos2, Rect, TextureHandle, TextureOptions, pos2};
+use eframe::egui::{
+    Color32, ColorImage, Context, Painter, Pos2, Rect, TextureHandle, TextureOptions, pos2,
+};
 
 use super::work::Work;
 use crate::document::{Address, Tile};
@@ -46,7 +48,8 @@ impl Atlas {
             }
             is_shown
         });
-        let capacity = self.texture.as_ref().map_or(0, |texture| texture.size()[1] / SIDE * COLUMNS);
+        let capacity =
+            self.texture.as_ref().map_or(0, |texture| texture.size()[1] / SIDE * COLUMNS);
         if shown.len() > MOST_NEW || self.slots.len() + shown.len() > capacity {
             return self.make(ctx, work);
         }
@@ -60,7 +63,11 @@ impl Atlas {
             self.tiles[free] = Some(tile.clone());
             if let Some(texture) = &mut self.texture {
                 let at = [free % COLUMNS * SIDE, free / COLUMNS * SIDE];
-                texture.set_partial(at, ColorImage::new([SIDE, SIDE], small(tile)), TextureOptions::LINEAR);
+                texture.set_partial(
+                    at,
+                    ColorImage::new([SIDE, SIDE], small(tile)),
+                    TextureOptions::LINEAR,
+                );
             }
         }
     }
@@ -80,7 +87,9 @@ impl Atlas {
         let rows = self.tiles.len() / COLUMNS + 1;
         let size = [COLUMNS * SIDE, rows * SIDE];
         let mut pixels = vec![Color32::TRANSPARENT; size[0] * size[1]];
-        for (slot, tile) in self.tiles.iter().enumerate().filter_map(|(slot, tile)| Some((slot, tile.as_ref()?))) {
+        for (slot, tile) in
+            self.tiles.iter().enumerate().filter_map(|(slot, tile)| Some((slot, tile.as_ref()?)))
+        {
             let from = (slot / COLUMNS) * SIDE * size[0] + (slot % COLUMNS) * SIDE;
             for (y, row) in small(tile).chunks_exact(SIDE).enumerate() {
                 pixels[from + y * size[0]..][..SIDE].copy_from_slice(row);
@@ -94,9 +103,18 @@ impl Atlas {
     }
 
     /// Paints the small picture of a sample, if there is one, in the shape that the tile has.
-    pub(super) fn paint(&self, painter: &Painter, work: &Work, address: Address, rect: Rect) -> bool {
+    pub(super) fn paint(
+        &self,
+        painter: &Painter,
+        work: &Work,
+        address: Address,
+        rect: Rect,
+    ) -> bool {
         let Some(texture) = &self.texture else { return false };
-        let Some(slot) = work.tile(address).and_then(|tile| self.slots.get(&Arc::as_ptr(tile))) else { return false };
+        let Some(slot) = work.tile(address).and_then(|tile| self.slots.get(&Arc::as_ptr(tile)))
+        else {
+            return false;
+        };
         let [width, height] = texture.size().map(|side| side as f32);
         let from = pos2((slot % COLUMNS * SIDE) as f32, (slot / COLUMNS * SIDE) as f32);
         // Half a texel inside, so that neighbours do not shine in.

@@ -4,7 +4,8 @@ use super::look::lies_flat;
 use crate::orbit::Orbit;
 use crate::session::Session;
 
-/// Keeps that view until another look is open. A scene has views of its own, and none is kept of it.
+/// Keeps that view until another look is open. A scene has views of its own, and none is kept of
+/// it.
 #[derive(Debug, Default)]
 pub(crate) struct ViewBefore {
     view: Option<Orbit>,
@@ -18,8 +19,8 @@ impl ViewBefore {
         }
     }
 
-    /// Notes that a painting is shown. After a restart its square was there first, and what comes after it is the view that
-    /// the program begins with.
+    /// Notes that a painting is shown. After a restart its square was there first, and what comes
+    /// after it is the view that the program begins with.
     pub(crate) fn is_painted(&mut self, session: &Session) {
         if lies_flat(&session.view) {
             self.view.get_or_insert_default();

@@ -1,11 +1,12 @@
-//! The tile as the eye sees it, to be painted on: tilted and turned, with copies around it, the ways to the light and the
-//! eye, and the brush's true shape under the pointer.
+//! The tile as the eye sees it, to be painted on: tilted and turned, with copies around it, the
+//! ways to the light and the eye, and the brush's true shape under the pointer.
 
 use eframe::egui;
 use eframe::egui::epaint::{Mesh, Vertex};
 use eframe::egui::{
-    Color32, ColorImage, CursorIcon, Key, Painter, PointerButton, Pos2, Rect, Response, Role, Sense, Shape, Stroke,
-    TextureHandle, TextureId, TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
+    Color32, ColorImage, CursorIcon, Key, Painter, PointerButton, Pos2, Rect, Response, Role,
+    Sense, Shape, Stroke, TextureHandle, TextureId, TextureOptions, Ui, Vec2, WidgetInfo, pos2,
+    vec2,
 };
 
 use super::hand::{self, Going};
@@ -87,16 +88,28 @@ impl Easel {
         let grid = *work.grid();
         let fitted = |tilt: &Tilt| {
             let bounds = tilt.bounds();
-            let room = [room.width() / bounds.width(), room.height() / bounds.height()].map(f64::from);
+            let room =
+                [room.width() / bounds.width(), room.height() / bounds.height()].map(f64::from);
             (tilt.scale() * room[0].min(room[1]) * FITTED).clamp(*ZOOM.start(), *ZOOM.end())
         };
-        let lying = |scale: f64, pan: Vec2| Tilt::new(&grid, shown.view, self.is_flat, room.center() + pan, scale);
+        let lying = |scale: f64, pan: Vec2| {
+            Tilt::new(&grid, shown.view, self.is_flat, room.center() + pan, scale)
+        };
         let fit = fitted(&lying(1.0, Vec2::ZERO));
         let mut tilt = lying(self.zoom.unwrap_or(fit), self.pan);
-        let pointer = response.contains_pointer().then(|| ui.input(|input| input.pointer.hover_pos())).flatten();
+        let pointer = response
+            .contains_pointer()
+            .then(|| ui.input(|input| input.pointer.hover_pos()))
+            .flatten();
         self.has_pointer = pointer.is_some();
         if self.navigate(ui, &response, &tilt, room) {
-            tilt = Tilt::new(&grid, shown.view, self.is_flat, room.center() + self.pan, self.zoom.unwrap_or(fit));
+            tilt = Tilt::new(
+                &grid,
+                shown.view,
+                self.is_flat,
+                room.center() + self.pan,
+                self.zoom.unwrap_or(fit),
+            );
         }
         let is_peeking = peek.is_some();
         let out = match is_peeking {
@@ -117,7 +130,12 @@ impl Easel {
             let text = format!("Only looking: {}. Let go to be back", name_of(work, shown));
             note(ui, &painter, room, &text);
         } else if work.shown().painted.is_empty() {
-            note(ui, &painter, room, "Drag on the tile to paint how it looks under this light, from here");
+            note(
+                ui,
+                &painter,
+                room,
+                "Drag on the tile to paint how it looks under this light, from here",
+            );
         }
         if let Some(at) = pointer.filter(|_| !is_peeking) {
             cursor(ui, &painter, &tilt, tools, at);
@@ -129,11 +147,13 @@ impl Easel {
         out
     }
 
-    /// The wheel zooms about the pointer; middle, right or space drags move the tile. Returns whether it lies elsewhere.
+    /// The wheel zooms about the pointer; middle, right or space drags move the tile. Returns
+    /// whether it lies elsewhere.
     fn navigate(&mut self, ui: &Ui, response: &Response, tilt: &Tilt, room: Rect) -> bool {
         let before = (self.zoom, self.pan);
         if let Some(at) = response.hover_pos() {
-            let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
+            let (scroll, pinch) =
+                ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
             let factor = f64::from((scroll / 300.0).exp() * pinch);
             if factor != 1.0 {
                 let zoom = (tilt.scale() * factor).clamp(*ZOOM.start(), *ZOOM.end());
@@ -142,20 +162,34 @@ impl Easel {
                 self.zoom = Some(zoom);
             }
         }
-        let with_space = response.dragged_by(PointerButton::Primary) && ui.input(|input| input.key_down(Key::Space));
-        let is_pan = response.dragged_by(PointerButton::Middle) || response.dragged_by(PointerButton::Secondary);
+        let with_space = response.dragged_by(PointerButton::Primary)
+            && ui.input(|input| input.key_down(Key::Space));
+        let is_pan = response.dragged_by(PointerButton::Middle)
+            || response.dragged_by(PointerButton::Secondary);
         if (is_pan || with_space) && self.going.is_none() {
             self.pan += response.drag_delta();
         }
         before != (self.zoom, self.pan)
     }
 
-    fn paint(&mut self, ui: &Ui, painter: &Painter, room: Rect, tilt: &Tilt, work: &Work, at: Address) {
+    fn paint(
+        &mut self,
+        ui: &Ui,
+        painter: &Painter,
+        room: Rect,
+        tilt: &Tilt,
+        work: &Work,
+        at: Address,
+    ) {
         let checks = self.checks(ui);
         let colors = theme::of(ui);
         let tile = work.tile(at);
         let texture = tile.map(|tile| self.tile.of(ui.ctx(), "painting", tile));
-        let copies = if self.shows_copies && work.hcbtf().is_tiling { tilt.copies(room) } else { vec![[0, 0]] };
+        let copies = if self.shows_copies && work.hcbtf().is_tiling {
+            tilt.copies(room)
+        } else {
+            vec![[0, 0]]
+        };
         if let Some(texture) = texture {
             let dimmed = Color32::from_white_alpha(90);
             let around = copies.iter().filter(|copy| **copy != [0, 0]);
@@ -167,7 +201,8 @@ impl Easel {
         }
         if self.onion > 0.0 {
             let tint = Color32::from_white_alpha((self.onion * 127.0) as u8);
-            let found = neighbours(work, at, self.onion_along).map(|address| work.tile(address).cloned());
+            let found =
+                neighbours(work, at, self.onion_along).map(|address| work.tile(address).cloned());
             for (shown, tile) in self.neighbours.iter_mut().zip(found) {
                 if let Some(tile) = tile {
                     let texture = shown.of(ui.ctx(), "neighbour", &tile);
@@ -184,7 +219,10 @@ impl Easel {
         let make = || {
             let [dark, light] = [Color32::from_gray(96), Color32::from_gray(124)];
             let image = ColorImage::new([2, 2], vec![light, dark, dark, light]);
-            let options = TextureOptions { wrap_mode: egui::TextureWrapMode::Repeat, ..TextureOptions::NEAREST };
+            let options = TextureOptions {
+                wrap_mode: egui::TextureWrapMode::Repeat,
+                ..TextureOptions::NEAREST
+            };
             ui.ctx().load_texture("checks", image, options)
         };
         self.checks.get_or_insert_with(make).id()
@@ -194,7 +232,8 @@ impl Easel {
         let texel = tilt.texel(at);
         let size = work.grid().size.map(f64::from);
         let place = [texel.x.rem_euclid(size[0]).floor(), texel.y.rem_euclid(size[1]).floor()];
-        let rest = "wheel zooms · right-drag moves · arrows change the view, Shift+arrows the light";
+        let rest =
+            "wheel zooms · right-drag moves · arrows change the view, Shift+arrows the light";
         self.hint = format!("{} at {}, {} · {rest}", tools.kind.label(), place[0], place[1]);
     }
 
@@ -226,7 +265,8 @@ impl Easel {
 
     /// What the keys over it ask for.
     pub(super) fn keys(&self, ui: &Ui) -> Vec<shortcuts::Action> {
-        let is_free = self.has_pointer && !shortcuts::is_keyboard_taken(ui.ctx()) && self.going.is_none();
+        let is_free =
+            self.has_pointer && !shortcuts::is_keyboard_taken(ui.ctx()) && self.going.is_none();
         if is_free { shortcuts::pressed(ui, Place::Painting) } else { Vec::new() }
     }
 }
@@ -234,7 +274,11 @@ impl Easel {
 /// What people call a sample.
 pub(super) fn name_of(work: &Work, address: Address) -> String {
     let grid = work.grid();
-    format!("light {}, view {}", moves::name(grid.light, address.light), moves::name(grid.view, address.view))
+    format!(
+        "light {}, view {}",
+        moves::name(grid.light, address.light),
+        moves::name(grid.view, address.view)
+    )
 }
 
 /// The two samples beside one, along an angle.
@@ -248,12 +292,18 @@ fn neighbours(work: &Work, at: Address, along: HcbtfAngle) -> [Address; 2] {
         HcbtfAngle::LightTheta | HcbtfAngle::LightPhi => {
             Address { light: moves::step(grid.light, at.light, way), ..at }
         }
-        HcbtfAngle::ViewTheta | HcbtfAngle::ViewPhi => Address { view: moves::step(grid.view, at.view, way), ..at },
+        HcbtfAngle::ViewTheta | HcbtfAngle::ViewPhi => {
+            Address { view: moves::step(grid.view, at.view, way), ..at }
+        }
     })
 }
 
 /// Draws a texture into quadrilaterals, each in a tint.
-fn quads(painter: &Painter, texture: TextureId, corners: impl Iterator<Item = ([Pos2; 4], Color32)>) {
+fn quads(
+    painter: &Painter,
+    texture: TextureId,
+    corners: impl Iterator<Item = ([Pos2; 4], Color32)>,
+) {
     let mut mesh = Mesh::with_texture(texture);
     let uvs = [pos2(0.0, 0.0), pos2(1.0, 0.0), pos2(1.0, 1.0), pos2(0.0, 1.0)];
     for (corners, tint) in corners {
@@ -294,6 +344,10 @@ fn note(ui: &Ui, painter: &Painter, room: Rect, text: &str) {
     let font = egui::FontId::proportional(theme::TEXT_SIZE);
     let galley = painter.layout_no_wrap(text.to_owned(), font, Color32::WHITE);
     let at = room.center_top() + vec2(-galley.size().x / 2.0, 10.0);
-    painter.rect_filled(Rect::from_min_size(at, galley.size()).expand2(vec2(8.0, 4.0)), 4.0, theme::PLATE);
+    painter.rect_filled(
+        Rect::from_min_size(at, galley.size()).expand2(vec2(8.0, 4.0)),
+        4.0,
+        theme::PLATE,
+    );
     painter.galley(at, galley, theme::of(ui).text);
 }

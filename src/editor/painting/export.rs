@@ -1,5 +1,5 @@
-//! What is painted leaves for other programs, filled by its rules: on a thread of its own, since it may be thousands of
-//! images.
+//! What is painted leaves for other programs, filled by its rules: on a thread of its own, since it
+//! may be thousands of images.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -37,7 +37,8 @@ impl Exports {
     pub(super) fn write(&self, hcbtf: Arc<Hcbtf>, form: Form, storage: Storage, to: PathBuf) {
         let job = Job { hcbtf, form, storage, to, progress: self.progress.clone() };
         // Nothing that waits is dropped.
-        self.worker.request(|waiting| waiting.unwrap_or_default().into_iter().chain([job]).collect());
+        self.worker
+            .request(|waiting| waiting.unwrap_or_default().into_iter().chain([job]).collect());
     }
 
     /// What to tell of what was written since the last call.
@@ -64,7 +65,8 @@ fn run(job: &Job) -> String {
     let to = free(job.form, &job.to);
     let filled = fill(&job.hcbtf, &job.progress).map_err(|why| vec![Diagnostic::from(why)]);
     let manner = exchange::Manner { storage: job.storage, ..exchange::Manner::default() };
-    let written = filled.and_then(|filled| exchange::export(&filled, job.form, manner, &to, &job.progress));
+    let written =
+        filled.and_then(|filled| exchange::export(&filled, job.form, manner, &to, &job.progress));
     match written {
         Ok(more) => {
             let more = more.map(|more| format!(": {more}")).unwrap_or_default();
@@ -77,8 +79,8 @@ fn run(job: &Job) -> String {
     }
 }
 
-/// Where it goes: what a folder holds of an earlier export may have been painted on since, so the next goes into a folder
-/// in it. About a file the dialog has asked.
+/// Where it goes: what a folder holds of an earlier export may have been painted on since, so the
+/// next goes into a folder in it. About a file the dialog has asked.
 fn free(form: Form, to: &Path) -> PathBuf {
     if form != Form::Folder || exchange::in_the_way(form, to).is_empty() {
         return to.to_owned();

@@ -1,5 +1,6 @@
-//! What the rules make of the samples that nobody painted: worked out on a thread of its own, the newest wish first. The
-//! sample at work is worked out beside the others, so that it is seen at once however long they take.
+//! What the rules make of the samples that nobody painted: worked out on a thread of its own, the
+//! newest wish first. The sample at work is worked out beside the others, so that it is seen at
+//! once however long they take.
 
 use std::sync::{Arc, Weak};
 
@@ -51,7 +52,8 @@ impl Filling {
     /// `wake` is called from another thread when something is filled.
     pub(super) fn new(wake: impl Fn() + Clone + Send + 'static) -> Self {
         // A stroke changes little of what was filled before, which whoever shows it keeps.
-        let mut before: (Arc<Hcbtf>, Weak<Filled>) = (Arc::new(Hcbtf::new(Grid::THESIS)), Weak::new());
+        let mut before: (Arc<Hcbtf>, Weak<Filled>) =
+            (Arc::new(Hcbtf::new(Grid::THESIS)), Weak::new());
         let work = move |wish: Wish| {
             let filled = match before.1.upgrade() {
                 Some(filled) => refill(&wish.hcbtf, (&before.0, &filled), &wish.progress),
@@ -79,8 +81,8 @@ impl Filling {
         }
     }
 
-    /// Takes what was filled, and asks for what is not yet, where the device can hold it. Returns whether there is something
-    /// new.
+    /// Takes what was filled, and asks for what is not yet, where the device can hold it. Returns
+    /// whether there is something new.
     pub(super) fn tick(&mut self, work: &mut Work, device: &Device) -> bool {
         let mut is_new = self.take_ahead(work);
         let number = work.number();
@@ -100,9 +102,12 @@ impl Filling {
             self.problem = Some(problem);
             return is_new;
         }
-        if !work.rules_wait() && !self.asked.as_ref().is_some_and(|asked| Arc::ptr_eq(asked, work.shown())) {
+        if !work.rules_wait()
+            && !self.asked.as_ref().is_some_and(|asked| Arc::ptr_eq(asked, work.shown()))
+        {
             // Other rules make what is being filled useless; one more texel does not.
-            let is_other = self.asked.as_ref().is_none_or(|asked| asked.rules != work.shown().rules);
+            let is_other =
+                self.asked.as_ref().is_none_or(|asked| asked.rules != work.shown().rules);
             if is_other {
                 self.stop();
             }
@@ -123,9 +128,11 @@ impl Filling {
     /// Asks for the sample at work, while the others are not done.
     fn ask_ahead(&mut self, work: &Work) {
         let (shown, at) = (work.shown(), work.at());
-        let is_asked = |(of, address): &(Arc<Hcbtf>, Address)| Arc::ptr_eq(of, shown) && *address == at;
+        let is_asked =
+            |(of, address): &(Arc<Hcbtf>, Address)| Arc::ptr_eq(of, shown) && *address == at;
         let is_done = self.has.as_ref().is_some_and(|has| Arc::ptr_eq(has, shown));
-        if is_done || shown.painted(at).is_some() || self.asked_ahead.as_ref().is_some_and(is_asked) {
+        if is_done || shown.painted(at).is_some() || self.asked_ahead.as_ref().is_some_and(is_asked)
+        {
             return;
         }
         self.asked_ahead = Some((shown.clone(), at));

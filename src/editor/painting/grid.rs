@@ -1,4 +1,5 @@
-//! How finely an HCBTF is divided, asked for before one is made or divided otherwise; what that takes is told at once.
+//! How finely an HCBTF is divided, asked for before one is made or divided otherwise; what that
+//! takes is told at once.
 
 use std::sync::Arc;
 
@@ -28,12 +29,20 @@ pub(super) struct Asked {
 impl Asked {
     /// What to begin with: as what is open is divided, or as the thesis divides.
     pub(super) fn of(work: Option<&Work>, changes: bool) -> Self {
-        Self { grid: work.map_or(Grid::THESIS, |work| *work.grid()), changes: changes && work.is_some() }
+        Self {
+            grid: work.map_or(Grid::THESIS, |work| *work.grid()),
+            changes: changes && work.is_some(),
+        }
     }
 }
 
 /// Asks, while `asked` is there.
-pub(super) fn show(ui: &Ui, asked: &mut Option<Asked>, work: Option<&Work>, device: &Device) -> Option<Command> {
+pub(super) fn show(
+    ui: &Ui,
+    asked: &mut Option<Asked>,
+    work: Option<&Work>,
+    device: &Device,
+) -> Option<Command> {
     let Asked { mut grid, changes } = (*asked)?;
     let work = work.filter(|_| changes);
     let mut out = None;
@@ -52,7 +61,8 @@ pub(super) fn show(ui: &Ui, asked: &mut Option<Asked>, work: Option<&Work>, devi
         if let Some(problem) = &refused {
             ui.label(RichText::new(sentence(problem)).color(theme::of(ui).error));
         } else if let Some(work) = work {
-            let color = if lost(work, &grid) > 0 { ui.visuals().warn_fg_color } else { theme::of(ui).dim };
+            let color =
+                if lost(work, &grid) > 0 { ui.visuals().warn_fg_color } else { theme::of(ui).dim };
             ui.label(RichText::new(what_stays(work, &grid)).color(color));
         }
         ui.add_space(8.0);
@@ -81,7 +91,9 @@ pub(super) fn show(ui: &Ui, asked: &mut Option<Asked>, work: Option<&Work>, devi
 
 /// How many painted samples have no place in another grid.
 fn lost(work: &Work, grid: &Grid) -> usize {
-    let stays = |(address, tile): &(&Address, &Arc<Tile>)| grid.contains(**address) && tile.size() == grid.size;
+    let stays = |(address, tile): &(&Address, &Arc<Tile>)| {
+        grid.contains(**address) && tile.size() == grid.size
+    };
     let painted = &work.hcbtf().painted;
     painted.len() - painted.iter().filter(stays).count()
 }
@@ -97,7 +109,10 @@ fn what_stays(work: &Work, grid: &Grid) -> String {
                 true => "they are at rings and steps that there are no more",
                 false => "tiles are not resampled to another size",
             };
-            format!("{lost} of {} would be lost: {why}. Undo brings them back", counted(all, "painted sample"))
+            format!(
+                "{lost} of {} would be lost: {why}. Undo brings them back",
+                counted(all, "painted sample")
+            )
         }
     }
 }
@@ -115,7 +130,9 @@ pub(super) fn size(ui: &mut Ui, size: &mut [u32; 2]) {
         ui.spacing_mut().item_spacing.x = 6.0;
         lead(ui, "Tile", LEAD);
         let [width, height] = size;
-        for (value, name, between) in [(width, "Texels across", "x"), (height, "Texels down", "texels")] {
+        for (value, name, between) in
+            [(width, "Texels across", "x"), (height, "Texels down", "texels")]
+        {
             let drag = ui.add(DragValue::new(value).range(1..=MAX_TILE_SIDE).speed(0.2));
             drag.widget_info(|| named(name, *value));
             ui.label(between);
@@ -128,11 +145,20 @@ pub(super) fn directions(ui: &mut Ui, name: &str, directions: &mut Directions) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
         lead(ui, name, LEAD);
-        let rings =
-            ui.add(DragValue::new(&mut directions.theta).range(1..=MAX_ANGLE_STEPS).speed(0.05).suffix(" rings"));
+        let rings = ui.add(
+            DragValue::new(&mut directions.theta)
+                .range(1..=MAX_ANGLE_STEPS)
+                .speed(0.05)
+                .suffix(" rings"),
+        );
         rings.widget_info(|| named(&format!("{name}: rings"), directions.theta));
         ui.label("x");
-        let steps = ui.add(DragValue::new(&mut directions.phi).range(1..=MAX_ANGLE_STEPS).speed(0.05).suffix(" steps"));
+        let steps = ui.add(
+            DragValue::new(&mut directions.phi)
+                .range(1..=MAX_ANGLE_STEPS)
+                .speed(0.05)
+                .suffix(" steps"),
+        );
         steps.widget_info(|| named(&format!("{name}: steps"), directions.phi));
         let text = format!("{} directions", directions.distinct_count());
         ui.label(RichText::new(text).color(theme::of(ui).dim));
@@ -140,5 +166,8 @@ pub(super) fn directions(ui: &mut Ui, name: &str, directions: &mut Directions) {
 }
 
 fn named(name: &str, value: u32) -> WidgetInfo {
-    WidgetInfo { label: Some(name.to_owned()), ..egui::WidgetInfo::drag_value(true, f64::from(value)) }
+    WidgetInfo {
+        label: Some(name.to_owned()),
+        ..egui::WidgetInfo::drag_value(true, f64::from(value))
+    }
 }

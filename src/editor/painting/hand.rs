@@ -1,4 +1,5 @@
-//! What the pointer does on the tile: strokes, lines, fills and picked colours, each one step of undo.
+//! What the pointer does on the tile: strokes, lines, fills and picked colors, each one step of
+//! undo.
 
 use std::sync::Arc;
 
@@ -20,7 +21,7 @@ pub(super) enum Going {
     Stroke { stroke: Box<Stroke>, of: Of },
     /// A line that is not drawn yet: it ends where the pointer is let go.
     Line { from: DVec2, of: Of },
-    /// Colours are taken for as long as the pointer is down.
+    /// Colors are taken for as long as the pointer is down.
     Pick,
 }
 
@@ -35,11 +36,15 @@ pub(super) struct Of {
 impl Of {
     fn new(work: &Work, is_first: bool) -> Self {
         let address = work.at();
-        Self { address, before: tile_at(work, address), over: (!is_first).then(|| work.shown().clone()) }
+        Self {
+            address,
+            before: tile_at(work, address),
+            over: (!is_first).then(|| work.shown().clone()),
+        }
     }
 
-    /// The step of undo, if anything is another now. A stroke that leaves no trace paints nothing. What was painted is
-    /// shown from now on: another step of the same frame lies over it.
+    /// The step of undo, if anything is another now. A stroke that leaves no trace paints nothing.
+    /// What was painted is shown from now on: another step of the same frame lies over it.
     fn done(self, tile: Tile, session: &mut Session) -> Option<Command> {
         if tile == *self.before {
             return None;
@@ -56,8 +61,8 @@ pub(super) fn tile_at(work: &Work, address: Address) -> Arc<Tile> {
     work.tile(address).cloned().unwrap_or_else(|| Arc::new(Tile::filled(work.grid().size, [0; 4])))
 }
 
-/// Does what the pointer asks for on the tile as it lies now: event by event, so that a click counts that is over within a
-/// frame, and two of them make two steps.
+/// Does what the pointer asks for on the tile as it lies now: event by event, so that a click
+/// counts that is over within a frame, and two of them make two steps.
 pub(super) fn paint(
     ui: &Ui,
     response: &Response,
@@ -66,8 +71,9 @@ pub(super) fn paint(
     tools: &mut Tools,
     session: &mut Session,
 ) -> Vec<Command> {
-    let (is_down, space, escape) =
-        ui.input(|input| (input.pointer.primary_down(), input.key_down(Key::Space), input.key_pressed(Key::Escape)));
+    let (is_down, space, escape) = ui.input(|input| {
+        (input.pointer.primary_down(), input.key_down(Key::Space), input.key_pressed(Key::Escape))
+    });
     if escape && going.take().is_some() {
         show(session, None);
         return Vec::new();
@@ -76,12 +82,15 @@ pub(super) fn paint(
     let is_quick = !is_down && (response.clicked() || response.hovered());
     let is_over = response.is_pointer_button_down_on() || is_quick;
     let pressure = tools.pen.unwrap_or(1.0);
-    let mut hand = Events { tilt, going, tools, session, path: Vec::new(), pressure, out: Vec::new() };
+    let mut hand =
+        Events { tilt, going, tools, session, path: Vec::new(), pressure, out: Vec::new() };
     let mut last = ui.input(|input| input.pointer.latest_pos());
     for event in ui.input(|input| input.events.clone()) {
         match event {
             Event::PointerMoved(at) => hand.path.push(at),
-            Event::Touch { phase: TouchPhase::End | TouchPhase::Cancel, .. } => hand.tools.pen = None,
+            Event::Touch { phase: TouchPhase::End | TouchPhase::Cancel, .. } => {
+                hand.tools.pen = None
+            }
             Event::Touch { force: Some(force), .. } => {
                 hand.pressure = f64::from(force);
                 hand.tools.pen = Some(hand.pressure);
@@ -89,7 +98,9 @@ pub(super) fn paint(
             Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers } => {
                 last = Some(pos);
                 match pressed {
-                    true if is_over && response.rect.contains(pos) && !space => hand.press(pos, modifiers),
+                    true if is_over && response.rect.contains(pos) && !space => {
+                        hand.press(pos, modifiers)
+                    }
                     true => {}
                     false => hand.release(last),
                 }
@@ -141,7 +152,10 @@ impl Events<'_> {
             Kind::Stamp if is_shifted || self.tools.stamp.is_none() => {
                 self.tools.stamp = work.tile(work.at()).cloned();
                 let told = match self.tools.stamp {
-                    Some(_) => "The tile at work is the stamp now: click where it is to go, on this sample or another",
+                    Some(_) => {
+                        "The tile at work is the stamp now: click where it is to go, on this \
+                         sample or another"
+                    }
                     None => "There is nothing here to be a stamp: go to a painted sample first",
                 };
                 return Some(Command::Tell(told.to_owned()));
@@ -156,7 +170,12 @@ impl Events<'_> {
             Kind::Line => *self.going = Some(Going::Line { from: at, of: of() }),
             _ => {
                 let of = of();
-                let mut stroke = Box::new(Stroke::begin(&of.before, &self.tools.brush(), &self.tools.symmetry, wraps));
+                let mut stroke = Box::new(Stroke::begin(
+                    &of.before,
+                    &self.tools.brush(),
+                    &self.tools.symmetry,
+                    wraps,
+                ));
                 stroke.to(at, self.pressure);
                 let live = (of.address, Arc::new(stroke.tile().clone()));
                 *self.going = Some(Going::Stroke { stroke, of });
@@ -182,7 +201,14 @@ impl Events<'_> {
             }
             Some(Going::Line { from, of }) => {
                 let wraps = self.session.painting().is_some_and(|work| work.hcbtf().is_tiling);
-                let tile = paint::line(&of.before, &self.tools.brush(), &self.tools.symmetry, wraps, *from, last);
+                let tile = paint::line(
+                    &of.before,
+                    &self.tools.brush(),
+                    &self.tools.symmetry,
+                    wraps,
+                    *from,
+                    last,
+                );
                 show(self.session, Some((of.address, Arc::new(tile))));
             }
             Some(Going::Pick) => {
@@ -244,5 +270,6 @@ fn texel(at: DVec2, size: [u32; 2], wraps: bool) -> Option<[u32; 2]> {
     let sides = size.map(i64::from);
     let place = [at.x.floor() as i64, at.y.floor() as i64];
     let is_inside = (0..sides[0]).contains(&place[0]) && (0..sides[1]).contains(&place[1]);
-    (is_inside || wraps).then(|| [place[0].rem_euclid(sides[0]) as u32, place[1].rem_euclid(sides[1]) as u32])
+    (is_inside || wraps)
+        .then(|| [place[0].rem_euclid(sides[0]) as u32, place[1].rem_euclid(sides[1]) as u32])
 }

@@ -1,6 +1,8 @@
 //! The tools' icons, drawn by lines.
 
-use eframe::egui::{Color32, Painter, Pos2, Response, Role, Sense, Shape, Stroke, Ui, WidgetInfo, vec2};
+use eframe::egui::{
+    Color32, Painter, Pos2, Response, Role, Sense, Shape, Stroke, Ui, WidgetInfo, vec2,
+};
 
 use super::tools::Kind;
 use crate::theme;
@@ -49,7 +51,11 @@ fn draw(painter: &Painter, kind: Kind, at: Pos2, ink: Color32) {
         Kind::Smudge => {
             for (index, radius) in [5.5_f32, 4.0, 2.4].into_iter().enumerate() {
                 let fade = ink.gamma_multiply([0.35, 0.6, 1.0][index]);
-                painter.circle_filled(p(-5.0 + 5.5 * index as f32, 4.0 - 5.0 * index as f32), radius, fade);
+                painter.circle_filled(
+                    p(-5.0 + 5.5 * index as f32, 4.0 - 5.0 * index as f32),
+                    radius,
+                    fade,
+                );
             }
         }
         Kind::Line => {
@@ -61,7 +67,11 @@ fn draw(painter: &Painter, kind: Kind, at: Pos2, ink: Color32) {
         Kind::Fill => {
             let bucket = vec![p(-6.0, -1.0), p(0.5, -7.0), p(6.0, -1.5), p(-0.5, 5.0)];
             painter.add(Shape::closed_line(bucket, stroke));
-            painter.add(Shape::convex_polygon(vec![p(-6.0, -1.0), p(6.0, -1.5), p(-0.5, 5.0)], ink, Stroke::NONE));
+            painter.add(Shape::convex_polygon(
+                vec![p(-6.0, -1.0), p(6.0, -1.5), p(-0.5, 5.0)],
+                ink,
+                Stroke::NONE,
+            ));
             let drop = vec![p(7.0, 1.0), p(8.8, 5.0), p(7.0, 7.5), p(5.2, 5.0)];
             painter.add(Shape::convex_polygon(drop, ink, Stroke::NONE));
         }
@@ -72,7 +82,11 @@ fn draw(painter: &Painter, kind: Kind, at: Pos2, ink: Color32) {
                 ink,
                 Stroke::NONE,
             ));
-            painter.rect_filled(eframe::egui::Rect::from_min_max(p(-7.0, 2.6), p(7.0, 5.0)), 1.0, ink);
+            painter.rect_filled(
+                eframe::egui::Rect::from_min_max(p(-7.0, 2.6), p(7.0, 5.0)),
+                1.0,
+                ink,
+            );
             line((-7.0, 7.6), (7.0, 7.6));
         }
         Kind::Pick => {

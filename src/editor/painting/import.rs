@@ -1,4 +1,5 @@
-//! Painted pictures of other programs become an HCBTF: what they are is asked for first, then where they are.
+//! Painted pictures of other programs become an HCBTF: what they are is asked for first, then where
+//! they are.
 
 use std::path::Path;
 
@@ -38,7 +39,11 @@ impl Import {
     ///
     /// # Errors
     /// Everything that keeps them from being used, and where it is stopped.
-    pub(super) fn read(self, from: &Path, progress: &Progress) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+    pub(super) fn read(
+        self,
+        from: &Path,
+        progress: &Progress,
+    ) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
         let Self { form, light, view, gap, is_tiling } = self;
         let grid = exchange::fitted(from, form, Grid { size: Grid::THESIS.size, light, view }, gap);
         let (hcbtf, notes) = exchange::import(from, form, grid, gap, progress)?;
@@ -53,20 +58,25 @@ fn told(form: Form) -> (&'static str, &'static str) {
     match form {
         Form::Folder => (
             "A folder of images",
-            "One PNG a sample: l2.3_v1.4.png is seen with the light at ring 2, step 3 and the eye at ring 1, step 4. \
-             Numbered ones follow each other view by view, and for each view light by light. One that Chiaro exported \
+            "One PNG a sample: l2.3_v1.4.png is seen with the light at ring 2, step 3 and the eye \
+             at ring 1, step 4. \
+             Numbered ones follow each other view by view, and for each view light by light. One \
+             that Chiaro exported \
              tells its own lights and views.",
         ),
         Form::Contact => (
             "A contact sheet",
-            "One PNG with all tiles side by side: views across, lights down, the one straight above first.",
+            "One PNG with all tiles side by side: views across, lights down, the one straight \
+             above first.",
         ),
-        Form::Sheet => {
-            ("A sheet of the thesis", "One PNG in which every texel is a block of all its lights and views.")
-        }
-        Form::Ktx2 => {
-            ("A KTX2 texture", "The texture that shaders look up, as it was exported; it tells its own grid.")
-        }
+        Form::Sheet => (
+            "A sheet of the thesis",
+            "One PNG in which every texel is a block of all its lights and views.",
+        ),
+        Form::Ktx2 => (
+            "A KTX2 texture",
+            "The texture that shaders look up, as it was exported; it tells its own grid.",
+        ),
     }
 }
 
@@ -86,7 +96,9 @@ pub(super) fn show(ui: &Ui, asked: &mut Option<Import>) -> Option<Command> {
                 ui.selectable_value(&mut import.form, form, told(form).0);
             }
         });
-        chosen.response.widget_info(|| WidgetInfo::labeled(egui::Role::ComboBox, true, "Kind of pictures"));
+        chosen
+            .response
+            .widget_info(|| WidgetInfo::labeled(egui::Role::ComboBox, true, "Kind of pictures"));
         ui.label(RichText::new(told(import.form).1).color(theme::of(ui).dim));
         ui.add_space(6.0);
         if import.form != Form::Ktx2 {
@@ -96,7 +108,8 @@ pub(super) fn show(ui: &Ui, asked: &mut Option<Import>) -> Option<Command> {
         if import.form == Form::Contact {
             ui.horizontal(|ui| {
                 let label = ui.label("Texels between the tiles").id;
-                ui.add(DragValue::new(&mut import.gap).range(0..=MAX_GAP).speed(0.1)).labelled_by(label);
+                ui.add(DragValue::new(&mut import.gap).range(0..=MAX_GAP).speed(0.1))
+                    .labelled_by(label);
             });
         }
         ui.checkbox(&mut import.is_tiling, "The tile repeats");

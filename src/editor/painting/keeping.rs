@@ -28,9 +28,14 @@ impl Work {
         work
     }
 
-    /// Keeps a journal in a folder from now on, in `slot` if it was taken back from there. `wake` is called from another
-    /// thread when that fails, or works again.
-    pub(crate) fn keep_in(&mut self, folder: &Path, wake: Arc<dyn Fn() + Send + Sync>, slot: Option<Slot>) {
+    /// Keeps a journal in a folder from now on, in `slot` if it was taken back from there. `wake`
+    /// is called from another thread when that fails, or works again.
+    pub(crate) fn keep_in(
+        &mut self,
+        folder: &Path,
+        wake: Arc<dyn Fn() + Send + Sync>,
+        slot: Option<Slot>,
+    ) {
         self.kept.keeping.keep_in(folder, move || wake());
         if slot.is_some() || self.is_dirty() {
             self.begin_journal(slot);
@@ -49,7 +54,10 @@ impl Work {
             name: self.name(),
             path: self.path().and_then(Path::to_str).map(str::to_owned),
             is_partial: false,
-            window: self.stamp.and_then(Stamp::to_json).map_or_else(|| json!({}), |stamp| json!({ FILE: stamp })),
+            window: self
+                .stamp
+                .and_then(Stamp::to_json)
+                .map_or_else(|| json!({}), |stamp| json!({ FILE: stamp })),
         };
         self.kept.begin_journal(about, None, slot);
     }

@@ -36,10 +36,12 @@ pub(super) fn show(
         ui.strong(format!("{} painted", painted.len()));
         ui.label("by");
         ui.selectable_value(order, Order::View, "view").on_hover_text("Sorts by where the eye is");
-        ui.selectable_value(order, Order::Light, "light").on_hover_text("Sorts by where the light is");
+        ui.selectable_value(order, Order::Light, "light")
+            .on_hover_text("Sorts by where the light is");
     });
     if painted.is_empty() {
-        let text = "Paint on the tile: each light and view that you paint is listed here. The rules fill the others.";
+        let text = "Paint on the tile: each light and view that you paint is listed here. The \
+                    rules fill the others.";
         ui.label(eframe::egui::RichText::new(text).color(theme::of(ui).dim));
         return;
     }
@@ -68,10 +70,13 @@ fn row(
     peek: &mut Option<Address>,
     out: &mut Vec<Command>,
 ) {
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width() - 8.0, ROW), Sense::click());
+    let (rect, response) =
+        ui.allocate_exact_size(vec2(ui.available_width() - 8.0, ROW), Sense::click());
     let name = name_of(work, address);
     let is_at_work = work.at() == address;
-    response.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_at_work, format!("Sample {name}")));
+    response.widget_info(|| {
+        WidgetInfo::selected(Role::ListItem, true, is_at_work, format!("Sample {name}"))
+    });
     row_ground(ui, rect, &response, is_at_work);
     let picture = Rect::from_min_size(rect.min + vec2(4.0, 3.0), vec2(24.0, 24.0));
     atlas.paint(ui.painter(), work, address, picture);
@@ -83,17 +88,24 @@ fn row(
     };
     for (index, (word, directions, direction)) in parts.into_iter().enumerate() {
         let top = rect.top() + 1.0 + index as f32 * 14.0;
-        let line = Rect::from_min_max(pos2(picture.right() + 8.0, top), pos2(rect.right() - 110.0, top + 14.0));
+        let line = Rect::from_min_max(
+            pos2(picture.right() + 8.0, top),
+            pos2(rect.right() - 110.0, top + 14.0),
+        );
         let ink = if index == 0 { theme::of(ui).text } else { theme::of(ui).dim };
         let text = format!("{word} {}", moves::name(directions, direction));
         cell(ui, line, &text, FontId::proportional(theme::SMALL_TEXT), ink);
     }
-    let buttons = Rect::from_min_max(pos2(rect.right() - 106.0, rect.top() + 3.0), rect.max - vec2(2.0, 3.0));
+    let buttons =
+        Rect::from_min_max(pos2(rect.right() - 106.0, rect.top() + 3.0), rect.max - vec2(2.0, 3.0));
     let layout = eframe::egui::Layout::right_to_left(eframe::egui::Align::Center);
     let mut row = ui.new_child(eframe::egui::UiBuilder::new().max_rect(buttons).layout(layout));
     let delete = row.small_button("Delete");
     delete.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Delete {name}")));
-    if delete.on_hover_text("Takes this painting away: the rules fill its place. Undo brings it back").clicked() {
+    if delete
+        .on_hover_text("Takes this painting away: the rules fill its place. Undo brings it back")
+        .clicked()
+    {
         out.push(command(Wish::Edit(HcbtfEdit::DeleteTile { address })));
     }
     let copy = row.add_enabled(!is_at_work, eframe::egui::Button::new("Copy").small());

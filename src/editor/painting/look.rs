@@ -1,4 +1,5 @@
-//! The look that a bare HCBTF is seen in: a lookup with one light, over grey where nothing is painted.
+//! The look that a bare HCBTF is seen in: a lookup with one light, over grey where nothing is
+//! painted.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -15,7 +16,8 @@ use crate::orbit::{Orbit, PLANE};
 use crate::session::Session;
 use crate::stage::{folder_of, real};
 
-/// The default look on an HCBTF of this name, and of tiles of so many texels, which keep their shape in it.
+/// The default look on an HCBTF of this name, and of tiles of so many texels, which keep their
+/// shape in it.
 pub(crate) fn default_look(sheet: &str, name: &str, size: [u32; 2]) -> String {
     let [width, height] = size.map(|side| f64::from(side.max(1)));
     let shorter = width.min(height);
@@ -42,8 +44,8 @@ pub(crate) fn default_look(sheet: &str, name: &str, size: [u32; 2]) -> String {
     serde_json::to_string_pretty(&look).unwrap_or_default()
 }
 
-/// The picture's camera and light turned to the sample at work, over a flat square that lies; none of a scene, which has its
-/// own objects.
+/// The picture's camera and light turned to the sample at work, over a flat square that lies; none
+/// of a scene, which has its own objects.
 pub(super) fn from_here(session: &Session, work: &Work) -> Option<Orbit> {
     let mut view = session.view.clone();
     let (_, light) = session.look().lights.first().filter(|_| session.stage().is_none())?;
@@ -75,7 +77,8 @@ pub(crate) fn shows(session: &Session) -> bool {
         let names = sheets(&look.look, &session.catalog);
         names.iter().any(|name| !name.is_empty() && real(&look.folder.join(name)) == real(path))
     };
-    session.shows_painting(path) || session.stage().is_some_and(|stage| stage.other_looks().any(names_it))
+    session.shows_painting(path)
+        || session.stage().is_some_and(|stage| stage.other_looks().any(names_it))
 }
 
 /// Whether another look, of a file or of none, shows what is painted.
@@ -104,7 +107,13 @@ pub(crate) fn rename(look: &Look, catalog: &Catalog, from: &str, to: &str) -> Ve
     each_sheet(look, catalog, |graph, id, port, name| {
         if name == from {
             let value = Value::Text(to.to_owned());
-            edits.push(Edit::SetValue { graph: graph.clone(), id: id.clone(), port: port.clone(), value, index: None });
+            edits.push(Edit::SetValue {
+                graph: graph.clone(),
+                id: id.clone(),
+                port: port.clone(),
+                value,
+                index: None,
+            });
         }
     });
     edits
@@ -114,7 +123,8 @@ pub(crate) fn rename(look: &Look, catalog: &Catalog, from: &str, to: &str) -> Ve
 pub(crate) fn rename_in(edit: &mut Edit, from: &str, to: &str) {
     let quoted = |name: &str| serde_json::to_string(name).unwrap_or_default();
     let text = serde_json::to_string(edit).unwrap_or_default();
-    // Within longer texts quotes are escaped: what is found is a name from its beginning to its end.
+    // Within longer texts quotes are escaped: what is found is a name from its beginning to its
+    // end.
     let from = quoted(from);
     if text.contains(&from)
         && let Ok(renamed) = serde_json::from_str(&text.replace(&from, &quoted(to)))
@@ -128,7 +138,10 @@ fn each_sheet(
     catalog: &Catalog,
     mut tell: impl FnMut(&GraphId, &crate::ids::NodeId, &crate::ids::PortName, &str),
 ) {
-    let inner = look.definitions.iter().map(|(id, definition)| (GraphId::Definition(id.clone()), &definition.graph));
+    let inner = look
+        .definitions
+        .iter()
+        .map(|(id, definition)| (GraphId::Definition(id.clone()), &definition.graph));
     for (graph, nodes) in std::iter::once((GraphId::Look, &look.graph)).chain(inner) {
         for (id, node) in &nodes.nodes {
             let Some(kind) = catalog.of(node) else { continue };

@@ -1,5 +1,5 @@
-//! HCBTFs that are made of other things, on a thread of their own: of pictures, of a painted tile, of a look. How far that
-//! is is told, and it can be stopped.
+//! HCBTFs that are made of other things, on a thread of their own: of pictures, of a painted tile,
+//! of a look. How far that is is told, and it can be stopped.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -29,7 +29,8 @@ pub(super) enum Job {
         import: Import,
         from: PathBuf,
     },
-    /// A tile of patches of another; `filled` is what its rules made, where that is known. Also the sample `at` as it will look.
+    /// A tile of patches of another; `filled` is what its rules made, where that is known. Also the
+    /// sample `at` as it will look.
     Synthesize {
         hcbtf: Arc<Hcbtf>,
         filled: Option<Arc<Filled>>,
@@ -107,7 +108,12 @@ impl Making {
         self.number += 1;
         let stages = Stages::default();
         let is_waited_for = !matches!(job, Job::Synthesize { .. });
-        self.going = Some(Going { title: job.title(), stages: stages.clone(), is_waited_for, since: Clock::start() });
+        self.going = Some(Going {
+            title: job.title(),
+            stages: stages.clone(),
+            is_waited_for,
+            since: Clock::start(),
+        });
         let task = Task { job, stages, number: self.number };
         self.worker.request(|_| task);
     }
@@ -121,7 +127,8 @@ impl Making {
 
     /// What was made since the last call, if nobody has given it up.
     pub(super) fn made(&mut self) -> Option<Made> {
-        let (_, made) = self.worker.answers().into_iter().find(|(number, _)| *number == self.number)?;
+        let (_, made) =
+            self.worker.answers().into_iter().find(|(number, _)| *number == self.number)?;
         self.going.take().map(|_| made)
     }
 
@@ -198,7 +205,8 @@ fn stage([ready, made]: &Stages) -> (&'static str, f64) {
 
 impl Job {
     fn title(&self) -> String {
-        let name = |path: &PathBuf| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let name =
+            |path: &PathBuf| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         match self {
             Self::Import { from, .. } => format!("Importing {}", name(from)),
             Self::Synthesize { .. } => "Laying patches".to_owned(),
@@ -208,8 +216,12 @@ impl Job {
 
     fn done(self, stages: &Stages) -> Made {
         match self {
-            Self::Import { import, from } => Made::Imported { made: import.read(&from, &stages[1]), from },
-            Self::Synthesize { hcbtf, filled, how, at } => Made::Tile { made: tile(&hcbtf, filled, &how, at, stages) },
+            Self::Import { import, from } => {
+                Made::Imported { made: import.read(&from, &stages[1]), from }
+            }
+            Self::Synthesize { hcbtf, filled, how, at } => {
+                Made::Tile { made: tile(&hcbtf, filled, &how, at, stages) }
+            }
             Self::Bake(bake) => Made::Baked { made: bake.done(stages), to: bake.to },
         }
     }
@@ -248,7 +260,10 @@ mod tests {
     #[test]
     fn times_are_told_in_one_unit() {
         let said = [0.2, 1.4, 61.0, 100.0, 3600.0, 7300.0].map(told_seconds);
-        assert_eq!(said, ["a second", "1 second", "61 seconds", "2 minutes", "60 minutes", "2 hours"]);
+        assert_eq!(
+            said,
+            ["a second", "1 second", "61 seconds", "2 minutes", "60 minutes", "2 hours"]
+        );
         assert_eq!(left(0.25, 30.0), ": about 90 seconds left");
         assert_eq!(left(0.0, 30.0), "");
     }

@@ -1,9 +1,10 @@
-//! All samples at a glance: views across, lights down, each ring of directions apart from the next. A full square is
-//! painted, a smaller one filled by a rule, a point is empty; where there is room each shows its picture.
+//! All samples at a glance: views across, lights down, each ring of directions apart from the next.
+//! A full square is painted, a smaller one filled by a rule, a point is empty; where there is room
+//! each shows its picture.
 
 use eframe::egui::{
-    Color32, FontId, Pos2, Rect, Response, RichText, Role, ScrollArea, Sense, Slider, Stroke, StrokeKind, Ui,
-    WidgetInfo, pos2, vec2,
+    Color32, FontId, Pos2, Rect, Response, RichText, Role, ScrollArea, Sense, Slider, Stroke,
+    StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
 
 pub(super) use super::atlas::Atlas;
@@ -80,37 +81,52 @@ impl Map {
             let help = "How large the cells are; larger ones show their pictures";
             ui.label("Cells").on_hover_text(help);
             let slider = ui.add(Slider::new(&mut side, 4.0..=LARGEST).show_value(false));
-            slider.widget_info(|| WidgetInfo::slider(true, f64::from(side), "Size of the map's cells"));
+            slider.widget_info(|| {
+                WidgetInfo::slider(true, f64::from(side), "Size of the map's cells")
+            });
             if slider.on_hover_text(help).changed() {
                 self.side = Some(side);
             }
-            if self.side.is_some() && ui.small_button("Fit").on_hover_text("All views side by side").clicked() {
+            if self.side.is_some()
+                && ui.small_button("Fit").on_hover_text("All views side by side").clicked()
+            {
                 self.side = None;
             }
         });
         let side = self.side.unwrap_or(fitting);
         let size = vec2(length(grid.view, side) + HEAD, length(grid.light, side) + TOP + 4.0);
         let height = ui.available_height().max(60.0);
-        ScrollArea::both().id_salt("map").max_height(height).auto_shrink([false, true]).show(ui, |ui| {
-            let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-            response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Map of samples"));
-            let origin = rect.min + vec2(HEAD, TOP);
-            (self.laid, self.grid) = (Some((origin, side)), Some(grid));
-            heads(ui, work, rect, origin, side);
-            cells(ui, work, atlas, origin, side);
-            self.hand(ui, &response, work, peek, out);
-        });
+        ScrollArea::both().id_salt("map").max_height(height).auto_shrink([false, true]).show(
+            ui,
+            |ui| {
+                let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+                response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Map of samples"));
+                let origin = rect.min + vec2(HEAD, TOP);
+                (self.laid, self.grid) = (Some((origin, side)), Some(grid));
+                heads(ui, work, rect, origin, side);
+                cells(ui, work, atlas, origin, side);
+                self.hand(ui, &response, work, peek, out);
+            },
+        );
     }
 
     /// Where the cell of a sample is on the screen.
     pub(super) fn cell(&self, address: Address) -> Option<Rect> {
         let ((origin, side), grid) = self.laid.zip(self.grid)?;
         let address = address.canonical();
-        let by = vec2(offset(grid.view, address.view, side), offset(grid.light, address.light, side));
+        let by =
+            vec2(offset(grid.view, address.view, side), offset(grid.light, address.light, side));
         grid.contains(address).then(|| Rect::from_min_size(origin + by, vec2(side, side)))
     }
 
-    fn hand(&mut self, ui: &Ui, response: &Response, work: &Work, peek: &mut Option<Address>, out: &mut Vec<Command>) {
+    fn hand(
+        &mut self,
+        ui: &Ui,
+        response: &Response,
+        work: &Work,
+        peek: &mut Option<Address>,
+        out: &mut Vec<Command>,
+    ) {
         let Some((origin, side)) = self.laid else { return };
         let grid = work.grid();
         let found = |place: Pos2| {
@@ -121,7 +137,12 @@ impl Map {
         let (alt, shift) = ui.input(|input| (input.modifiers.alt, input.modifiers.shift));
         if let Some(address) = hovered {
             let cell = self.cell(address).unwrap_or(Rect::NOTHING);
-            ui.painter().rect_stroke(cell, 0.0, Stroke::new(1.5, Color32::WHITE), StrokeKind::Outside);
+            ui.painter().rect_stroke(
+                cell,
+                0.0,
+                Stroke::new(1.5, Color32::WHITE),
+                StrokeKind::Outside,
+            );
             if alt {
                 *peek = Some(address);
             }
@@ -144,7 +165,8 @@ impl Map {
                 State::Empty => "empty: no rule fills it".to_owned(),
             };
             let name = name_of(work, address);
-            let help = "Click: work here · Shift-click: copy it to the sample at work · hold Alt: only look";
+            let help = "Click: work here · Shift-click: copy it to the sample at work · hold Alt: \
+                        only look";
             response.clone().on_hover_text_at_pointer(format!("{name}\n{state}\n{help}"));
         }
     }
@@ -162,7 +184,10 @@ fn menu(ui: &mut Ui, work: &Work, address: Address, out: &mut Vec<Command>) {
         out.extend(copy_to(work, work.at(), address));
     }
     let is_painted = work.state(address) == State::Painted;
-    if ui.add_enabled(is_painted, eframe::egui::Button::new("Delete what is painted here")).clicked() {
+    if ui
+        .add_enabled(is_painted, eframe::egui::Button::new("Delete what is painted here"))
+        .clicked()
+    {
         out.push(command(Wish::Edit(HcbtfEdit::DeleteTile { address })));
     }
 }
@@ -171,20 +196,28 @@ fn menu(ui: &mut Ui, work: &Work, address: Address, out: &mut Vec<Command>) {
 fn legend(ui: &mut Ui, work: &Work) {
     let painted = work.hcbtf().painted.len();
     let filled = work.filled().map_or(0, |filled| {
-        filled.iter().filter(|(_, _, provenance)| matches!(provenance, Provenance::Filled { .. })).count()
+        filled
+            .iter()
+            .filter(|(_, _, provenance)| matches!(provenance, Provenance::Filled { .. }))
+            .count()
     });
     let all = work.grid().sample_count() as usize;
     let colors = theme::of(ui);
     let marks = [(9.0, colors.accent, painted, "painted"), (5.0, colors.second, filled, "filled")];
     for (side, color, count, word) in marks {
         let (rect, _) = ui.allocate_exact_size(vec2(10.0, 12.0), Sense::hover());
-        ui.painter().rect_filled(Rect::from_center_size(rect.center(), vec2(side, side)), 0.0, color);
+        ui.painter().rect_filled(
+            Rect::from_center_size(rect.center(), vec2(side, side)),
+            0.0,
+            color,
+        );
         ui.label(format!("{count} {word}"));
     }
     let (rect, _) = ui.allocate_exact_size(vec2(10.0, 12.0), Sense::hover());
     ui.painter().circle_filled(rect.center(), 1.5, colors.dim);
     ui.label(format!("{} empty", all.saturating_sub(painted + filled)));
-    let help = "Each column is a place of the eye, each row one of the light, from straight above to the horizon";
+    let help = "Each column is a place of the eye, each row one of the light, from straight above \
+                to the horizon";
     ui.label(RichText::new("eye across, light down").color(colors.dim)).on_hover_text(help);
 }
 
@@ -224,7 +257,10 @@ fn cells(ui: &Ui, work: &Work, atlas: &Atlas, origin: Pos2, side: f32) {
             continue;
         }
         for light in grid.light.distinct() {
-            let cell = Rect::from_min_size(pos2(x, origin.y + offset(grid.light, light, side)), vec2(side, side));
+            let cell = Rect::from_min_size(
+                pos2(x, origin.y + offset(grid.light, light, side)),
+                vec2(side, side),
+            );
             if !cell.intersects(clip) {
                 continue;
             }
@@ -232,17 +268,29 @@ fn cells(ui: &Ui, work: &Work, atlas: &Atlas, origin: Pos2, side: f32) {
             let state = work.state(address);
             let inner = cell.shrink(if side > 8.0 { 1.0 } else { 0.5 });
             match state {
-                State::Empty => drop(painter.circle_filled(cell.center(), (side * 0.1).max(0.6), colors.dim)),
+                State::Empty => {
+                    painter.circle_filled(cell.center(), (side * 0.1).max(0.6), colors.dim);
+                }
                 State::Painted | State::Filled(_) if side >= PICTURE => {
-                    let picture = if state == State::Painted { inner } else { inner.shrink(side * 0.1) };
+                    let picture =
+                        if state == State::Painted { inner } else { inner.shrink(side * 0.1) };
                     atlas.paint(painter, work, address, picture);
                     if state == State::Painted {
-                        painter.rect_stroke(inner, 0.0, Stroke::new(1.5, colors.accent), StrokeKind::Inside);
+                        painter.rect_stroke(
+                            inner,
+                            0.0,
+                            Stroke::new(1.5, colors.accent),
+                            StrokeKind::Inside,
+                        );
                     }
                 }
                 State::Painted => drop(painter.rect_filled(inner, 0.0, colors.accent)),
                 State::Filled(_) => {
-                    painter.rect_filled(cell.shrink(side * 0.26), 0.0, colors.second.gamma_multiply(0.75));
+                    painter.rect_filled(
+                        cell.shrink(side * 0.26),
+                        0.0,
+                        colors.second.gamma_multiply(0.75),
+                    );
                 }
             }
         }
@@ -250,6 +298,16 @@ fn cells(ui: &Ui, work: &Work, atlas: &Atlas, origin: Pos2, side: f32) {
     let at = work.at();
     let by = vec2(offset(grid.view, at.view, side), offset(grid.light, at.light, side));
     let cell = Rect::from_min_size(origin + by, vec2(side, side));
-    painter.rect_stroke(cell.expand(1.0), 0.0, Stroke::new(2.0, Color32::WHITE), StrokeKind::Outside);
-    painter.rect_stroke(cell.expand(2.5), 0.0, Stroke::new(1.0, Color32::BLACK), StrokeKind::Outside);
+    painter.rect_stroke(
+        cell.expand(1.0),
+        0.0,
+        Stroke::new(2.0, Color32::WHITE),
+        StrokeKind::Outside,
+    );
+    painter.rect_stroke(
+        cell.expand(2.5),
+        0.0,
+        Stroke::new(1.0, Color32::BLACK),
+        StrokeKind::Outside,
+    );
 }

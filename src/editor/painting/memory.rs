@@ -1,4 +1,5 @@
-//! What an HCBTF takes in memory: told before its rules run, and before one of another grid is made.
+//! What an HCBTF takes in memory: told before its rules run, and before one of another grid is
+//! made.
 
 use std::sync::{Arc, Weak};
 
@@ -30,7 +31,12 @@ impl Memory {
             let needs = needs(&filled.grid(), |address| filled.tile(address));
             (filled.grid(), filled.bytes(), needs)
         };
-        Self { device, worker: Worker::new("measuring", wake, measure), asked: Weak::new(), known: None }
+        Self {
+            device,
+            worker: Worker::new("measuring", wake, measure),
+            asked: Weak::new(),
+            known: None,
+        }
     }
 
     /// What the samples take, once that is measured; asks for it where it is not.
@@ -51,9 +57,16 @@ impl Memory {
         let title = format!("Memory: up to {} on the GPU", bytes(layers_bytes(&grid, false)));
         let section = CollapsingHeader::new(title).id_salt("memory").show(ui, |ui| {
             let known = self.measured(work).cloned();
-            table(ui, &grid, known.as_ref().map(|(_, bytes, needs)| (*bytes, needs.as_slice())), &self.device);
+            table(
+                ui,
+                &grid,
+                known.as_ref().map(|(_, bytes, needs)| (*bytes, needs.as_slice())),
+                &self.device,
+            );
         });
-        section.header_response.on_hover_text(format!("When the rules have run: {}", in_short(&grid)));
+        section
+            .header_response
+            .on_hover_text(format!("When the rules have run: {}", in_short(&grid)));
     }
 
     pub(super) fn is_busy(&self) -> bool {
@@ -68,12 +81,16 @@ impl Memory {
 /// What a grid takes, in a few words.
 pub(super) fn in_short(grid: &Grid) -> String {
     let most = needs_at_most(grid);
-    let compact = most.iter().find(|need| need.storage == Storage::Compact && !need.has_levels).map_or(0, Need::bytes);
+    let compact = most
+        .iter()
+        .find(|need| need.storage == Storage::Compact && !need.has_levels)
+        .map_or(0, Need::bytes);
     let (raw, gpu) = (bytes(filled_at_most(grid)), bytes(layers_bytes(grid, false)));
     format!("{raw} filled, {gpu} on the GPU, compact at most {}", bytes(compact))
 }
 
-/// What a grid takes at most in each storage, what it takes `now` where that is known, and whether the device holds it.
+/// What a grid takes at most in each storage, what it takes `now` where that is known, and whether
+/// the device holds it.
 pub(super) fn table(ui: &mut Ui, grid: &Grid, now: Option<(u64, &[Need])>, device: &Device) {
     let dim = theme::of(ui).dim;
     Table::new("storages").num_columns(4).spacing([10.0, 2.0]).show(ui, |ui| {
@@ -92,12 +109,24 @@ pub(super) fn table(ui: &mut Ui, grid: &Grid, now: Option<(u64, &[Need])>, devic
             ui.end_row();
         };
         let help = "All samples as they are filled, four bytes a texel; equal ones count once";
-        row("Filled, raw", help, now.map(|(bytes, _)| bytes), filled_at_most(grid), "held in main memory");
+        row(
+            "Filled, raw",
+            help,
+            now.map(|(bytes, _)| bytes),
+            filled_at_most(grid),
+            "held in main memory",
+        );
         for (index, most) in needs_at_most(grid).iter().enumerate() {
             let need = now.and_then(|(_, needs)| needs.get(index));
             let (name, help) = told(most);
             let word = device.word(need.unwrap_or(most));
-            row(name, help, need.map(|need| need.bytes_on(device.limits)), most.bytes_on(device.limits), word);
+            row(
+                name,
+                help,
+                need.map(|need| need.bytes_on(device.limits)),
+                most.bytes_on(device.limits),
+                word,
+            );
         }
     });
     for storage in Storage::ALL {
@@ -105,11 +134,16 @@ pub(super) fn table(ui: &mut Ui, grid: &Grid, now: Option<(u64, &[Need])>, devic
         ui.label(RichText::new(text).color(dim).small());
     }
     let painted = bytes(layers_bytes(grid, false));
-    let text = format!("While it is painted it is quick, with a layer for each view: {painted} on the GPU");
+    let text = format!(
+        "While it is painted it is quick, with a layer for each view: {painted} on the GPU"
+    );
     ui.label(RichText::new(text).color(dim).small());
     let crate::hcbtf::Limits { side, layers, has_blocks } = device.limits;
     let blocks = if has_blocks { "" } else { "; blocks are decoded, to four times as much" };
-    let text = format!("{}: textures of up to {side} texels a side and {layers} layers{blocks}", device.name);
+    let text = format!(
+        "{}: textures of up to {side} texels a side and {layers} layers{blocks}",
+        device.name
+    );
     ui.label(RichText::new(text).color(dim).small());
 }
 
@@ -128,16 +162,21 @@ pub(super) fn named(storage: Storage) -> &'static str {
 fn told(need: &Need) -> (&'static str, &'static str) {
     match (need.storage, need.has_levels) {
         (Storage::Quick, false) => ("Quick", "As crisp lookups read it; equal views share a layer"),
-        (Storage::Quick, true) => {
-            ("Quick with levels", "The same with smaller levels of the tile, as smooth lookups read it")
-        }
-        (Storage::Blocks, false) => {
-            ("Blocks", "Every tile that differs once, compressed to a byte a texel; colors are off by a little")
-        }
+        (Storage::Quick, true) => (
+            "Quick with levels",
+            "The same with smaller levels of the tile, as smooth lookups read it",
+        ),
+        (Storage::Blocks, false) => (
+            "Blocks",
+            "Every tile that differs once, compressed to a byte a texel; colors are off by a \
+             little",
+        ),
         (Storage::Blocks, true) => {
             ("Blocks with levels", "The same with smaller levels of the tile, for smooth lookups")
         }
-        (Storage::Compact, false) => ("Compact", "Every tile that differs once, with palettes, for crisp lookups"),
+        (Storage::Compact, false) => {
+            ("Compact", "Every tile that differs once, with palettes, for crisp lookups")
+        }
         (Storage::Compact, true) => {
             ("Compact with levels", "The same with smaller levels of the tile, for smooth lookups")
         }

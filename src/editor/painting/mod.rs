@@ -1,11 +1,12 @@
-//! The painting workspace: an HCBTF is painted on, its samples are gone through, and rules fill the rest.
+//! The painting workspace: an HCBTF is painted on, its samples are gone through, and rules fill the
+//! rest.
 //!
-//! A [`Work`] is the document with its past, kept by the session as looks and scenes are. Five panels show it: `easel`
-//! with the tools above it is the tile as the eye sees it, `map` is all of its lights and views at a glance, `sheet` is them as one
-//! picture, `dome` with
-//! `list` where the light and the eye are, and `rules` is what fills them. A stroke changes what is shown here and now; once it ends it is an [`HcbtfEdit`], which
-//! [`App`](super::App) applies. What is painted stands in the viewport at once: the session gives it to whoever draws, in
-//! place of the file.
+//! A [`Work`] is the document with its past, kept by the session as looks and scenes are. Five
+//! panels show it: `easel` with the tools above it is the tile as the eye sees it, `map` is all of
+//! its lights and views at a glance, `sheet` is them as one picture, `dome` with `list` where the
+//! light and the eye are, and `rules` is what fills them. A stroke changes what is shown here and
+//! now; once it ends it is an [`HcbtfEdit`], which [`App`](super::App) applies. What is painted
+//! stands in the viewport at once: the session gives it to whoever draws, in place of the file.
 
 mod arrows;
 mod atlas;
@@ -89,7 +90,8 @@ pub(crate) enum Wish {
         grid: Grid,
         lost: usize,
     },
-    /// Paints what the open look shows, or goes on with that; where it is more than one, shows which there are.
+    /// Paints what the open look shows, or goes on with that; where it is more than one, shows
+    /// which there are.
     PaintShown,
     /// Shows the open one in the look that it was painted in, or in one of its own.
     GoBack,
@@ -151,7 +153,8 @@ pub struct Painting {
     /// Which grid, while that is asked for.
     grid: Option<grid::Asked>,
     making: making::Making,
-    /// What is to be imported, while that is asked for; the same of a new tile, and of a look that is baked.
+    /// What is to be imported, while that is asked for; the same of a new tile, and of a look that
+    /// is baked.
     import: Option<Import>,
     synthesis: Option<synthesis::Asked>,
     baking: Option<baking::Asked>,
@@ -167,8 +170,8 @@ pub struct Painting {
 }
 
 impl Painting {
-    /// `wake` is called from another thread when rules have filled something, or something was exported. `device` is what
-    /// it is drawn with.
+    /// `wake` is called from another thread when rules have filled something, or something was
+    /// exported. `device` is what it is drawn with.
     pub(crate) fn new(device: Device, wake: impl Fn() + Send + Clone + 'static) -> Self {
         Self {
             tools: tools::Tools::default(),
@@ -270,7 +273,9 @@ impl Painting {
         import::show(ui, &mut self.import)
             .or_else(|| grid::show(ui, &mut self.grid, work, device))
             .or_else(|| synthesis::show(ui, &mut self.synthesis, &mut self.making, work, device))
-            .or_else(|| baking::show(ui, &mut self.baking, &mut self.preview, session, device, is_filling))
+            .or_else(|| {
+                baking::show(ui, &mut self.baking, &mut self.preview, session, device, is_filling)
+            })
             .or_else(|| storing::show(ui, &mut self.storing, work, &mut self.memory))
     }
 
@@ -298,7 +303,12 @@ impl Painting {
     }
 
     /// Shows one of its panels.
-    pub(crate) fn show(&mut self, ui: &mut Ui, panel: Panel, session: &mut Session) -> Vec<Command> {
+    pub(crate) fn show(
+        &mut self,
+        ui: &mut Ui,
+        panel: Panel,
+        session: &mut Session,
+    ) -> Vec<Command> {
         let mut out = Vec::new();
         if session.painting().is_none() || !self.seen.is_shown() {
             match panel {
@@ -321,7 +331,14 @@ impl Painting {
             _ => {
                 let problem = self.filling.problem.as_ref().map(sentence);
                 if let Some(work) = session.painting() {
-                    rules::show(ui, work, self.filling.share(), problem.as_deref(), &mut self.memory, &mut out);
+                    rules::show(
+                        ui,
+                        work,
+                        self.filling.share(),
+                        problem.as_deref(),
+                        &mut self.memory,
+                        &mut out,
+                    );
                 }
             }
         }
@@ -335,7 +352,8 @@ impl Painting {
         }
         let is_free = self.easel.has_pointer() && !shortcuts::is_keyboard_taken(ui.ctx());
         let before = session.painting().map(Work::before);
-        let held = (is_free && ui.input(|input| input.key_down(Key::V))).then_some(before).flatten();
+        let held =
+            (is_free && ui.input(|input| input.key_down(Key::V))).then_some(before).flatten();
         out.extend(self.easel.show(ui, session, &mut self.tools, self.peek.or(held)));
         for action in self.easel.keys(ui) {
             self.act(action, session);
@@ -348,14 +366,17 @@ impl Painting {
         ui.horizontal_wrapped(|ui| {
             let (state, color) = match work.state(at) {
                 State::Painted => ("painted".to_owned(), theme::of(ui).accent),
-                State::Filled(rule) => (format!("filled by rule {}", rule + 1), theme::of(ui).second),
+                State::Filled(rule) => {
+                    (format!("filled by rule {}", rule + 1), theme::of(ui).second)
+                }
                 State::Empty => ("empty".to_owned(), theme::of(ui).dim),
             };
             let grid = work.grid();
             ui.label(format!("Light {}", moves::name(grid.light, at.light)));
             ui.label(RichText::new("·").color(theme::of(ui).dim));
             ui.label(format!("Eye {}", moves::name(grid.view, at.view)));
-            let help = "A filled sample becomes painted by the first stroke, which begins from what is shown";
+            let help = "A filled sample becomes painted by the first stroke, which begins from \
+                        what is shown";
             ui.label(RichText::new(state).color(color)).on_hover_text(help);
             let is_painted = work.state(at) == State::Painted;
             let clear = ui.add_enabled(is_painted, Button::new("Delete painting").small());
@@ -366,9 +387,11 @@ impl Painting {
         });
         ui.horizontal_wrapped(|ui| {
             let easel = &mut self.easel;
-            ui.toggle_value(&mut easel.is_flat, "Flat").on_hover_text("Shows the tile unturned and untilted (F)");
-            ui.toggle_value(&mut easel.shows_copies, "Copies")
-                .on_hover_text("Repeats the tile around itself, so that seams are seen and painted across (C)");
+            ui.toggle_value(&mut easel.is_flat, "Flat")
+                .on_hover_text("Shows the tile unturned and untilted (F)");
+            ui.toggle_value(&mut easel.shows_copies, "Copies").on_hover_text(
+                "Repeats the tile around itself, so that seams are seen and painted across (C)",
+            );
             ui.toggle_value(&mut easel.shows_arrows, "Arrows")
                 .on_hover_text("Shows where the light comes from, and where the eye is (A)");
             if ui.small_button("Fit").on_hover_text("Shows the whole tile again (Home)").clicked() {
@@ -389,7 +412,13 @@ impl Painting {
         }
     }
 
-    fn show_samples(&mut self, ui: &mut Ui, panel: Panel, session: &Session, out: &mut Vec<Command>) {
+    fn show_samples(
+        &mut self,
+        ui: &mut Ui,
+        panel: Panel,
+        session: &Session,
+        out: &mut Vec<Command>,
+    ) {
         let Some(work) = session.painting() else { return };
         self.atlas.update(ui.ctx(), work, self.easel.is_painting());
         if panel == Panel::Samples {

@@ -3,8 +3,9 @@
 use crate::document::{Direction, Directions};
 use crate::shortcuts::Way;
 
-/// The direction one step away: left and right go around the normal, down goes toward the horizon, up toward the normal. At
-/// the normal, where there is nowhere to go around to, left and right lead off it to their own side of the hemisphere.
+/// The direction one step away: left and right go around the normal, down goes toward the horizon,
+/// up toward the normal. At the normal, where there is nowhere to go around to, left and right lead
+/// off it to their own side of the hemisphere.
 pub(super) fn step(directions: Directions, from: Direction, way: Way) -> Direction {
     let Direction { theta, phi } = from.canonical();
     let steps = directions.phi.max(1);
@@ -33,10 +34,12 @@ pub(super) fn name(directions: Directions, direction: Direction) -> String {
     }
 }
 
-/// The direction whose place on the hemisphere, seen from above, is nearest: u to the right, v up, the horizon at 1.
+/// The direction whose place on the hemisphere, seen from above, is nearest: u to the right, v up,
+/// the horizon at 1.
 pub(super) fn nearest(directions: Directions, place: glam::DVec2) -> Direction {
     let rings = directions.theta.max(2) - 1;
-    let theta = ((place.length() * f64::from(rings)).round() as u32).min(directions.theta.max(1) - 1);
+    let theta =
+        ((place.length() * f64::from(rings)).round() as u32).min(directions.theta.max(1) - 1);
     let turn = place.x.atan2(place.y) / std::f64::consts::TAU;
     let steps = directions.phi.max(1);
     let phi = (turn.rem_euclid(1.0) * f64::from(steps)).round() as u32 % steps;
@@ -70,7 +73,10 @@ mod tests {
         assert!(to(Way::Right).x > 0.1 && to(Way::Left).x < -0.1);
         assert_eq!(step(DIRECTIONS, Direction::default(), Way::Up), Direction::default());
         for way in [Way::Left, Way::Right, Way::Down] {
-            assert_eq!(step(Directions { theta: 1, phi: 1 }, Direction::default(), way), Direction::default());
+            assert_eq!(
+                step(Directions { theta: 1, phi: 1 }, Direction::default(), way),
+                Direction::default()
+            );
             assert_eq!(
                 step(Directions { theta: 2, phi: 1 }, Direction::default(), way),
                 Direction { theta: 1, phi: 0 }

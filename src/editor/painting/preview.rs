@@ -1,5 +1,5 @@
-//! What a look will be like on a tile: a sample under two lights, baked beside the window before all are; and how long all
-//! will take, by how long these took.
+//! What a look will be like on a tile: a sample under two lights, baked beside the window before
+//! all are; and how long all will take, by how long these took.
 
 use std::sync::Arc;
 
@@ -60,7 +60,10 @@ pub(super) struct Preview {
 impl Preview {
     /// `wake` is called from another thread when there is a new one.
     pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
-        let work = |(of, job, progress): (Of, Job, Arc<Progress>)| Done { made: job.done(&of, &progress), of };
+        let work = |(of, job, progress): (Of, Job, Arc<Progress>)| Done {
+            made: job.done(&of, &progress),
+            of,
+        };
         Self {
             worker: Worker::new("preview of a bake", wake, work),
             asked: None,
@@ -71,7 +74,11 @@ impl Preview {
     }
 
     /// What it will be like, once that is known; asks for it where it is not.
-    pub(super) fn of(&mut self, of: &Of, job: impl FnOnce() -> Job) -> Option<&Result<Seen, Diagnostic>> {
+    pub(super) fn of(
+        &mut self,
+        of: &Of,
+        job: impl FnOnce() -> Job,
+    ) -> Option<&Result<Seen, Diagnostic>> {
         self.done = self.worker.answers().pop().or(self.done.take());
         if self.asked.as_ref() != Some(of) {
             self.progress.stop();
@@ -105,7 +112,8 @@ impl Drop for Preview {
 }
 
 impl Seen {
-    /// How many seconds all samples of a grid will take, as many views at a time as there are cores.
+    /// How many seconds all samples of a grid will take, as many views at a time as there are
+    /// cores.
     pub(super) fn seconds_of(&self, grid: &Grid, cores: usize) -> f64 {
         let views = grid.view.distinct_count() as f64;
         let turns = (views / cores.max(1) as f64).ceil();
@@ -116,15 +124,20 @@ impl Seen {
 impl Job {
     fn done(self, of: &Of, progress: &Arc<Progress>) -> Result<Seen, Diagnostic> {
         let first = |problems: Vec<Diagnostic>| {
-            problems.into_iter().next().unwrap_or_else(|| Diagnostic::error("stopped", "it was stopped"))
+            problems
+                .into_iter()
+                .next()
+                .unwrap_or_else(|| Diagnostic::error("stopped", "it was stopped"))
         };
         let Self { setup, library, painting } = self;
         let mut assets = Assets::default();
         assets.overlay(painting);
         let assets = tile_assets(&setup, &library, &of.light, assets, progress).map_err(first)?;
-        let grid = Grid { size: reduced(of.size), light: LIGHTS, view: Directions { theta: 1, phi: 1 } };
+        let grid =
+            Grid { size: reduced(of.size), light: LIGHTS, view: Directions { theta: 1, phi: 1 } };
         let clock = Clock::start();
-        let hcbtf = bake_look(&setup, &library, grid, &of.light, &assets, progress).map_err(first)?;
+        let hcbtf =
+            bake_look(&setup, &library, grid, &of.light, &assets, progress).map_err(first)?;
         let samples = (grid.texels() as u64 * grid.sample_count()) as f64;
         let tile = |ring| hcbtf.painted(Address::new([ring, 0], [0, 0])).cloned();
         let none = || Arc::new(Tile::filled(grid.size, [0; 4]));
@@ -137,7 +150,8 @@ impl Job {
 fn reduced(size: [u32; 2]) -> [u32; 2] {
     let longer = size[0].max(size[1]);
     match longer > MOST_SIDE {
-        true => size.map(|side| (u64::from(side) * u64::from(MOST_SIDE) / u64::from(longer)).max(1) as u32),
+        true => size
+            .map(|side| (u64::from(side) * u64::from(MOST_SIDE) / u64::from(longer)).max(1) as u32),
         false => size,
     }
 }

@@ -1,4 +1,5 @@
-//! Where what is painted is seen: whether the open look shows it, and where in the picture the sample at work is.
+//! Where what is painted is seen: whether the open look shows it, and where in the picture the
+//! sample at work is.
 
 use std::path::{Path, PathBuf};
 
@@ -15,9 +16,11 @@ use crate::session::Session;
 pub(super) struct Seen {
     /// Whether the sample at work is marked in the picture.
     marks: bool,
-    /// Whether what is open shows what is painted, and of what that is known: to find out, files are looked at.
+    /// Whether what is open shows what is painted, and of what that is known: to find out, files
+    /// are looked at.
     shown: Option<(Of, bool)>,
-    /// The view that the picture had before it was turned to a sample on a flat square, and of which document.
+    /// The view that the picture had before it was turned to a sample on a flat square, and of
+    /// which document.
     turned_from: Option<(u64, Box<Orbit>)>,
 }
 
@@ -32,8 +35,14 @@ struct Of {
 impl Of {
     fn now(session: &Session) -> Self {
         Self {
-            look: (session.document_number(), session.meaning(), session.path().map(Path::to_path_buf)),
-            painting: session.painting().map(|work| (work.number(), work.path().map(Path::to_path_buf))),
+            look: (
+                session.document_number(),
+                session.meaning(),
+                session.path().map(Path::to_path_buf),
+            ),
+            painting: session
+                .painting()
+                .map(|work| (work.number(), work.path().map(Path::to_path_buf))),
             stage: session.stage_version(),
         }
     }
@@ -65,16 +74,25 @@ impl Seen {
 
     /// What marks the sample at work in the picture.
     pub(super) fn mark(&mut self, ui: &mut Ui) {
-        let help = "Tints the sample at work in the picture. It is seen only where the light and the eye stand to the \
-                    surface as they do here; other places show other samples. Where nothing is tinted, Show in the \
+        let help = "Tints the sample at work in the picture. It is seen only where the light and \
+                    the eye stand to the \
+                    surface as they do here; other places show other samples. Where nothing is \
+                    tinted, Show in the \
                     picture turns to it";
         ui.toggle_value(&mut self.marks, "Where it shows").on_hover_text(help);
     }
 
     /// What turns the picture to the sample at work, and back.
-    pub(super) fn turn(&mut self, ui: &mut Ui, session: &Session, work: &Work, out: &mut Vec<Command>) {
+    pub(super) fn turn(
+        &mut self,
+        ui: &mut Ui,
+        session: &Session,
+        work: &Work,
+        out: &mut Vec<Command>,
+    ) {
         if let Some(view) = look::from_here(session, work) {
-            let help = "Turns the picture's camera and light to where the eye and the light are that you paint for, over a \
+            let help = "Turns the picture's camera and light to where the eye and the light are \
+                        that you paint for, over a \
                         flat square";
             if ui.small_button("Show in the picture").on_hover_text(help).clicked() {
                 let before = &session.view;
@@ -84,7 +102,9 @@ impl Seen {
                 out.push(Command::TurnTo(Box::new(view)));
             }
         }
-        if let Some((_, view)) = self.turned_from.as_ref().filter(|_| look::lies_flat(&session.view)) {
+        if let Some((_, view)) =
+            self.turned_from.as_ref().filter(|_| look::lies_flat(&session.view))
+        {
             let help = "Shows what the picture showed before, from where it was seen";
             if ui.small_button("Back to the mesh").on_hover_text(help).clicked() {
                 out.push(Command::TurnTo(view.clone()));

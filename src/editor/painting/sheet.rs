@@ -1,11 +1,13 @@
-//! All of an HCBTF as the thesis flattens it into one picture (thesis 10.2, figure 24): every texel of the tile is a block of
-//! all its lights and views. It is zoomed and moved about; under the pointer its address is told, and a click goes there.
+//! All of an HCBTF as the thesis flattens it into one picture (thesis 10.2, figure 24): every texel
+//! of the tile is a block of all its lights and views. It is zoomed and moved about; under the
+//! pointer its address is told, and a click goes there.
 //!
-//! Only what is seen is made, in pixels of the screen, when it changes: the whole may be larger than any texture.
+//! Only what is seen is made, in pixels of the screen, when it changes: the whole may be larger
+//! than any texture.
 
 use eframe::egui::{
-    Color32, ColorImage, FontId, PointerButton, Pos2, Rect, Response, RichText, Role, Sense, Stroke, StrokeKind,
-    TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
+    Color32, ColorImage, FontId, PointerButton, Pos2, Rect, Response, RichText, Role, Sense,
+    Stroke, StrokeKind, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 
 use super::work::{State, Work};
@@ -73,13 +75,21 @@ impl Laid {
     /// The texels that are seen: from and to, along x and y.
     fn seen(&self, size: [u32; 2]) -> [[u32; 2]; 2] {
         let (from, to) = (self.texel(self.room.min), self.texel(self.room.max));
-        [0, 1].map(|axis| [from[axis].max(0.0) as u32, to[axis].clamp(0.0, f64::from(size[axis])).ceil() as u32])
+        [0, 1].map(|axis| {
+            [from[axis].max(0.0) as u32, to[axis].clamp(0.0, f64::from(size[axis])).ceil() as u32]
+        })
     }
 }
 
 impl Sheet {
     /// Shows the sheet in all the room there is. While a stroke goes on it stays as it is.
-    pub(super) fn show(&mut self, ui: &mut Ui, work: &Work, is_painting: bool, out: &mut Vec<Command>) {
+    pub(super) fn show(
+        &mut self,
+        ui: &mut Ui,
+        work: &Work,
+        is_painting: bool,
+        out: &mut Vec<Command>,
+    ) {
         let grid = *work.grid();
         let whole = size(&grid);
         ui.horizontal(|ui| {
@@ -87,22 +97,28 @@ impl Sheet {
             if ui.small_button("Fit").on_hover_text("Shows the whole sheet again").clicked() {
                 (self.zoom, self.pan) = (None, Vec2::ZERO);
             }
-            let help = "Each texel of the tile is a block: light and eye sink from left to right, and go around from \
+            let help = "Each texel of the tile is a block: light and eye sink from left to right, \
+                        and go around from \
                         top to bottom";
-            ui.label(RichText::new("a block for each texel of the tile").color(theme::of(ui).dim)).on_hover_text(help);
+            ui.label(RichText::new("a block for each texel of the tile").color(theme::of(ui).dim))
+                .on_hover_text(help);
         });
         let (room, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         let laid = self.navigate(ui, &response, room, whole);
         self.laid = Some((laid, grid));
         let scale = f64::from(ui.pixels_per_point());
         let most = ui.input(|input| input.max_texture_side);
-        let pixels = [room.width(), room.height()].map(|side| ((f64::from(side) * scale) as usize).clamp(1, most));
+        let pixels = [room.width(), room.height()]
+            .map(|side| ((f64::from(side) * scale) as usize).clamp(1, most));
         let made = Made { version: work.version(), laid, pixels };
         if self.made != Some(made) && !(is_painting && self.texture.is_some()) {
             let image = picture(work, &laid, pixels);
             match &mut self.texture {
                 Some(texture) => texture.set(image, TextureOptions::NEAREST),
-                None => self.texture = Some(ui.ctx().load_texture("sheet", image, TextureOptions::NEAREST)),
+                None => {
+                    self.texture =
+                        Some(ui.ctx().load_texture("sheet", image, TextureOptions::NEAREST))
+                }
             }
             self.made = Some(made);
         }
@@ -140,7 +156,8 @@ impl Sheet {
         };
         let laid = lay(self.zoom.unwrap_or(fit), self.pan);
         if let Some(at) = response.hover_pos() {
-            let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
+            let (scroll, pinch) =
+                ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
             let factor = f64::from((scroll / 300.0).exp() * pinch);
             if factor != 1.0 {
                 let zoom = (laid.zoom * factor).clamp(fit * 0.5, CLOSEST.max(fit));
@@ -169,7 +186,7 @@ fn texel_at(laid: &Laid, at: Pos2) -> Option<[u32; 2]> {
     (x >= 0.0 && y >= 0.0).then_some([x as u32, y as u32])
 }
 
-/// What is seen of the sheet, a colour a pixel.
+/// What is seen of the sheet, a color a pixel.
 fn picture(work: &Work, laid: &Laid, pixels: [usize; 2]) -> ColorImage {
     let grid = *work.grid();
     let tiles = tiles(work, &grid);
@@ -212,11 +229,14 @@ fn picture(work: &Work, laid: &Laid, pixels: [usize; 2]) -> ColorImage {
 /// The texels of every sample, by the rings of view and light and then by their steps.
 fn tiles<'w>(work: &'w Work, grid: &Grid) -> Vec<Option<&'w [[u8; 4]]>> {
     let directions = |theta, phi| Direction { theta, phi };
-    let rings = (0..grid.view.theta).flat_map(|view| (0..grid.light.theta).map(move |light| [view, light]));
-    let steps = || (0..grid.view.phi).flat_map(|view| (0..grid.light.phi).map(move |light| [view, light]));
+    let rings =
+        (0..grid.view.theta).flat_map(|view| (0..grid.light.theta).map(move |light| [view, light]));
+    let steps =
+        || (0..grid.view.phi).flat_map(|view| (0..grid.light.phi).map(move |light| [view, light]));
     let all = rings.flat_map(|rings| steps().map(move |steps| (rings, steps)));
     let tile = |(rings, steps): ([u32; 2], [u32; 2])| {
-        let address = Address { view: directions(rings[0], steps[0]), light: directions(rings[1], steps[1]) };
+        let address =
+            Address { view: directions(rings[0], steps[0]), light: directions(rings[1], steps[1]) };
         Some(work.tile(address.canonical())?.bytes().as_chunks::<4>().0)
     };
     all.map(tile).collect()
@@ -240,7 +260,9 @@ impl Mean {
 
     /// Nothing outside the sheet.
     fn color(&self) -> Color32 {
-        let Some([r, g, b]) = (self.count > 0).then(|| self.sum.map(|sum| (sum / self.count) as u8)) else {
+        let Some([r, g, b]) =
+            (self.count > 0).then(|| self.sum.map(|sum| (sum / self.count) as u8))
+        else {
             return Color32::TRANSPARENT;
         };
         Color32::from_rgb(r, g, b)
@@ -279,8 +301,8 @@ fn mark(ui: &Ui, laid: &Laid, grid: &Grid, at: Address) {
         return;
     }
     let [[left, right], [top, bottom]] = laid.seen(size(grid));
-    let [across, down] =
-        [grid.view.theta * grid.light.theta, grid.view.phi * (grid.light.phi + 2)].map(|side| side.max(1));
+    let [across, down] = [grid.view.theta * grid.light.theta, grid.view.phi * (grid.light.phi + 2)]
+        .map(|side| side.max(1));
     for iy in top / down..=(bottom / down).min(grid.size[1] - 1) {
         for ix in left / across..=(right / across).min(grid.size[0] - 1) {
             let texel = place(grid, at, [ix as usize, iy as usize]).map(|side| side as u32);
@@ -293,11 +315,16 @@ fn outline(ui: &Ui, laid: &Laid, texel: [u32; 2], color: Color32) {
     let [x, y] = texel.map(f64::from);
     let rect = Rect::from_min_max(laid.screen([x, y]), laid.screen([x + 1.0, y + 1.0]));
     let painter = ui.painter_at(laid.room);
-    painter.rect_stroke(rect.expand(1.0), 0.0, Stroke::new(1.0, Color32::BLACK), StrokeKind::Outside);
+    painter.rect_stroke(
+        rect.expand(1.0),
+        0.0,
+        Stroke::new(1.0, Color32::BLACK),
+        StrokeKind::Outside,
+    );
     painter.rect_stroke(rect, 0.0, Stroke::new(1.0, color), StrokeKind::Outside);
 }
 
-/// What lies under the pointer: where in the six dimensions, which colour, and how it came about.
+/// What lies under the pointer: where in the six dimensions, which color, and how it came about.
 fn tell(work: &Work, held: &Held) -> [String; 3] {
     let Held { address, texel: [x, y], is_copy } = *held;
     let grid = work.grid();
@@ -328,7 +355,11 @@ fn plate(ui: &Ui, room: Rect, lines: [String; 3]) {
     let width = galleys.iter().map(|galley| galley.size().x).fold(0.0, f32::max);
     let high: f32 = galleys.iter().map(|galley| galley.size().y).sum();
     let corner = room.left_bottom() + vec2(6.0, -high - 14.0);
-    painter.rect_filled(Rect::from_min_size(corner, vec2(width + 14.0, high + 8.0)), 4.0, theme::PLATE);
+    painter.rect_filled(
+        Rect::from_min_size(corner, vec2(width + 14.0, high + 8.0)),
+        4.0,
+        theme::PLATE,
+    );
     let mut at = corner + vec2(7.0, 4.0);
     for galley in galleys {
         let down = galley.size().y;

@@ -31,7 +31,8 @@ impl Preset {
     /// What is made.
     pub(crate) fn grid(self) -> Grid {
         let directions = |theta, phi| Directions { theta, phi };
-        let of = |side, directions| Grid { size: [side, side], light: directions, view: directions };
+        let of =
+            |side, directions| Grid { size: [side, side], light: directions, view: directions };
         match self {
             Self::Small => of(16, directions(3, 6)),
             Self::Thesis => Grid::THESIS,
@@ -99,14 +100,17 @@ pub(crate) fn shown(session: &Session) -> Vec<Shown> {
         let path = PathBuf::from(&named);
         if named.starts_with(PREFIX) {
             let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            let help = "Opens a copy of the example that this look shows; the example itself stays as it is";
+            let help = "Opens a copy of the example that this look shows; the example itself stays \
+                        as it is";
             return Shown { label: format!("Paint a copy of {name}"), help, path, name };
         }
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let help = "Opens what this look shows to be painted";
         Shown { label: format!("Paint {name}"), help, path: session.folder().join(named), name }
     });
-    all.filter(|shown| open.as_ref().is_none_or(|open| real(&shown.path) != *open)).take(MOST_SHEETS).collect()
+    all.filter(|shown| open.as_ref().is_none_or(|open| real(&shown.path) != *open))
+        .take(MOST_SHEETS)
+        .collect()
 }
 
 /// What the other panels say meanwhile: what the look shows, and where that is opened.
@@ -114,13 +118,22 @@ pub(super) fn in_short(session: &Session) -> String {
     let shown = shown(session);
     let names: Vec<_> = shown.iter().map(|shown| shown.name.as_str()).collect();
     match (names.as_slice(), session.painting()) {
-        ([], None) => "The open look shows nothing that is painted: the menu Paint begins something".to_owned(),
+        ([], None) => {
+            "The open look shows nothing that is painted: the menu Paint begins something"
+                .to_owned()
+        }
         ([], Some(work)) => {
-            format!("The open look shows nothing that is painted: the menu Paint goes back to {}", work.name())
+            format!(
+                "The open look shows nothing that is painted: the menu Paint goes back to {}",
+                work.name()
+            )
         }
         (names, _) => {
             let those = if names.len() == 1 { "which is" } else { "which are" };
-            format!("The open look shows {}, {those} not open to be painted: the menu Paint does that", listed(names))
+            format!(
+                "The open look shows {}, {those} not open to be painted: the menu Paint does that",
+                listed(names)
+            )
         }
     }
 }
@@ -145,8 +158,12 @@ fn of_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         ui.add_space(4.0);
         let name = work.name();
         let unsaved = if work.is_dirty() { ", not saved yet" } else { "" };
-        let place = work.home().map(|home| format!("It was painted in {}.", home.name())).unwrap_or_default();
-        let text = format!("{name} is still open{unsaved}, and this look does not show it. {place}");
+        let place = work
+            .home()
+            .map(|home| format!("It was painted in {}.", home.name()))
+            .unwrap_or_default();
+        let text =
+            format!("{name} is still open{unsaved}, and this look does not show it. {place}");
         ui.label(RichText::new(text.trim_end()).color(dim));
         ui.add_space(8.0);
         let help = match work.home() {
@@ -179,8 +196,10 @@ fn of_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
 fn anew(ui: &mut Ui, out: &mut Vec<Command>) {
     ui.heading("Paint a surface");
     ui.add_space(4.0);
-    let text = "An HCBTF is a tile that you paint as it looks under one light and from one side, then under another: \
-                    the surface shows what you painted, and rules fill in the rest. A new one has a look of its own.";
+    let text = "An HCBTF is a tile that you paint as it looks under one light and from one side, \
+                then under another: \
+                    the surface shows what you painted, and rules fill in the rest. A new one has \
+                    a look of its own.";
     ui.label(RichText::new(text).color(theme::of(ui).dim));
     ui.add_space(12.0);
     for preset in Preset::ALL {
@@ -194,24 +213,30 @@ fn anew(ui: &mut Ui, out: &mut Vec<Command>) {
             grid.view.distinct_count()
         );
         let button = wide(ui, &label);
-        if button.on_hover_text(format!("{}: {}", preset.help(), memory::in_short(&grid))).clicked() {
+        if button.on_hover_text(format!("{}: {}", preset.help(), memory::in_short(&grid))).clicked()
+        {
             out.push(command(Wish::New { grid, keeps_look: false }));
         }
     }
     let other = wide(ui, "Another grid...");
-    if other.on_hover_text("Any number of texels, lights and views, and what they take in memory").clicked() {
+    if other
+        .on_hover_text("Any number of texels, lights and views, and what they take in memory")
+        .clicked()
+    {
         out.push(command(Wish::AskGrid { changes: false }));
     }
     ui.add_space(8.0);
     if wide(ui, "Open an .hcbtf file...").clicked() {
         out.push(Command::Open(None));
     }
-    let help = "Images that were painted in other programs: a folder of them, a contact sheet, a sheet of the thesis";
+    let help = "Images that were painted in other programs: a folder of them, a contact sheet, a \
+                sheet of the thesis";
     let import = wide(ui, "Import painted pictures...");
     if import.on_hover_text(help).clicked() {
         out.push(command(Wish::AskImport));
     }
-    let help = "Paints every sample as the open look shows it: a dear look becomes a quick one, or one to paint on";
+    let help = "Paints every sample as the open look shows it: a dear look becomes a quick one, or \
+                one to paint on";
     let bake = wide(ui, "Bake this look onto a tile...");
     if bake.on_hover_text(help).clicked() {
         out.push(command(Wish::AskBake));

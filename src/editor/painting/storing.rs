@@ -1,4 +1,5 @@
-//! How a texture is stored that leaves as KTX2: what each way is and what it takes is told before it is written.
+//! How a texture is stored that leaves as KTX2: what each way is and what it takes is told before
+//! it is written.
 
 use eframe::egui::{Grid as Table, Id, Modal, RichText, Ui};
 
@@ -14,7 +15,12 @@ use crate::hcbtf::{Need, needs_at_most};
 use crate::theme;
 
 /// Asks, while `asked` is there.
-pub(super) fn show(ui: &Ui, asked: &mut Option<Storage>, work: Option<&Work>, memory: &mut Memory) -> Option<Command> {
+pub(super) fn show(
+    ui: &Ui,
+    asked: &mut Option<Storage>,
+    work: Option<&Work>,
+    memory: &mut Memory,
+) -> Option<Command> {
     let storage = asked.as_mut()?;
     let mut out = None;
     let mut is_over = work.is_none();
@@ -22,9 +28,12 @@ pub(super) fn show(ui: &Ui, asked: &mut Option<Storage>, work: Option<&Work>, me
         ui.set_width(520.0);
         let enters = confirm::enters(ui);
         ui.label(RichText::new("Export as a KTX2 texture").heading());
-        let text = "The texture that shaders look up. All storages hold every sample, with smaller levels of the tile for a \
-                    distance, which the sizes count: they are those of \"with levels\" in the table of memory under Fill \
-                    rules. They differ in what they take, in how fast they are looked up, and in that Blocks keep colors \
+        let text = "The texture that shaders look up. All storages hold every sample, with smaller \
+                    levels of the tile for a \
+                    distance, which the sizes count: they are those of \"with levels\" in the \
+                    table of memory under Fill \
+                    rules. They differ in what they take, in how fast they are looked up, and in \
+                    that Blocks keep colors \
                     nearly, not exactly.";
         ui.label(RichText::new(text).color(theme::of(ui).dim));
         ui.add_space(6.0);
@@ -33,7 +42,12 @@ pub(super) fn show(ui: &Ui, asked: &mut Option<Storage>, work: Option<&Work>, me
         }
         ui.add_space(8.0);
         ui.horizontal(|ui| {
-            if ui.button("Export to...").on_hover_text("Asks which .ktx2 file to write (Enter)").clicked() || enters {
+            if ui
+                .button("Export to...")
+                .on_hover_text("Asks which .ktx2 file to write (Enter)")
+                .clicked()
+                || enters
+            {
                 out = Some(command(Wish::Export { form: Form::Ktx2, storage: *storage, to: None }));
                 is_over = true;
             }

@@ -1,12 +1,12 @@
-//! A new tile of patches of the painted one: how it is laid is asked for, and it is seen before it is taken. What is painted
-//! stays as it is.
+//! A new tile of patches of the painted one: how it is laid is asked for, and it is seen before it
+//! is taken. What is painted stays as it is.
 
 use std::sync::Arc;
 
 use eframe::egui::epaint::Mesh;
 use eframe::egui::{
-    Align2, Button, Color32, DragValue, FontId, Id, Modal, Rect, RichText, Sense, Shape, TextureId, Ui, WidgetInfo,
-    pos2, vec2,
+    Align2, Button, Color32, DragValue, FontId, Id, Modal, Rect, RichText, Sense, Shape, TextureId,
+    Ui, WidgetInfo, pos2, vec2,
 };
 
 use super::making::{Job, Laid, Making, bar};
@@ -68,7 +68,8 @@ pub(super) fn show(
         ui.set_width(2.0 * SIDE + 12.0);
         let enters = confirm::enters(ui);
         ui.label(RichText::new("New tile from this painting").heading());
-        let text = "Patches of the painted tile are laid side by side, in all samples at the same places, and cut where \
+        let text = "Patches of the painted tile are laid side by side, in all samples at the same \
+                    places, and cut where \
                     that is seen least. The new tile repeats; what is painted stays as it is.";
         ui.label(RichText::new(text).color(theme::of(ui).dim));
         ui.add_space(6.0);
@@ -78,7 +79,8 @@ pub(super) fn show(
         let made = state.made.as_ref().filter(|_| making.share().is_none());
         let new = made.and_then(|made| made.as_ref().ok()?.1.clone());
         ui.horizontal(|ui| {
-            let before = own.map(|tile| (state.before.of(ui.ctx(), "painted tile", &tile), tile.size()));
+            let before =
+                own.map(|tile| (state.before.of(ui.ctx(), "painted tile", &tile), tile.size()));
             // Texels of both are as large.
             let most = state.how.size.into_iter().chain(state.of.grid.size).max().unwrap_or(1);
             picture(ui, "Painted", before, most);
@@ -88,7 +90,14 @@ pub(super) fn show(
         match making.share() {
             Some(share) => {
                 ui.horizontal(|ui| {
-                    if ui.button("Stop").on_hover_text("Lays no more patches, until something is changed").clicked() {
+                    if ui
+                        .button("Stop")
+                        .on_hover_text(
+                            "Lays no more patches, until something is \
+                                                        changed",
+                        )
+                        .clicked()
+                    {
                         making.stop();
                         state.made = None;
                     }
@@ -99,7 +108,9 @@ pub(super) fn show(
                 let lines = ui.spacing().interact_size.y;
                 let (text, is_wrong) = told(state, device);
                 let color = if is_wrong { theme::of(ui).error } else { theme::of(ui).dim };
-                ui.allocate_ui(vec2(2.0 * SIDE, lines), |ui| ui.label(RichText::new(text).color(color)));
+                ui.allocate_ui(vec2(2.0 * SIDE, lines), |ui| {
+                    ui.label(RichText::new(text).color(color))
+                });
             }
         }
         ui.add_space(8.0);
@@ -180,7 +191,8 @@ fn fields(ui: &mut Ui, asked: &mut Asked) {
     });
 }
 
-/// A tile, twice beside and below itself, so that its seams are seen; one of `most` texels along a side would fill it.
+/// A tile, twice beside and below itself, so that its seams are seen; one of `most` texels along a
+/// side would fill it.
 fn picture(ui: &mut Ui, name: &str, tile: Option<(TextureId, [u32; 2])>, most: u32) {
     let (rect, response) = ui.allocate_exact_size(vec2(SIDE, SIDE), Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(eframe::egui::Role::Image, true, name));

@@ -1,4 +1,5 @@
-//! Tiles as textures of the window: each texel crisp. Of a stroke only what it changed goes to the GPU.
+//! Tiles as textures of the window: each texel crisp. Of a stroke only what it changed goes to the
+//! GPU.
 
 use std::sync::Arc;
 

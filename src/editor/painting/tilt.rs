@@ -1,15 +1,16 @@
-//! How the tile lies on the screen: turned and tilted as the eye sees it, without perspective, so that one affine map
-//! leads from texels to points, and back under the pointer.
+//! How the tile lies on the screen: turned and tilted as the eye sees it, without perspective, so
+//! that one affine map leads from texels to points, and back under the pointer.
 //!
-//! The eye's own direction along the surface points down the screen, as the near edge of a sheet on a table does. Seen along
-//! the normal, or flat, v points up.
+//! The eye's own direction along the surface points down the screen, as the near edge of a sheet on
+//! a table does. Seen along the normal, or flat, v points up.
 
 use eframe::egui::{Pos2, Rect, Vec2, pos2, vec2};
 use glam::{DVec2, DVec3};
 
 use crate::document::{Direction, Grid};
 
-/// However low the eye stands, the tile is seen at least this high, of its height: it can still be painted on.
+/// However low the eye stands, the tile is seen at least this high, of its height: it can still be
+/// painted on.
 const LEAST_HEIGHT: f64 = 0.22;
 
 /// From texels to points of the screen.
@@ -22,7 +23,8 @@ pub(super) struct Tilt {
     /// Where one texel to the right goes, and one downward, in points.
     right: DVec2,
     down: DVec2,
-    /// Along the surface toward the eye (u, v), and the angle between the eye and the normal, as shown.
+    /// Along the surface toward the eye (u, v), and the angle between the eye and the normal, as
+    /// shown.
     toward: DVec2,
     theta: f64,
     /// Points a texel.
@@ -30,8 +32,15 @@ pub(super) struct Tilt {
 }
 
 impl Tilt {
-    /// The tile of a grid as a view sees it, its middle at a place of the screen, a texel this many points wide.
-    pub(super) fn new(grid: &Grid, view: Direction, is_flat: bool, middle: Pos2, scale: f64) -> Self {
+    /// The tile of a grid as a view sees it, its middle at a place of the screen, a texel this many
+    /// points wide.
+    pub(super) fn new(
+        grid: &Grid,
+        view: Direction,
+        is_flat: bool,
+        middle: Pos2,
+        scale: f64,
+    ) -> Self {
         let [theta, phi] = grid.view.angles(view.canonical());
         let is_flat = is_flat || view.theta == 0;
         let (theta, toward) = match is_flat {
@@ -39,7 +48,8 @@ impl Tilt {
             false => (theta, DVec2::new(phi.sin(), phi.cos())),
         };
         let height = theta.cos().max(LEAST_HEIGHT);
-        // Where a place (u, v) goes: across by what is at a right angle to the eye, down by what comes nearer to it.
+        // Where a place (u, v) goes: across by what is at a right angle to the eye, down by what
+        // comes nearer to it.
         let across = DVec2::new(-toward.y, toward.x);
         let of = |place: DVec2| DVec2::new(place.dot(across), place.dot(toward) * height) * scale;
         Self {
@@ -72,10 +82,12 @@ impl Tilt {
     pub(super) fn corners(&self, copy: [i32; 2]) -> [Pos2; 4] {
         let from = DVec2::new(f64::from(copy[0]), f64::from(copy[1])) * self.half * 2.0;
         let to = from + self.half * 2.0;
-        [from, DVec2::new(to.x, from.y), to, DVec2::new(from.x, to.y)].map(|corner| self.screen(corner))
+        [from, DVec2::new(to.x, from.y), to, DVec2::new(from.x, to.y)]
+            .map(|corner| self.screen(corner))
     }
 
-    /// Where the tip of a vector from the middle of the tile is seen: along u, along v, along the normal, in points.
+    /// Where the tip of a vector from the middle of the tile is seen: along u, along v, along the
+    /// normal, in points.
     pub(super) fn tip(&self, vector: DVec3) -> Vec2 {
         let across = DVec2::new(-self.toward.y, self.toward.x);
         let along = vector.truncate();
@@ -93,7 +105,8 @@ impl Tilt {
         (0..POINTS).map(point).collect()
     }
 
-    /// The copies of the tile that are seen in a rectangle, the tile itself first; never more than a few hundred.
+    /// The copies of the tile that are seen in a rectangle, the tile itself first; never more than
+    /// a few hundred.
     pub(super) fn copies(&self, room: Rect) -> Vec<[i32; 2]> {
         const MOST: i32 = 8;
         let seen = [room.left_top(), room.right_top(), room.right_bottom(), room.left_bottom()];
@@ -137,7 +150,11 @@ mod tests {
         assert!(near(tilt.screen(DVec2::ZERO), pos2(68.0, 18.0)));
         assert!(near(tilt.screen(DVec2::new(32.0, 0.0)), pos2(132.0, 18.0)));
         let low = Direction { theta: 4, phi: 3 };
-        assert_eq!(Tilt::new(&Grid::THESIS, low, true, pos2(100.0, 50.0), 2.0), tilt, "flat is from above");
+        assert_eq!(
+            Tilt::new(&Grid::THESIS, low, true, pos2(100.0, 50.0), 2.0),
+            tilt,
+            "flat is from above"
+        );
     }
 
     #[test]
@@ -148,12 +165,16 @@ mod tests {
             let eye = tilt.tip(Grid::THESIS.view.vector(view));
             assert!(eye.length() < 1e-6, "the eye looks along its own direction: {eye:?}");
             let normal = tilt.tip(DVec3::Z);
-            assert!(normal.x.abs() < 1e-6 && normal.y < 0.0, "what stands on the tile points up: {normal:?}");
+            assert!(
+                normal.x.abs() < 1e-6 && normal.y < 0.0,
+                "what stands on the tile points up: {normal:?}"
+            );
             // Nothing is mirrored.
             assert!(tilt.right.perp_dot(tilt.down) > 0.0);
         }
         // An eye on the side of -v sees v up, and the tile unturned.
-        let tilt = Tilt::new(&Grid::THESIS, Direction { theta: 1, phi: 5 }, false, pos2(0.0, 0.0), 1.0);
+        let tilt =
+            Tilt::new(&Grid::THESIS, Direction { theta: 1, phi: 5 }, false, pos2(0.0, 0.0), 1.0);
         assert!((tilt.right - DVec2::X).length() < 1e-9 && tilt.down.x.abs() < 1e-9);
     }
 
@@ -161,10 +182,20 @@ mod tests {
     fn every_point_leads_back_to_its_texel() {
         for theta in 0..6 {
             for phi in 0..10 {
-                let tilt = Tilt::new(&Grid::THESIS, Direction { theta, phi }, false, pos2(31.0, 77.0), 3.5);
-                for texel in [DVec2::new(0.5, 0.5), DVec2::new(31.0, 2.25), DVec2::new(-40.0, 90.0)] {
+                let tilt = Tilt::new(
+                    &Grid::THESIS,
+                    Direction { theta, phi },
+                    false,
+                    pos2(31.0, 77.0),
+                    3.5,
+                );
+                for texel in [DVec2::new(0.5, 0.5), DVec2::new(31.0, 2.25), DVec2::new(-40.0, 90.0)]
+                {
                     let back = tilt.texel(tilt.screen(texel));
-                    assert!((back - texel).length() < 1e-3, "{theta}.{phi}: {texel} came back as {back}");
+                    assert!(
+                        (back - texel).length() < 1e-3,
+                        "{theta}.{phi}: {texel} came back as {back}"
+                    );
                 }
             }
         }
@@ -172,7 +203,8 @@ mod tests {
 
     #[test]
     fn the_tile_can_be_painted_on_at_the_horizon() {
-        let tilt = Tilt::new(&Grid::THESIS, Direction { theta: 5, phi: 0 }, false, pos2(0.0, 0.0), 10.0);
+        let tilt =
+            Tilt::new(&Grid::THESIS, Direction { theta: 5, phi: 0 }, false, pos2(0.0, 0.0), 10.0);
         assert!(tilt.bounds().height() > 60.0);
         assert!(tilt.copies(Rect::from_center_size(pos2(0.0, 0.0), vec2(700.0, 300.0))).len() > 9);
     }

@@ -1,4 +1,4 @@
-//! What the hand holds: the tool, its brush, two colours and what it is mirrored across.
+//! What the hand holds: the tool, its brush, two colors and what it is mirrored across.
 
 use std::sync::Arc;
 
@@ -42,9 +42,12 @@ impl Kind {
             Self::Erase => "Takes paint away, down to what is transparent (E)",
             Self::Smudge => "Pulls the paint along, as a finger does (S)",
             Self::Line => "Draws a straight stroke from where you press to where you let go (L)",
-            Self::Fill => "Fills what is of one color and hangs together, and goes on under soft edges (G)",
+            Self::Fill => {
+                "Fills what is of one color and hangs together, and goes on under soft edges (G)"
+            }
             Self::Stamp => {
-                "Lays a whole tile down, as wide as the brush (K). Shift-click takes the tile at work as the stamp"
+                "Lays a whole tile down, as wide as the brush (K). Shift-click takes the tile at \
+                 work as the stamp"
             }
             Self::Pick => "Takes the color under the pointer (I)",
         }
@@ -59,7 +62,7 @@ impl Kind {
 /// The largest brush, in texels.
 pub(super) const LARGEST: f64 = 512.0;
 
-/// Colours to begin with: greys, earths, greens, blues, and what is bright.
+/// Colors to begin with: greys, earths, greens, blues, and what is bright.
 pub(super) const PALETTE: [[u8; 3]; 20] = [
     [0x14, 0x12, 0x18],
     [0x4a, 0x48, 0x50],
@@ -87,7 +90,7 @@ pub(super) const PALETTE: [[u8; 3]; 20] = [
 #[derive(Clone, Debug)]
 pub(super) struct Tools {
     pub(super) kind: Kind,
-    /// The tool to go back to after a colour was picked.
+    /// The tool to go back to after a color was picked.
     before: Kind,
     /// The brush's diameter in texels.
     pub(super) size: f64,
@@ -97,10 +100,10 @@ pub(super) struct Tools {
     pub(super) pressure: Pressure,
     /// How hard a pen is pressed, from 0 to 1, while one is down.
     pub(super) pen: Option<f64>,
-    /// The colour at hand and the other one.
+    /// The color at hand and the other one.
     pub(super) colors: [[u8; 4]; 2],
     pub(super) symmetry: Symmetry,
-    /// How far a colour may be from another to be filled with it.
+    /// How far a color may be from another to be filled with it.
     pub(super) tolerance: f64,
     /// How far a fill goes under soft edges, in texels.
     pub(super) edge: u32,
@@ -137,7 +140,7 @@ impl Tools {
         self.kind = kind;
     }
 
-    /// The colour was picked: the tool from before is at hand again.
+    /// The color was picked: the tool from before is at hand again.
     pub(super) fn picked(&mut self, color: [u8; 4]) {
         if color[3] > 0 {
             self.colors[0] = color;
@@ -153,7 +156,7 @@ impl Tools {
         self.size = (self.size + if is_larger { step } else { -step }).clamp(1.0, LARGEST);
     }
 
-    /// Makes the colour at hand brighter or darker; its hue stays.
+    /// Makes the color at hand brighter or darker; its hue stays.
     pub(super) fn change_value(&mut self, by: f32) {
         let [r, g, b, a] = self.colors[0];
         let mut hsva = eframe::egui::ecolor::Hsva::from_srgb([r, g, b]);
@@ -209,6 +212,6 @@ mod tests {
         tools.picked([1, 2, 3, 255]);
         assert_eq!((tools.kind, tools.colors[0]), (Kind::Smudge, [1, 2, 3, 255]));
         tools.picked([9, 9, 9, 0]);
-        assert_eq!(tools.colors[0], [1, 2, 3, 255], "nothing is no colour");
+        assert_eq!(tools.colors[0], [1, 2, 3, 255], "nothing is no color");
     }
 }

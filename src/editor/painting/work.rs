@@ -1,5 +1,5 @@
-//! The HCBTF that is being painted: the document with its past and its file, the sample at work, and what the rules make of
-//! the rest.
+//! The HCBTF that is being painted: the document with its past and its file, the sample at work,
+//! and what the rules make of the rest.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -16,10 +16,12 @@ use crate::hcbtf::{self, Filled, Provenance};
 use crate::paths::absolute;
 use crate::session::kept::Kept;
 
-/// A new one is filled from the first stroke on: what is painted is blended over all lights and views.
+/// A new one is filled from the first stroke on: what is painted is blended over all lights and
+/// views.
 const FIRST_SHARPNESS: f64 = 4.0;
 
-/// With more texels in all samples than these, the rules run once a stroke is done, and not while it goes on.
+/// With more texels in all samples than these, the rules run once a stroke is done, and not while
+/// it goes on.
 const MOST_LIVE: u64 = 1 << 22;
 
 /// What one is called that is new.
@@ -27,7 +29,7 @@ const NEW: &str = "New HCBTF";
 /// What is added to the name of an example, for a copy of it.
 const COPY: &str = " (copy of the example)";
 
-/// The colour that a sample is marked with, and how much of it there is.
+/// The color that a sample is marked with, and how much of it there is.
 const MARK: [f64; 3] = [255.0, 0.0, 190.0];
 const MARKED: f64 = 0.6;
 
@@ -81,7 +83,10 @@ impl Stamp {
 
     pub(super) fn of_json(json: &Json) -> Option<Self> {
         let since = Duration::from_nanos(json.get("modified")?.as_u64()?);
-        Some(Self { modified: SystemTime::UNIX_EPOCH.checked_add(since)?, bytes: json.get("bytes")?.as_u64()? })
+        Some(Self {
+            modified: SystemTime::UNIX_EPOCH.checked_add(since)?,
+            bytes: json.get("bytes")?.as_u64()?,
+        })
     }
 }
 
@@ -146,13 +151,15 @@ impl Work {
         }
     }
 
-    /// One that nothing is painted of. What will be painted is blended over all directions, until its rules are changed.
+    /// One that nothing is painted of. What will be painted is blended over all directions, until
+    /// its rules are changed.
     pub(crate) fn new(grid: Grid) -> Self {
         let rules = vec![Rule::Blend { sharpness: FIRST_SHARPNESS }];
         Self::with(Hcbtf { rules, ..Hcbtf::new(grid) }, None)
     }
 
-    /// One that pictures of other programs were made into, with what was odd about them; no file holds it.
+    /// One that pictures of other programs were made into, with what was odd about them; no file
+    /// holds it.
     pub(crate) fn imported(hcbtf: Hcbtf, notes: Vec<Diagnostic>) -> Self {
         let mut work = Self::with(hcbtf, None);
         work.kept.history.mark_unsaved();
@@ -183,12 +190,19 @@ impl Work {
     pub(crate) fn save_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
         let path = absolute(path);
         let is_own = self.path.as_ref() == Some(&path);
-        if is_own && self.stamp.is_some() && Stamp::of(&path).is_some_and(|now| Some(now) != self.stamp) {
-            let message = "another program has changed this file since it was opened, and nothing was written over it";
+        if is_own
+            && self.stamp.is_some()
+            && Stamp::of(&path).is_some_and(|now| Some(now) != self.stamp)
+        {
+            let message = "another program has changed this file since it was opened, and nothing \
+                           was written over it";
             let problem = Diagnostic::error("changed-on-disk", message);
-            return Err(Box::new(problem.hint("choose above whose version is kept, or save under another name")));
+            return Err(Box::new(
+                problem.hint("choose above whose version is kept, or save under another name"),
+            ));
         }
-        let bytes = hcbtf::write(self.hcbtf()).map_err(|problem| problem.in_file(path.display().to_string()))?;
+        let bytes = hcbtf::write(self.hcbtf())
+            .map_err(|problem| problem.in_file(path.display().to_string()))?;
         write_atomic(&path, &bytes)?;
         self.stamp = Stamp::of(&path);
         self.path = Some(path);
@@ -208,8 +222,8 @@ impl Work {
         }
     }
 
-    /// Takes what another program made of the file, as one step that can be undone. `now` is when. Returns whether
-    /// anything is another now.
+    /// Takes what another program made of the file, as one step that can be undone. `now` is when.
+    /// Returns whether anything is another now.
     ///
     /// # Errors
     /// What keeps the file from being read; everything stays as it is then.
@@ -230,7 +244,8 @@ impl Work {
         Ok(is_other)
     }
 
-    /// Lets saving write over what another program made of the file, or write it again where it is gone.
+    /// Lets saving write over what another program made of the file, or write it again where it is
+    /// gone.
     pub(crate) fn keep_mine(&mut self) {
         self.stamp = self.path.as_deref().and_then(Stamp::of);
         self.note_file();
@@ -325,8 +340,11 @@ impl Work {
 
     /// The tile of a sample as it is shown: painted, being painted, or filled.
     pub(crate) fn tile(&self, address: Address) -> Option<&Arc<Tile>> {
-        let filled = || self.filled.as_ref().filter(|_| self.state(address) != State::Empty)?.tile(address);
-        let ahead = || self.ahead.as_ref().filter(|(at, _)| *at == address.canonical()).map(|(_, tile)| tile);
+        let filled =
+            || self.filled.as_ref().filter(|_| self.state(address) != State::Empty)?.tile(address);
+        let ahead = || {
+            self.ahead.as_ref().filter(|(at, _)| *at == address.canonical()).map(|(_, tile)| tile)
+        };
         self.shown.painted(address).or_else(ahead).or_else(filled)
     }
 
@@ -377,11 +395,17 @@ impl Work {
     pub(crate) fn overlay(&self) -> Overlay {
         let mut hcbtf = self.shown.clone();
         if let Some(address) = self.marked.filter(|address| self.grid().contains(*address)) {
-            let tile =
-                self.tile(address).map_or_else(|| Tile::filled(self.grid().size, [0; 4]), |tile| (**tile).clone());
+            let tile = self
+                .tile(address)
+                .map_or_else(|| Tile::filled(self.grid().size, [0; 4]), |tile| (**tile).clone());
             Arc::make_mut(&mut hcbtf).painted.insert(address, Arc::new(tinted(tile)));
         }
-        Overlay { path: self.path.clone(), version: self.version, hcbtf, filled: self.filled.clone() }
+        Overlay {
+            path: self.path.clone(),
+            version: self.version,
+            hcbtf,
+            filled: self.filled.clone(),
+        }
     }
 
     /// Marks a sample for shaders, or none. Returns whether they see another one now.
@@ -399,7 +423,8 @@ impl Work {
         self.live.is_some()
     }
 
-    /// Whether the rules wait until the stroke that goes on is done: they would take all cores from it.
+    /// Whether the rules wait until the stroke that goes on is done: they would take all cores from
+    /// it.
     pub(crate) fn rules_wait(&self) -> bool {
         let texels = self.grid().sample_count() * self.grid().texels() as u64;
         self.is_live() && texels > MOST_LIVE
@@ -433,12 +458,17 @@ impl Work {
         self.kept.end_gesture();
     }
 
-    /// Applies a change. With a `hand`, consecutive changes by it are one step. `now` is when. Returns whether anything
-    /// is another now.
+    /// Applies a change. With a `hand`, consecutive changes by it are one step. `now` is when.
+    /// Returns whether anything is another now.
     ///
     /// # Errors
     /// A diagnostic where the change is impossible; nothing is changed then.
-    pub(crate) fn apply(&mut self, change: HcbtfEdit, hand: Option<u64>, now: u64) -> Result<bool, Box<Diagnostic>> {
+    pub(crate) fn apply(
+        &mut self,
+        change: HcbtfEdit,
+        hand: Option<u64>,
+        now: u64,
+    ) -> Result<bool, Box<Diagnostic>> {
         let is_changed = self.kept.apply(change, hand, now)?;
         self.live = None;
         self.show();

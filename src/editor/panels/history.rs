@@ -1,7 +1,9 @@
 //! Everything that was done, by what undo calls it; a click goes there and back.
 
 use eframe::egui;
-use eframe::egui::{EventFilter, FontId, Key, Modifiers, Role, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2};
+use eframe::egui::{
+    EventFilter, FontId, Key, Modifiers, Role, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2,
+};
 
 use super::super::command::Command;
 use super::super::dock::cell;
@@ -46,7 +48,8 @@ impl History {
 }
 
 fn row(ui: &mut Ui, index: usize, place: usize, label: &str, last: usize, out: &mut Vec<Command>) {
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width() - 8.0, ROW), Sense::click());
+    let (rect, response) =
+        ui.allocate_exact_size(vec2(ui.available_width() - 8.0, ROW), Sense::click());
     let (is_here, is_undone) = (index == place, index > place);
     let name = format!("Step {index}: {label}");
     response.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_here, &name));
@@ -57,9 +60,12 @@ fn row(ui: &mut Ui, index: usize, place: usize, label: &str, last: usize, out: &
     match (is_here, is_undone) {
         (true, _) => drop(ui.painter().circle_filled(dot, 4.0, colors.accent)),
         (false, false) => drop(ui.painter().circle_filled(dot, 2.5, colors.dim)),
-        (false, true) => drop(ui.painter().circle(dot, 2.5, colors.panel, egui::Stroke::new(1.0, colors.dim))),
+        (false, true) => {
+            ui.painter().circle(dot, 2.5, colors.panel, egui::Stroke::new(1.0, colors.dim));
+        }
     }
-    let text = egui::Rect::from_min_max(pos2(rect.left() + 20.0, rect.top()), rect.max - vec2(4.0, 0.0));
+    let text =
+        egui::Rect::from_min_max(pos2(rect.left() + 20.0, rect.top()), rect.max - vec2(4.0, 0.0));
     let mut shown = label.to_owned();
     if let Some(first) = shown.get(..1).map(str::to_uppercase) {
         shown.replace_range(..1, &first);
@@ -85,7 +91,10 @@ fn row(ui: &mut Ui, index: usize, place: usize, label: &str, last: usize, out: &
     let help = match (is_here, is_undone) {
         (true, _) => "The look is as it was after this step".to_owned(),
         (false, true) => {
-            format!("Repeats {} steps, up to this one. They are lost when something else is done.", index - place)
+            format!(
+                "Repeats {} steps, up to this one. They are lost when something else is done.",
+                index - place
+            )
         }
         (false, false) => format!("Takes back {} steps, to what was after this one", place - index),
     };

@@ -35,7 +35,11 @@ pub(crate) struct Panels {
 impl Panels {
     /// `wake` is called from another thread when there is a new small picture; what goes on is
     /// noted in `crashes`.
-    pub(crate) fn new(gpu: Option<Gpu>, crashes: CrashLog, wake: impl Fn() + Send + 'static) -> Self {
+    pub(crate) fn new(
+        gpu: Option<Gpu>,
+        crashes: CrashLog,
+        wake: impl Fn() + Send + 'static,
+    ) -> Self {
         Self {
             layers: layers::Layers::default(),
             lights: lights::Lights::default(),
@@ -60,7 +64,8 @@ impl Panels {
         }
     }
 
-    /// Shows the start page in their place. `recent` are the files opened before, with whether each is still there.
+    /// Shows the start page in their place. `recent` are the files opened before, with whether each
+    /// is still there.
     pub(crate) fn show_start<'p>(
         &mut self,
         ui: &mut Ui,

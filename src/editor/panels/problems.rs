@@ -1,9 +1,10 @@
-//! Everything that is wrong, worst first: what, where (a click leads there), what to do, and a button that does it where
-//! one edit is enough. The status bar counts it and says the first.
+//! Everything that is wrong, worst first: what, where (a click leads there), what to do, and a
+//! button that does it where one edit is enough. The status bar counts it and says the first.
 
 use eframe::egui;
 use eframe::egui::{
-    Label, Pos2, Response, RichText, Role, ScrollArea, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+    Label, Pos2, Response, RichText, Role, ScrollArea, Sense, Shape, Stroke, Ui, WidgetInfo, pos2,
+    vec2,
 };
 
 use super::super::command::Command;
@@ -40,7 +41,11 @@ pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
     ui.horizontal(|ui| {
         counts(ui, &sorted);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            if ui.button("Copy all").on_hover_text("Copies the list as text, to ask somebody").clicked() {
+            if ui
+                .button("Copy all")
+                .on_hover_text("Copies the list as text, to ask somebody")
+                .clicked()
+            {
                 let lines: Vec<String> = sorted.iter().map(ToString::to_string).collect();
                 out.push(Command::Copy(lines.join("\n")));
             }
@@ -52,7 +57,10 @@ pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
             ui.push_id(index, |ui| row(ui, session, problem, &mut out));
         }
         if sorted.len() > MAX_LISTED {
-            hint(ui, &format!("and {} more, listed once these are mended", sorted.len() - MAX_LISTED));
+            hint(
+                ui,
+                &format!("and {} more, listed once these are mended", sorted.len() - MAX_LISTED),
+            );
         }
     });
     out
@@ -80,7 +88,11 @@ fn row(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Comma
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Min), |ui| {
                 ui.add_space(10.0);
                 let button = egui::Button::new(&fix.label).truncate();
-                if ui.add(button).on_hover_text(format!("{}. Undo takes it back.", fix.help)).clicked() {
+                if ui
+                    .add(button)
+                    .on_hover_text(format!("{}. Undo takes it back.", fix.help))
+                    .clicked()
+                {
                     out.push(Command::Edit(fix.edit));
                 }
             });
@@ -111,7 +123,8 @@ fn place(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Com
         }
     }
     if let Some(at) = problem.place.at {
-        let file = problem.place.file.as_deref().map(|file| format!("{file}, ")).unwrap_or_default();
+        let file =
+            problem.place.file.as_deref().map(|file| format!("{file}, ")).unwrap_or_default();
         ui.label(RichText::new(format!("line {}", at.line)).color(theme::of(ui).dim))
             .on_hover_text(format!("{file}line {}, column {}", at.line, at.column));
     }
@@ -136,12 +149,14 @@ fn color(severity: Severity, colors: &Colors) -> egui::Color32 {
     }
 }
 
-/// A severity's mark, told by shape as well as by colour.
+/// A severity's mark, told by shape as well as by color.
 fn mark(ui: &mut Ui, severity: Severity) -> Response {
     let (rect, response) = ui.allocate_exact_size(vec2(14.0, 18.0), Sense::hover());
     let (at, ink) = (rect.center(), color(severity, theme::of(ui)));
     let ground = theme::of(ui).panel;
-    let bar = |ui: &Ui, from: Pos2, to: Pos2| ui.painter().line_segment([from, to], Stroke::new(1.6, ground));
+    let bar = |ui: &Ui, from: Pos2, to: Pos2| {
+        ui.painter().line_segment([from, to], Stroke::new(1.6, ground))
+    };
     match severity {
         Severity::Error => {
             ui.painter().circle_filled(at, 6.0, ink);
@@ -164,8 +179,8 @@ fn counts(ui: &mut Ui, problems: &[&Diagnostic]) {
         let count = problems.iter().filter(|problem| problem.severity == severity).count();
         if count > 0 {
             mark(ui, severity);
-            let text =
-                RichText::new(format!("{count} {}", word(severity, count))).color(color(severity, theme::of(ui)));
+            let text = RichText::new(format!("{count} {}", word(severity, count)))
+                .color(color(severity, theme::of(ui)));
             ui.add(Label::new(text).selectable(false));
         }
     }
@@ -185,7 +200,10 @@ pub(crate) fn status(ui: &mut Ui, session: &Session) -> Option<Command> {
         let node = node.map(|id| format!("{}: ", session.title(id))).unwrap_or_default();
         ui.add(Label::new(format!("{node}{}", plain(&first.message))).selectable(false).truncate());
     });
-    let rect = shown.response.rect.union(egui::Rect::from_min_size(pos2(start.x, start.y), vec2(1.0, 1.0)));
+    let rect = shown
+        .response
+        .rect
+        .union(egui::Rect::from_min_size(pos2(start.x, start.y), vec2(1.0, 1.0)));
     let response = ui.interact(rect, ui.scope_id().with("problems"), Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Open the list of problems"));
     if response.has_focus() || response.hovered() {
@@ -193,6 +211,8 @@ pub(crate) fn status(ui: &mut Ui, session: &Session) -> Option<Command> {
     }
     ui.separator();
     let clicked = response.clicked();
-    response.on_hover_cursor(egui::CursorIcon::PointingHand).on_hover_text("Lists all problems, with what mends them");
+    response
+        .on_hover_cursor(egui::CursorIcon::PointingHand)
+        .on_hover_text("Lists all problems, with what mends them");
     clicked.then_some(Command::ShowPanel(dock::Panel::Problems))
 }

@@ -1,5 +1,6 @@
-//! What is shown alone or left out for now: soloed layers, soloed and muted lights. This belongs to the window and not to
-//! the document: it is neither saved nor exported nor undone, and a bar over the picture says so for as long as it lasts.
+//! What is shown alone or left out for now: soloed layers, soloed and muted lights. This belongs to
+//! the window and not to the document: it is neither saved nor exported nor undone, and a bar over
+//! the picture says so for as long as it lasts.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -18,7 +19,8 @@ use crate::document::{Look, Scene, Target};
 use crate::ids::{LightId, NodeId};
 
 /// What everybody should know who uses it.
-pub(crate) const OF_THE_WINDOW: &str = "Only this window shows it so, in the picture and in the code: what is saved and exported has every layer and light";
+pub(crate) const OF_THE_WINDOW: &str = "Only this window shows it so, in the picture and in the \
+                                        code: what is saved and exported has every layer and light";
 
 /// What is shown alone, and what is left out.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -78,7 +80,8 @@ impl Solo {
 
     /// Puts the lights out that are dark.
     fn put_out(&self, look: &mut Cow<'_, Look>) {
-        let dark: Vec<LightId> = look.lights.keys().filter(|id| self.is_dark(id)).cloned().collect();
+        let dark: Vec<LightId> =
+            look.lights.keys().filter(|id| self.is_dark(id)).cloned().collect();
         if dark.is_empty() {
             return;
         }
@@ -93,15 +96,21 @@ impl Solo {
         }
     }
 
-    /// Whether changing to `other` needs another shader than the one there is, or only other values.
+    /// Whether changing to `other` needs another shader than the one there is, or only other
+    /// values.
     pub(crate) fn is_structural(&self, other: &Self, look: &Look) -> bool {
         let timed = look.time_keys.iter().map(|keys| &keys.target);
-        let keyed = look.direction_keys.iter().flat_map(|keys| keys.keys.iter().flat_map(|key| key.values.keys()));
-        self.layers != other.layers || timed.chain(keyed).any(|target| matches!(target, Target::Light { .. }))
+        let keyed = look
+            .direction_keys
+            .iter()
+            .flat_map(|keys| keys.keys.iter().flat_map(|key| key.values.keys()));
+        self.layers != other.layers
+            || timed.chain(keyed).any(|target| matches!(target, Target::Light { .. }))
     }
 
-    /// The scene around the look, without the lights of its own that are dark. Where one of them is shown alone, the
-    /// lights that its other looks have for themselves are out too, but for what their keys light again.
+    /// The scene around the look, without the lights of its own that are dark. Where one of them is
+    /// shown alone, the lights that its other looks have for themselves are out too, but for what
+    /// their keys light again.
     pub(crate) fn lit_stage(&self, staged: &Arc<Staged>) -> Arc<Staged> {
         let of_scene = &staged.scene.lights;
         let is_any_alone = self.lights.iter().any(|id| of_scene.contains_key(id));
@@ -123,8 +132,9 @@ impl Solo {
 
     /// Forgets what is no longer there, in the look or in the scene around it.
     pub(crate) fn keep(&mut self, look: &Look, scene: Option<&Scene>) {
-        let is_light =
-            |id: &LightId| look.lights.contains_key(id) || scene.is_some_and(|scene| scene.lights.contains_key(id));
+        let is_light = |id: &LightId| {
+            look.lights.contains_key(id) || scene.is_some_and(|scene| scene.lights.contains_key(id))
+        };
         self.layers.retain(|id| look.graph.nodes.contains_key(id));
         self.lights.retain(is_light);
         self.muted.retain(is_light);
@@ -152,7 +162,11 @@ impl Solo {
     }
 }
 
-fn toggled<T: Clone + Eq + std::hash::Hash>(set: &IndexSet<T>, item: &T, adds: bool) -> IndexSet<T> {
+fn toggled<T: Clone + Eq + std::hash::Hash>(
+    set: &IndexSet<T>,
+    item: &T,
+    adds: bool,
+) -> IndexSet<T> {
     let mut new = if adds { set.clone() } else { IndexSet::new() };
     if !set.contains(item) {
         new.insert(item.clone());
@@ -173,11 +187,16 @@ pub(crate) fn bar(ui: &mut Ui, session: &Session) -> Option<Command> {
     frame.show(ui, |ui| {
         ui.horizontal(|ui| {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                if ui.button("Show all").on_hover_text("Ends every solo, and lets muted lights shine").clicked() {
+                if ui
+                    .button("Show all")
+                    .on_hover_text("Ends every solo, and lets muted lights shine")
+                    .clicked()
+                {
                     command = Some(Command::Solo(Solo::default()));
                 }
                 ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
-                    let label = egui::Label::new(RichText::new(text).color(theme::of(ui).text)).truncate();
+                    let label =
+                        egui::Label::new(RichText::new(text).color(theme::of(ui).text)).truncate();
                     ui.add(label).on_hover_text(OF_THE_WINDOW);
                 });
             });
@@ -232,7 +251,10 @@ mod tests {
         let solo = Solo::default().toggle_layer(&"b".into(), false);
         let shown = solo.of(&look, &catalog);
         assert!(shown.graph.nodes["a"].muted && !shown.graph.nodes["b"].muted);
-        assert!(matches!(Solo::default().of(&look, &catalog), Cow::Borrowed(_)), "nothing is copied for nothing");
+        assert!(
+            matches!(Solo::default().of(&look, &catalog), Cow::Borrowed(_)),
+            "nothing is copied for nothing"
+        );
         // What is no longer a layer of the stack leaves all others as they are.
         let solo = Solo::default().toggle_layer(&"base".into(), false);
         assert_eq!(*solo.of(&look, &catalog), look);
@@ -245,7 +267,10 @@ mod tests {
         let shown = solo.of(&look, &catalog);
         assert_eq!((shown.lights["key"].intensity, shown.lights["back"].intensity), (0.0, 1.0));
         assert_eq!(shown.time_keys.len(), 1, "only its intensity is no longer keyed");
-        assert!(solo.is_structural(&Solo::default(), &look), "a keyed light needs another shader's rig");
+        assert!(
+            solo.is_structural(&Solo::default(), &look),
+            "a keyed light needs another shader's rig"
+        );
     }
 
     #[test]

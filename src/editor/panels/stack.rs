@@ -1,5 +1,5 @@
-//! A look as a stack of layers: the chain through `below` ports from the Output's colour down to what is no layer, and
-//! the edits of the graph that edits of the stack are.
+//! A look as a stack of layers: the chain through `below` ports from the Output's color down to
+//! what is no layer, and the edits of the graph that edits of the stack are.
 
 use std::collections::{HashMap, HashSet};
 
@@ -44,13 +44,15 @@ impl Stack {
         let Some((output, _)) = graph.nodes.iter().find(|(_, node)| node.kind == "output") else {
             return Self::default();
         };
-        let into: HashMap<&Endpoint, &Wire> = graph.wires.iter().map(|wire| (&wire.to, wire)).collect();
+        let into: HashMap<&Endpoint, &Wire> =
+            graph.wires.iter().map(|wire| (&wire.to, wire)).collect();
         let mut stack = Self { output: Some(output.clone()), ..Self::default() };
         let mut at = Endpoint::new(output.clone(), "color");
         let mut seen = HashSet::from([output]);
         loop {
             let wire = into.get(&at);
-            let found = wire.and_then(|wire| Some((*wire, graph.nodes.get_key_value(&wire.from.node)?)));
+            let found =
+                wire.and_then(|wire| Some((*wire, graph.nodes.get_key_value(&wire.from.node)?)));
             let kind = found.and_then(|(_, (_, node))| catalog.of(node));
             if let (Some((wire, (id, _))), Some(kind)) = (found, kind) {
                 let is_new = seen.insert(id);
@@ -64,7 +66,11 @@ impl Stack {
                 if is_new && is_layer(kind, wire) {
                     stack.close(at);
                     at = Endpoint::new(id.clone(), BELOW);
-                    stack.layers.push(Layer { id: id.clone(), outlet: wire.from.clone(), inlet: at.clone() });
+                    stack.layers.push(Layer {
+                        id: id.clone(),
+                        outlet: wire.from.clone(),
+                        inlet: at.clone(),
+                    });
                     continue;
                 }
             }
@@ -97,7 +103,8 @@ impl Stack {
         self.layers.last().map(|layer| &layer.inlet).or(self.head.as_ref())
     }
 
-    /// Moves a layer to another place among the others, and nodes so that they lie in the new order.
+    /// Moves a layer to another place among the others, and nodes so that they lie in the new
+    /// order.
     pub(crate) fn reorder(&self, look: &Look, from: usize, to: usize) -> Option<Edit> {
         if from == to || from >= self.layers.len() || to >= self.layers.len() {
             return None;
@@ -107,12 +114,15 @@ impl Stack {
         order.insert(to, layer);
         let mut positions = IndexMap::new();
         for (new, old) in order.iter().zip(&self.layers).filter(|(new, old)| new.id != old.id) {
-            let place = |id: &NodeId| look.graph.nodes.get(id).map_or([0.0; 2], |node| node.position);
+            let place =
+                |id: &NodeId| look.graph.nodes.get(id).map_or([0.0; 2], |node| node.position);
             let (from, to) = (place(&new.id), place(&old.id));
             self.carry(look, &new.id, [to[0] - from[0], to[1] - from[1]], &mut positions);
         }
         // The layer itself first, as undo calls the step by it.
-        let own = positions.shift_remove(&self.layers[from].id).map(|place| (self.layers[from].id.clone(), place));
+        let own = positions
+            .shift_remove(&self.layers[from].id)
+            .map(|place| (self.layers[from].id.clone(), place));
         let mut edits = vec![
             Edit::MoveNodes { graph: GraphId::Look, positions: own.into_iter().collect() },
             Edit::MoveNodes { graph: GraphId::Look, positions },
@@ -123,22 +133,31 @@ impl Stack {
 
     /// Takes a layer out.
     pub(crate) fn remove(&self, look: &Look, ids: &[NodeId]) -> Edit {
-        let order: Vec<Layer> = self.layers.iter().filter(|layer| !ids.contains(&layer.id)).cloned().collect();
+        let order: Vec<Layer> =
+            self.layers.iter().filter(|layer| !ids.contains(&layer.id)).cloned().collect();
         let removed = self.layers.iter().filter(|layer| ids.contains(&layer.id));
-        let mut edits: Vec<Edit> =
-            removed.map(|layer| Edit::RemoveNode { graph: GraphId::Look, id: layer.id.clone() }).collect();
+        let mut edits: Vec<Edit> = removed
+            .map(|layer| Edit::RemoveNode { graph: GraphId::Look, id: layer.id.clone() })
+            .collect();
         edits.extend(self.rewire(look, &order));
         Edit::Group { edits }
     }
 
-    /// Puts a new node in as the layer number `at`, and makes room for it. The node gets its place here.
+    /// Puts a new node in as the layer number `at`, and makes room for it. The node gets its place
+    /// here.
     pub(crate) fn insert(&self, look: &Look, at: usize, id: &NodeId, mut node: Node) -> Vec<Edit> {
         let at = at.min(self.layers.len());
         let place = |id: &NodeId| look.graph.nodes.get(id).map(|node| node.position);
-        let under = self.layers.get(at).map(|layer| &layer.id).or(self.ground.as_ref().map(|ground| &ground.node));
+        let under = self
+            .layers
+            .get(at)
+            .map(|layer| &layer.id)
+            .or(self.ground.as_ref().map(|ground| &ground.node));
         let over = at.checked_sub(1).map(|above| &self.layers[above].id).or(self.output.as_ref());
         let over_place = over.and_then(place).unwrap_or_default();
-        node.position = under.and_then(place).map_or([over_place[0] - STEP, over_place[1]], |[x, y]| [x + STEP, y]);
+        node.position = under
+            .and_then(place)
+            .map_or([over_place[0] - STEP, over_place[1]], |[x, y]| [x + STEP, y]);
         let mut positions = IndexMap::new();
         let lack = node.position[0] + STEP - over_place[0];
         if lack > 0.0 {
@@ -148,7 +167,8 @@ impl Stack {
         let mut order = self.layers.clone();
         let inlet = Endpoint::new(id.clone(), BELOW);
         order.insert(at, Layer { id: id.clone(), outlet: Endpoint::new(id.clone(), BELOW), inlet });
-        let mut edits = vec![Edit::AddNode { graph: GraphId::Look, id: id.clone(), node, index: None }];
+        let mut edits =
+            vec![Edit::AddNode { graph: GraphId::Look, id: id.clone(), node, index: None }];
         if !positions.is_empty() {
             edits.push(Edit::MoveNodes { graph: GraphId::Look, positions });
         }
@@ -160,21 +180,31 @@ impl Stack {
     pub(crate) fn duplicate(&self, look: &Look, index: usize) -> Option<(NodeId, Edit)> {
         let layer = self.layers.get(index)?;
         let node = look.graph.nodes.get(&layer.id)?.clone();
-        let base = layer.id.as_str().trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('_');
+        let base =
+            layer.id.as_str().trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('_');
         let base = if base.is_empty() { layer.id.as_str() } else { base };
         let id = NodeId::new(make_slug(base, |slug| look.graph.nodes.contains_key(slug)));
         let mut edits = self.insert(look, index, &id, node);
-        let into = look.graph.wires.iter().filter(|wire| wire.to.node == layer.id && wire.to.port.as_str() != BELOW);
+        let into = look
+            .graph
+            .wires
+            .iter()
+            .filter(|wire| wire.to.node == layer.id && wire.to.port.as_str() != BELOW);
         edits.extend(into.map(|wire| {
             let to = Endpoint { node: id.clone(), port: wire.to.port.clone() };
-            Edit::AddWire { graph: GraphId::Look, wire: Wire { from: wire.from.clone(), to }, index: None }
+            Edit::AddWire {
+                graph: GraphId::Look,
+                wire: Wire { from: wire.from.clone(), to },
+                index: None,
+            }
         }));
         Some((id, Edit::Group { edits }))
     }
 
     /// The edits that wire layers in a new order, each with the reroutes below it.
     fn rewire(&self, look: &Look, order: &[Layer]) -> Vec<Edit> {
-        let into: HashMap<&Endpoint, &Wire> = look.graph.wires.iter().map(|wire| (&wire.to, wire)).collect();
+        let into: HashMap<&Endpoint, &Wire> =
+            look.graph.wires.iter().map(|wire| (&wire.to, wire)).collect();
         let inlets = self.head.iter().chain(order.iter().map(|layer| &layer.inlet));
         let sources = order.iter().map(|layer| Some(&layer.outlet)).chain([self.ground.as_ref()]);
         let mut edits = Vec::new();
@@ -186,8 +216,15 @@ impl Stack {
                     edits.push(Edit::AddWire { graph: GraphId::Look, wire, index: None });
                 }
                 // A wire of a layer that goes away goes with it.
-                None if old.is_some_and(|old| order.iter().any(|layer| layer.outlet == old.from)) => {
-                    edits.extend(old.map(|wire| Edit::RemoveWire { graph: GraphId::Look, wire: wire.clone() }));
+                None if old
+                    .is_some_and(|old| order.iter().any(|layer| layer.outlet == old.from)) =>
+                {
+                    edits.extend(
+                        old.map(|wire| Edit::RemoveWire {
+                            graph: GraphId::Look,
+                            wire: wire.clone(),
+                        }),
+                    );
                 }
                 _ => {}
             }
@@ -196,7 +233,13 @@ impl Stack {
     }
 
     /// Moves a node and what feeds it alone.
-    fn carry(&self, look: &Look, id: &NodeId, by: [f64; 2], positions: &mut IndexMap<NodeId, [f64; 2]>) {
+    fn carry(
+        &self,
+        look: &Look,
+        id: &NodeId,
+        by: [f64; 2],
+        positions: &mut IndexMap<NodeId, [f64; 2]>,
+    ) {
         for id in self.with_own(look, id) {
             if let Some(node) = look.graph.nodes.get(&id) {
                 positions.insert(id, [node.position[0] + by[0], node.position[1] + by[1]]);
@@ -206,16 +249,28 @@ impl Stack {
 
     /// A node and the nodes that feed it and nothing else, the other layers aside.
     fn with_own(&self, look: &Look, id: &NodeId) -> Vec<NodeId> {
-        let chain: HashSet<&NodeId> =
-            self.layers.iter().map(|layer| &layer.id).chain(self.ground.iter().map(|ground| &ground.node)).collect();
+        let chain: HashSet<&NodeId> = self
+            .layers
+            .iter()
+            .map(|layer| &layer.id)
+            .chain(self.ground.iter().map(|ground| &ground.node))
+            .collect();
         let mut own = vec![id.clone()];
         let mut next = 0;
         while next < own.len() {
-            let sources = look.graph.wires.iter().filter(|wire| wire.to.node == own[next]).map(|wire| &wire.from.node);
+            let sources = look
+                .graph
+                .wires
+                .iter()
+                .filter(|wire| wire.to.node == own[next])
+                .map(|wire| &wire.from.node);
             let mut found = Vec::new();
             for source in sources.filter(|source| !chain.contains(source)) {
                 let mut users = look.graph.wires.iter().filter(|wire| wire.from.node == *source);
-                if !own.contains(source) && !found.contains(source) && users.all(|wire| own.contains(&wire.to.node)) {
+                if !own.contains(source)
+                    && !found.contains(source)
+                    && users.all(|wire| own.contains(&wire.to.node))
+                {
                     found.push(source.clone());
                 }
             }
@@ -269,14 +324,16 @@ mod tests {
 
     #[test]
     fn a_ring_ends_and_a_look_without_output_has_no_stack() {
-        let ring = LOOK.replace(r#""from": "base", "to": "a.below""#, r#""from": "c", "to": "a.below""#);
+        let ring =
+            LOOK.replace(r#""from": "base", "to": "a.below""#, r#""from": "c", "to": "a.below""#);
         let (look, catalog) = setup(&ring);
         assert_eq!(order(&look, &catalog), ["c", "b", "a"]);
         let (look, catalog) = setup("{}");
         assert!(!Stack::of(&look, &catalog).has_output());
     }
 
-    /// Every move of every layer gives the order that a list would have, keeps the same places in use, and is undone.
+    /// Every move of every layer gives the order that a list would have, keeps the same places in
+    /// use, and is undone.
     #[test]
     fn every_move_is_that_of_a_list() {
         for from in 0..3 {
@@ -300,7 +357,9 @@ mod tests {
                 expected.insert(to, moved);
                 assert_eq!(order(&look, &catalog), expected, "{from} to {to}");
                 assert_eq!(places(&look), old_places);
-                let offset = |look: &Look| look.graph.nodes["tint"].position[0] - look.graph.nodes["b"].position[0];
+                let offset = |look: &Look| {
+                    look.graph.nodes["tint"].position[0] - look.graph.nodes["b"].position[0]
+                };
                 assert_eq!(offset(&look), offset(&before), "what feeds a layer alone goes with it");
                 look.apply(inverse).unwrap();
                 assert_eq!(look, before);
@@ -320,7 +379,8 @@ mod tests {
             expected.insert(at, "new");
             assert_eq!(order(&look, &catalog), expected);
             let stack = Stack::of(&look, &catalog);
-            let xs: Vec<f64> = stack.layers.iter().map(|layer| look.graph.nodes[&layer.id].position[0]).collect();
+            let xs: Vec<f64> =
+                stack.layers.iter().map(|layer| look.graph.nodes[&layer.id].position[0]).collect();
             assert!(xs.windows(2).all(|pair| pair[0] - pair[1] >= STEP), "room for each: {xs:?}");
             look.apply(stack.remove(&look, &["new".into(), "b".into()])).unwrap();
             assert_eq!(order(&look, &catalog), ["c", "a"]);

@@ -1,12 +1,13 @@
-//! What a newcomer sees first, and whoever opens the window without a file: a new look, the tour, what was open before,
-//! and all examples as pictures. It lies where the panels are, and leaves as soon as anything is opened or made.
+//! What a newcomer sees first, and whoever opens the window without a file: a new look, the tour,
+//! what was open before, and all examples as pictures. It lies where the panels are, and leaves as
+//! soon as anything is opened or made.
 
 use std::path::PathBuf;
 
 use eframe::egui;
 use eframe::egui::{
-    Button, FontId, Key, Modifiers, Rect, Response, RichText, Role, ScrollArea, Sense, Stroke, StrokeKind,
-    TextureHandle, Ui, WidgetInfo, pos2, vec2,
+    Button, FontId, Key, Modifiers, Rect, Response, RichText, Role, ScrollArea, Sense, Stroke,
+    StrokeKind, TextureHandle, Ui, WidgetInfo, pos2, vec2,
 };
 
 use super::super::command::Command;
@@ -71,7 +72,12 @@ const TILES: [Tile; 4] = [
         action: Action::Tour,
         is_first: true,
     },
-    Tile { title: "New look", text: "A base and one light to begin with", action: Action::New, is_first: false },
+    Tile {
+        title: "New look",
+        text: "A base and one light to begin with",
+        action: Action::New,
+        is_first: false,
+    },
     Tile {
         title: "Paint a surface",
         text: "A tile for every light and every side, by hand",
@@ -88,14 +94,17 @@ const TILES: [Tile; 4] = [
 
 impl Start {
     /// Learns what was opened before. Files are read when that changes.
-    pub(super) fn know_recent<'p>(&mut self, files: impl Iterator<Item = (&'p PathBuf, bool)>, crashes: &CrashLog) {
+    pub(super) fn know_recent<'p>(
+        &mut self,
+        files: impl Iterator<Item = (&'p PathBuf, bool)>,
+        crashes: &CrashLog,
+    ) {
         let now: Vec<(&PathBuf, bool)> = files.take(MOST_RECENT).collect();
         let is_same = std::mem::replace(&mut self.crashes, crashes.changes()) == crashes.changes()
             && now.len() == self.recent.len()
-            && now
-                .iter()
-                .zip(&self.recent)
-                .all(|((path, is_there), known)| **path == known.path && *is_there == known.card.is_some());
+            && now.iter().zip(&self.recent).all(|((path, is_there), known)| {
+                **path == known.path && *is_there == known.card.is_some()
+            });
         if !is_same {
             let card = |(path, is_there): (&PathBuf, bool)| Recent {
                 path: path.clone(),
@@ -187,7 +196,14 @@ impl Start {
         });
     }
 
-    fn looks(&self, ui: &mut Ui, width: f32, session: &Session, thumbs: &Thumbs, out: &mut Vec<Command>) {
+    fn looks(
+        &self,
+        ui: &mut Ui,
+        width: f32,
+        session: &Session,
+        thumbs: &Thumbs,
+        out: &mut Vec<Command>,
+    ) {
         let (columns, side) = cards::columns(width, CARD, GAP);
         if !self.recent.is_empty() {
             heading(ui, "Recent", "Looks, scenes and paintings that were open, the newest first");
@@ -196,7 +212,11 @@ impl Start {
                     Some(card) => {
                         let response = card.show(ui, side, session, thumbs, out);
                         response.context_menu(|ui| {
-                            if ui.button("Forget").on_hover_text("Takes it off this list; the file stays").clicked() {
+                            if ui
+                                .button("Forget")
+                                .on_hover_text("Takes it off this list; the file stays")
+                                .clicked()
+                            {
                                 out.push(Command::Forget(recent.path.clone()));
                             }
                         });
@@ -210,14 +230,20 @@ impl Start {
             in_row(ui, row, |ui, card| drop(card.show(ui, side, session, thumbs, out)));
         }
         ui.add_space(GAP);
-        let text = "Drop a look, a mesh or an image on the window to open it · Ctrl+P finds any command";
+        let text =
+            "Drop a look, a mesh or an image on the window to open it · Ctrl+P finds any command";
         ui.label(RichText::new(text).color(theme::of(ui).dim));
         ui.add_space(MARGIN);
     }
 }
 
 /// Shows the tiles, so many beside each other; the first one's response.
-fn tiles_in(ui: &mut Ui, columns: usize, size: egui::Vec2, out: &mut Vec<Command>) -> Option<Response> {
+fn tiles_in(
+    ui: &mut Ui,
+    columns: usize,
+    size: egui::Vec2,
+    out: &mut Vec<Command>,
+) -> Option<Response> {
     let mut first = None;
     for row in TILES.chunks(columns.max(1)) {
         in_row(ui, row, |ui, tile| {
@@ -245,18 +271,28 @@ impl Tile {
         };
         ui.painter().rect_filled(rect, 6.0, fill);
         if response.has_focus() {
-            ui.painter().rect_stroke(rect, 6.0, Stroke::new(1.5, colors.accent), StrokeKind::Inside);
+            ui.painter().rect_stroke(
+                rect,
+                6.0,
+                Stroke::new(1.5, colors.accent),
+                StrokeKind::Inside,
+            );
         }
         let inner = rect.shrink2(vec2(14.0, 10.0));
         let dim = if self.is_first { colors.text } else { colors.dim };
         let painter = ui.painter().with_clip_rect(rect);
-        let title = painter.layout_no_wrap(self.title.to_owned(), FontId::proportional(15.0), colors.text);
+        let title =
+            painter.layout_no_wrap(self.title.to_owned(), FontId::proportional(15.0), colors.text);
         let keys = shortcuts::of(self.action).map(shortcuts::Shortcut::text).unwrap_or_default();
         let small = FontId::proportional(theme::SMALL_TEXT);
         let keys = painter.layout_no_wrap(keys, small.clone(), dim);
         let text = painter.layout(self.text.to_owned(), small, dim, inner.width());
         let middle = inner.top() + title.size().y / 2.0;
-        painter.galley(pos2(inner.right() - keys.size().x, middle - keys.size().y / 2.0), keys, dim);
+        painter.galley(
+            pos2(inner.right() - keys.size().x, middle - keys.size().y / 2.0),
+            keys,
+            dim,
+        );
         let below = inner.top() + title.size().y + 4.0;
         painter.galley(inner.left_top(), title, colors.text);
         painter.galley(pos2(inner.left(), below), text, dim);
@@ -282,7 +318,8 @@ fn heading(ui: &mut Ui, title: &str, help: &str) {
         ui.label(RichText::new(title).heading());
         ui.label(RichText::new(help).color(theme::of(ui).dim));
     });
-    let rect = Rect::from_min_size(ui.cursor().min + vec2(0.0, 4.0), vec2(ui.available_width(), 1.0));
+    let rect =
+        Rect::from_min_size(ui.cursor().min + vec2(0.0, 4.0), vec2(ui.available_width(), 1.0));
     ui.painter().hline(rect.x_range(), rect.top(), Stroke::new(1.0, theme::of(ui).grid));
     ui.add_space(GAP);
 }
@@ -291,7 +328,9 @@ fn heading(ui: &mut Ui, title: &str, help: &str) {
 fn take_focus(ui: &Ui, first: &Response) {
     let arrows = [Key::ArrowDown, Key::ArrowRight];
     let is_free = ui.memory(|memory| memory.focused().is_none());
-    if is_free && arrows.iter().any(|key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, *key))) {
+    if is_free
+        && arrows.iter().any(|key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, *key)))
+    {
         first.request_focus();
         // egui would go on by the same key.
         ui.memory_mut(|memory| memory.move_focus(egui::FocusDirection::None));

@@ -1,9 +1,10 @@
-//! Small controls that several panels have: icons that are pressed, names that are changed in place.
+//! Small controls that several panels have: icons that are pressed, names that are changed in
+//! place.
 
 use eframe::egui;
 use eframe::egui::{
-    Color32, Key, Modifiers, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke, TextEdit, Ui, WidgetInfo, pos2,
-    vec2,
+    Color32, Key, Modifiers, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke, TextEdit,
+    Ui, WidgetInfo, pos2, vec2,
 };
 
 use super::super::command::Command;
@@ -47,7 +48,12 @@ pub(crate) fn icon(ui: &mut Ui, icon: Icon, is_on: bool, label: &str, help: &str
         ui.painter().rect_filled(rect.shrink(1.0), 4.0, colors.field_hovered);
     }
     if response.has_focus() {
-        ui.painter().rect_stroke(rect.shrink(1.0), 4.0, Stroke::new(1.0, colors.accent), egui::StrokeKind::Inside);
+        ui.painter().rect_stroke(
+            rect.shrink(1.0),
+            4.0,
+            Stroke::new(1.0, colors.accent),
+            egui::StrokeKind::Inside,
+        );
     }
     draw(ui.painter(), icon, rect.center(), ink, is_on);
     response.on_hover_text(help)
@@ -103,14 +109,21 @@ impl<I> Renaming<I> {
 
     /// A field in place of the name. `Some(None)` when it is over and nothing is to be changed.
     pub(crate) fn show(&mut self, ui: &mut Ui, hint: &str, label: &str) -> Option<Option<String>> {
-        let edit = TextEdit::singleline(&mut self.text).hint_text(hint).desired_width(f32::INFINITY).char_limit(80);
+        let edit = TextEdit::singleline(&mut self.text)
+            .hint_text(hint)
+            .desired_width(f32::INFINITY)
+            .char_limit(80);
         let response = ui.add(edit.margin(vec2(4.0, 1.0)));
         let field = response.id;
         response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, label));
         if std::mem::take(&mut self.is_new) {
             response.request_focus();
             let all = egui::text::CCursorRange::select_all(&ui.fonts_mut(|fonts| {
-                fonts.layout_no_wrap(self.text.clone(), egui::FontId::proportional(theme::TEXT_SIZE), Color32::WHITE)
+                fonts.layout_no_wrap(
+                    self.text.clone(),
+                    egui::FontId::proportional(theme::TEXT_SIZE),
+                    Color32::WHITE,
+                )
             }));
             let mut state = TextEdit::load_state(ui.ctx(), field).unwrap_or_default();
             state.cursor.set_char_range(Some(all));
@@ -127,18 +140,21 @@ impl<I> Renaming<I> {
 /// Undo and redo for a row that has the keyboard, as the window leaves keys to what has it.
 pub(crate) fn undo_keys(ui: &Ui, out: &mut Vec<Command>) {
     let pressed = |modifiers, key| ui.input_mut(|input| input.consume_key(modifiers, key));
-    if pressed(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z) || pressed(Modifiers::COMMAND, Key::Y) {
+    if pressed(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z) || pressed(Modifiers::COMMAND, Key::Y)
+    {
         out.push(Command::Redo);
     } else if pressed(Modifiers::COMMAND, Key::Z) {
         out.push(Command::Undo);
     }
 }
 
-/// A row gives the keyboard back when the pointer goes on to another panel, so that keys work there without a click.
+/// A row gives the keyboard back when the pointer goes on to another panel, so that keys work there
+/// without a click.
 pub(crate) fn leave_with_pointer(ui: &Ui, response: &Response) {
     let goes_elsewhere = ui.input(|input| {
         let at = input.pointer.latest_pos();
-        input.pointer.delta() != egui::Vec2::ZERO && at.is_some_and(|at| !ui.clip_rect().contains(at))
+        input.pointer.delta() != egui::Vec2::ZERO
+            && at.is_some_and(|at| !ui.clip_rect().contains(at))
     });
     if goes_elsewhere && response.has_focus() {
         response.surrender_focus();
@@ -154,30 +170,51 @@ pub(crate) fn row_ground(ui: &Ui, rect: Rect, response: &Response, is_selected: 
         ui.painter().rect_filled(rect, 4.0, colors.field);
     }
     if response.has_focus() {
-        ui.painter().rect_stroke(rect, 4.0, Stroke::new(1.0, colors.accent), egui::StrokeKind::Inside);
+        ui.painter().rect_stroke(
+            rect,
+            4.0,
+            Stroke::new(1.0, colors.accent),
+            egui::StrokeKind::Inside,
+        );
     }
 }
 
-/// The same for a row that has fields of its own, which are to be seen on it: with a bar at its left in place of a fill.
+/// The same for a row that has fields of its own, which are to be seen on it: with a bar at its
+/// left in place of a fill.
 pub(crate) fn card_ground(ui: &Ui, rect: Rect, response: &Response, is_selected: bool) {
     let colors = theme::of(ui);
     if is_selected || response.hovered() {
         ui.painter().rect_filled(rect, 4.0, colors.node);
     }
     if is_selected {
-        ui.painter().rect_filled(Rect::from_min_size(rect.min, vec2(3.0, rect.height())), 1.5, colors.accent);
+        ui.painter().rect_filled(
+            Rect::from_min_size(rect.min, vec2(3.0, rect.height())),
+            1.5,
+            colors.accent,
+        );
     }
     if response.has_focus() {
-        ui.painter().rect_stroke(rect, 4.0, Stroke::new(1.0, colors.accent_dim), egui::StrokeKind::Inside);
+        ui.painter().rect_stroke(
+            rect,
+            4.0,
+            Stroke::new(1.0, colors.accent_dim),
+            egui::StrokeKind::Inside,
+        );
     }
 }
 
 /// Room for a picture of a row, framed.
 pub(crate) fn picture_frame(ui: &Ui, rect: Rect) {
-    ui.painter().rect_stroke(rect, 3.0, Stroke::new(1.0, theme::of(ui).swatch_edge), egui::StrokeKind::Inside);
+    ui.painter().rect_stroke(
+        rect,
+        3.0,
+        Stroke::new(1.0, theme::of(ui).swatch_edge),
+        egui::StrokeKind::Inside,
+    );
 }
 
-/// The largest place in the middle of a rectangle in which a picture of so many texels keeps its shape.
+/// The largest place in the middle of a rectangle in which a picture of so many texels keeps its
+/// shape.
 pub(crate) fn fitted(rect: Rect, size: [u32; 2]) -> Rect {
     let [width, height] = size.map(|side| side.max(1) as f32);
     let scale = (rect.width() / width).min(rect.height() / height);

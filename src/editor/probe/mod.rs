@@ -1,5 +1,5 @@
-//! The probe: what every wire carries at the pixel under the pointer, computed in the background by the reference, once
-//! as a GPU rounds and once in f64.
+//! The probe: what every wire carries at the pixel under the pointer, computed in the background by
+//! the reference, once as a GPU rounds and once in f64.
 
 mod panel;
 
@@ -88,7 +88,10 @@ impl Probe {
 
     /// What was found last, in the order of computing.
     pub fn wires(&self) -> &[WireValue] {
-        self.found.as_ref().and_then(|found| found.result.as_ref().ok()?.as_deref()).unwrap_or_default()
+        self.found
+            .as_ref()
+            .and_then(|found| found.result.as_ref().ok()?.as_deref())
+            .unwrap_or_default()
     }
 
     pub(crate) fn turn(&mut self, on: bool) {
@@ -119,9 +122,16 @@ impl Probe {
         self.worker.wait();
     }
 
-    /// Takes what was found, and asks for what is under the pointer once that rests. `pointer` is over the picture in
-    /// `rect`.
-    pub(crate) fn update(&mut self, ui: &Ui, session: &Session, rect: Rect, pointer: Option<Pos2>, is_click: bool) {
+    /// Takes what was found, and asks for what is under the pointer once that rests. `pointer` is
+    /// over the picture in `rect`.
+    pub(crate) fn update(
+        &mut self,
+        ui: &Ui,
+        session: &Session,
+        rect: Rect,
+        pointer: Option<Pos2>,
+        is_click: bool,
+    ) {
         for found in self.worker.answers() {
             if self.asked.as_ref() == Some(&found.spot) {
                 self.found = Some(found);
@@ -134,12 +144,18 @@ impl Probe {
         let size = picture_size(rect, scale);
         if let Some(at) = pointer.filter(|at| rect.contains(*at) && (is_click || !self.is_pinned)) {
             let offset = (at - rect.min) * scale;
-            self.pixel = Some([(offset.x as u32).min(size[0].max(1) - 1), (offset.y as u32).min(size[1].max(1) - 1)]);
+            self.pixel = Some([
+                (offset.x as u32).min(size[0].max(1) - 1),
+                (offset.y as u32).min(size[1].max(1) - 1),
+            ]);
         }
         if is_click && self.pixel.is_some() {
             self.is_pinned = true;
         }
-        let Some(pixel) = self.pixel.filter(|pixel| pixel[0] < size[0] && pixel[1] < size[1]) else { return };
+        let Some(pixel) = self.pixel.filter(|pixel| pixel[0] < size[0] && pixel[1] < size[1])
+        else {
+            return;
+        };
         let spot = Spot { stamp: session.stamp(), pixel, size };
         let now = ui.input(|input| input.time);
         if self.seen.as_ref() != Some(&spot) {
@@ -173,7 +189,8 @@ impl Probe {
     /// The cross-hair over the picture.
     pub(crate) fn mark(&self, ui: &Ui, rect: Rect) {
         let Some(pixel) = self.pixel.filter(|_| self.is_on) else { return };
-        let at = rect.min + vec2(pixel[0] as f32 + 0.5, pixel[1] as f32 + 0.5) / ui.pixels_per_point();
+        let at =
+            rect.min + vec2(pixel[0] as f32 + 0.5, pixel[1] as f32 + 0.5) / ui.pixels_per_point();
         let color = if self.is_pinned { theme::of(ui).accent } else { egui::Color32::WHITE };
         let painter = ui.painter_at(rect);
         for (width, color) in [(3.0, egui::Color32::from_black_alpha(120)), (1.0, color)] {
@@ -183,7 +200,12 @@ impl Probe {
                 painter.line_segment([at + vec2(0.0, near), at + vec2(0.0, far)], stroke);
             }
             if self.is_pinned {
-                painter.rect_stroke(Rect::from_center_size(at, vec2(6.0, 6.0)), 0.0, stroke, egui::StrokeKind::Middle);
+                painter.rect_stroke(
+                    Rect::from_center_size(at, vec2(6.0, 6.0)),
+                    0.0,
+                    stroke,
+                    egui::StrokeKind::Middle,
+                );
             }
         }
         let text = format!("{}, {}", pixel[0], pixel[1]);
@@ -208,7 +230,8 @@ pub(crate) fn picture_size(rect: Rect, scale: f32) -> [u32; 2] {
     [rect.width(), rect.height()].map(|side| (side * scale).round().clamp(0.0, 8192.0) as u32)
 }
 
-/// What is told where the object that is seen wears another look than the open one, whose nodes are not on the canvas.
+/// What is told where the object that is seen wears another look than the open one, whose nodes are
+/// not on the canvas.
 fn other_look(setup: &Setup, draw: &Draw) -> Option<Diagnostic> {
     let object = setup.objects.iter().find(|object| object.id == draw.object)?;
     let part = object.mesh.parts.iter().position(|part| part.indices == draw.indices)?;
@@ -216,7 +239,8 @@ fn other_look(setup: &Setup, draw: &Draw) -> Option<Diagnostic> {
     let is_other = *object.looks.get(part)? != Some(0);
     is_other.then(|| {
         let message = format!("`{}` wears another look, {}", draw.object, draw.look_name);
-        Diagnostic::note("other-look", message).hint("leave the probe and click the object to open its look")
+        Diagnostic::note("other-look", message)
+            .hint("leave the probe and click the object to open its look")
     })
 }
 
@@ -227,7 +251,8 @@ fn probe(planner: &mut Reused, Query { spot, still, cancel }: Query) -> Found {
         let options = PlanOptions { size: spot.size, samples: 1, time: still.time };
         let plan = planner.plan(&setup, &still.library, &Live::All, &options)?;
         let control = Control { cancel: &cancel, progress: &|_| {} };
-        let wires = probe_wires(&plan, spot.pixel, &Options::default(), &control).map_err(|problem| vec![problem])?;
+        let wires = probe_wires(&plan, spot.pixel, &Options::default(), &control)
+            .map_err(|problem| vec![problem])?;
         let seen = wires.as_ref().and_then(|wires| plan.draws.get(wires.first()?.draw));
         match seen.and_then(|draw| other_look(&setup, draw)) {
             Some(problem) => Err(vec![problem]),

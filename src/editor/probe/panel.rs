@@ -26,14 +26,17 @@ impl Probe {
         if !self.is_on {
             hint(
                 ui,
-                "Turn on the probe (I) and point at the picture: every wire's value at that pixel is listed here.",
+                "Turn on the probe (I) and point at the picture: every wire's value at that pixel \
+                 is listed here.",
             );
             return commands;
         }
         match self.found.as_ref().map(|found| &found.result) {
             None => hint(ui, "Rest the pointer on the picture, or click to keep a pixel."),
             Some(Ok(None)) => hint(ui, "Nothing is drawn there."),
-            Some(Ok(Some(wires))) => commands.extend(table(ui, session, wires, std::mem::take(&mut self.jump))),
+            Some(Ok(Some(wires))) => {
+                commands.extend(table(ui, session, wires, std::mem::take(&mut self.jump)))
+            }
             Some(Err(found)) => {
                 for problem in found.iter().filter(|problem| problem.code != "cancelled").take(3) {
                     ui.label(RichText::new(problems::sentence(problem)).color(theme::of(ui).error));
@@ -47,7 +50,10 @@ impl Probe {
         ui.horizontal(|ui| {
             let mut is_on = self.is_on;
             let toggle = ui.toggle_value(&mut is_on, "Probe the picture");
-            if toggle.on_hover_text("Reads every wire's value at a pixel (I); Esc leaves it").changed() {
+            if toggle
+                .on_hover_text("Reads every wire's value at a pixel (I); Esc leaves it")
+                .changed()
+            {
                 commands.push(Command::Probe(is_on));
             }
             if !self.is_on {
@@ -67,7 +73,8 @@ impl Probe {
             if let Some(node) = node {
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                     let text = RichText::new("Go to first broken wire").color(theme::of(ui).error);
-                    let help = "Shows the node whose value is the first that is not a finite number";
+                    let help =
+                        "Shows the node whose value is the first that is not a finite number";
                     if ui.button(text).on_hover_text(help).clicked() {
                         self.jump = true;
                         commands.push(Command::Show(NodePath::root(node)));
@@ -90,9 +97,19 @@ fn table(ui: &mut Ui, session: &Session, wires: &[WireValue], jump: bool) -> Vec
     ui.spacing_mut().item_spacing.y = 0.0;
     let (head, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
     for (index, title) in ["Node", "f32", "f64", "Difference"].into_iter().enumerate() {
-        cell(ui, column(head, index), title, FontId::proportional(theme::SMALL_TEXT), theme::of(ui).dim);
+        cell(
+            ui,
+            column(head, index),
+            title,
+            FontId::proportional(theme::SMALL_TEXT),
+            theme::of(ui).dim,
+        );
     }
-    ui.painter().hline(head.x_range(), head.bottom() - 1.0, egui::Stroke::new(1.0, theme::of(ui).grid));
+    ui.painter().hline(
+        head.x_range(),
+        head.bottom() - 1.0,
+        egui::Stroke::new(1.0, theme::of(ui).grid),
+    );
     let first_broken = wires.iter().position(|wire| !wire.is_finite());
     let mut area = ScrollArea::vertical().auto_shrink([false, false]);
     if let Some(row) = first_broken.filter(|_| jump) {
@@ -109,7 +126,9 @@ fn table(ui: &mut Ui, session: &Session, wires: &[WireValue], jump: bool) -> Vec
 
 fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) -> Option<Command> {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Wire of {}", wire.node)));
+    response.widget_info(|| {
+        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Wire of {}", wire.node))
+    });
     let is_selected = wire.node.outermost().is_some_and(|id| session.selection.contains(id));
     if is_first_broken {
         ui.painter().rect_filled(rect, 2.0, theme::of(ui).error.gamma_multiply(0.25));
@@ -119,14 +138,25 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
         ui.painter().rect_filled(rect, 2.0, theme::of(ui).field.gamma_multiply(0.6));
     }
     if !wire.is_finite() {
-        ui.painter().circle_filled(pos2(rect.left() + 4.0, rect.center().y), 3.0, theme::of(ui).error);
+        ui.painter().circle_filled(
+            pos2(rect.left() + 4.0, rect.center().y),
+            3.0,
+            theme::of(ui).error,
+        );
     }
     let ink = if wire.is_finite() { theme::of(ui).text } else { theme::of(ui).error };
-    cell(ui, column(rect, 0), &wire_name(session, &wire.node), FontId::proportional(theme::TEXT_SIZE), ink);
+    cell(
+        ui,
+        column(rect, 0),
+        &wire_name(session, &wire.node),
+        FontId::proportional(theme::TEXT_SIZE),
+        ink,
+    );
     for (index, numbers) in [(1, &wire.single), (2, &wire.double)] {
         let mut place = column(rect, index);
         if let Some(color) = color_of(numbers) {
-            let swatch = Rect::from_min_size(pos2(place.left(), rect.center().y - 5.0), vec2(10.0, 10.0));
+            let swatch =
+                Rect::from_min_size(pos2(place.left(), rect.center().y - 5.0), vec2(10.0, 10.0));
             ui.painter().rect_filled(swatch, 2.0, color);
             let edge = egui::Stroke::new(1.0, theme::of(ui).swatch_edge);
             ui.painter().rect_stroke(swatch, 2.0, edge, egui::StrokeKind::Inside);
@@ -152,7 +182,9 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
     response.context_menu(|ui| {
         let node = node_at(session.look(), &session.library, wire.node.ids());
         let Some(kind) = node.and_then(|node| session.catalog.of(node)) else { return };
-        for (port, style) in kind.outputs.iter().flat_map(|port| Style::ALL.map(|style| (port, style))) {
+        for (port, style) in
+            kind.outputs.iter().flat_map(|port| Style::ALL.map(|style| (port, style)))
+        {
             let text = format!("Show {} as {}", port.label, style.label().to_lowercase());
             if ui.button(text).on_hover_text(style.help()).clicked() {
                 let shown = ShownWire { node: wire.node.clone(), port: port.name.clone(), style };
@@ -178,7 +210,7 @@ pub(crate) fn wire_name(session: &Session, path: &NodePath) -> String {
     name
 }
 
-/// Four or five scalars are a colour with its alpha.
+/// Four or five scalars are a color with its alpha.
 fn color_of(numbers: &[f64]) -> Option<Color32> {
     let [r, g, b, a, ..] = *numbers else { return None };
     let byte = |x: f64| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
@@ -213,7 +245,8 @@ fn in_full(ui: &mut Ui, wire: &WireValue) {
     });
     ui.label(
         RichText::new(
-            "f32, f64 and their difference; a click shows the node, a right click shows the wire in the picture",
+            "f32, f64 and their difference; a click shows the node, a right click shows the wire \
+             in the picture",
         )
         .color(theme::of(ui).dim),
     );

@@ -1,4 +1,5 @@
-//! The bar that tells of work to be taken back and of files that changed. There is none while there is nothing to tell.
+//! The bar that tells of work to be taken back and of files that changed. There is none while there
+//! is nothing to tell.
 
 use std::path::PathBuf;
 
@@ -61,7 +62,8 @@ impl Safety {
             if let (Some(_), Some(stage)) = (&self.disk.scene_conflict, session.stage()) {
                 let text = format!("{} was changed by another program, and by you", stage.name());
                 row(ui, Tone::Warning, &text, |ui| {
-                    let help = "Takes the scene as it is in the file now, as one step: Undo brings your version back";
+                    let help = "Takes the scene as it is in the file now, as one step: Undo brings \
+                                your version back";
                     ask(ui, "Load the file's version", help, Wish::ReloadScene, &mut wishes);
                     let help = "Saving the scene then writes your version over the other one";
                     ask(ui, "Keep mine", help, Wish::KeepMyScene, &mut wishes);
@@ -80,29 +82,46 @@ impl Safety {
         wishes
     }
 
-    fn conflict(&self, ui: &mut Ui, conflict: &Conflict, session: &Session, wishes: &mut Vec<Wish>) {
-        let name = session.path().and_then(|path| path.file_name()).map(|name| name.to_string_lossy().into_owned());
+    fn conflict(
+        &self,
+        ui: &mut Ui,
+        conflict: &Conflict,
+        session: &Session,
+        wishes: &mut Vec<Wish>,
+    ) {
+        let name = session
+            .path()
+            .and_then(|path| path.file_name())
+            .map(|name| name.to_string_lossy().into_owned());
         let name = name.unwrap_or_default();
         match conflict {
             Conflict::Changed(_) => {
                 let text = format!("{name} was changed by another program, and by you");
                 row(ui, Tone::Warning, &text, |ui| {
-                    let help = "Takes the file as it is now, as one step: Undo brings your version back";
+                    let help =
+                        "Takes the file as it is now, as one step: Undo brings your version back";
                     ask(ui, "Load the file's version", help, Wish::Reload, wishes);
                     let help = "Saving then writes your version over the other one";
                     ask(ui, "Keep mine", help, Wish::KeepMine, wishes);
                 });
             }
             Conflict::Broken(_) => {
-                let text = format!("{name} was changed by another program and cannot be read now; your version stays");
+                let text = format!(
+                    "{name} was changed by another program and cannot be read now; your version \
+                     stays"
+                );
                 row(ui, Tone::Warning, &text, |ui| {
                     let help = "Saving then writes your version over the other one";
                     ask(ui, "Keep mine", help, Wish::KeepMine, wishes);
                 });
             }
             Conflict::Gone => {
-                let text = format!("{name} was removed or moved by another program; saving writes it again");
-                row(ui, Tone::Warning, &text, |ui| ask(ui, "Understood", "Hides this", Wish::Hide, wishes));
+                let text = format!(
+                    "{name} was removed or moved by another program; saving writes it again"
+                );
+                row(ui, Tone::Warning, &text, |ui| {
+                    ask(ui, "Understood", "Hides this", Wish::Hide, wishes)
+                });
             }
         }
     }
@@ -114,11 +133,15 @@ impl Safety {
             let mut is_empty = true;
             for (path, is_there) in self.recent() {
                 is_empty = false;
-                let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+                let name = path
+                    .file_name()
+                    .map(|name| name.to_string_lossy().into_owned())
+                    .unwrap_or_default();
                 let help = path.display().to_string();
                 let button = ui.add_enabled(is_there, egui::Button::new(name));
-                let button =
-                    button.on_hover_text(&help).on_disabled_hover_text(format!("{help} is not there any more"));
+                let button = button
+                    .on_hover_text(&help)
+                    .on_disabled_hover_text(format!("{help} is not there any more"));
                 if button.clicked() {
                     wanted = Some(path.clone());
                     ui.close();
@@ -136,9 +159,11 @@ impl Safety {
 /// What is open is not drawn, because the last program ended over it.
 fn held(ui: &mut Ui, suspect: &Suspect, wishes: &mut Vec<Wish>) {
     let (name, doing) = (&suspect.document.name, suspect.step.doing());
-    let text = format!("{name} is open without being drawn: Chiaro ended while {doing} it the last time");
+    let text =
+        format!("{name} is open without being drawn: Chiaro ended while {doing} it the last time");
     row(ui, Tone::Warning, &text, |ui| {
-        let help = "Compiles and draws it as ever. If Chiaro ends over it again, the next start asks again";
+        let help = "Compiles and draws it as ever. If Chiaro ends over it again, the next start \
+                    asks again";
         ask(ui, "Try again", help, Wish::TryAgain, wishes);
     });
 }
@@ -149,18 +174,26 @@ fn of_painting(ui: &mut Ui, conflict: PaintingConflict, name: &str, wishes: &mut
         PaintingConflict::Changed => {
             let text = format!("{name} was changed by another program, and painted on by you");
             row(ui, Tone::Warning, &text, |ui| {
-                let help = "Takes the file as it is now, as one step: Undo brings your version back";
+                let help =
+                    "Takes the file as it is now, as one step: Undo brings your version back";
                 ask(ui, "Load the file's version", help, Wish::ReloadPainting, wishes);
                 ask(ui, "Keep mine", keep, Wish::KeepMyPainting, wishes);
             });
         }
         PaintingConflict::Broken => {
-            let text = format!("{name} was changed by another program and cannot be read now; your version stays");
-            row(ui, Tone::Warning, &text, |ui| ask(ui, "Keep mine", keep, Wish::KeepMyPainting, wishes));
+            let text = format!(
+                "{name} was changed by another program and cannot be read now; your version stays"
+            );
+            row(ui, Tone::Warning, &text, |ui| {
+                ask(ui, "Keep mine", keep, Wish::KeepMyPainting, wishes)
+            });
         }
         PaintingConflict::Gone => {
-            let text = format!("{name} was removed or moved by another program; saving writes it again");
-            row(ui, Tone::Warning, &text, |ui| ask(ui, "Understood", "Hides this", Wish::KeepMyPainting, wishes));
+            let text =
+                format!("{name} was removed or moved by another program; saving writes it again");
+            row(ui, Tone::Warning, &text, |ui| {
+                ask(ui, "Understood", "Hides this", Wish::KeepMyPainting, wishes)
+            });
         }
     }
 }
@@ -195,26 +228,36 @@ fn ask(ui: &mut Ui, label: &str, help: &str, wish: Wish, wishes: &mut Vec<Wish>)
 /// Several documents in one line, with a list of them behind a button.
 fn several(ui: &mut Ui, offers: &[(usize, &Offer)], wishes: &mut Vec<Wish>) {
     let is_damaged = offers.iter().any(|(_, offer)| !offer.damage.is_empty());
-    let names: Vec<&str> = offers.iter().take(MOST_NAMED).map(|(_, offer)| offer.name.as_str()).collect();
+    let names: Vec<&str> =
+        offers.iter().take(MOST_NAMED).map(|(_, offer)| offer.name.as_str()).collect();
     let more = match offers.len() - names.len() {
         0 => String::new(),
         more => format!(" and {more} more"),
     };
-    let text = format!("Work that was not saved, of {} documents: {}{more}", offers.len(), names.join(", "));
+    let text = format!(
+        "Work that was not saved, of {} documents: {}{more}",
+        offers.len(),
+        names.join(", ")
+    );
     row(ui, if is_damaged { Tone::Warning } else { Tone::Note }, &text, |ui| {
         let is_kept = offers.iter().any(|(_, offer)| !offer.is_thrown);
         let help = "They go when this window closes; until then each can still be kept";
-        if ui.add_enabled(is_kept, egui::Button::new("Throw all away")).on_hover_text(help).clicked() {
+        if ui
+            .add_enabled(is_kept, egui::Button::new("Throw all away"))
+            .on_hover_text(help)
+            .clicked()
+        {
             wishes.extend(offers.iter().map(|(number, _)| Wish::Throw(*number, true)));
         }
-        let list =
-            egui::containers::menu::MenuConfig::new().close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside);
-        let (button, _) = egui::containers::menu::MenuButton::new("Choose...").config(list).ui(ui, |ui| {
-            ui.set_min_width(LIST);
-            for (number, offer) in offers {
-                offered(ui, *number, offer, wishes);
-            }
-        });
+        let list = egui::containers::menu::MenuConfig::new()
+            .close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside);
+        let (button, _) =
+            egui::containers::menu::MenuButton::new("Choose...").config(list).ui(ui, |ui| {
+                ui.set_min_width(LIST);
+                for (number, offer) in offers {
+                    offered(ui, *number, offer, wishes);
+                }
+            });
         button.on_hover_text("Lists them: each is restored or thrown away by itself");
     });
 }
@@ -232,8 +275,10 @@ fn offered(ui: &mut Ui, number: usize, offer: &Offer, wishes: &mut Vec<Wish>) {
         let help = "It goes when this window closes; until then you can still keep it";
         ask(ui, "Throw it away", help, Wish::Throw(number, true), wishes);
         if offer.is_readable {
-            let path =
-                offer.path.as_ref().map_or_else(|| "It has no file yet".to_owned(), |path| path.display().to_string());
+            let path = offer
+                .path
+                .as_ref()
+                .map_or_else(|| "It has no file yet".to_owned(), |path| path.display().to_string());
             let help = format!("{path}\nOpens it as it was, with everything that can be undone");
             ask(ui, "Restore it", &help, Wish::TakeBack(number), wishes);
         }

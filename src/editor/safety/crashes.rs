@@ -221,8 +221,9 @@ impl CrashLog {
     /// A document is trusted again, by this window and by those that start later.
     pub(crate) fn trust(&self, document: &DocumentOrigin) {
         let mut state = self.lock();
-        let (gone, left): (Vec<Suspect>, Vec<Suspect>) =
-            std::mem::take(&mut state.suspects).into_iter().partition(|suspect| suspect.document.is(document));
+        let (gone, left): (Vec<Suspect>, Vec<Suspect>) = std::mem::take(&mut state.suspects)
+            .into_iter()
+            .partition(|suspect| suspect.document.is(document));
         state.suspects = left;
         state.changes += 1;
         for told_by in gone.iter().map(|suspect| &suspect.told_by) {
@@ -251,8 +252,13 @@ impl State {
             fs::create_dir_all(folder).ok()?;
             let ending = format!(".{ENDING}");
             let mut builder = tempfile::Builder::new();
-            let file =
-                builder.prefix("window-").suffix(&ending).rand_bytes(10).append(true).tempfile_in(folder).ok()?;
+            let file = builder
+                .prefix("window-")
+                .suffix(&ending)
+                .rand_bytes(10)
+                .append(true)
+                .tempfile_in(folder)
+                .ok()?;
             let (file, path) = file.keep().ok()?;
             // A window that just looks whether somebody holds it lets go at once. Where there are
             // no locks, another window takes what this one is at for interrupted, and asks.
@@ -276,7 +282,9 @@ impl State {
 
 impl Drop for State {
     fn drop(&mut self) {
-        if let Some((path, _)) = self.own.take().filter(|_| self.going == 0 && !std::thread::panicking()) {
+        if let Some((path, _)) =
+            self.own.take().filter(|_| self.going == 0 && !std::thread::panicking())
+        {
             let _ = fs::remove_file(path);
         }
     }
@@ -399,7 +407,11 @@ mod tests {
         assert_eq!(after_a_crash(&state).path().read_dir().unwrap().count(), 1);
         assert!(!kept_in(after_a_crash(&state).path()).is_any());
         drop(log);
-        assert_eq!(fs::read_dir(&state).unwrap().count(), 0, "a window that is closed leaves nothing");
+        assert_eq!(
+            fs::read_dir(&state).unwrap().count(),
+            0,
+            "a window that is closed leaves nothing"
+        );
     }
 
     #[test]
@@ -410,7 +422,8 @@ mod tests {
         let look = Look { name: "Rim".to_owned(), ..Look::default() };
         let unsaved = DocumentOrigin::new("Rim", None, &look);
         let log = kept_in(&state);
-        let going = [log.begin(Step::Draw, || a.clone()), log.begin(Step::Read, || unsaved.clone())];
+        let going =
+            [log.begin(Step::Draw, || a.clone()), log.begin(Step::Read, || unsaved.clone())];
         let left = after_a_crash(&state);
         fs::write(folder.path().join("a.json"), "{\"name\": \"mended\"}").unwrap();
         let next = kept_in(left.path());

@@ -1,5 +1,5 @@
-//! Files that the look and the scene around it live on, changed by other programs: their own, the project's nodes, the
-//! scene's other looks, meshes and images, and what is painted.
+//! Files that the look and the scene around it live on, changed by other programs: their own, the
+//! project's nodes, the scene's other looks, meshes and images, and what is painted.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -129,7 +129,9 @@ impl Disk {
         }
         match self.due {
             // A stroke is ended first.
-            Some(_) if session.painting().is_some_and(Work::is_live) => (None, Some(Duration::from_secs_f64(CALM))),
+            Some(_) if session.painting().is_some_and(Work::is_live) => {
+                (None, Some(Duration::from_secs_f64(CALM)))
+            }
             Some(due) if now >= due => {
                 self.due = None;
                 (self.check(session), None)
@@ -141,8 +143,9 @@ impl Disk {
 
     /// Finds out which files there are now. Returns whether they are another look's.
     fn use_of(&mut self, session: &Session) -> bool {
-        let is_other =
-            self.is_new || self.of.document != session.document_number() || self.of.path.as_deref() != session.path();
+        let is_other = self.is_new
+            || self.of.document != session.document_number()
+            || self.of.path.as_deref() != session.path();
         self.is_new = false;
         self.of = Use {
             document: session.document_number(),
@@ -157,22 +160,30 @@ impl Disk {
             self.look = session.path().and_then(|path| std::path::absolute(path).ok());
             self.was_there = self.look.as_ref().is_some_and(|path| path.exists());
         }
-        let nodes: Vec<PathBuf> =
-            session.node_folders().iter().filter_map(|folder| std::path::absolute(folder).ok()).collect();
+        let nodes: Vec<PathBuf> = session
+            .node_folders()
+            .iter()
+            .filter_map(|folder| std::path::absolute(folder).ok())
+            .collect();
         if is_other || self.nodes != nodes {
             self.nodes = nodes;
             self.project_nodes = ProjectNodes::below(&self.nodes);
         }
         let folder = session.folder();
-        let images =
-            session.baked().into_iter().flat_map(|shader| &shader.named_images).map(|image| image.path.as_str());
+        let images = session
+            .baked()
+            .into_iter()
+            .flat_map(|shader| &shader.named_images)
+            .map(|image| image.path.as_str());
         let mesh = Some(session.view.mesh.as_str()).filter(|mesh| !mesh.starts_with(SHAPE_PREFIX));
         let of_scene = session.stage().map(Stage::files).unwrap_or_default();
-        let paths = images.map(|path| folder.join(path)).chain(mesh.map(PathBuf::from)).chain(of_scene);
+        let paths =
+            images.map(|path| folder.join(path)).chain(mesh.map(PathBuf::from)).chain(of_scene);
         let paths = paths.filter_map(|path| std::path::absolute(path).ok());
         let known = std::mem::take(&mut self.assets);
-        self.assets =
-            paths.map(|path| (path.clone(), known.get(&path).copied().unwrap_or_else(|| stamp(&path)))).collect();
+        self.assets = paths
+            .map(|path| (path.clone(), known.get(&path).copied().unwrap_or_else(|| stamp(&path))))
+            .collect();
         let links = self.look.iter().filter_map(|path| path.canonicalize().ok());
         let scene = session.stage().and_then(|stage| std::path::absolute(stage.path()?).ok());
         let painting = self.of.painting.clone();
@@ -236,8 +247,11 @@ impl Disk {
             return None;
         }
         let name = session.stage().map(Stage::name).unwrap_or_default();
-        // What cannot be read yet is told where problems are, and looked at again when the file changes.
-        session.reload_scene(&text).then(|| format!("{name} was changed by another program and loaded again"))
+        // What cannot be read yet is told where problems are, and looked at again when the file
+        // changes.
+        session
+            .reload_scene(&text)
+            .then(|| format!("{name} was changed by another program and loaded again"))
     }
 
     fn check_painting(&mut self, session: &mut Session) -> Option<String> {
@@ -251,7 +265,8 @@ impl Disk {
             OnDisk::Changed if work.is_dirty() => Some(PaintingConflict::Changed),
             OnDisk::Changed => match session.reload_painting() {
                 Ok(is_other) => {
-                    told = is_other.then(|| format!("{name} was changed by another program and loaded again"));
+                    told = is_other
+                        .then(|| format!("{name} was changed by another program and loaded again"));
                     None
                 }
                 Err(_) => Some(PaintingConflict::Broken),
@@ -284,8 +299,15 @@ impl Disk {
                     return None;
                 }
                 self.conflict = None;
-                let name = self.look.as_ref().and_then(|path| path.file_name()).map(|name| name.to_string_lossy());
-                Some(format!("{} was changed by another program and loaded again", name.unwrap_or_default()))
+                let name = self
+                    .look
+                    .as_ref()
+                    .and_then(|path| path.file_name())
+                    .map(|name| name.to_string_lossy());
+                Some(format!(
+                    "{} was changed by another program and loaded again",
+                    name.unwrap_or_default()
+                ))
             }
         }
     }

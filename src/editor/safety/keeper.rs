@@ -1,7 +1,8 @@
 //! Writes the journal of an open document, on a thread of its own: a slow disk holds up no hand.
 //!
-//! Edits of one gesture that set the same thing again and again, such as all of a drag, are joined for a moment before
-//! they are written, and the disk itself is waited for only when nothing was done for a while.
+//! Edits of one gesture that set the same thing again and again, such as all of a drag, are joined
+//! for a moment before they are written, and the disk itself is waited for only when nothing was
+//! done for a while.
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -23,8 +24,8 @@ const REST: Duration = Duration::from_secs(1);
 /// After a failure, the next attempt is made when so many seconds have passed.
 const RETRY: f64 = 3.0;
 
-/// What a window wants back beside a document is written as often at most, in seconds: a turntable changes it in every
-/// frame.
+/// What a window wants back beside a document is written as often at most, in seconds: a turntable
+/// changes it in every frame.
 const WINDOW: f64 = 0.25;
 
 /// What a window wants back beside a document, by name.
@@ -77,7 +78,8 @@ where
     D: Journaled + Send + 'static,
     D::Edit: Send,
 {
-    /// Keeps journals in `folder`. `wake` is called from another thread when there is a problem, or none any more.
+    /// Keeps journals in `folder`. `wake` is called from another thread when there is a problem, or
+    /// none any more.
     pub(crate) fn new(folder: PathBuf, wake: impl Fn() + Send + 'static) -> Self {
         let (sender, receiver) = channel();
         let shared = Arc::new(Shared::default());
@@ -124,8 +126,8 @@ where
         }
     }
 
-    /// Notes what the window wants back beside the document, whichever that is. It alone is worth no journal, and goes
-    /// into the one that there is.
+    /// Notes what the window wants back beside the document, whichever that is. It alone is worth
+    /// no journal, and goes into the one that there is.
     pub(crate) fn note_window(&mut self, members: Members) {
         self.send(Message::Window(members));
     }
@@ -171,14 +173,15 @@ impl<D: Journaled> Drop for Keeper<D> {
 
 fn problem(why: impl std::fmt::Display) -> Diagnostic {
     let message = format!("a crash now would lose what is not saved: {why}");
-    Diagnostic::warning("not-kept", message).hint("editing goes on; save often, or make room on the disk")
+    Diagnostic::warning("not-kept", message)
+        .hint("editing goes on; save often, or make room on the disk")
 }
 
 /// What is about to be written.
 struct Waiting<D: Journaled> {
     ops: Vec<Op<D::Edit>>,
-    /// Whether the last of them is the first of its gesture. Others of the same gesture never take its place: it is what
-    /// makes the undo step, and what takes away what could be redone.
+    /// Whether the last of them is the first of its gesture. Others of the same gesture never take
+    /// its place: it is what makes the undo step, and what takes away what could be redone.
     is_first: bool,
 }
 
@@ -189,15 +192,15 @@ impl<D: Journaled> Default for Waiting<D> {
 }
 
 impl<D: Journaled> Waiting<D> {
-    /// Puts an edit after what waits, or in the place of the last that waits, if it sets the same anyway.
+    /// Puts an edit after what waits, or in the place of the last that waits, if it sets the same
+    /// anyway.
     fn join(&mut self, op: Op<D::Edit>) {
         let last = self.ops.last_mut();
         let (goes_on, sets_the_same) = match (&last, &op) {
-            (Some(Op::Edit { gesture: Some(old), edit: covered }), Op::Edit { gesture: Some(new), edit })
-                if old == new =>
-            {
-                (true, D::covers(covered, edit))
-            }
+            (
+                Some(Op::Edit { gesture: Some(old), edit: covered }),
+                Op::Edit { gesture: Some(new), edit },
+            ) if old == new => (true, D::covers(covered, edit)),
             _ => (false, false),
         };
         match last {
@@ -250,7 +253,11 @@ impl<D: Journaled> Writer<D> {
                     if self.is_to_note() && self.noted.as_ref().is_none_or(is_due) {
                         self.note_window();
                     }
-                    if !goes_on || since.as_ref().is_some_and(|since| since.seconds() >= OFTEN.as_secs_f64()) {
+                    if !goes_on
+                        || since
+                            .as_ref()
+                            .is_some_and(|since| since.seconds() >= OFTEN.as_secs_f64())
+                    {
                         self.write();
                     }
                     *self.shared.handled.lock().unwrap_or_else(PoisonError::into_inner) += 1;
@@ -266,7 +273,11 @@ impl<D: Journaled> Writer<D> {
                     return;
                 }
             }
-            since = if self.waiting.ops.is_empty() { None } else { since.or_else(|| Some(Clock::start())) };
+            since = if self.waiting.ops.is_empty() {
+                None
+            } else {
+                since.or_else(|| Some(Clock::start()))
+            };
         }
     }
 
@@ -305,7 +316,10 @@ impl<D: Journaled> Writer<D> {
         }
     }
 
-    fn begin(&mut self, Standing { about, source, history, slot }: Standing<D>) -> std::io::Result<()> {
+    fn begin(
+        &mut self,
+        Standing { about, source, history, slot }: Standing<D>,
+    ) -> std::io::Result<()> {
         self.journal = None;
         if slot.is_some() {
             self.slot = slot;
@@ -346,8 +360,8 @@ impl<D: Journaled> Writer<D> {
         !self.is_noted && self.journal.is_some()
     }
 
-    /// Writes what the window wants back, where the journal does not have it. It is nobody's work: where that fails,
-    /// nothing is told, and the next edit tells it.
+    /// Writes what the window wants back, where the journal does not have it. It is nobody's work:
+    /// where that fails, nothing is told, and the next edit tells it.
     fn note_window(&mut self) {
         if !self.is_noted
             && let Some(journal) = &mut self.journal
@@ -371,8 +385,8 @@ impl<D: Journaled> Writer<D> {
         self.take(synced);
     }
 
-    /// Tells a failure once, and once that it is over. What is missing in a journal cannot be made up for, so it is begun
-    /// anew then.
+    /// Tells a failure once, and once that it is over. What is missing in a journal cannot be made
+    /// up for, so it is begun anew then.
     fn take(&mut self, result: std::io::Result<()>) {
         let problem = result.err().map(|error| problem(reason(&error)));
         if problem.is_some() {
@@ -461,7 +475,10 @@ mod tests {
                 let op = match below(12) {
                     0 => Op::Undo,
                     1 => Op::Redo,
-                    2 => Op::Edit { gesture: Some(gesture), edit: Edit::SetLookName { name: below(3).to_string() } },
+                    2 => Op::Edit {
+                        gesture: Some(gesture),
+                        edit: Edit::SetLookName { name: below(3).to_string() },
+                    },
                     3 => Op::Edit { gesture: None, edit: set("a", below(3)) },
                     4..7 => Op::Edit { gesture: Some(gesture), edit: set("b", below(3)) },
                     _ => Op::Edit { gesture: Some(gesture), edit: set("a", below(3)) },

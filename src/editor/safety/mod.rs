@@ -1,6 +1,6 @@
-//! Nothing is ever lost: unsaved work is kept in a journal and offered again, files changed by other programs are
-//! noticed, and what the window remembers is saved. All of it is told in a bar below the top one, and nothing asks in the
-//! middle of the work.
+//! Nothing is ever lost: unsaved work is kept in a journal and offered again, files changed by
+//! other programs are noticed, and what the window remembers is saved. All of it is told in a bar
+//! below the top one, and nothing asks in the middle of the work.
 
 mod bar;
 pub(crate) mod crashes;
@@ -30,8 +30,8 @@ use offers::Offers;
 use places::Places;
 use unopened::Unopened;
 
-/// When, in seconds of the window's clock, it looks for left work once more: a program that was killed may take a while to
-/// let go of its own.
+/// When, in seconds of the window's clock, it looks for left work once more: a program that was
+/// killed may take a while to let go of its own.
 const LOOKS: [f64; 3] = [2.0, 6.0, 20.0];
 
 /// What the bar asks for.
@@ -79,13 +79,14 @@ pub(crate) struct Safety {
     looks: usize,
     /// The file that could not be opened last.
     unopened: Option<Unopened>,
-    /// The files of scenes, and of looks within them, that this window has put aside: their work comes back with them.
+    /// The files of scenes, and of looks within them, that this window has put aside: their work
+    /// comes back with them.
     aside: HashSet<PathBuf>,
 }
 
 impl Safety {
-    /// One that notices changed files, and keeps nothing until it is told where. `wake` is called from another thread
-    /// when a file may have changed.
+    /// One that notices changed files, and keeps nothing until it is told where. `wake` is called
+    /// from another thread when a file may have changed.
     pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
         Self {
             places: None,
@@ -101,7 +102,12 @@ impl Safety {
     }
 
     /// Keeps journals and settings here from now on, and looks for what was left behind.
-    pub(crate) fn keep_in(&mut self, places: Places, session: &mut Session, wake: impl Fn() + Send + Sync + 'static) {
+    pub(crate) fn keep_in(
+        &mut self,
+        places: Places,
+        session: &mut Session,
+        wake: impl Fn() + Send + Sync + 'static,
+    ) {
         session.keep_in(&places.journals(), wake);
         session.crashes.keep_in(&places.running());
         self.settings = Settings::load(&places.settings());
@@ -116,7 +122,12 @@ impl Safety {
     }
 
     /// Tells that a file could not be opened, until another one is.
-    pub(crate) fn could_not_open(&mut self, path: &Path, problems: &[Diagnostic], session: &Session) {
+    pub(crate) fn could_not_open(
+        &mut self,
+        path: &Path,
+        problems: &[Diagnostic],
+        session: &Session,
+    ) {
         self.unopened = Some(Unopened::new(path, problems, session));
     }
 
@@ -143,11 +154,12 @@ impl Safety {
         }
     }
 
-    /// Goes on where the last window was closed, if anything was not saved then. A window that crashed is not gone on
-    /// with unasked: what it was at may be what broke it.
+    /// Goes on where the last window was closed, if anything was not saved then. A window that
+    /// crashed is not gone on with unasked: what it was at may be what broke it.
     pub(crate) fn resume(&mut self, session: &mut Session) -> Option<String> {
         let look = self.resume_look(session);
-        let painting = self.offers.closed_painting().filter(|number| !self.is_suspect(*number, session));
+        let painting =
+            self.offers.closed_painting().filter(|number| !self.is_suspect(*number, session));
         let painting = painting.map(|number| self.take_back(number, session));
         look.or(painting)
     }
@@ -183,7 +195,8 @@ impl Safety {
         self.aside.insert(real(path));
     }
 
-    /// Takes a look without a file back that was put aside as it is here. Returns whether there was one.
+    /// Takes a look without a file back that was put aside as it is here. Returns whether there was
+    /// one.
     pub(crate) fn take_back_look(&mut self, look: &Look, session: &mut Session) -> bool {
         self.look();
         let text = look.to_text();
@@ -191,7 +204,8 @@ impl Safety {
         number.map(|number| self.take_back(number, session)).is_some()
     }
 
-    /// Takes the look back that was left behind and shows what is painted. Returns whether there was one.
+    /// Takes the look back that was left behind and shows what is painted. Returns whether there
+    /// was one.
     pub(crate) fn take_back_look_of_painting(&mut self, session: &mut Session) -> bool {
         self.look();
         let is_it = |look: &Look, path: Option<&Path>| look::shows_in(session, look, path);
@@ -210,8 +224,8 @@ impl Safety {
         }
     }
 
-    /// Opens a file with the past or the unsaved work that a journal has of it, where the file is what that was based on.
-    /// Returns what to tell; `None` where the file is to be read.
+    /// Opens a file with the past or the unsaved work that a journal has of it, where the file is
+    /// what that was based on. Returns what to tell; `None` where the file is to be read.
     pub(crate) fn reopen(&mut self, path: &Path, session: &mut Session) -> Option<String> {
         let is_aside = self.aside.contains(&real(path));
         if let Some(number) = self.offers.of_file(path, false, is_aside) {
@@ -259,8 +273,12 @@ impl Safety {
     /// Opens the scene that a look was in when it was put aside, if that is not open.
     fn open_scene_of(&self, number: usize, session: &mut Session) {
         let Some(offer) = self.offers.get(number).filter(|offer| !offer.is_scene) else { return };
-        let is_open =
-            |path: &Path| session.stage().and_then(|stage| stage.path()).is_some_and(|open| real(open) == real(path));
+        let is_open = |path: &Path| {
+            session
+                .stage()
+                .and_then(|stage| stage.path())
+                .is_some_and(|open| real(open) == real(path))
+        };
         if let Some(scene) = offer.beside.clone().filter(|path| path.is_file() && !is_open(path)) {
             // Where it cannot be read the look comes back without it.
             let _ = session.open(&scene);
@@ -275,7 +293,9 @@ impl Safety {
     /// Remembers a mesh, and whether it was stood up.
     pub(crate) fn shown_on(&mut self, mesh: &str, z_is_up: bool) {
         let path = std::path::absolute(mesh).ok().filter(|_| !mesh.starts_with(SHAPE_PREFIX));
-        let mesh = path.and_then(|path| path.to_str().map(str::to_owned)).unwrap_or_else(|| mesh.to_owned());
+        let mesh = path
+            .and_then(|path| path.to_str().map(str::to_owned))
+            .unwrap_or_else(|| mesh.to_owned());
         self.change_settings(|settings| {
             settings.mesh = Some(mesh);
             settings.z_is_up = z_is_up;
@@ -304,14 +324,19 @@ impl Safety {
     /// Changes what is remembered, and saves it.
     pub(crate) fn change_settings(&mut self, change: impl FnOnce(&mut Settings)) {
         match self.places.as_ref().map(Places::settings) {
-            // Where they cannot be saved, the window goes on with what it knew: nothing of anybody's work is lost.
+            // Where they cannot be saved, the window goes on with what it knew: nothing of
+            // anybody's work is lost.
             Some(path) => self.settings = Settings::change(&path, &self.settings, change),
             None => change(&mut self.settings),
         }
     }
 
     /// Looks at files when it is time to. Returns what to tell, and when to call again.
-    pub(crate) fn tick(&mut self, ui: &Ui, session: &mut Session) -> (Option<String>, Option<Duration>) {
+    pub(crate) fn tick(
+        &mut self,
+        ui: &Ui,
+        session: &mut Session,
+    ) -> (Option<String>, Option<Duration>) {
         let now = ui.input(|input| input.time);
         if LOOKS.get(self.looks).is_some_and(|&time| now >= time) {
             self.looks += 1;
@@ -344,7 +369,9 @@ impl Safety {
                 }
             }
             Wish::KeepMine => {
-                if let Some(Conflict::Changed(text) | Conflict::Broken(text)) = self.disk.conflict.take() {
+                if let Some(Conflict::Changed(text) | Conflict::Broken(text)) =
+                    self.disk.conflict.take()
+                {
                     session.keep_mine(text);
                     return Some("Saving will write over the other version".to_owned());
                 }
@@ -353,13 +380,19 @@ impl Safety {
                 if let Some(text) = self.disk.scene_conflict.take() {
                     let is_read = session.reload_scene(&text);
                     return Some(match is_read {
-                        true => "The scene was loaded again; Undo brings your changes back".to_owned(),
-                        false => "The scene's file cannot be read now; your version stays".to_owned(),
+                        true => {
+                            "The scene was loaded again; Undo brings your changes back".to_owned()
+                        }
+                        false => {
+                            "The scene's file cannot be read now; your version stays".to_owned()
+                        }
                     });
                 }
             }
             Wish::KeepMyScene => {
-                if let (Some(text), Some(stage)) = (self.disk.scene_conflict.take(), session.stage_mut()) {
+                if let (Some(text), Some(stage)) =
+                    (self.disk.scene_conflict.take(), session.stage_mut())
+                {
                     stage.keep_mine(text);
                     return Some("Saving the scene will write over the other version".to_owned());
                 }
@@ -367,9 +400,14 @@ impl Safety {
             Wish::ReloadPainting => {
                 self.disk.painting_conflict = None;
                 return Some(match session.reload_painting() {
-                    Ok(_) => "What is painted was loaded again; Undo brings your changes back".to_owned(),
+                    Ok(_) => {
+                        "What is painted was loaded again; Undo brings your changes back".to_owned()
+                    }
                     Err(problems) => {
-                        let why = problems.first().map(|problem| problem.message.as_str()).unwrap_or_default();
+                        let why = problems
+                            .first()
+                            .map(|problem| problem.message.as_str())
+                            .unwrap_or_default();
                         format!("The file cannot be read now, and your version stays: {why}")
                     }
                 });
@@ -378,7 +416,9 @@ impl Safety {
                 self.disk.painting_conflict = None;
                 if let Some(work) = session.painting_mut() {
                     work.keep_mine();
-                    return Some("Saving what is painted will write the file as it is here".to_owned());
+                    return Some(
+                        "Saving what is painted will write the file as it is here".to_owned(),
+                    );
                 }
             }
             Wish::HideUnopened | Wish::OpenAnother | Wish::ReadAgain => self.unopened = None,

@@ -1,4 +1,5 @@
-//! Work that was left behind: by a window that crashed, by one that was closed, or put aside for another document.
+//! Work that was left behind: by a window that crashed, by one that was closed, or put aside for
+//! another document.
 
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
@@ -66,13 +67,20 @@ impl Outline {
     fn read(path: &Path) -> Result<Self, Box<Diagnostic>> {
         Ok(match recover_any(path)? {
             Found::Look(found) => {
-                let is_in_file = is_in_file(&found, |text| Some(Look::read(text, "").value?.to_text()), Look::to_text);
+                let is_in_file = is_in_file(
+                    &found,
+                    |text| Some(Look::read(text, "").value?.to_text()),
+                    Look::to_text,
+                );
                 let beside = text_of(&found.about.window, "scene");
                 Self { is_in_file, beside, ..Self::of(*found) }
             }
             Found::Scene(found) => {
-                let is_in_file =
-                    is_in_file(&found, |text| Some(Scene::read(text, "").value?.to_text()), Scene::to_text);
+                let is_in_file = is_in_file(
+                    &found,
+                    |text| Some(Scene::read(text, "").value?.to_text()),
+                    Scene::to_text,
+                );
                 let beside = text_of(&found.about.window, "look");
                 Self { is_in_file, beside, is_scene: true, ..Self::of(*found) }
             }
@@ -93,7 +101,12 @@ impl Outline {
             is_scene: false,
             is_painting: false,
             beside: None,
-            is_staged: found.about.window.get("staged").and_then(serde_json::Value::as_bool).unwrap_or(false),
+            is_staged: found
+                .about
+                .window
+                .get("staged")
+                .and_then(serde_json::Value::as_bool)
+                .unwrap_or(false),
         }
     }
 }
@@ -165,20 +178,23 @@ impl Offer {
     }
 }
 
-/// Whether the file holds the document as it is: it was saved, and the journal did not come to know. `canonical` is the
-/// canonical form of a text.
+/// Whether the file holds the document as it is: it was saved, and the journal did not come to
+/// know. `canonical` is the canonical form of a text.
 fn is_in_file<D: Journaled>(
     found: &Recovered<D>,
     canonical: impl Fn(&str) -> Option<String>,
     to_text: impl Fn(&D) -> String,
 ) -> bool {
     let text = found.about.path.as_ref().and_then(|path| read_text(Path::new(path)).ok());
-    text.and_then(|text| canonical(&text)).is_some_and(|text| text == to_text(found.history.document()))
+    text.and_then(|text| canonical(&text))
+        .is_some_and(|text| text == to_text(found.history.document()))
 }
 
 /// How long ago, as people say it.
 fn ago(age: Duration) -> String {
-    let count = |number: u64, unit: &str| format!("{number} {unit}{} ago", if number == 1 { "" } else { "s" });
+    let count = |number: u64, unit: &str| {
+        format!("{number} {unit}{} ago", if number == 1 { "" } else { "s" })
+    };
     match age.as_secs() {
         0..60 => "just now".to_owned(),
         seconds @ 60..3600 => count(seconds / 60, "minute"),
@@ -218,8 +234,9 @@ impl Offers {
         self.shown().find(|(_, offer)| is_it(offer)).map(|(number, _)| number)
     }
 
-    /// What was left of the look in this file, if the file is still what it was based on: `is_saved` asks for the past
-    /// of a saved look, else for unsaved work of a window that was closed, or with `is_aside` of whichever.
+    /// What was left of the look in this file, if the file is still what it was based on:
+    /// `is_saved` asks for the past of a saved look, else for unsaved work of a window that was
+    /// closed, or with `is_aside` of whichever.
     pub(crate) fn of_file(&self, path: &Path, is_saved: bool, is_aside: bool) -> Option<usize> {
         let path = std::path::absolute(path).ok()?;
         let is_it = |offer: &Offer| {
@@ -234,10 +251,12 @@ impl Offers {
         is_same.then_some(number)
     }
 
-    /// The newest that was left of a look for which `is_it` is true; that is told its file, if it has one.
+    /// The newest that was left of a look for which `is_it` is true; that is told its file, if it
+    /// has one.
     pub(crate) fn of_look(&self, is_it: impl Fn(&Look, Option<&Path>) -> bool) -> Option<usize> {
         self.all.iter().position(|offer| {
-            let may_be = offer.is_readable && !offer.is_scene && !offer.is_painting && !offer.is_thrown;
+            let may_be =
+                offer.is_readable && !offer.is_scene && !offer.is_painting && !offer.is_thrown;
             let found = may_be.then(|| recover_any(offer.slot.path()).ok()).flatten();
             let Some(Found::Look(found)) = found else { return false };
             is_it(found.history.document(), offer.path.as_deref())
@@ -259,15 +278,22 @@ impl Offers {
     /// The look without a file that was put aside with a scene.
     pub(crate) fn unsaved_of_scene(&self) -> Option<usize> {
         let is_look = |offer: &Offer| !offer.is_scene && !offer.is_painting;
-        let is_it = |offer: &Offer| is_look(offer) && offer.is_staged && offer.path.is_none() && offer.is_readable;
+        let is_it = |offer: &Offer| {
+            is_look(offer) && offer.is_staged && offer.path.is_none() && offer.is_readable
+        };
         self.all.iter().position(is_it)
     }
 
-    /// Opens what is offered in the window, in place of the open look, which the caller has put aside.
+    /// Opens what is offered in the window, in place of the open look, which the caller has put
+    /// aside.
     ///
     /// # Errors
     /// Why it cannot be read; it is still offered then.
-    pub(crate) fn take_back(&mut self, number: usize, session: &mut Session) -> Result<String, Box<Diagnostic>> {
+    pub(crate) fn take_back(
+        &mut self,
+        number: usize,
+        session: &mut Session,
+    ) -> Result<String, Box<Diagnostic>> {
         let Some(offer) = self.all.get(number) else { return Ok(String::new()) };
         let found = recover_any(offer.slot.path())?;
         let offer = self.all.remove(number);

@@ -14,14 +14,15 @@ pub struct Places {
 }
 
 impl Places {
-    /// Those of the system (XDG on Linux), or what `CHIARO_STATE_DIR` and `CHIARO_CONFIG_DIR` name. `None` where the user
-    /// has no home.
+    /// Those of the system (XDG on Linux), or what `CHIARO_STATE_DIR` and `CHIARO_CONFIG_DIR` name.
+    /// `None` where the user has no home.
     pub fn of_user() -> Option<Self> {
         Self::from(|name| var_os(name))
     }
 
     fn from(variable: impl Fn(&str) -> Option<OsString>) -> Option<Self> {
-        let folder = |name: &str| variable(name).map(PathBuf::from).filter(|path| path.is_absolute());
+        let folder =
+            |name: &str| variable(name).map(PathBuf::from).filter(|path| path.is_absolute());
         let home = |below: &str| folder("HOME").map(|home| home.join(below));
         let (state, config) = if cfg!(target_os = "windows") {
             (folder("LOCALAPPDATA"), folder("APPDATA"))
@@ -38,7 +39,10 @@ impl Places {
             let named = variable(name).filter(|name| !name.is_empty()).map(PathBuf::from);
             named.or_else(|| system.map(|folder| folder.join("chiaro")))
         };
-        Some(Self { state: own("CHIARO_STATE_DIR", state)?, config: own("CHIARO_CONFIG_DIR", config)? })
+        Some(Self {
+            state: own("CHIARO_STATE_DIR", state)?,
+            config: own("CHIARO_CONFIG_DIR", config)?,
+        })
     }
 
     /// Where journals lie.
@@ -65,13 +69,16 @@ mod tests {
     #[cfg(target_os = "linux")]
     fn places_are_those_of_the_system_unless_named() {
         let from = |pairs: &[(&str, &str)]| {
-            Places::from(|name| pairs.iter().find(|(key, _)| *key == name).map(|(_, value)| OsString::from(value)))
+            Places::from(|name| {
+                pairs.iter().find(|(key, _)| *key == name).map(|(_, value)| OsString::from(value))
+            })
         };
         assert_eq!(from(&[]), None);
         let home = from(&[("HOME", "/home/a"), ("XDG_CONFIG_HOME", "not/absolute")]).unwrap();
         assert_eq!(home.journals(), PathBuf::from("/home/a/.local/state/chiaro/journals"));
         assert_eq!(home.settings(), PathBuf::from("/home/a/.config/chiaro/settings.json"));
-        let named = from(&[("XDG_STATE_HOME", "/s"), ("CHIARO_CONFIG_DIR", "c"), ("HOME", "/h")]).unwrap();
+        let named =
+            from(&[("XDG_STATE_HOME", "/s"), ("CHIARO_CONFIG_DIR", "c"), ("HOME", "/h")]).unwrap();
         assert_eq!((named.state, named.config), ("/s/chiaro".into(), "c".into()));
     }
 }

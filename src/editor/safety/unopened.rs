@@ -25,7 +25,9 @@ impl Unopened {
         let why = problem.map(|problem| problem.message.as_str()).unwrap_or_default();
         let why = why.strip_prefix("cannot read the file: ").unwrap_or(why);
         let at = problem.and_then(|problem| problem.place.at);
-        let at = at.map(|LineColumn { line, column }| format!(" (line {line}, column {column})")).unwrap_or_default();
+        let at = at
+            .map(|LineColumn { line, column }| format!(" (line {line}, column {column})"))
+            .unwrap_or_default();
         let whole = absolute(path);
         let hints = problem.map(|problem| problem.hints.join("; ")).unwrap_or_default();
         let help = if hints.is_empty() { String::new() } else { format!(": {hints}") };

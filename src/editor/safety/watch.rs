@@ -1,5 +1,5 @@
-//! Tells when files may have changed. What changed, and whether it did, is for others to see: events come several at a
-//! time, for half-written files, and on some systems not at all.
+//! Tells when files may have changed. What changed, and whether it did, is for others to see:
+//! events come several at a time, for half-written files, and on some systems not at all.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -15,8 +15,9 @@ pub(super) struct Watched {
     pub(super) files: BTreeSet<PathBuf>,
     /// Folders with all in them, which need not be there yet.
     pub(super) folders: BTreeSet<PathBuf>,
-    /// Those of `folders` that are there, and the folders in them that are looked at. The system is asked for each alone:
-    /// asked for all that is below one, it would follow links over the whole disk.
+    /// Those of `folders` that are there, and the folders in them that are looked at. The system is
+    /// asked for each alone: asked for all that is below one, it would follow links over the whole
+    /// disk.
     pub(super) below: BTreeSet<PathBuf>,
 }
 
@@ -25,7 +26,8 @@ impl Watched {
         self.files.contains(path) || self.folders.iter().any(|folder| path.starts_with(folder))
     }
 
-    /// The folders to ask the system for. A file is watched by its folder, since a save puts another in its place.
+    /// The folders to ask the system for. A file is watched by its folder, since a save puts
+    /// another in its place.
     fn to_ask_for(&self) -> BTreeSet<PathBuf> {
         let parents = self.files.iter().chain(&self.folders).filter_map(|path| path.parent());
         let folders = parents.chain(self.below.iter().map(PathBuf::as_path));
@@ -57,7 +59,9 @@ impl Watch {
             let is_ours = match event {
                 // Reading is no change. An event without a path says that events were lost.
                 Ok(event) if matches!(event.kind, EventKind::Access(_)) => false,
-                Ok(event) => event.paths.is_empty() || event.paths.iter().any(|path| watched.holds(path)),
+                Ok(event) => {
+                    event.paths.is_empty() || event.paths.iter().any(|path| watched.holds(path))
+                }
                 Err(_) => true,
             };
             drop(watched);
@@ -69,8 +73,8 @@ impl Watch {
         Self { shared, watcher: watcher.ok(), folders: BTreeSet::new() }
     }
 
-    /// Watches other folders below, and asks for all of them anew: one that was replaced by another of the same name is
-    /// not watched any more, and nobody tells.
+    /// Watches other folders below, and asks for all of them anew: one that was replaced by another
+    /// of the same name is not watched any more, and nobody tells.
     pub(super) fn renew(&mut self, below: BTreeSet<PathBuf>) {
         let watched = self.shared.watched.lock().unwrap_or_else(PoisonError::into_inner).clone();
         for folder in std::mem::take(&mut self.folders) {
@@ -91,7 +95,8 @@ impl Watch {
             let _ = watcher.unwatch(folder);
         }
         for folder in folders.difference(&self.folders) {
-            // Where the system has no more watches to give, files are looked at when the window is come back to.
+            // Where the system has no more watches to give, files are looked at when the window is
+            // come back to.
             let _ = watcher.watch(folder, RecursiveMode::NonRecursive);
         }
         self.folders = folders;

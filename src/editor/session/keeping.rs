@@ -50,7 +50,8 @@ where
     D: Journaled + Send + 'static,
     D::Edit: Send,
 {
-    /// Keeps journals in a folder from now on. `wake` is called from another thread when that fails, or works again.
+    /// Keeps journals in a folder from now on. `wake` is called from another thread when that
+    /// fails, or works again.
     pub(crate) fn keep_in(&mut self, folder: &Path, wake: impl Fn() + Send + 'static) {
         self.keeper = Some(Keeper::new(folder.to_owned(), wake));
     }
@@ -69,12 +70,14 @@ where
 
     /// Whether the document as it stands is wanted rather than what was done.
     pub(crate) fn wants_to_begin(&self, is_dirty: bool) -> bool {
-        let is_wanted =
-            |keeper: &Keeper<D>| keeper.wants_to_begin() && (keeper.has_begun && is_dirty || !self.ops.is_empty());
+        let is_wanted = |keeper: &Keeper<D>| {
+            keeper.wants_to_begin() && (keeper.has_begun && is_dirty || !self.ops.is_empty())
+        };
         self.keeper.as_ref().is_some_and(is_wanted)
     }
 
-    /// Hands what was done since the last call to the journal; a gesture that goes on may wait for a moment there.
+    /// Hands what was done since the last call to the journal; a gesture that goes on may wait for
+    /// a moment there.
     pub(crate) fn add(&mut self, goes_on: bool) {
         if let Some(keeper) = &mut self.keeper {
             keeper.add(std::mem::take(&mut self.ops), goes_on);
@@ -167,8 +170,8 @@ where
 }
 
 impl Session {
-    /// Keeps the journals of unsaved work in a folder from now on. `wake` is called from another thread when that fails,
-    /// or works again.
+    /// Keeps the journals of unsaved work in a folder from now on. `wake` is called from another
+    /// thread when that fails, or works again.
     pub fn keep_in(&mut self, folder: &Path, wake: impl Fn() + Send + Sync + 'static) {
         let wake: Arc<dyn Fn() + Send + Sync> = Arc::new(wake);
         self.keeps = Some((folder.to_owned(), wake.clone()));
@@ -182,7 +185,8 @@ impl Session {
         }
     }
 
-    /// Hands what was done since the last call to the journals; a gesture that goes on may wait for a moment there.
+    /// Hands what was done since the last call to the journals; a gesture that goes on may wait for
+    /// a moment there.
     pub fn commit(&mut self, goes_on: bool) {
         if self.kept.commit(goes_on) {
             self.begin_journal(None);
@@ -197,7 +201,8 @@ impl Session {
         }
     }
 
-    /// Waits until the system has all that was handed over; for tests, and before something is put away.
+    /// Waits until the system has all that was handed over; for tests, and before something is put
+    /// away.
     pub fn wait_for_journal(&self) {
         self.kept.keeping.wait();
         if let Some(stage) = &self.stage {
@@ -249,11 +254,13 @@ impl Session {
         }
     }
 
-    /// Lets go of the look's journal before another look comes: it stays if anything in it is not saved.
+    /// Lets go of the look's journal before another look comes: it stays if anything in it is not
+    /// saved.
     pub(crate) fn leave_journal(&mut self, in_peace: bool) {
         self.commit(false);
         self.note_home();
-        // What has no file is needed by a scene that is put aside with it, be it as it was in the beginning.
+        // What has no file is needed by a scene that is put aside with it, be it as it was in the
+        // beginning.
         let by_scene = self.stage.as_ref().is_some_and(|stage| stage.is_dirty());
         // And by what is painted in it.
         let by_painting = self.is_painting_dirty() && self.shows_painting(Path::new(UNSAVED_HCBTF));
@@ -270,8 +277,8 @@ impl Session {
         self.keeps = None;
     }
 
-    /// Takes work back that a journal gave: the document, its file, and all that can be undone and redone. The journal
-    /// goes on where it is.
+    /// Takes work back that a journal gave: the document, its file, and all that can be undone and
+    /// redone. The journal goes on where it is.
     pub(crate) fn take_back(&mut self, found: Recovered<Look>, slot: Slot) {
         let path = found.about.path.as_ref().map(PathBuf::from);
         self.leave_stage_unless_worn(path.as_deref());
@@ -293,7 +300,8 @@ impl Session {
         self.begin_journal(Some(slot));
     }
 
-    /// Looks from where the window did that had the work which was taken back last, if `is_wanted`; else that is forgotten.
+    /// Looks from where the window did that had the work which was taken back last, if `is_wanted`;
+    /// else that is forgotten.
     pub(crate) fn look_as_kept(&mut self, is_wanted: bool) {
         if let Some(kept) = self.kept_view.take().filter(|_| is_wanted) {
             self.view.recall(&kept);
@@ -302,11 +310,14 @@ impl Session {
 
     /// Compares the look's file with what it held when it was read or written last.
     pub(crate) fn on_disk(&self) -> OnDisk {
-        self.path.as_deref().map_or(OnDisk::Same, |path| self.kept.keeping.on_disk(path, self.source.text()))
+        self.path
+            .as_deref()
+            .map_or(OnDisk::Same, |path| self.kept.keeping.on_disk(path, self.source.text()))
     }
 
-    /// Takes what another program made of the file, as one step that can be undone. View and selection stay. Returns
-    /// whether it could be read without an error; else the look stays as it is, and the problems are told.
+    /// Takes what another program made of the file, as one step that can be undone. View and
+    /// selection stay. Returns whether it could be read without an error; else the look stays as it
+    /// is, and the problems are told.
     pub(crate) fn reload(&mut self, text: &str) -> bool {
         let file = self.path.as_ref().map(|path| path.display().to_string()).unwrap_or_default();
         let loaded = Look::read(text, &file);
@@ -333,7 +344,8 @@ impl Session {
         self.kept.keeping.override_with(theirs);
     }
 
-    /// Draws again with files that changed: meshes and images are read anew where their files are others.
+    /// Draws again with files that changed: meshes and images are read anew where their files are
+    /// others.
     pub(crate) fn files_changed(&mut self) {
         self.files += 1;
         self.stage_changed();

@@ -1,5 +1,6 @@
-//! A document that is kept: with its past, when its steps were done, the gestures that they come of, and the journal that
-//! loses none of it. The look, the scene around it and what is painted are one each.
+//! A document that is kept: with its past, when its steps were done, the gestures that they come
+//! of, and the journal that loses none of it. The look, the scene around it and what is painted are
+//! one each.
 
 use super::keeping::Keeping;
 use super::times::{Gestures, Times};
@@ -21,19 +22,25 @@ where
     D: Journaled + Send + 'static,
     D::Edit: Send,
 {
-    /// A document with its past. When the steps of that were done nobody knows: they are older than all others.
+    /// A document with its past. When the steps of that were done nobody knows: they are older than
+    /// all others.
     pub(crate) fn new(history: History<D>) -> Self {
         let mut times = Times::default();
         times.fit(history.steps());
         Self { history, times, gestures: Gestures::default(), keeping: Keeping::default() }
     }
 
-    /// Applies an edit. With a `hand`, consecutive edits by it are one step. `now` is when. Returns whether anything is
-    /// another now.
+    /// Applies an edit. With a `hand`, consecutive edits by it are one step. `now` is when. Returns
+    /// whether anything is another now.
     ///
     /// # Errors
     /// A diagnostic where the edit is impossible; nothing is changed then.
-    pub(crate) fn apply(&mut self, edit: D::Edit, hand: Option<u64>, now: u64) -> Result<bool, Box<Diagnostic>> {
+    pub(crate) fn apply(
+        &mut self,
+        edit: D::Edit,
+        hand: Option<u64>,
+        now: u64,
+    ) -> Result<bool, Box<Diagnostic>> {
         let before = self.history.revision();
         let kept = self.keeping.is_on().then(|| edit.clone());
         let gesture = hand.map(|hand| self.gestures.of(hand, before));
@@ -75,8 +82,8 @@ where
         self.gestures.end();
     }
 
-    /// Hands what was done to the journal; a gesture that goes on may wait for a moment there. Returns whether the journal
-    /// is to begin anew instead, with the document as it stands.
+    /// Hands what was done to the journal; a gesture that goes on may wait for a moment there.
+    /// Returns whether the journal is to begin anew instead, with the document as it stands.
     #[must_use]
     pub(crate) fn commit(&mut self, goes_on: bool) -> bool {
         let begins = self.keeping.wants_to_begin(!self.history.is_saved());
@@ -87,12 +94,17 @@ where
     }
 
     /// Begins the journal with the document as it stands.
-    pub(crate) fn begin_journal(&mut self, about: About, source: Option<std::sync::Arc<str>>, slot: Option<Slot>) {
+    pub(crate) fn begin_journal(
+        &mut self,
+        about: About,
+        source: Option<std::sync::Arc<str>>,
+        slot: Option<Slot>,
+    ) {
         self.keeping.begin(Standing { about, source, history: self.history.clone(), slot });
     }
 
-    /// After a save: returns whether the journal is to begin anew, with the same past and nothing unsaved. Without a past
-    /// there is nothing that is worth one.
+    /// After a save: returns whether the journal is to begin anew, with the same past and nothing
+    /// unsaved. Without a past there is nothing that is worth one.
     #[must_use]
     pub(crate) fn saved(&mut self) -> bool {
         self.keeping.forget_overridden();

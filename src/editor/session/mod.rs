@@ -1,4 +1,5 @@
-//! One open look: the document and its past, the file, what is selected, and the shaders made of it.
+//! One open look: the document and its past, the file, what is selected, and the shaders made of
+//! it.
 
 mod holding;
 pub(super) mod keeping;
@@ -30,7 +31,8 @@ use super::stage::Stage;
 use super::wire::ShownWire;
 use crate::diag::Diagnostic;
 use crate::document::{
-    DirectionKeys, Document, Edit, GraphId, History, Light, Look, SourceMap, Target, Value, write_atomic,
+    DirectionKeys, Document, Edit, GraphId, History, Light, Look, SourceMap, Target, Value,
+    write_atomic,
 };
 use crate::ids::{LightId, NodeId};
 use crate::library::{Fallback, Library};
@@ -46,7 +48,8 @@ pub struct Session {
     stage: Option<Stage>,
     /// The HCBTF that is being painted, where there is one.
     painting: Option<Work>,
-    /// Whether another look is open that does not show it: undo takes nothing back that nobody sees.
+    /// Whether another look is open that does not show it: undo takes nothing back that nobody
+    /// sees.
     pub(crate) hides_painting: bool,
     /// What is painted on the picture.
     sketch: Sketch,
@@ -55,7 +58,8 @@ pub struct Session {
     /// A look that is shown in place of the open one, and how often that changed.
     preview: Option<Arc<Look>>,
     preview_number: u64,
-    /// Grows with every step that is done, in the look, in the scene, in the painting or on the picture.
+    /// Grows with every step that is done, in the look, in the scene, in the painting or on the
+    /// picture.
     now: u64,
     source: Arc<SourceMap>,
     /// As it was opened: what says the same again after a save is written as it was.
@@ -109,7 +113,8 @@ pub struct Session {
 }
 
 impl Session {
-    /// An empty look, with what every look needs. `wake` is called from another thread when there is something new.
+    /// An empty look, with what every look needs. `wake` is called from another thread when there
+    /// is something new.
     pub fn new(library: Arc<Library>, wake: impl Fn() + Send + 'static) -> Self {
         let catalog = Catalog::new(&library);
         let source = Arc::new(Look::read(NEW_LOOK, "new look").source);
@@ -161,7 +166,8 @@ impl Session {
         session
     }
 
-    /// Begins a new look: a base, one light layer and an output, wired. A scene that is open is put aside.
+    /// Begins a new look: a base, one light layer and an output, wired. A scene that is open is put
+    /// aside.
     pub fn start_new(&mut self) {
         self.leave_journal(false);
         self.leave_project();
@@ -217,11 +223,15 @@ impl Session {
     pub fn save_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
         let is_own = self.path.as_deref() == Some(path);
         if is_own && self.is_partial {
-            let message = "this file holds things that could not be read, and saving over it would lose them";
-            return Err(Box::new(Diagnostic::error("partly-read", message).hint("save under another name")));
+            let message =
+                "this file holds things that could not be read, and saving over it would lose them";
+            return Err(Box::new(
+                Diagnostic::error("partly-read", message).hint("save under another name"),
+            ));
         }
         if is_own && let OnDisk::Changed(_) = self.on_disk() {
-            let message = "another program has changed this file since it was opened, and nothing was written over it";
+            let message = "another program has changed this file since it was opened, and nothing \
+                           was written over it";
             let hint = "choose above whose version is kept, or save under another name";
             return Err(Box::new(Diagnostic::error("changed-on-disk", message).hint(hint)));
         }
@@ -246,7 +256,8 @@ impl Session {
         Ok(())
     }
 
-    /// As the file says it, or said it when it was opened, where that is the same; else the canonical form.
+    /// As the file says it, or said it when it was opened, where that is the same; else the
+    /// canonical form.
     fn text(&self) -> String {
         let text = self.look().to_text_like(&self.source);
         if text == **self.source.text() { text } else { self.look().to_text_like(&self.opened) }
@@ -265,7 +276,11 @@ impl Session {
         self.selection.clear();
         // A scene has the camera, and goes on.
         if self.stage.is_none() {
-            self.view = Orbit { mesh: self.view.mesh.clone(), z_is_up: self.view.z_is_up, ..Orbit::default() };
+            self.view = Orbit {
+                mesh: self.view.mesh.clone(),
+                z_is_up: self.view.z_is_up,
+                ..Orbit::default()
+            };
             self.time = 0.0;
         }
         self.key = None;
@@ -291,13 +306,16 @@ impl Session {
         self.path.as_deref()
     }
 
-    /// What people call the look: as its file, or else as itself. One that is called as what is painted is told from that.
+    /// What people call the look: as its file, or else as itself. One that is called as what is
+    /// painted is told from that.
     pub(crate) fn name(&self) -> String {
         let look = &self.look().name;
         match self.path().and_then(Path::file_name) {
             Some(name) => name.to_string_lossy().into_owned(),
             None if look.is_empty() => "New look".to_owned(),
-            None if self.painting.as_ref().is_some_and(|work| work.name() == *look) => format!("Look of {look}"),
+            None if self.painting.as_ref().is_some_and(|work| work.name() == *look) => {
+                format!("Look of {look}")
+            }
             None => look.clone(),
         }
     }
@@ -394,12 +412,14 @@ impl Session {
         self.picture += 1;
     }
 
-    /// Whether a light shines, as far as the window is asked: it is neither muted nor is another one shown alone.
+    /// Whether a light shines, as far as the window is asked: it is neither muted nor is another
+    /// one shown alone.
     pub fn shines(&self, light: &str) -> bool {
         !self.solo.is_dark(&light.into())
     }
 
-    /// The look as it is shown: what is soloed alone, and without what is muted; or the preview of another.
+    /// The look as it is shown: what is soloed alone, and without what is muted; or the preview of
+    /// another.
     pub(crate) fn shown_look(&self) -> Cow<'_, Look> {
         match &self.preview {
             Some(preview) => Cow::Borrowed(preview),
@@ -426,7 +446,8 @@ impl Session {
         self.problems_number
     }
 
-    /// Applies an edit. With a `hand` (a widget and its press), consecutive edits by it are one step.
+    /// Applies an edit. With a `hand` (a widget and its press), consecutive edits by it are one
+    /// step.
     ///
     /// # Errors
     /// A diagnostic where the edit is impossible; nothing is changed then.
@@ -473,7 +494,10 @@ impl Session {
         self.selection = selection;
         self.keep_solo();
         let nodes = &self.kept.history.document().graph.nodes;
-        self.wire = self.wire.take().filter(|wire| wire.node.outermost().is_some_and(|id| nodes.contains_key(id)));
+        self.wire = self
+            .wire
+            .take()
+            .filter(|wire| wire.node.outermost().is_some_and(|id| nodes.contains_key(id)));
         self.picture += 1;
     }
 
@@ -489,24 +513,34 @@ impl Session {
                 let targets = |keys: &DirectionKeys| -> HashSet<Target> {
                     keys.keys.iter().flat_map(|key| key.values.keys()).cloned().collect()
                 };
-                let wires = |keys: &DirectionKeys| keys.by.outputs().cloned().collect::<HashSet<_>>();
-                let is_other = |old: &DirectionKeys| targets(old) != targets(keys) || wires(old) != wires(keys);
+                let wires =
+                    |keys: &DirectionKeys| keys.by.outputs().cloned().collect::<HashSet<_>>();
+                let is_other = |old: &DirectionKeys| {
+                    targets(old) != targets(keys) || wires(old) != wires(keys)
+                };
                 self.look().direction_keys.get(*index).is_none_or(is_other)
             }
             Edit::SetTimeKeys { index, keys } => {
                 let is_word = keys.keys.iter().any(|key| matches!(&key.value, Value::Text(_)));
-                is_word || self.look().time_keys.get(*index).is_none_or(|old| old.target != keys.target)
+                is_word
+                    || self.look().time_keys.get(*index).is_none_or(|old| old.target != keys.target)
             }
-            Edit::SetLight { id, light } => {
-                self.look().lights.get(id).is_none_or(|old| (old.kind, &old.name) != (light.kind, &light.name))
-            }
+            Edit::SetLight { id, light } => self
+                .look()
+                .lights
+                .get(id)
+                .is_none_or(|old| (old.kind, &old.name) != (light.kind, &light.name)),
             Edit::SetValue { graph, id, port, .. } => {
                 let node = self.look().graph_of(graph).and_then(|graph| graph.nodes.get(id));
-                let Some((node, kind)) = node.and_then(|node| Some((node, self.catalog.of(node)?))) else {
+                let Some((node, kind)) = node.and_then(|node| Some((node, self.catalog.of(node)?)))
+                else {
                     return true;
                 };
-                let Some(port) = kind.input(port.as_str()).map(|index| &kind.inputs[index]) else { return true };
-                let had_one = node.values.contains_key(&port.name) || matches!(port.fallback, Fallback::Value(_));
+                let Some(port) = kind.input(port.as_str()).map(|index| &kind.inputs[index]) else {
+                    return true;
+                };
+                let had_one = node.values.contains_key(&port.name)
+                    || matches!(port.fallback, Fallback::Value(_));
                 port.ty.is_setting() || !had_one
             }
             _ => true,

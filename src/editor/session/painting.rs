@@ -66,8 +66,13 @@ impl Session {
     /// Applies a change of what is painted. With a `hand`, consecutive changes by it are one step.
     ///
     /// # Errors
-    /// A diagnostic where the change is impossible, or nothing is open to be painted; nothing is changed then.
-    pub(crate) fn apply_to_painting(&mut self, change: HcbtfEdit, hand: Option<u64>) -> Result<(), Box<Diagnostic>> {
+    /// A diagnostic where the change is impossible, or nothing is open to be painted; nothing is
+    /// changed then.
+    pub(crate) fn apply_to_painting(
+        &mut self,
+        change: HcbtfEdit,
+        hand: Option<u64>,
+    ) -> Result<(), Box<Diagnostic>> {
         let Some(work) = &mut self.painting else {
             return Err(Box::new(Diagnostic::error("impossible-edit", "no HCBTF is open")));
         };
@@ -83,8 +88,8 @@ impl Session {
         Ok(())
     }
 
-    /// Saves what is painted to a file, which is its own from then on; the look names that where it named the one that
-    /// had no file.
+    /// Saves what is painted to a file, which is its own from then on; the look names that where it
+    /// named the one that had no file.
     ///
     /// # Errors
     /// A diagnostic that says why not; the old file is then as it was.
@@ -126,7 +131,8 @@ impl Session {
         }
     }
 
-    /// Calls the look that only shows what is painted as that is called; no step, as the name of a file is none.
+    /// Calls the look that only shows what is painted as that is called; no step, as the name of a
+    /// file is none.
     fn call_look(&mut self, name: String) {
         let look = Look { name, ..self.look().clone() };
         self.kept.history.amend(look, |_| ());
@@ -147,7 +153,8 @@ impl Session {
         }
     }
 
-    /// Lets a look without a file, as it stands, count as saved: whoever loses it loses nothing that they did.
+    /// Lets a look without a file, as it stands, count as saved: whoever loses it loses nothing
+    /// that they did.
     pub(crate) fn count_as_saved(&mut self) {
         self.kept.history.mark_saved();
         self.saved();
@@ -156,12 +163,15 @@ impl Session {
     /// Lets the look show the example again that an untouched copy was opened of, which is closed.
     pub(crate) fn give_up_copy(&mut self) {
         let Some(work) = self.painting.as_ref().filter(|work| !work.is_dirty()) else { return };
-        let Some(example) = work.example().map(|path| path.to_string_lossy().into_owned()) else { return };
+        let Some(example) = work.example().map(|path| path.to_string_lossy().into_owned()) else {
+            return;
+        };
         self.rename_painting(UNSAVED_HCBTF, &example);
     }
 
-    /// Lets the look name what is painted otherwise, now and in all its past: that is no step, since undo would bring a name
-    /// back that means nothing any more. Returns whether the look named it so.
+    /// Lets the look name what is painted otherwise, now and in all its past: that is no step,
+    /// since undo would bring a name back that means nothing any more. Returns whether the look
+    /// named it so.
     fn rename_painting(&mut self, from: &str, to: &str) -> bool {
         let Some(look) = self.look_naming(from, to) else { return false };
         let is_renamed = look != *self.look();
@@ -180,13 +190,15 @@ impl Session {
         Some(look)
     }
 
-    /// What the look calls the file of what is painted, where that is its whole path, and what it is called from the folder
-    /// of another file: a look that is saved names its assets by the way to them.
+    /// What the look calls the file of what is painted, where that is its whole path, and what it
+    /// is called from the folder of another file: a look that is saved names its assets by the way
+    /// to them.
     pub(super) fn names_of_painting(&self, look: &Path) -> Option<(String, String)> {
         let file = self.painting.as_ref()?.path()?;
         let from = file.to_string_lossy().into_owned();
         let to = relative(&folder_of(look), file);
-        (from != to && look::sheets(self.look(), &self.catalog).contains(&from)).then_some((from, to))
+        (from != to && look::sheets(self.look(), &self.catalog).contains(&from))
+            .then_some((from, to))
     }
 
     /// The look as it is written to a file, with what is painted named from there.
@@ -202,8 +214,8 @@ impl Session {
         }
     }
 
-    /// Takes what another program made of the painted file, as one step that can be undone. Returns whether anything is
-    /// another now.
+    /// Takes what another program made of the painted file, as one step that can be undone. Returns
+    /// whether anything is another now.
     ///
     /// # Errors
     /// What keeps the file from being read; everything stays as it is then.

@@ -51,8 +51,14 @@ impl Session {
 
     /// Nodes of the open graph whose outputs, or those of what lies in them, drive keys.
     pub(crate) fn driving_nodes(&self) -> Vec<NodeId> {
-        let here = |wire: &OutputPort| wire.node.ids().strip_prefix(self.open_groups())?.first().cloned();
-        self.look().direction_keys.iter().flat_map(|keys| keys.by.outputs()).filter_map(here).collect()
+        let here =
+            |wire: &OutputPort| wire.node.ids().strip_prefix(self.open_groups())?.first().cloned();
+        self.look()
+            .direction_keys
+            .iter()
+            .flat_map(|keys| keys.by.outputs())
+            .filter_map(here)
+            .collect()
     }
 
     /// Grows whenever another graph is open.
@@ -82,7 +88,8 @@ impl Session {
         self.place.graph = graph;
         self.place.number += 1;
         // Who comes out of a group sees which one it was.
-        let left = was.get(self.place.path.len()).filter(|_| was.starts_with(&self.place.path)).cloned();
+        let left =
+            was.get(self.place.path.len()).filter(|_| was.starts_with(&self.place.path)).cloned();
         self.selection = left.into_iter().collect();
         self.problems_number += 1;
     }
@@ -99,7 +106,8 @@ impl Session {
 
     /// Whether there is such a node in the open graph; a group's ends count.
     pub(super) fn is_here(&self, id: &NodeId) -> bool {
-        let is_end = matches!(id.as_str(), GROUP_INPUTS | GROUP_OUTPUTS) && self.place.graph != GraphId::Look;
+        let is_end = matches!(id.as_str(), GROUP_INPUTS | GROUP_OUTPUTS)
+            && self.place.graph != GraphId::Look;
         is_end || self.graph().nodes.contains_key(id)
     }
 
@@ -114,7 +122,8 @@ impl Session {
         self.place = OpenGroups { number: self.place.number + 1, ..OpenGroups::default() };
     }
 
-    /// Of a path, the node that lies in the open graph: where this graph, or another use of its group, lies on the way.
+    /// Of a path, the node that lies in the open graph: where this graph, or another use of its
+    /// group, lies on the way.
     pub(crate) fn step_here<'p>(&self, path: &'p NodePath) -> Option<&'p NodeId> {
         let mut graph = GraphId::Look;
         for id in path.ids() {
@@ -126,7 +135,8 @@ impl Session {
         None
     }
 
-    /// Makes the library's group that is open the look's own, so that it can be changed: for every node of it in the look.
+    /// Makes the library's group that is open the look's own, so that it can be changed: for every
+    /// node of it in the look.
     pub(crate) fn own_group(&self) -> Option<Edit> {
         let GraphId::Definition(id) = &self.place.graph else { return None };
         let definition = self.definition().filter(|_| self.is_read_only())?.clone();

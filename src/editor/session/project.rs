@@ -1,4 +1,5 @@
-//! The project that the look is of: the folder that it lies in, with nodes of its own, and that of the scene around it.
+//! The project that the look is of: the folder that it lies in, with nodes of its own, and that of
+//! the scene around it.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -29,8 +30,8 @@ impl Session {
         self.use_library(library);
     }
 
-    /// The folders that the project's own nodes come from, be they there or not: those beside the look stand before those
-    /// beside the scene that it is in, and so come later.
+    /// The folders that the project's own nodes come from, be they there or not: those beside the
+    /// look stand before those beside the scene that it is in, and so come later.
     pub(crate) fn node_folders(&self) -> Vec<PathBuf> {
         self.node_folders_with(self.path())
     }
@@ -42,14 +43,16 @@ impl Session {
         of_scene.filter(|nodes| own.as_ref() != Some(nodes)).into_iter().chain(own).collect()
     }
 
-    /// Reads the project's own nodes again. Where a file is broken now, the look goes on with the node as it was.
+    /// Reads the project's own nodes again. Where a file is broken now, the look goes on with the
+    /// node as it was.
     pub(crate) fn reload_library(&mut self) {
         let of_scene = || self.stage.as_ref().and_then(|stage| stage.path()).map(Path::to_path_buf);
         let Some(path) = self.path.clone().or_else(of_scene) else { return };
         let before = self.library.clone();
         self.use_project(&path);
         let broken = self.library.problems.iter().filter_map(kind_of).map(str::to_owned);
-        let lost: Vec<String> = broken.filter(|kind| !self.library.nodes.contains_key(kind)).collect();
+        let lost: Vec<String> =
+            broken.filter(|kind| !self.library.nodes.contains_key(kind)).collect();
         for kind in lost {
             if let Some(node) = before.nodes.get(&kind) {
                 Arc::make_mut(&mut self.library).nodes.insert(kind, node.clone());
@@ -67,7 +70,8 @@ impl Session {
     pub(super) fn place_library_problems(&mut self) {
         let nodes = &self.kept.history.document().graph.nodes;
         let placed = self.library.problems.iter().cloned().map(|mut problem| {
-            let used = kind_of(&problem).and_then(|kind| nodes.iter().find(|(_, node)| node.kind == kind));
+            let used =
+                kind_of(&problem).and_then(|kind| nodes.iter().find(|(_, node)| node.kind == kind));
             problem.place.node = used.map(|(id, _)| NodePath::root(id.clone()));
             problem
         });

@@ -1,4 +1,5 @@
-//! Which shader shows the look: requests to the compiler, what it answers, and which of both shaders serves now.
+//! Which shader shows the look: requests to the compiler, what it answers, and which of both
+//! shaders serves now.
 
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -10,7 +11,8 @@ use crate::compile::{CompiledShader, Live, TypedGraph};
 use crate::document::{Edit, GraphId, Look};
 use crate::ids::{NodePath, PortName};
 
-/// What a look is after nothing was done to it for so long, in seconds, is compiled without uniforms.
+/// What a look is after nothing was done to it for so long, in seconds, is compiled without
+/// uniforms.
 const REST: f64 = 0.8;
 
 /// How many edited values a long look keeps as uniforms before it begins anew.
@@ -19,7 +21,8 @@ const MOST_TOUCHED: usize = 512;
 /// The shaders that are shown, and how they relate to the document.
 #[derive(Default)]
 pub(super) struct Shown {
-    /// The look that a shader can show: the document, or, while that does not compile, as it was when it last did.
+    /// The look that a shader can show: the document, or, while that does not compile, as it was
+    /// when it last did.
     pub(super) good: Option<Arc<Look>>,
     pub(super) live: Option<Arc<CompiledShader>>,
     /// The structure that the live shader has.
@@ -33,7 +36,8 @@ pub(super) struct Shown {
     pub(super) structure: u64,
     pub(super) requested: Option<u64>,
     pub(super) requested_structure: Option<u64>,
-    /// The values that were edited since the look was opened: what a long look's live shader keeps as uniforms.
+    /// The values that were edited since the look was opened: what a long look's live shader keeps
+    /// as uniforms.
     pub(super) touched: Arc<HashSet<(NodePath, PortName)>>,
     /// How many of them there were when a live shader was asked for last.
     pub(super) requested_touched: usize,
@@ -57,10 +61,14 @@ impl Shown {
         self.baked_revision = None;
     }
 
-    /// Whether the live shader of a long look has folded a value that is edited now, and none was asked for since.
+    /// Whether the live shader of a long look has folded a value that is edited now, and none was
+    /// asked for since.
     fn lacks_a_uniform(&self) -> bool {
-        let Some(Live::Touched(known)) = self.live.as_ref().map(|shader| &shader.live) else { return false };
-        self.requested_touched != self.touched.len() && self.touched.iter().any(|value| !known.contains(value))
+        let Some(Live::Touched(known)) = self.live.as_ref().map(|shader| &shader.live) else {
+            return false;
+        };
+        self.requested_touched != self.touched.len()
+            && self.touched.iter().any(|value| !known.contains(value))
     }
 
     /// Whether only the values that were touched are uniforms.
@@ -88,7 +96,8 @@ impl Shown {
 }
 
 impl Session {
-    /// Asks for what must be compiled, takes what is. `now` is the window's clock. Returns when to look again.
+    /// Asks for what must be compiled, takes what is. `now` is the window's clock. Returns when to
+    /// look again.
     pub(crate) fn tick(&mut self, now: f64) -> Option<Duration> {
         for answer in self.compiler.answers() {
             self.take(answer);
@@ -152,9 +161,13 @@ impl Session {
     }
 
     fn take(&mut self, Answer { request, result }: Answer) {
-        let is_current = request.document == self.document_number && request.structure == self.shaders.structure;
-        let is_current = is_current && request.wire.as_ref().map(|(wire, _)| wire) == self.wire.as_ref();
-        let is_current = is_current && request.solo == self.solo_number && request.preview == self.preview_number;
+        let is_current =
+            request.document == self.document_number && request.structure == self.shaders.structure;
+        let is_current =
+            is_current && request.wire.as_ref().map(|(wire, _)| wire) == self.wire.as_ref();
+        let is_current = is_current
+            && request.solo == self.solo_number
+            && request.preview == self.preview_number;
         if !is_current {
             // A newer one is on its way, and what this one is about is gone.
             return;
@@ -197,18 +210,23 @@ impl Session {
         self.picture
     }
 
-    /// What can be shown: the look as it is, by the baked shader where nothing changed since, else by the live one; or
-    /// the last look that could be compiled.
+    /// What can be shown: the look as it is, by the baked shader where nothing changed since, else
+    /// by the live one; or the last look that could be compiled.
     pub(crate) fn showing(&mut self) -> Option<Showing> {
         let revision = self.kept.history.revision();
         let shaders = &mut self.shaders;
         let is_live = shaders.live_structure == Some(shaders.structure);
         let good = shaders.good.as_mut()?;
         if shaders.baked_revision == Some(revision) {
-            return Some(Showing { look: self.solo.lit(good), shader: shaders.baked.clone()?, live: Live::Keyed });
+            return Some(Showing {
+                look: self.solo.lit(good),
+                shader: shaders.baked.clone()?,
+                live: Live::Keyed,
+            });
         }
         if is_live && self.good_revision != (self.document_number, revision) {
-            *good = Arc::new(self.solo.alone(self.kept.history.document(), &self.catalog).into_owned());
+            *good =
+                Arc::new(self.solo.alone(self.kept.history.document(), &self.catalog).into_owned());
             self.good_revision = (self.document_number, revision);
         }
         Some(Showing { look: self.solo.lit(good), shader: shaders.live.clone()?, live: Live::All })
@@ -224,14 +242,16 @@ impl Session {
         self.shaders.typed.as_deref()
     }
 
-    /// The shader that knows the values of now: the baked one where nothing changed since, else the live one.
+    /// The shader that knows the values of now: the baked one where nothing changed since, else the
+    /// live one.
     pub(crate) fn current_shader(&self) -> Option<&CompiledShader> {
         let is_baked = self.shaders.baked_revision == Some(self.kept.history.revision());
         let shader = if is_baked { &self.shaders.baked } else { &self.shaders.live };
         shader.as_deref()
     }
 
-    /// What computes wires for an object, which may set exposed values: a baked shader has those of the look in it.
+    /// What computes wires for an object, which may set exposed values: a baked shader has those of
+    /// the look in it.
     pub(crate) fn shader_of_wires(&self, sets_values: bool) -> Option<&CompiledShader> {
         let is_there = sets_values && self.shaders.live_structure == Some(self.shaders.structure);
         let live = self.shaders.live.as_deref().filter(|_| is_there);

@@ -7,39 +7,53 @@ use crate::document::{Edit, Graph, GraphId, Look, write_atomic};
 use crate::ids::{DefinitionId, make_slug};
 
 impl Session {
-    /// Writes a group of the look's own to a file of the project. From then on the look has it from there, as all looks
-    /// beside it do. One that was the project's before, and was changed here, takes its old place. Returns what to tell.
+    /// Writes a group of the look's own to a file of the project. From then on the look has it from
+    /// there, as all looks beside it do. One that was the project's before, and was changed here,
+    /// takes its old place. Returns what to tell.
     pub(crate) fn share_group(&mut self, id: &DefinitionId) -> String {
         self.try_share(id).unwrap_or_else(|why_not| why_not)
     }
 
     fn try_share(&mut self, id: &DefinitionId) -> Result<String, String> {
-        let Some(folder) = self.path().and_then(Path::parent).map(|folder| folder.join("nodes")) else {
-            return Err("Save the look first: a project is the folder that its looks lie in".to_owned());
+        let Some(folder) = self.path().and_then(Path::parent).map(|folder| folder.join("nodes"))
+        else {
+            return Err(
+                "Save the look first: a project is the folder that its looks lie in".to_owned()
+            );
         };
         let own = &self.look().definitions;
         let Some(definition) = own.get(id).cloned() else {
             return Err("This group is of the library already".to_owned());
         };
-        let name = if definition.label.is_empty() { id.to_string() } else { definition.label.clone() };
-        let mut inner = definition.graph.nodes.values().filter_map(|node| own.get_key_value(node.kind.as_str()));
+        let name =
+            if definition.label.is_empty() { id.to_string() } else { definition.label.clone() };
+        let mut inner = definition
+            .graph
+            .nodes
+            .values()
+            .filter_map(|node| own.get_key_value(node.kind.as_str()));
         if let Some((inner, of)) = inner.next() {
             let inner = if of.label.is_empty() { inner.as_str() } else { &of.label };
-            return Err(format!("\"{name}\" holds \"{inner}\", which only this look has: share that first"));
+            return Err(format!(
+                "\"{name}\" holds \"{inner}\", which only this look has: share that first"
+            ));
         }
         let file_of = |slug: &str| folder.join(format!("{slug}.json"));
-        let is_known = self.library.groups.contains_key(id.as_str()) && file_of(id.as_str()).is_file();
+        let is_known =
+            self.library.groups.contains_key(id.as_str()) && file_of(id.as_str()).is_file();
         let is_taken = |slug: &str| {
             let is_other = slug != id.as_str() && own.contains_key(slug);
             is_other || self.library.kinds().any(|kind| kind == slug) || file_of(slug).exists()
         };
-        let shared = if is_known { id.clone() } else { DefinitionId::new(make_slug(&name, is_taken)) };
+        let shared =
+            if is_known { id.clone() } else { DefinitionId::new(make_slug(&name, is_taken)) };
         let edit = self.handed_over(id, &shared)?;
 
         let mut file = Look { name: name.clone(), ..Look::default() };
         file.definitions.insert(shared.clone(), definition);
         let path = file_of(shared.as_str());
-        std::fs::create_dir_all(&folder).map_err(|error| format!("{} cannot be made: {error}", folder.display()))?;
+        std::fs::create_dir_all(&folder)
+            .map_err(|error| format!("{} cannot be made: {error}", folder.display()))?;
         write_atomic(&path, file.to_text().as_bytes()).map_err(|problem| problem.message)?;
         self.reload_library();
         self.apply(edit, None).map_err(|problem| problem.message)?;
@@ -50,19 +64,27 @@ impl Session {
     fn handed_over(&self, own: &DefinitionId, shared: &DefinitionId) -> Result<Edit, String> {
         let look = self.look();
         let graphs = || {
-            let groups = look.definitions.iter().map(|(id, of)| (GraphId::Definition(id.clone()), &of.graph));
+            let groups = look
+                .definitions
+                .iter()
+                .map(|(id, of)| (GraphId::Definition(id.clone()), &of.graph));
             std::iter::once((GraphId::Look, &look.graph)).chain(groups)
         };
         let of_kind = |kind: &str| {
             let set = |graph: &GraphId, of: &Graph| -> Vec<Edit> {
                 let nodes = of.nodes.iter().filter(|(_, node)| node.kind == own.as_str());
                 nodes
-                    .map(|(id, _)| Edit::SetKind { graph: graph.clone(), id: id.clone(), kind: kind.to_owned() })
+                    .map(|(id, _)| Edit::SetKind {
+                        graph: graph.clone(),
+                        id: id.clone(),
+                        kind: kind.to_owned(),
+                    })
                     .collect()
             };
             graphs().flat_map(|(graph, of)| set(&graph, of)).collect::<Vec<_>>()
         };
-        // A group that is in use cannot go, so that one that keeps its id is let go of for a moment.
+        // A group that is in use cannot go, so that one that keeps its id is let go of for a
+        // moment.
         let between = if own == shared { format!("{own}_shared") } else { shared.to_string() };
         let mut edits = of_kind(&between);
         edits.push(Edit::RemoveDefinition { id: own.clone() });
@@ -77,7 +99,8 @@ impl Session {
             || trial.time_keys != look.time_keys;
         if loses {
             return Err(
-                "Values inside of it are keyed or exposed in this look: make them inputs of the group, and key \
+                "Values inside of it are keyed or exposed in this look: make them inputs of the \
+                 group, and key \
                         those"
                     .to_owned(),
             );

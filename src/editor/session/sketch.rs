@@ -22,7 +22,12 @@ impl Session {
     }
 
     /// Paints on the picture, as a step; no tile for nothing.
-    pub(crate) fn paint_sketch(&mut self, what: &'static str, from: Standpoint, tile: Option<Tile>) {
+    pub(crate) fn paint_sketch(
+        &mut self,
+        what: &'static str,
+        from: Standpoint,
+        tile: Option<Tile>,
+    ) {
         self.now += 1;
         self.sketch.did(what, from, tile, self.now);
         self.kept.end_gesture();
@@ -69,8 +74,8 @@ impl Session {
         self.preview.as_ref()
     }
 
-    /// Shows another look in place of the open one, until that is changed; or the open one again. The document stays as
-    /// it is.
+    /// Shows another look in place of the open one, until that is changed; or the open one again.
+    /// The document stays as it is.
     pub(crate) fn set_preview(&mut self, look: Option<Arc<Look>>) {
         if look.is_none() && self.preview.is_none() {
             return;

@@ -1,4 +1,5 @@
-//! The look in its scene: which scene is around it, and one order of undo for both, and for what is painted.
+//! The look in its scene: which scene is around it, and one order of undo for both, and for what is
+//! painted.
 
 use std::path::Path;
 
@@ -32,8 +33,8 @@ impl Session {
         self.stage.as_mut()
     }
 
-    /// The light of an id as the picture of the look has it: a scene's stands in place of the look's, and the look's keys
-    /// move either.
+    /// The light of an id as the picture of the look has it: a scene's stands in place of the
+    /// look's, and the look's keys move either.
     pub(crate) fn light(&self, id: &LightId) -> Option<&Light> {
         let own = self.look().lights.get(id)?;
         Some(self.keyed_now().lights.get(id).or_else(|| self.light_of_scene(id)).unwrap_or(own))
@@ -44,8 +45,13 @@ impl Session {
         self.stage.as_ref()?.scene().lights.get(id)
     }
 
-    /// Puts a scene around a look that is still to be opened: [`look_to_open`](Self::look_to_open) says which.
-    pub(super) fn open_scene(&mut self, path: &Path, loaded: Loaded<Scene>) -> Result<(), Vec<Diagnostic>> {
+    /// Puts a scene around a look that is still to be opened: [`look_to_open`](Self::look_to_open)
+    /// says which.
+    pub(super) fn open_scene(
+        &mut self,
+        path: &Path,
+        loaded: Loaded<Scene>,
+    ) -> Result<(), Vec<Diagnostic>> {
         self.set_stage(Stage::opened(path, loaded)?);
         Ok(())
     }
@@ -53,7 +59,9 @@ impl Session {
     /// Begins a new scene with an example's, around a new look with what one of its objects wears.
     pub(crate) fn start_scene(&mut self, mut scene: Scene, name: &str) {
         let worn = || scene.objects.values().flat_map(|object| object.looks.values());
-        let Some((first, text)) = worn().find_map(|look| Some((look.clone(), examples::text(Path::new(look))?))) else {
+        let Some((first, text)) =
+            worn().find_map(|look| Some((look.clone(), examples::text(Path::new(look))?)))
+        else {
             return;
         };
         let wear = scene.objects.values_mut().flat_map(|object| object.looks.values_mut());
@@ -66,7 +74,8 @@ impl Session {
         self.time = 0.0;
     }
 
-    /// Takes a scene back that a journal gave, in place of what is open. The journal goes on where it is.
+    /// Takes a scene back that a journal gave, in place of what is open. The journal goes on where
+    /// it is.
     pub(crate) fn take_back_scene(&mut self, found: Recovered<Scene>, slot: Slot) {
         let view = found.about.window.get(VIEW).cloned();
         self.set_stage(Stage::taken_back(found));
@@ -83,7 +92,9 @@ impl Session {
         self.stage = Some(stage);
         self.keep_stage();
         self.replace_with_new();
-        if let Some(path) = self.stage.as_ref().and_then(|stage| stage.path().map(Path::to_path_buf)) {
+        if let Some(path) =
+            self.stage.as_ref().and_then(|stage| stage.path().map(Path::to_path_buf))
+        {
             self.use_project(&path);
         }
         self.stage_changed();
@@ -91,8 +102,8 @@ impl Session {
         self.time = 0.0;
     }
 
-    /// The look that the scene lacks: the one that was open in it, or else one that an object wears. `None` where the open
-    /// look is of the scene.
+    /// The look that the scene lacks: the one that was open in it, or else one that an object
+    /// wears. `None` where the open look is of the scene.
     pub(crate) fn look_to_open(&mut self) -> Option<Wanted> {
         let stage = self.stage.as_mut()?;
         match stage.wanted.take() {
@@ -102,7 +113,8 @@ impl Session {
         }
     }
 
-    /// Puts a scene around the look, which so far was alone: one object on the mesh that it is seen on.
+    /// Puts a scene around the look, which so far was alone: one object on the mesh that it is seen
+    /// on.
     pub(crate) fn begin_stage(&mut self) {
         if self.stage.is_some() {
             return;
@@ -169,7 +181,11 @@ impl Session {
     ///
     /// # Errors
     /// A diagnostic where the edit is impossible; nothing is changed then.
-    pub fn apply_to_scene(&mut self, edit: SceneEdit, hand: Option<u64>) -> Result<(), Box<Diagnostic>> {
+    pub fn apply_to_scene(
+        &mut self,
+        edit: SceneEdit,
+        hand: Option<u64>,
+    ) -> Result<(), Box<Diagnostic>> {
         let Some(stage) = &mut self.stage else {
             return Err(Box::new(Diagnostic::error("impossible-edit", "no scene is open")));
         };
@@ -222,15 +238,21 @@ impl Session {
         let scene = stage.scene();
         self.view.look_from(&scene.camera);
         let illumination = glam::DQuat::from_array(scene.illumination);
-        self.view.illumination =
-            if illumination.length_squared() > 1e-18 { illumination.normalize() } else { glam::DQuat::IDENTITY };
+        self.view.illumination = if illumination.length_squared() > 1e-18 {
+            illumination.normalize()
+        } else {
+            glam::DQuat::IDENTITY
+        };
         self.view.backdrop = None;
     }
 
     /// Lets the scene's camera and lights be as they are turned now.
     pub(crate) fn view_as_edit(&self) -> SceneEdit {
         let camera = SceneEdit::SetCamera { camera: self.view.camera() };
-        let mut edits = vec![camera, SceneEdit::SetIllumination { rotation: self.view.illumination.to_array() }];
+        let mut edits = vec![
+            camera,
+            SceneEdit::SetIllumination { rotation: self.view.illumination.to_array() },
+        ];
         edits.extend(self.view.backdrop.map(|color| SceneEdit::SetBackdrop { color: Some(color) }));
         SceneEdit::Group { edits }
     }
@@ -250,7 +272,8 @@ impl Session {
         let Some(stage) = &self.stage else { return unit };
         let selected = stage.selected().filter(|(_, object)| stage.wears_open(object));
         let objects = stage.scene().objects.iter().filter(|(_, object)| object.visible);
-        let worn = selected.or_else(|| objects.into_iter().find(|(_, object)| stage.wears_open(object)));
+        let worn =
+            selected.or_else(|| objects.into_iter().find(|(_, object)| stage.wears_open(object)));
         worn.and_then(|(id, _)| stage.sphere(Some(id))).unwrap_or(unit)
     }
 
@@ -323,7 +346,8 @@ impl Session {
         let of_painting = self.seen_painting().and_then(|work| work.kept.times.next());
         let of_sketch = self.sketch.is_open.then(|| self.sketch.times.next()).flatten();
         let of_sketch = (of_sketch, Of::Sketch);
-        let all = [(of_look, Of::Look), (of_scene, Of::Scene), (of_painting, Of::Painting), of_sketch];
+        let all =
+            [(of_look, Of::Look), (of_scene, Of::Scene), (of_painting, Of::Painting), of_sketch];
         let there = all.into_iter().filter_map(|(time, of)| Some((time?, of)));
         there.min_by_key(|(time, _)| *time).map_or(Of::Look, |(_, of)| of)
     }
@@ -393,7 +417,8 @@ impl Session {
 
     /// What undo calls every step, the first one first.
     pub fn steps(&self) -> impl Iterator<Item = &str> {
-        let mut steps: Vec<((bool, u64), &str)> = self.kept.times.all().zip(self.kept.history.labels()).collect();
+        let mut steps: Vec<((bool, u64), &str)> =
+            self.kept.times.all().zip(self.kept.history.labels()).collect();
         if let Some(stage) = &self.stage {
             // Steps of the same time are of journals: the scene's are older.
             let of_scene = stage.kept.times.all().zip(stage.history().labels());
@@ -403,7 +428,9 @@ impl Session {
             steps.splice(0..0, work.kept.times.all().zip(work.history().labels()));
         }
         if self.sketch.is_open {
-            steps.extend(self.sketch.times.all().zip(self.sketch.labels().map(|label| -> &str { label })));
+            steps.extend(
+                self.sketch.times.all().zip(self.sketch.labels().map(|label| -> &str { label })),
+            );
         }
         steps.sort_by_key(|(time, _)| *time);
         steps.into_iter().map(|(_, label)| label)

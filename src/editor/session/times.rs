@@ -1,7 +1,8 @@
-//! In which order steps were done in the look and in the scene around it, so that undo takes back the last one, wherever
-//! that was.
+//! In which order steps were done in the look and in the scene around it, so that undo takes back
+//! the last one, wherever that was.
 
-/// When each step of a history was done, by a count that grows. What a journal brought back counts as older than all.
+/// When each step of a history was done, by a count that grows. What a journal brought back counts
+/// as older than all.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Times {
     done: Vec<u64>,
@@ -9,8 +10,8 @@ pub(crate) struct Times {
 }
 
 impl Times {
-    /// After an edit: `steps` are those that are done now, and those that can be repeated. An edit that went on with the
-    /// last step leaves it where it was.
+    /// After an edit: `steps` are those that are done now, and those that can be repeated. An edit
+    /// that went on with the last step leaves it where it was.
     pub(crate) fn did(&mut self, (done, undone): (usize, usize), now: u64) {
         self.done.resize(done, now);
         self.undone.resize(undone, 0);
@@ -43,7 +44,8 @@ impl Times {
         self.undone.last().copied()
     }
 
-    /// When the steps were done: those that are, the oldest first, then those that were taken back, the next first.
+    /// When the steps were done: those that are, the oldest first, then those that were taken back,
+    /// the next first.
     pub(crate) fn all(&self) -> impl Iterator<Item = (bool, u64)> {
         let done = self.done.iter().map(|time| (false, *time));
         done.chain(self.undone.iter().rev().map(|time| (true, *time)))
@@ -96,7 +98,11 @@ mod tests {
         times.did((2, 0), 7);
         assert_eq!(times.last(), Some(7));
         times.undid();
-        assert_eq!((times.last(), times.next()), (Some(5), Some(7)), "a gesture's step has the time of its beginning");
+        assert_eq!(
+            (times.last(), times.next()),
+            (Some(5), Some(7)),
+            "a gesture's step has the time of its beginning"
+        );
         times.redid(9);
         assert_eq!(times.all().collect::<Vec<_>>(), [(false, 5), (false, 9)]);
         times.fit((4, 1));

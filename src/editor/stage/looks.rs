@@ -1,4 +1,5 @@
-//! The looks that are not open, from their files: read again when those change, and as they were while they are broken.
+//! The looks that are not open, from their files: read again when those change, and as they were
+//! while they are broken.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -39,8 +40,13 @@ pub(super) struct Closed {
 }
 
 impl Looks {
-    /// Reads those that are not known, or that have changed, and forgets the others. With other nodes all are read anew.
-    pub(super) fn refresh<'p>(&mut self, files: impl Iterator<Item = &'p PathBuf>, library: &Arc<Library>) {
+    /// Reads those that are not known, or that have changed, and forgets the others. With other
+    /// nodes all are read anew.
+    pub(super) fn refresh<'p>(
+        &mut self,
+        files: impl Iterator<Item = &'p PathBuf>,
+        library: &Arc<Library>,
+    ) {
         let has_same_nodes = self.library.as_ref().is_some_and(|known| Arc::ptr_eq(known, library));
         self.library = Some(library.clone());
         let mut old = std::mem::take(&mut self.known);
@@ -53,7 +59,9 @@ impl Looks {
             let known = match old.remove(file) {
                 Some(known) if known.stamp == stamp && has_same_nodes => known,
                 _ if stamp.is_none() => continue,
-                known => read(file, stamp, known.and_then(|known| known.look), library, &mut catalog),
+                known => {
+                    read(file, stamp, known.and_then(|known| known.look), library, &mut catalog)
+                }
             };
             self.known.insert(file.clone(), known);
         }
@@ -78,7 +86,8 @@ fn stamp(file: &Path) -> Option<(SystemTime, u64)> {
     Some((data.modified().ok()?, data.len()))
 }
 
-/// Reads a look; `before` is shown where it is broken now. `catalog` is of the library, made when it is first needed.
+/// Reads a look; `before` is shown where it is broken now. `catalog` is of the library, made when
+/// it is first needed.
 fn read(
     file: &Path,
     stamp: Option<(SystemTime, u64)>,
@@ -115,10 +124,11 @@ fn read(
 /// The files of the images that a look's nodes name.
 fn images(typed: &TypedGraph, folder: &Path) -> Vec<PathBuf> {
     let inputs = typed.nodes.iter().flat_map(|node| node.inputs.iter().flatten());
-    let named = inputs.filter(|input| input.ty == Type::Image).filter_map(|input| match &input.source {
-        TypedSource::Param(_, Value::Text(path)) if !path.is_empty() => Some(folder.join(path)),
-        _ => None,
-    });
+    let named =
+        inputs.filter(|input| input.ty == Type::Image).filter_map(|input| match &input.source {
+            TypedSource::Param(_, Value::Text(path)) if !path.is_empty() => Some(folder.join(path)),
+            _ => None,
+        });
     named.collect()
 }
 

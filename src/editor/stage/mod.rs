@@ -1,5 +1,5 @@
-//! The stage: a scene around the open look. It has a past, a file and a journal of its own, as the look has; the looks of
-//! objects that do not wear the open one come from their files.
+//! The stage: a scene around the open look. It has a past, a file and a journal of its own, as the
+//! look has; the looks of objects that do not wear the open one come from their files.
 
 mod files;
 mod looks;
@@ -28,7 +28,9 @@ use crate::ids::ObjectId;
 use crate::library::Library;
 use looks::{Closed, Looks};
 pub(crate) use names::{folder_of, real, relative};
-pub(crate) use objects::{Placed, file_label, from_degrees, mesh_label, scene_of, stood_up, to_degrees};
+pub(crate) use objects::{
+    Placed, file_label, from_degrees, mesh_label, scene_of, stood_up, to_degrees,
+};
 pub(crate) use still::Staged;
 pub(crate) use wish::Wish;
 
@@ -42,8 +44,8 @@ pub struct Stage {
     /// As it was opened: what says the same again after a save is written as it was.
     opened: Arc<SourceMap>,
     path: Option<PathBuf>,
-    /// What the names in the scene are relative to: the folder of the file that it was opened from; empty where it was
-    /// made here.
+    /// What the names in the scene are relative to: the folder of the file that it was opened from;
+    /// empty where it was made here.
     base: PathBuf,
     /// Whether the file holds more than could be read, so that saving over it would lose that.
     is_partial: bool,
@@ -76,7 +78,12 @@ pub(crate) enum Wanted {
 }
 
 impl Stage {
-    fn with(history: History<Scene>, source: SourceMap, path: Option<PathBuf>, base: PathBuf) -> Self {
+    fn with(
+        history: History<Scene>,
+        source: SourceMap,
+        path: Option<PathBuf>,
+        base: PathBuf,
+    ) -> Self {
         let source = Arc::new(source);
         Self {
             kept: Kept::new(history),
@@ -151,7 +158,12 @@ impl Stage {
     ///
     /// # Errors
     /// A diagnostic where the edit is impossible; nothing is changed then.
-    pub(crate) fn apply(&mut self, edit: SceneEdit, hand: Option<u64>, now: u64) -> Result<bool, Box<Diagnostic>> {
+    pub(crate) fn apply(
+        &mut self,
+        edit: SceneEdit,
+        hand: Option<u64>,
+        now: u64,
+    ) -> Result<bool, Box<Diagnostic>> {
         self.kept.apply(edit, hand, now)
     }
 
@@ -169,7 +181,8 @@ impl Stage {
         self.selected = self.selected.take().filter(|id| scene.objects.contains_key(id));
         self.open_file = open.map(Path::to_path_buf);
         let open = open.map(real);
-        let names = scene.objects.values().flat_map(|object| object.looks.values()).map(String::as_str);
+        let names =
+            scene.objects.values().flat_map(|object| object.looks.values()).map(String::as_str);
         // A crowd may wear a handful of looks.
         let names: HashSet<&str> = names.collect();
         let (mut of_open, mut others) = (Vec::new(), HashMap::new());
@@ -231,8 +244,8 @@ impl Stage {
         object.looks.values().any(|name| self.is_open(name))
     }
 
-    /// The look to open where no object wears the one that is: one that can be read, of an object that is seen if
-    /// possible.
+    /// The look to open where no object wears the one that is: one that can be read, of an object
+    /// that is seen if possible.
     pub(crate) fn look_to_open(&self) -> Option<PathBuf> {
         let objects = &self.scene().objects;
         if objects.values().any(|object| self.wears_open(object)) {
@@ -254,7 +267,10 @@ impl Stage {
 
     /// Whether an object wears a look that has no file.
     pub(crate) fn wears_unsaved(&self) -> bool {
-        self.scene().objects.values().any(|object| object.looks.values().any(|name| name == OPEN_LOOK))
+        self.scene()
+            .objects
+            .values()
+            .any(|object| object.looks.values().any(|name| name == OPEN_LOOK))
     }
 
     /// What is wrong with the file of the scene and those of its looks.
@@ -313,8 +329,11 @@ impl Stage {
         let path = found.about.path.as_ref().map(PathBuf::from);
         let name = found.about.path.as_deref().unwrap_or("scene");
         let source = Scene::read(found.source.as_deref().unwrap_or("{}"), name).source;
-        let of_window = |key: &str| found.about.window.get(key).and_then(serde_json::Value::as_str).map(PathBuf::from);
-        let base = of_window("base").or_else(|| path.as_deref().map(names::folder_of)).unwrap_or_default();
+        let of_window = |key: &str| {
+            found.about.window.get(key).and_then(serde_json::Value::as_str).map(PathBuf::from)
+        };
+        let base =
+            of_window("base").or_else(|| path.as_deref().map(names::folder_of)).unwrap_or_default();
         let wanted = of_window("look").map_or(Wanted::Unsaved, Wanted::File);
         let mut stage = Self::with(found.history, source, path, base);
         stage.is_partial = found.about.is_partial;

@@ -1,4 +1,5 @@
-//! What files are called in a scene: by paths relative to its folder, with `/` in between on every system.
+//! What files are called in a scene: by paths relative to its folder, with `/` in between on every
+//! system.
 
 use std::path::{Component, Path, PathBuf};
 
@@ -14,7 +15,9 @@ pub(crate) fn clean(path: &Path) -> PathBuf {
     for component in path.components() {
         match component {
             Component::CurDir => {}
-            Component::ParentDir if matches!(cleaned.components().next_back(), Some(Component::Normal(_))) => {
+            Component::ParentDir
+                if matches!(cleaned.components().next_back(), Some(Component::Normal(_))) =>
+            {
                 cleaned.pop();
             }
             other => cleaned.push(other),
@@ -32,7 +35,8 @@ fn absolute(path: &Path) -> PathBuf {
     clean(&crate::paths::absolute(path))
 }
 
-/// The way from a folder to a file, both absolute; the file itself where there is none, as from one drive to another.
+/// The way from a folder to a file, both absolute; the file itself where there is none, as from one
+/// drive to another.
 pub(crate) fn relative(folder: &Path, file: &Path) -> String {
     let (from, to): (Vec<_>, Vec<_>) = (folder.components().collect(), file.components().collect());
     let shared = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
@@ -56,7 +60,8 @@ fn rename(scene: &mut Scene, name: &dyn Fn(&str) -> String) {
         if !object.mesh.starts_with(SHAPE_PREFIX) {
             object.mesh = name(&object.mesh);
         }
-        let is_file = |look: &&mut String| **look != OPEN_LOOK && !look.starts_with(examples::PREFIX);
+        let is_file =
+            |look: &&mut String| **look != OPEN_LOOK && !look.starts_with(examples::PREFIX);
         object.looks.values_mut().filter(is_file).for_each(|look| *look = name(look));
     }
 }
@@ -90,8 +95,11 @@ impl Stage {
         let unsaved = scene.objects.values_mut().flat_map(|object| object.looks.values_mut());
         for name in unsaved.filter(|name| *name == OPEN_LOOK) {
             let Some(open) = &self.open_file else {
-                let message = "the open look has no file yet, and a scene names its looks by their files";
-                return Err(Box::new(Diagnostic::error("unsaved-look", message).hint("save the look first")));
+                let message =
+                    "the open look has no file yet, and a scene names its looks by their files";
+                return Err(Box::new(
+                    Diagnostic::error("unsaved-look", message).hint("save the look first"),
+                ));
             };
             *name = relative(folder, &absolute(open));
         }
@@ -114,8 +122,12 @@ mod tests {
 
     #[test]
     fn paths_are_read_as_they_lead() {
-        for (path, wanted) in [("a/../b/./c", "b/c"), ("../a", "../a"), ("/a/b/../../c", "/c"), ("../../a/..", "../..")]
-        {
+        for (path, wanted) in [
+            ("a/../b/./c", "b/c"),
+            ("../a", "../a"),
+            ("/a/b/../../c", "/c"),
+            ("../../a/..", "../.."),
+        ] {
             assert_eq!(clean(Path::new(path)), Path::new(wanted), "{path}");
         }
     }

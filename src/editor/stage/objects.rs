@@ -38,11 +38,12 @@ pub(crate) fn file_label(name: &str) -> String {
     name.rsplit(['/', '\\']).next().unwrap_or(name).to_owned()
 }
 
-/// Degrees around the vertical axis, around the axis to the right and around the one toward the viewer, in the order in
-/// which a turn is made of them: the last first.
+/// Degrees around the vertical axis, around the axis to the right and around the one toward the
+/// viewer, in the order in which a turn is made of them: the last first.
 pub(crate) fn to_degrees(rotation: [f64; 4]) -> [f64; 3] {
     let rotation = DQuat::from_array(rotation);
-    let rotation = if rotation.length_squared() > 1e-18 { rotation.normalize() } else { DQuat::IDENTITY };
+    let rotation =
+        if rotation.length_squared() > 1e-18 { rotation.normalize() } else { DQuat::IDENTITY };
     let (y, x, z) = rotation.to_euler(EulerRot::YXZ);
     // Neither the last digits of a quaternion nor the sign of 0 are anybody's wish.
     [x, y, z].map(|angle| (angle.to_degrees() * 1e9).round() / 1e9 + 0.0)
@@ -50,12 +51,16 @@ pub(crate) fn to_degrees(rotation: [f64; 4]) -> [f64; 3] {
 
 /// The other way around.
 pub(crate) fn from_degrees([x, y, z]: [f64; 3]) -> [f64; 4] {
-    DQuat::from_euler(EulerRot::YXZ, y.to_radians(), x.to_radians(), z.to_radians()).normalize().to_array()
+    DQuat::from_euler(EulerRot::YXZ, y.to_radians(), x.to_radians(), z.to_radians())
+        .normalize()
+        .to_array()
 }
 
 /// A quarter turn that stands up a mesh whose z axis points up.
 pub(crate) fn stood_up(rotation: [f64; 4]) -> [f64; 4] {
-    (DQuat::from_array(rotation) * DQuat::from_rotation_x(-std::f64::consts::FRAC_PI_2)).normalize().to_array()
+    (DQuat::from_array(rotation) * DQuat::from_rotation_x(-std::f64::consts::FRAC_PI_2))
+        .normalize()
+        .to_array()
 }
 
 /// An unsaved scene with one object: what the viewport shows of a look that was opened alone.
@@ -89,7 +94,8 @@ fn reach(transform: &Transform) -> f64 {
 }
 
 impl Stage {
-    /// Adds an object on a mesh, to the right of the others, in the look of the selected one or else the open one.
+    /// Adds an object on a mesh, to the right of the others, in the look of the selected one or
+    /// else the open one.
     pub(crate) fn add(&self, mesh: &str) -> (ObjectId, SceneEdit) {
         let scene = self.scene();
         let looks = match self.selected() {
@@ -117,7 +123,8 @@ impl Stage {
 
     fn add_beside(&self, id: ObjectId, mut object: Object) -> SceneEdit {
         let objects = &self.scene().objects;
-        let right = objects.values().map(|other| other.transform.translate[0] + reach(&other.transform));
+        let right =
+            objects.values().map(|other| other.transform.translate[0] + reach(&other.transform));
         if let Some(right) = right.reduce(f64::max) {
             let last = objects.values().last().map_or([0.0; 3], |last| last.transform.translate);
             object.transform.translate = [right + GAP + reach(&object.transform), last[1], last[2]];
@@ -125,12 +132,17 @@ impl Stage {
         SceneEdit::AddObject { id, object, index: None }
     }
 
-    /// Calls an object otherwise: what has a name that is no id gets one. `None` where nothing changes.
+    /// Calls an object otherwise: what has a name that is no id gets one. `None` where nothing
+    /// changes.
     pub(crate) fn rename(&self, id: &ObjectId, name: &str) -> Option<(ObjectId, SceneEdit)> {
         let objects = &self.scene().objects;
         let (index, _, object) = objects.get_full(id)?;
         let is_free = |slug: &str| slug == id.as_str() || !objects.contains_key(slug);
-        let new = if is_slug(name) && is_free(name) { name.to_owned() } else { make_slug(name, |slug| !is_free(slug)) };
+        let new = if is_slug(name) && is_free(name) {
+            name.to_owned()
+        } else {
+            make_slug(name, |slug| !is_free(slug))
+        };
         let new = ObjectId::new(new);
         let edits = vec![
             SceneEdit::RemoveObject { id: id.clone() },
@@ -140,17 +152,26 @@ impl Stage {
     }
 
     /// Changes an object; `None` where it is not there any more.
-    pub(crate) fn change(&self, id: &ObjectId, change: impl FnOnce(&mut Object)) -> Option<SceneEdit> {
+    pub(crate) fn change(
+        &self,
+        id: &ObjectId,
+        change: impl FnOnce(&mut Object),
+    ) -> Option<SceneEdit> {
         let mut object = self.scene().objects.get(id)?.clone();
         change(&mut object);
         Some(SceneEdit::SetObject { id: id.clone(), object })
     }
 
-    /// Lets everything that wears the open look wear it under another name; `None` where nothing does.
+    /// Lets everything that wears the open look wear it under another name; `None` where nothing
+    /// does.
     pub(crate) fn rename_open(&self, name: &str) -> Option<SceneEdit> {
         let renamed = |(id, object): (&ObjectId, &Object)| {
             let mut object = object.clone();
-            object.looks.values_mut().filter(|worn| self.is_open(worn)).for_each(|worn| name.clone_into(worn));
+            object
+                .looks
+                .values_mut()
+                .filter(|worn| self.is_open(worn))
+                .for_each(|worn| name.clone_into(worn));
             SceneEdit::SetObject { id: id.clone(), object }
         };
         let wear = self.scene().objects.iter().filter(|(_, object)| self.wears_open(object));
@@ -187,12 +208,17 @@ impl Stage {
     /// A sphere around an object, or around all that are seen; `None` where there is nothing.
     pub(crate) fn sphere(&self, only: Option<&ObjectId>) -> Option<(DVec3, f64)> {
         let objects = self.scene().objects.iter();
-        let objects = objects.filter(|(id, object)| only.map_or(object.visible, |only| *id == only));
-        let spheres: Vec<(DVec3, f64)> = objects.map(|(id, object)| self.sphere_of(id, object)).collect();
+        let objects =
+            objects.filter(|(id, object)| only.map_or(object.visible, |only| *id == only));
+        let spheres: Vec<(DVec3, f64)> =
+            objects.map(|(id, object)| self.sphere_of(id, object)).collect();
         let least = spheres.iter().map(|(center, radius)| *center - *radius).reduce(DVec3::min)?;
         let most = spheres.iter().map(|(center, radius)| *center + *radius).reduce(DVec3::max)?;
         let middle = 0.5 * (least + most);
-        let radius = spheres.iter().map(|(center, radius)| center.distance(middle) + radius).fold(0.0, f64::max);
+        let radius = spheres
+            .iter()
+            .map(|(center, radius)| center.distance(middle) + radius)
+            .fold(0.0, f64::max);
         Some((middle, radius))
     }
 
@@ -231,7 +257,8 @@ mod tests {
             assert_eq!(id.as_str(), wanted);
             assert!(stage.apply(edit, None, 1).unwrap());
         }
-        let places: Vec<f64> = stage.scene().objects.values().map(|object| object.transform.translate[0]).collect();
+        let places: Vec<f64> =
+            stage.scene().objects.values().map(|object| object.transform.translate[0]).collect();
         assert!(places.windows(2).all(|pair| pair[1] - pair[0] > 2.0), "{places:?}");
         let (id, edit) = stage.rename(&"torus_2".into(), "Big ring").unwrap();
         assert_eq!(id.as_str(), "big_ring");

@@ -14,7 +14,8 @@ use crate::ids::ObjectId;
 pub(crate) struct Staged {
     /// Another number is another picture.
     pub(super) version: u64,
-    /// Another number is another shape: objects are elsewhere, on other meshes, or wear other looks.
+    /// Another number is another shape: objects are elsewhere, on other meshes, or wear other
+    /// looks.
     pub(super) shape: u64,
     pub(crate) scene: Scene,
     /// What meshes are relative to.
@@ -49,9 +50,11 @@ impl Staged {
         self.version
     }
 
-    /// The looks that are not open, as far as they can be read, each once, in the order of their names.
+    /// The looks that are not open, as far as they can be read, each once, in the order of their
+    /// names.
     pub(crate) fn other_looks(&self) -> impl Iterator<Item = &Arc<SetupLook>> {
-        let mut named: Vec<_> = self.others.iter().filter_map(|(name, look)| Some((name, look.as_ref()?))).collect();
+        let mut named: Vec<_> =
+            self.others.iter().filter_map(|(name, look)| Some((name, look.as_ref()?))).collect();
         named.sort_unstable_by_key(|(name, _)| *name);
         let mut seen = HashSet::new();
         named.into_iter().map(|(_, look)| look).filter(move |look| seen.insert(Arc::as_ptr(look)))
@@ -62,15 +65,18 @@ impl Staged {
         self.shape
     }
 
-    /// Whether every object is where it is in another, on the same mesh, and wears the same as far as it can be worn.
+    /// Whether every object is where it is in another, on the same mesh, and wears the same as far
+    /// as it can be worn.
     pub(super) fn has_shape_of(&self, other: &Self) -> bool {
         let is_like = |a: &Object, b: &Object| {
-            (&a.mesh, a.transform, &a.looks, a.visible) == (&b.mesh, b.transform, &b.looks, b.visible)
+            (&a.mesh, a.transform, &a.looks, a.visible)
+                == (&b.mesh, b.transform, &b.looks, b.visible)
         };
         let (own, others) = (&self.scene.objects, &other.scene.objects);
-        let is_same = |((id, object), (other_id, other)): ((&ObjectId, &Object), (&ObjectId, &Object))| {
-            id == other_id && is_like(object, other)
-        };
+        let is_same =
+            |((id, object), (other_id, other)): ((&ObjectId, &Object), (&ObjectId, &Object))| {
+                id == other_id && is_like(object, other)
+            };
         let can_be_worn = |staged: &'_ Self| -> BTreeMap<String, bool> {
             staged.others.iter().map(|(name, look)| (name.clone(), look.is_some())).collect()
         };
@@ -86,13 +92,22 @@ impl Staged {
         Self { is_alone: true, ..self.clone() }
     }
 
-    /// The scene with everything that it names, as far as that is there, and what is wrong. `open` is the first of its
-    /// looks, whether anything wears it or not.
+    /// The scene with everything that it names, as far as that is there, and what is wrong. `open`
+    /// is the first of its looks, whether anything wears it or not.
     pub(crate) fn setup(&self, open: SetupLook, assets: &mut Assets) -> (Setup, Vec<Diagnostic>) {
         let mut problems = Vec::new();
         let mut worn = Worn { staged: self, looks: vec![open], known: HashMap::new() };
-        let objects = place_objects(&self.scene, &self.base, &self.source, None, assets, &mut worn, &mut problems);
-        let mut setup = Setup { scene: self.scene.clone(), looks: worn.looks, objects, ..Setup::default() };
+        let objects = place_objects(
+            &self.scene,
+            &self.base,
+            &self.source,
+            None,
+            assets,
+            &mut worn,
+            &mut problems,
+        );
+        let mut setup =
+            Setup { scene: self.scene.clone(), looks: worn.looks, objects, ..Setup::default() };
         if self.is_alone {
             setup.looks.truncate(1);
             for object in &mut setup.objects {

@@ -21,7 +21,8 @@ pub(crate) enum Wish {
     Pick(ObjectId, Option<String>),
     /// Selects nothing.
     Unselect,
-    /// Adds an object on a mesh: `shape:` and a name, or a path; asks for a file where there is none.
+    /// Adds an object on a mesh: `shape:` and a name, or a path; asks for a file where there is
+    /// none.
     Add(Option<String>),
     /// Asks for a file: a mesh for an object, or a look for one of its materials.
     Ask(Purpose, ObjectId, String),

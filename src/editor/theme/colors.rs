@@ -1,4 +1,4 @@
-//! The two sets of colours, dark and light.
+//! The two sets of colors, dark and light.
 
 use eframe::egui::Color32;
 
@@ -6,7 +6,7 @@ use crate::document::Tier;
 use crate::drawing::palette::{self, Palette};
 use crate::library::Type;
 
-/// All colours of the window but those of pictures.
+/// All colors of the window but those of pictures.
 #[derive(Debug)]
 pub(crate) struct Colors {
     /// Panels.
@@ -23,7 +23,7 @@ pub(crate) struct Colors {
     pub(crate) node: Color32,
     /// The edge of a node.
     pub(crate) node_edge: Color32,
-    /// Around a colour, so that one like its ground is seen.
+    /// Around a color, so that one like its ground is seen.
     pub(crate) swatch_edge: Color32,
     /// Plain text.
     pub(crate) text: Color32,
@@ -53,7 +53,7 @@ pub(crate) struct Colors {
     hues: [Color32; 8],
 }
 
-/// Colours of WGSL.
+/// Colors of WGSL.
 #[derive(Debug)]
 pub(crate) struct CodeColors {
     pub(crate) keyword: Color32,
@@ -65,22 +65,22 @@ pub(crate) struct CodeColors {
 }
 
 impl Colors {
-    /// The colour of a type's sockets and wires.
+    /// The color of a type's sockets and wires.
     pub(crate) fn of_type(&self, ty: &Type) -> Color32 {
         rgb(self.graph.of_type(ty))
     }
 
-    /// The colour of a category's titles.
+    /// The color of a category's titles.
     pub(crate) fn of_category(&self, category: &str) -> Color32 {
         rgb(self.graph.of_category(category))
     }
 
-    /// One of a row of colours that are told apart: of a key, by its place.
+    /// One of a row of colors that are told apart: of a key, by its place.
     pub(crate) fn hue(&self, index: usize) -> Color32 {
         self.hues[index % self.hues.len()]
     }
 
-    /// The colour of a tier's marks; of a row that has none, plain text's.
+    /// The color of a tier's marks; of a row that has none, plain text's.
     pub(crate) fn of_tier(&self, tier: Option<Tier>) -> Color32 {
         match tier {
             Some(Tier::Exact) => self.second,
@@ -104,7 +104,7 @@ pub(crate) const SUN: Color32 = rgb(0xfff3c4);
 /// Offset, fall-off and cut-off on a picture.
 const CURVES: [Color32; 3] = [rgb(0xffb347), rgb(0x6f9bff), rgb(0x6ee08a)];
 
-/// The colour of a layer's offset, fall-off or cut-off (0, 1, 2) on a picture.
+/// The color of a layer's offset, fall-off or cut-off (0, 1, 2) on a picture.
 pub(crate) fn curve(index: usize) -> Color32 {
     CURVES[index.min(CURVES.len() - 1)]
 }
@@ -198,8 +198,8 @@ mod tests {
     use super::*;
 
     fn luminance(color: Color32) -> f64 {
-        let [r, g, b] =
-            [color.r(), color.g(), color.b()].map(|c| crate::document::srgb_to_linear(f64::from(c) / 255.0));
+        let [r, g, b] = [color.r(), color.g(), color.b()]
+            .map(|c| crate::document::srgb_to_linear(f64::from(c) / 255.0));
         0.2126 * r + 0.7152 * g + 0.0722 * b
     }
 
@@ -213,14 +213,23 @@ mod tests {
     fn everything_is_legible_on_its_ground() {
         for (name, colors) in [("dark", &DARK), ("light", &LIGHT)] {
             let code = &colors.code;
-            let inks =
-                [colors.text, colors.dim, colors.accent, colors.second, colors.third, colors.error, colors.warning];
+            let inks = [
+                colors.text,
+                colors.dim,
+                colors.accent,
+                colors.second,
+                colors.third,
+                colors.error,
+                colors.warning,
+            ];
             let code = [code.keyword, code.ty, code.number, code.function, code.attribute];
             for (index, ink) in inks.into_iter().chain(code).enumerate() {
                 let found = contrast(ink, colors.panel);
                 assert!(found >= 4.5, "{name}, ink {index} on a panel: {found:.2}");
             }
-            for (index, ground) in [colors.node, colors.field, colors.accent_dim, colors.well].into_iter().enumerate() {
+            for (index, ground) in
+                [colors.node, colors.field, colors.accent_dim, colors.well].into_iter().enumerate()
+            {
                 assert!(contrast(colors.text, ground) >= 4.5, "{name}, text on ground {index}");
             }
             for ground in colors.graph.categories().iter().copied().map(rgb) {

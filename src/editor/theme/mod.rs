@@ -1,26 +1,30 @@
-//! Colours, sizes and fonts of the window, all in one place.
+//! Colors, sizes and fonts of the window, all in one place.
 //!
-//! A calm ground with one warm accent, so that the picture and the wires are what is seen. A socket says its type by
-//! colour and by shape.
+//! A calm ground with one warm accent, so that the picture and the wires are what is seen. A socket
+//! says its type by color and by shape.
 
 mod colors;
 
 use eframe::egui;
 use eframe::egui::{CornerRadius, FontFamily, FontId, Margin, Stroke, TextStyle, Visuals};
 
-pub(crate) use crate::drawing::{NODE_WIDTH, ROW_HEIGHT, SOCKET, SocketShape, TEXT_SIZE, TITLE_HEIGHT};
+pub(crate) use crate::drawing::{
+    NODE_WIDTH, ROW_HEIGHT, SOCKET, SocketShape, TEXT_SIZE, TITLE_HEIGHT,
+};
 pub(crate) use colors::{Colors, HALO, PLATE, SUN, curve};
 
-/// The colours of the theme that is shown.
+/// The colors of the theme that is shown.
 pub(crate) fn of(ui: &egui::Ui) -> &'static Colors {
     if ui.visuals().dark_mode { &colors::DARK } else { &colors::LIGHT }
 }
 
 /// The size of small text, in points: heads of tables, marks of plots.
 pub(crate) const SMALL_TEXT: f32 = 11.0;
-/// Sets colours, fonts and spacings for the whole window, in both themes.
+/// Sets colors, fonts and spacings for the whole window, in both themes.
 pub(crate) fn apply(ctx: &egui::Context) {
-    for (theme, colors) in [(egui::Theme::Dark, &colors::DARK), (egui::Theme::Light, &colors::LIGHT)] {
+    for (theme, colors) in
+        [(egui::Theme::Dark, &colors::DARK), (egui::Theme::Light, &colors::LIGHT)]
+    {
         ctx.set_visuals_of(theme, visuals(theme.default_visuals(), colors));
         ctx.style_mut_of(theme, |style| {
             style.spacing.item_spacing = egui::vec2(6.0, 5.0);

@@ -1,8 +1,9 @@
-//! How a step is shown: a card beside a ring around what it speaks of. Both lie over panels and under menus.
+//! How a step is shown: a card beside a ring around what it speaks of. Both lie over panels and
+//! under menus.
 
 use eframe::egui::{
-    Area, Button, Context, Frame, Id, Layout, Margin, Order, Pos2, Rect, RichText, Stroke, StrokeKind, Ui, Vec2, pos2,
-    vec2,
+    Area, Button, Context, Frame, Id, Layout, Margin, Order, Pos2, Rect, RichText, Stroke,
+    StrokeKind, Ui, Vec2, pos2, vec2,
 };
 
 use super::super::command::Command;
@@ -37,7 +38,13 @@ pub(super) struct Progress {
 }
 
 /// Shows a step; what was pressed.
-pub(super) fn show(ui: &Ui, session: &Session, step: &Step, progress: Progress, can_show: bool) -> Option<Answer> {
+pub(super) fn show(
+    ui: &Ui,
+    session: &Session,
+    step: &Step,
+    progress: Progress,
+    can_show: bool,
+) -> Option<Answer> {
     let target = (step.spots)(session).iter().find_map(|spot| spots::find(ui.ctx(), spot));
     if let Some(target) = target {
         ring(ui, target);
@@ -52,11 +59,17 @@ pub(super) fn show(ui: &Ui, session: &Session, step: &Step, progress: Progress, 
         ui.label(RichText::new(step.reason).color(theme::of(ui).dim));
         dots(ui, progress);
         ui.horizontal(|ui| {
-            if ui.add_enabled(progress.index > 0, Button::new("Back")).on_hover_text("To the step before").clicked() {
+            if ui
+                .add_enabled(progress.index > 0, Button::new("Back"))
+                .on_hover_text("To the step before")
+                .clicked()
+            {
                 answer = Some(Answer::Back);
             }
             let help = "Does it for you, as a step that Undo takes back";
-            let button = ui.add_enabled(can_show && !progress.is_done, Button::new("Show me")).on_hover_text(help);
+            let button = ui
+                .add_enabled(can_show && !progress.is_done, Button::new("Show me"))
+                .on_hover_text(help);
             if button.on_disabled_hover_text("There is nothing to do here now").clicked() {
                 answer = Some(Answer::Show);
             }
@@ -66,8 +79,11 @@ pub(super) fn show(ui: &Ui, session: &Session, step: &Step, progress: Progress, 
                     false => ("Skip", "On to the next step, without this one"),
                 };
                 let colors = theme::of(ui);
-                let button =
-                    if progress.is_done { Button::new(label).fill(colors.accent_dim) } else { Button::new(label) };
+                let button = if progress.is_done {
+                    Button::new(label).fill(colors.accent_dim)
+                } else {
+                    Button::new(label)
+                };
                 if ui.add(button).on_hover_text(help).clicked() {
                     answer = Some(Answer::Next);
                 }
@@ -82,14 +98,17 @@ pub(super) fn last(ui: &Ui, session: &Session) -> (Option<Command>, bool) {
     let (mut next, mut answer) = (None, None);
     card(ui, None, &[], |ui| {
         head(ui, "This is your look", &mut answer);
-        let count = session.look().graph.nodes.values().filter(|node| node.kind == "light_layer").count();
+        let count =
+            session.look().graph.nodes.values().filter(|node| node.kind == "light_layer").count();
         let text = format!(
-            "{count} {} over a base: everything in Chiaro is made this way. The graph in the middle is the same look, \
+            "{count} {} over a base: everything in Chiaro is made this way. The graph in the \
+             middle is the same look, \
              where anything can be wired to anything.",
             if count == 1 { "layer" } else { "layers" }
         );
         ui.label(text);
-        let text = "Drop a mesh of yours on the window to see it there. Copy as, above, takes the picture or the shader \
+        let text = "Drop a mesh of yours on the window to see it there. Copy as, above, takes the \
+                    picture or the shader \
                     with you.";
         ui.label(RichText::new(text).color(theme::of(ui).dim));
         ui.add_space(4.0);
@@ -110,7 +129,11 @@ fn head(ui: &mut Ui, title: &str, answer: &mut Option<Answer>) {
     ui.horizontal(|ui| {
         ui.label(RichText::new(title).strong().color(theme::of(ui).accent));
         ui.with_layout(Layout::right_to_left(eframe::egui::Align::Center), |ui| {
-            if ui.small_button("End tour").on_hover_text("The look stays as it is; Help has the tour again").clicked() {
+            if ui
+                .small_button("End tour")
+                .on_hover_text("The look stays as it is; Help has the tour again")
+                .clicked()
+            {
                 *answer = Some(Answer::End);
             }
         });
@@ -119,7 +142,8 @@ fn head(ui: &mut Ui, title: &str, answer: &mut Option<Answer>) {
 
 /// One dot a step: what is behind, where it is, what is to come.
 fn dots(ui: &mut Ui, progress: Progress) {
-    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), 14.0), eframe::egui::Sense::hover());
+    let (rect, _) =
+        ui.allocate_exact_size(vec2(ui.available_width(), 14.0), eframe::egui::Sense::hover());
     let colors = theme::of(ui);
     for index in 0..STEPS.len() {
         let at = pos2(rect.left() + 4.0 + index as f32 * 13.0, rect.center().y);
@@ -133,11 +157,18 @@ fn dots(ui: &mut Ui, progress: Progress) {
     if progress.is_done {
         let font = eframe::egui::TextStyle::Body.resolve(ui.style());
         let text = "Done: play on, or go on";
-        ui.painter().text(rect.right_center(), eframe::egui::Align2::RIGHT_CENTER, text, font, colors.second);
+        ui.painter().text(
+            rect.right_center(),
+            eframe::egui::Align2::RIGHT_CENTER,
+            text,
+            font,
+            colors.second,
+        );
     }
 }
 
-/// A card beside its target and off what is to be kept clear, or in a corner where there is no target.
+/// A card beside its target and off what is to be kept clear, or in a corner where there is no
+/// target.
 fn card(ui: &Ui, target: Option<Rect>, clear: &[Rect], content: impl FnOnce(&mut Ui)) {
     let ctx = ui.ctx();
     let id = Id::unique("tour card");
@@ -152,7 +183,9 @@ fn card(ui: &Ui, target: Option<Rect>, clear: &[Rect], content: impl FnOnce(&mut
     let area = Area::new(id).order(Order::Middle).fixed_pos(at).constrain(true);
     area.show(ctx, |ui| {
         let colors = theme::of(ui);
-        let frame = Frame::popup(ui.style()).stroke(Stroke::new(1.0, colors.accent)).inner_margin(Margin::same(12));
+        let frame = Frame::popup(ui.style())
+            .stroke(Stroke::new(1.0, colors.accent))
+            .inner_margin(Margin::same(12));
         frame.show(ui, |ui| {
             ui.set_width(width - 26.0);
             ui.spacing_mut().item_spacing.y = 7.0;
@@ -161,8 +194,9 @@ fn card(ui: &Ui, target: Option<Rect>, clear: &[Rect], content: impl FnOnce(&mut
     });
 }
 
-/// As near to the target as the card can be while it covers neither that nor what is to be kept clear; where there is no
-/// such place, where it covers least, the target before all else. Without a target in the lower right corner.
+/// As near to the target as the card can be while it covers neither that nor what is to be kept
+/// clear; where there is no such place, where it covers least, the target before all else. Without
+/// a target in the lower right corner.
 fn place(screen: Rect, target: Option<Rect>, clear: &[Rect], size: Vec2) -> Pos2 {
     /// As many places are tried along each side.
     const TRIED: u8 = 24;
@@ -177,7 +211,8 @@ fn place(screen: Rect, target: Option<Rect>, clear: &[Rect], size: Vec2) -> Pos2
         pos2(middle.x, target.top() - GAP - size.y),
     ];
     let beside = beside.map(|at| at.clamp(screen.left_top(), screen.left_top() + room));
-    let grid = (0..=TRIED).flat_map(|x| (0..=TRIED).map(move |y| vec2(x.into(), y.into()) / f32::from(TRIED)));
+    let grid = (0..=TRIED)
+        .flat_map(|x| (0..=TRIED).map(move |y| vec2(x.into(), y.into()) / f32::from(TRIED)));
     let grid = grid.map(|part| screen.left_top() + room * part);
     let cost = |at: Pos2| {
         let card = Rect::from_min_size(at, size);
@@ -187,7 +222,9 @@ fn place(screen: Rect, target: Option<Rect>, clear: &[Rect], size: Vec2) -> Pos2
         };
         let way = target.distance_to_pos(at + size / 2.0);
         // A point of the target weighs more than any other, and those more than any way there is.
-        64.0 * covered(&target.expand(GAP / 2.0)) + 4.0 * clear.iter().map(covered).sum::<f32>() + way
+        64.0 * covered(&target.expand(GAP / 2.0))
+            + 4.0 * clear.iter().map(covered).sum::<f32>()
+            + way
     };
     let best = beside.into_iter().chain(grid).min_by(|a, b| cost(*a).total_cmp(&cost(*b)));
     best.unwrap_or(corner)
@@ -200,7 +237,12 @@ fn ring(ui: &Ui, target: Rect) {
     let painter = ctx.layer_painter(layer);
     let accent = theme::of(ui).accent;
     let rect = target.intersect(ctx.content_rect().shrink(3.0));
-    painter.rect_stroke(rect.expand(4.0), 8.0, Stroke::new(4.0, accent.gamma_multiply(0.3)), StrokeKind::Middle);
+    painter.rect_stroke(
+        rect.expand(4.0),
+        8.0,
+        Stroke::new(4.0, accent.gamma_multiply(0.3)),
+        StrokeKind::Middle,
+    );
     painter.rect_stroke(rect.expand(2.0), 6.0, Stroke::new(2.0, accent), StrokeKind::Middle);
 }
 
@@ -219,7 +261,10 @@ mod tests {
                 Rect::from_min_size(pos2(5.0, height - 220.0), vec2(250.0, 200.0)),
             ] {
                 let card = Rect::from_min_size(place(screen, Some(target), &[], size), size);
-                assert!(screen.contains_rect(card) && !card.intersects(target), "{card} beside {target} on {screen}");
+                assert!(
+                    screen.contains_rect(card) && !card.intersects(target),
+                    "{card} beside {target} on {screen}"
+                );
             }
             // A button in a panel, beside another panel: the card goes where neither is.
             let panels = [

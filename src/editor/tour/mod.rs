@@ -1,7 +1,8 @@
-//! A tour of two minutes that makes a first look from nothing. Each step stands beside the control that it speaks of and
-//! says so when the artist has really done it: steps look at the document, never at clicks. The artist alone goes on, by
-//! one button, so that there is all the time in the world to play with what was just found. It keeps nobody from
-//! anything, and whatever is done on it is the artist's own work, with undo.
+//! A tour of two minutes that makes a first look from nothing. Each step stands beside the control
+//! that it speaks of and says so when the artist has really done it: steps look at the document,
+//! never at clicks. The artist alone goes on, by one button, so that there is all the time in the
+//! world to play with what was just found. It keeps nobody from anything, and whatever is done on
+//! it is the artist's own work, with undo.
 
 mod card;
 mod steps;

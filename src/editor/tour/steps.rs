@@ -1,4 +1,5 @@
-//! The steps of the tour, as data: what each says, what it points at, how it is known to be done, and how it is shown.
+//! The steps of the tour, as data: what each says, what it points at, how it is known to be done,
+//! and how it is shown.
 
 use super::super::command::Command;
 use super::super::dock::Panel;
@@ -37,14 +38,19 @@ pub(super) static STEPS: [Step; 7] = [
     Step {
         title: "The base",
         task: "Click Base in the stack of layers, then change its color.",
-        reason: "It is what is seen where no light falls. Painters begin dark and leave room for the light.",
+        reason: "It is what is seen where no light falls. Painters begin dark and leave room for \
+                 the light.",
         panels: &[Panel::Picture, Panel::Layers, Panel::Inspector],
         spots: |session| match ground(session) {
-            Some(base) if session.selection.contains(&base) => vec![Spot::Input("color".into()), Spot::Layer(base)],
+            Some(base) if session.selection.contains(&base) => {
+                vec![Spot::Input("color".into()), Spot::Layer(base)]
+            }
             Some(base) => vec![Spot::Layer(base), Spot::Panel(Panel::Layers)],
             None => vec![Spot::Panel(Panel::Layers)],
         },
-        is_done: |session, before| ground(session).is_some_and(|base| is_changed(session, before, &base, &["color"])),
+        is_done: |session, before| {
+            ground(session).is_some_and(|base| is_changed(session, before, &base, &["color"]))
+        },
         show: |session| {
             let color = Value::Vector(vec![0.17, 0.1, 0.15]);
             ground(session).map_or_else(Vec::new, |base| set(session, &base, &[("color", color)]))
@@ -53,7 +59,8 @@ pub(super) static STEPS: [Step; 7] = [
     Step {
         title: "A first layer of light",
         task: "Press Add layer and choose Diffuse.",
-        reason: "A layer is a light, the way it moves over the surface, a profile and two colors. Diffuse light stays \
+        reason: "A layer is a light, the way it moves over the surface, a profile and two colors. \
+                 Diffuse light stays \
                  where it falls; a highlight follows the eye.",
         panels: &[Panel::Picture, Panel::Layers],
         spots: |_| vec![Spot::AddLayer, Spot::Panel(Panel::Layers)],
@@ -63,7 +70,8 @@ pub(super) static STEPS: [Step; 7] = [
     Step {
         title: "Its profile",
         task: "Drag the handles of the curve: offset, fall-off and cut-off.",
-        reason: "Up to the offset the tone is full, at the cut-off it is gone. Bring them together for the edge of a \
+        reason: "Up to the offset the tone is full, at the cut-off it is gone. Bring them together \
+                 for the edge of a \
                  cartoon, apart for something soft.",
         panels: &[Panel::Picture, Panel::Profile, Panel::Inspector],
         spots: |_| vec![Spot::Panel(Panel::Profile), Spot::Input("offset".into())],
@@ -77,7 +85,8 @@ pub(super) static STEPS: [Step; 7] = [
     Step {
         title: "Turn the light",
         task: "Drag on the object, beside its colored lines.",
-        reason: "The light turns with your hand, and so do all lights of the look: they hang in one frame. A drag on \
+        reason: "The light turns with your hand, and so do all lights of the look: they hang in \
+                 one frame. A drag on \
                  a line shapes the layer, and a drag beside the object turns the camera.",
         panels: &[Panel::Picture],
         spots: |_| vec![Spot::Picture],
@@ -91,7 +100,8 @@ pub(super) static STEPS: [Step; 7] = [
     Step {
         title: "A rim from behind",
         task: "Press Add layer again and choose Back-light.",
-        reason: "It brings a light of its own, behind the object as you see it now: its cool rim parts the object from \
+        reason: "It brings a light of its own, behind the object as you see it now: its cool rim \
+                 parts the object from \
                  what is behind.",
         panels: &[Panel::Picture, Panel::Layers],
         spots: |_| vec![Spot::AddLayer, Spot::Panel(Panel::Layers)],
@@ -101,19 +111,28 @@ pub(super) static STEPS: [Step; 7] = [
     Step {
         title: "How layers meet",
         task: "In a layer's row, choose another blending or drag its opacity.",
-        reason: "Add brightens what is below, multiply darkens it, alpha covers it. The order counts too: drag rows.",
+        reason: "Add brightens what is below, multiply darkens it, alpha covers it. The order \
+                 counts too: drag rows.",
         panels: &[Panel::Picture, Panel::Layers],
-        spots: |session| top_layer(session).map(Spot::Layer).into_iter().chain([Spot::Panel(Panel::Layers)]).collect(),
+        spots: |session| {
+            top_layer(session)
+                .map(Spot::Layer)
+                .into_iter()
+                .chain([Spot::Panel(Panel::Layers)])
+                .collect()
+        },
         is_done: |session, before| any_layer_changed(session, before, &BLENDING),
         show: |session| {
             let opacity = Value::Number(0.7);
-            top_layer(session).map_or_else(Vec::new, |layer| set(session, &layer, &[("opacity", opacity)]))
+            top_layer(session)
+                .map_or_else(Vec::new, |layer| set(session, &layer, &[("opacity", opacity)]))
         },
     },
     Step {
         title: "Keep it",
         task: "Press Save and choose where.",
-        reason: "A look is a small text file, and Recent will have it. What is not saved is kept too, until you are back.",
+        reason: "A look is a small text file, and Recent will have it. What is not saved is kept \
+                 too, until you are back.",
         panels: &[Panel::Picture],
         spots: |_| vec![Spot::Save],
         is_done: |session, _| session.path().is_some() && !session.is_dirty(),
@@ -155,9 +174,12 @@ fn is_changed(session: &Session, before: &Before, id: &NodeId, ports: &[&str]) -
 fn is_light_turned(session: &Session, before: &Before) -> bool {
     let lights = &session.look().lights;
     let is_other = |(id, light): (_, &crate::document::Light)| {
-        lights.get(id).is_some_and(|now| (now.direction, now.position) != (light.direction, light.position))
+        lights
+            .get(id)
+            .is_some_and(|now| (now.direction, now.position) != (light.direction, light.position))
     };
-    session.view.illumination.angle_between(before.illumination) > TURNED || before.look.lights.iter().any(is_other)
+    session.view.illumination.angle_between(before.illumination) > TURNED
+        || before.look.lights.iter().any(is_other)
 }
 
 fn value<'a>(node: Option<&'a Node>, port: &str) -> Option<&'a Value> {

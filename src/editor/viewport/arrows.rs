@@ -1,8 +1,9 @@
-//! Arrows on the surface toward the eye and the lights, as an HCBTF lookup there sees them (thesis Appendix B).
+//! Arrows on the surface toward the eye and the lights, as an HCBTF lookup there sees them (thesis
+//! Appendix B).
 //!
-//! A light's arrow points at it. The eye's would be a point, seen from the eye itself; so its trace on the surface is
-//! shown, as long as the eye stands low, and the light's trace too: those are the directions that samples go by. They
-//! stand at sparse places, and larger under the pointer.
+//! A light's arrow points at it. The eye's would be a point, seen from the eye itself; so its trace
+//! on the surface is shown, as long as the eye stands low, and the light's trace too: those are the
+//! directions that samples go by. They stand at sparse places, and larger under the pointer.
 
 use eframe::egui::{Color32, Pos2, Rect, Stroke, Ui};
 use glam::DVec3;
@@ -21,7 +22,7 @@ const APART: f32 = 72.0;
 const LENGTHS: [f64; 2] = [0.09, 0.2];
 /// Traces shorter than this, in points, are a point.
 const SHORTEST: f32 = 2.0;
-/// The eye's colour, and how much of an arrow and of a trace covers what is below.
+/// The eye's color, and how much of an arrow and of a trace covers what is below.
 const EYE: Color32 = Color32::from_rgb(110, 190, 255);
 const STRENGTHS: [f32; 2] = [0.85, 0.45];
 
@@ -37,7 +38,12 @@ pub(super) struct Arrow {
 }
 
 /// The arrows at sparse places, then those at the pointer.
-pub(super) fn of(session: &Session, surface: &Surface, rect: Rect, pointer: Option<Pos2>) -> Vec<Arrow> {
+pub(super) fn of(
+    session: &Session,
+    surface: &Surface,
+    rect: Rect,
+    pointer: Option<Pos2>,
+) -> Vec<Arrow> {
     let lights: Vec<(LightValues, Color32)> = session
         .shining()
         .map(|(_, light)| {
@@ -45,11 +51,14 @@ pub(super) fn of(session: &Session, surface: &Surface, rect: Rect, pointer: Opti
             (resolved(light, &session.view), Color32::from_rgb(r, g, b))
         })
         .collect();
-    let directional: Vec<bool> = session.shining().map(|(_, light)| light.kind == LightKind::Directional).collect();
+    let directional: Vec<bool> =
+        session.shining().map(|(_, light)| light.kind == LightKind::Directional).collect();
     let (_, radius) = session.ball();
     let mut arrows = Vec::new();
     let mut stand = |place: [f32; 2], length: f64| {
-        let Some(pixel) = surface.pixel_at(place).filter(|pixel| surface.is_covered(*pixel)) else { return };
+        let Some(pixel) = surface.pixel_at(place).filter(|pixel| surface.is_covered(*pixel)) else {
+            return;
+        };
         let position = surface.positions[pixel].as_dvec3();
         let normal = surface.normals[pixel].as_dvec3();
         let mut push = |along: DVec3, is_trace: bool, light: Option<Color32>| {
@@ -99,7 +108,9 @@ pub(super) fn paint(ui: &Ui, rect: Rect, arrows: &[Arrow]) {
         let barbs = [0.45, -0.45].map(|side| *to - head + side * head.rot90());
         for (width, color) in [(3.5, halo), (1.5, color)] {
             painter.line_segment([*from, *to], Stroke::new(width, color));
-            barbs.iter().for_each(|barb| _ = painter.line_segment([*barb, *to], Stroke::new(width, color)));
+            barbs
+                .iter()
+                .for_each(|barb| _ = painter.line_segment([*barb, *to], Stroke::new(width, color)));
         }
     }
 }

@@ -48,9 +48,14 @@ impl Viewport {
                 }
             }
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-                let (menu, _) = MenuButton::new("Options").config(stays).ui(ui, |ui| self.options(ui, session, out));
-                menu.on_hover_text("Turntable, projection, backdrop, exposure, reference image, saving");
+                let stays =
+                    MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+                let (menu, _) = MenuButton::new("Options")
+                    .config(stays)
+                    .ui(ui, |ui| self.options(ui, session, out));
+                menu.on_hover_text(
+                    "Turntable, projection, backdrop, exposure, reference image, saving",
+                );
                 let mut is_on = probe.is_on();
                 let help = "Reads the value on every wire at a pixel, f32 beside f64 (I)";
                 if ui.toggle_value(&mut is_on, "Probe pixel").on_hover_text(help).changed() {
@@ -71,13 +76,16 @@ impl Viewport {
     fn options(&mut self, ui: &mut Ui, session: &mut Session, out: &mut Vec<Command>) {
         ui.checkbox(&mut self.handles, "Handles on the object")
             .on_hover_text("Lines and handles of the selected layer and its light (H)");
-        let help = "Where eye and lights stand at a place, as an HCBTF looks them up: blue lies toward the eye, the \
-                    others toward lights, each with its trace on the surface; larger under the pointer";
+        let help = "Where eye and lights stand at a place, as an HCBTF looks them up: blue lies \
+                    toward the eye, the \
+                    others toward lights, each with its trace on the surface; larger under the \
+                    pointer";
         ui.checkbox(&mut self.has_arrows, "Arrows toward eye and lights").on_hover_text(help);
         let help = "Turns the object before the camera, until it is switched off again (T)";
         ui.checkbox(&mut self.turns, "Turntable").on_hover_text(help);
         if session.stage().is_none() && !session.view.mesh.starts_with(SHAPE_PREFIX) {
-            let help = "Stands up a mesh that lies on its back: one whose z axis points up, as in many scans";
+            let help = "Stands up a mesh that lies on its back: one whose z axis points up, as in \
+                        many scans";
             let mut z_is_up = session.view.z_is_up;
             if ui.checkbox(&mut z_is_up, "Z is up").on_hover_text(help).changed() {
                 out.push(Command::StandUp(z_is_up));
@@ -86,7 +94,11 @@ impl Viewport {
         ui.separator();
         for (projection, label, help) in [
             (Projection::Perspective, "Perspective", "What is near is large (P)"),
-            (Projection::Orthographic, "Parallel", "All is as large at any distance, as in a technical drawing (P)"),
+            (
+                Projection::Orthographic,
+                "Parallel",
+                "All is as large at any distance, as in a technical drawing (P)",
+            ),
         ] {
             ui.radio_value(&mut session.view.projection, projection, label).on_hover_text(help);
         }
@@ -131,7 +143,8 @@ impl Viewport {
         ui.horizontal(|ui| {
             let label = ui.label("Exposure");
             let range = -show::MOST_STOPS..=show::MOST_STOPS;
-            let help = "Shows the picture brighter or darker, in stops; for this window only, the look stays as it is";
+            let help = "Shows the picture brighter or darker, in stops; for this window only, the \
+                        look stays as it is";
             let slider = egui::Slider::new(&mut self.exposure, range).max_decimals(2).step_by(0.05);
             ui.add(slider).labelled_by(label.id).on_hover_text(help);
             if self.exposure != 0.0 && ui.small_button("0").on_hover_text("As it is").clicked() {
@@ -167,7 +180,11 @@ impl Viewport {
     }
 
     fn exports(&mut self, ui: &mut Ui, out: &mut Vec<Command>) {
-        if ui.button("Copy picture").on_hover_text("To the clipboard, as large as it is here").clicked() {
+        if ui
+            .button("Copy picture")
+            .on_hover_text("To the clipboard, as large as it is here")
+            .clicked()
+        {
             out.push(Command::CopyPicture);
             ui.close();
         }
@@ -178,7 +195,9 @@ impl Viewport {
                 let size = own.map(|side| (side * factor).clamp(1, MOST_SIDE));
                 let help = format!("As PNG, {} by {} pixels", size[0], size[1]);
                 let button = ui.button(label).on_hover_text(help);
-                button.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Save picture {label}")));
+                button.widget_info(|| {
+                    WidgetInfo::labeled(Role::Button, true, format!("Save picture {label}"))
+                });
                 if button.clicked() {
                     out.push(Command::Export(Export::Picture(size), None));
                     ui.close();
@@ -186,7 +205,8 @@ impl Viewport {
             }
         });
         ui.horizontal(|ui| {
-            let help = "Draws the look on a ball, from here and lit as here, as an image for the LitSphere node and for \
+            let help = "Draws the look on a ball, from here and lit as here, as an image for the \
+                        LitSphere node and for \
                         other programs (a matcap). Curvature is then the ball's.";
             if ui.button("Bake to LitSphere...").on_hover_text(help).clicked() {
                 out.push(Command::Export(Export::LitSphere(self.bake_side), None));
@@ -195,7 +215,14 @@ impl Viewport {
             for side in [256, 512, 1024, 2048] {
                 let response = ui.selectable_value(&mut self.bake_side, side, side.to_string());
                 let is_it = self.bake_side == side;
-                let name = || WidgetInfo::selected(Role::Button, true, is_it, format!("{side} pixels along a side"));
+                let name = || {
+                    WidgetInfo::selected(
+                        Role::Button,
+                        true,
+                        is_it,
+                        format!("{side} pixels along a side"),
+                    )
+                };
                 response.on_hover_text("Pixels along a side").widget_info(name);
             }
         });
@@ -211,40 +238,53 @@ fn mesh_choice(ui: &mut Ui, session: &mut Session, out: &mut Vec<Command>) {
     let label = ui.label("On");
     let mesh = session.view.mesh.clone();
     let shape = SHAPES.iter().find(|shape| mesh.strip_prefix("shape:") == Some(shape.name));
-    let file = Path::new(&mesh).file_name().map_or(mesh.clone(), |name| name.to_string_lossy().into_owned());
+    let file = Path::new(&mesh)
+        .file_name()
+        .map_or(mesh.clone(), |name| name.to_string_lossy().into_owned());
     let shown = shape.map_or(file.as_str(), |shape| shape.label);
-    let combo = egui::ComboBox::from_id_salt("mesh").height(MESHES).selected_text(shown).show_ui(ui, |ui| {
-        for shape in SHAPES {
-            let is_it = mesh.strip_prefix("shape:") == Some(shape.name);
-            if ui.selectable_label(is_it, shape.label).on_hover_text(shape.help).clicked() {
-                out.push(Command::ShowOn(Some(format!("{SHAPE_PREFIX}{}", shape.name).into())));
+    let combo = egui::ComboBox::from_id_salt("mesh").height(MESHES).selected_text(shown).show_ui(
+        ui,
+        |ui| {
+            for shape in SHAPES {
+                let is_it = mesh.strip_prefix("shape:") == Some(shape.name);
+                if ui.selectable_label(is_it, shape.label).on_hover_text(shape.help).clicked() {
+                    out.push(Command::ShowOn(Some(format!("{SHAPE_PREFIX}{}", shape.name).into())));
+                }
             }
-        }
-        ui.separator();
-        let help = "Shows the look on a mesh of yours (OBJ, PLY, STL, glTF); it can also be dropped on the window. \
+            ui.separator();
+            let help = "Shows the look on a mesh of yours (OBJ, PLY, STL, glTF); it can also be \
+                    dropped on the window. \
                     One that lies on its back is stood up by \"Z is up\" under Options";
-        if ui.selectable_label(shape.is_none(), "From a file...").on_hover_text(help).clicked() {
-            out.push(Command::ShowOn(None));
-        }
-    });
+            if ui.selectable_label(shape.is_none(), "From a file...").on_hover_text(help).clicked()
+            {
+                out.push(Command::ShowOn(None));
+            }
+        },
+    );
     combo.response.labelled_by(label.id);
 }
 
-/// What is told over the top of the picture, which stays where it is when that comes and goes: a wire that is shown in
-/// its place, layers and lights that are shown alone.
+/// What is told over the top of the picture, which stays where it is when that comes and goes: a
+/// wire that is shown in its place, layers and lights that are shown alone.
 pub(super) fn over_top(ui: &mut Ui, rect: Rect, session: &Session, out: &mut Vec<Command>) {
     if session.wire().is_none() && session.solo().is_empty() {
         return;
     }
     let id = ui.scope_id().with("told over the picture");
     let room = Rect::from_min_max(rect.min + vec2(8.0, 8.0), pos2(rect.max.x - 8.0, rect.max.y));
-    // Its height is known from the frame before. What is pressed beside its buttons does nothing to the picture below.
+    // Its height is known from the frame before. What is pressed beside its buttons does nothing to
+    // the picture below.
     let height: f32 = ui.data(|data| data.get_temp(id)).unwrap_or(30.0);
-    ui.interact(Rect::from_min_size(room.min, vec2(room.width(), height)), id, Sense::click_and_drag());
-    let shown = ui.scope_builder(UiBuilder::new().id_salt("over the picture").max_rect(room), |ui| {
-        wire_bar(ui, session, out);
-        out.extend(solo::bar(ui, session));
-    });
+    ui.interact(
+        Rect::from_min_size(room.min, vec2(room.width(), height)),
+        id,
+        Sense::click_and_drag(),
+    );
+    let shown =
+        ui.scope_builder(UiBuilder::new().id_salt("over the picture").max_rect(room), |ui| {
+            wire_bar(ui, session, out);
+            out.extend(solo::bar(ui, session));
+        });
     ui.data_mut(|data| data.insert_temp(id, shown.response.rect.height()));
 }
 
@@ -254,7 +294,9 @@ fn wire_bar(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) -> Option<()
     let node = node_at(session.look(), &session.library, wire.node.ids())?;
     let kind = session.catalog.of(node);
     let name = wire_name(session, &wire.node);
-    let port = kind.and_then(|kind| Some(&*kind.outputs[kind.output(wire.port.as_str())?].label)).unwrap_or_default();
+    let port = kind
+        .and_then(|kind| Some(&*kind.outputs[kind.output(wire.port.as_str())?].label))
+        .unwrap_or_default();
     let frame = egui::Frame::new()
         .fill(theme::of(ui).panel.gamma_multiply(0.9))
         .corner_radius(4.0)
@@ -266,8 +308,13 @@ fn wire_bar(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) -> Option<()
                     out.push(Command::ShowWire(None));
                 }
                 ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
-                    let text = format!("Showing {port} of {name} as {}", wire.style.label().to_lowercase());
-                    let label = egui::Label::new(egui::RichText::new(text).color(theme::of(ui).accent)).truncate();
+                    let text = format!(
+                        "Showing {port} of {name} as {}",
+                        wire.style.label().to_lowercase()
+                    );
+                    let label =
+                        egui::Label::new(egui::RichText::new(text).color(theme::of(ui).accent))
+                            .truncate();
                     ui.add(label).on_hover_text(wire.style.help());
                 });
             });

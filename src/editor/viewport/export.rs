@@ -1,5 +1,5 @@
-//! Pictures that leave the window, made on a thread of their own: a screenshot of any size, and the look baked to the
-//! image of a ball (a LitSphere). Reference images come in the same way.
+//! Pictures that leave the window, made on a thread of their own: a screenshot of any size, and the
+//! look baked to the image of a ball (a LitSphere). Reference images come in the same way.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -16,9 +16,11 @@ use crate::document::{OutputKind, Outputs, Projection};
 use crate::frame::{Assets, Picture, PlanOptions, Planner};
 use crate::render::{Gpu, Renderer, block_on};
 
-/// A baked ball's radius over the image's width: what a LitSphere node takes where nothing else is said.
+/// A baked ball's radius over the image's width: what a LitSphere node takes where nothing else is
+/// said.
 const BALL_RADIUS: f64 = 0.49;
-/// What is nearer to the ball's rim than this, in pixels, takes the colour from here: the rim itself is half backdrop.
+/// What is nearer to the ball's rim than this, in pixels, takes the color from here: the rim
+/// itself is half backdrop.
 const RIM: f64 = 1.25;
 /// Reference images are shown with at most so many pixels along a side.
 const MOST_SHOWN: u32 = 4096;
@@ -58,9 +60,11 @@ pub(super) struct Exports {
 }
 
 impl Exports {
-    /// `wake` is called from another thread when something is done. Without a `gpu` nothing is drawn.
+    /// `wake` is called from another thread when something is done. Without a `gpu` nothing is
+    /// drawn.
     pub(super) fn new(gpu: Option<Gpu>, wake: impl Fn() + Send + 'static) -> Self {
-        let mut drawer = gpu.map(|gpu| Drawer { renderer: Renderer::new(gpu), assets: Assets::default() });
+        let mut drawer =
+            gpu.map(|gpu| Drawer { renderer: Renderer::new(gpu), assets: Assets::default() });
         let work = move |jobs: Vec<Job>| {
             let done = jobs.into_iter().map(|job| run(job, drawer.as_mut()));
             done.map(|done| done.unwrap_or_else(Done::Failed)).collect()
@@ -80,7 +84,8 @@ impl Exports {
 
     fn add(&self, job: Job) {
         // Nothing that waits is dropped.
-        self.worker.request(|waiting| waiting.unwrap_or_default().into_iter().chain([job]).collect());
+        self.worker
+            .request(|waiting| waiting.unwrap_or_default().into_iter().chain([job]).collect());
     }
 
     pub(super) fn answers(&self) -> impl Iterator<Item = Done> + use<> {
@@ -110,7 +115,8 @@ fn run(job: Job, drawer: Option<&mut Drawer>) -> Result<Done, Diagnostic> {
             let picture = drawer.draw(export, *still)?;
             match to {
                 Destination::File(path) => {
-                    // The dialog has asked about what is there; but the picture must not take what it is made of.
+                    // The dialog has asked about what is there; but the picture must not take what
+                    // it is made of.
                     let mut outputs = Outputs::new(true);
                     drawer.assets.files().for_each(|path| outputs.reads(path));
                     outputs.write(&path, OutputKind::PICTURE, &picture.to_png()?)?;
@@ -133,7 +139,8 @@ fn shown(size: [u32; 2], rgba: &[u8]) -> ColorImage {
         let at = 4 * (y * step * size[0] + x * step) as usize;
         rgba[at..at + 4].iter().copied()
     };
-    let pixels: Vec<u8> = (0..small[1]).flat_map(|y| (0..small[0]).flat_map(move |x| pixel(x, y))).collect();
+    let pixels: Vec<u8> =
+        (0..small[1]).flat_map(|y| (0..small[0]).flat_map(move |x| pixel(x, y))).collect();
     ColorImage::from_rgba_unmultiplied(small.map(|side| side as usize), &pixels)
 }
 
@@ -157,7 +164,11 @@ impl Drawer {
         self.assets = planner.assets;
         // The list of problems tells all of them; one is enough to say why.
         let picture = drawn.map_err(|mut problems| {
-            if problems.is_empty() { Diagnostic::error("no-picture", "nothing was drawn") } else { problems.remove(0) }
+            if problems.is_empty() {
+                Diagnostic::error("no-picture", "nothing was drawn")
+            } else {
+                problems.remove(0)
+            }
         })?;
         Ok(if matches!(export, Export::LitSphere(_)) { filled(picture) } else { picture })
     }
@@ -196,7 +207,8 @@ fn before_a_ball(orbit: &Orbit) -> Orbit {
     }
 }
 
-/// A ball's picture with the colours of its rim all around, so that no filter mixes in what is outside.
+/// A ball's picture with the colors of its rim all around, so that no filter mixes in what is
+/// outside.
 fn filled(mut picture: Picture) -> Picture {
     let size = f64::from(picture.size[0]);
     let (center, radius) = (0.5 * size, BALL_RADIUS * size - RIM);
@@ -206,7 +218,8 @@ fn filled(mut picture: Picture) -> Picture {
         source[y * picture.size[0] as usize + x]
     };
     for (index, pixel) in picture.rgba.iter_mut().enumerate() {
-        let [x, y] = [index as u32 % picture.size[0], index as u32 / picture.size[0]].map(|at| f64::from(at) + 0.5);
+        let [x, y] = [index as u32 % picture.size[0], index as u32 / picture.size[0]]
+            .map(|at| f64::from(at) + 0.5);
         let (dx, dy) = (x - center, y - center);
         let distance = dx.hypot(dy);
         if distance <= radius {
@@ -215,7 +228,8 @@ fn filled(mut picture: Picture) -> Picture {
         // Between four pixels, all of them within the rim.
         let (x, y) = (center + dx / distance * radius - 0.5, center + dy / distance * radius - 0.5);
         let (s, t) = ((x - x.floor()) as f32, (y - y.floor()) as f32);
-        let mix = |a: [f32; 4], b: [f32; 4], t: f32| std::array::from_fn(|k| a[k] + (b[k] - a[k]) * t);
+        let mix =
+            |a: [f32; 4], b: [f32; 4], t: f32| std::array::from_fn(|k| a[k] + (b[k] - a[k]) * t);
         let row = |y: f64| mix(texel(x.floor(), y), texel(x.floor() + 1.0, y), s);
         *pixel = mix(row(y.floor()), row(y.floor() + 1.0), t);
     }

@@ -1,4 +1,5 @@
-//! The angle u of a layer at every pixel of a surface, and the lines along which it is equal (BADF figure 3).
+//! The angle u of a layer at every pixel of a surface, and the lines along which it is equal (BADF
+//! figure 3).
 
 use std::collections::HashMap;
 
@@ -40,8 +41,13 @@ pub(super) fn light_values(light: &Light, illumination: DQuat, surface: &Surface
 }
 
 impl Field {
-    /// The angle of a layer lit by `light`, and the pixel nearest to the light with its angle before the warp.
-    pub(super) fn new(surface: &Surface, layer: &Layer, light: &LightValues) -> (Self, Option<(usize, f32)>) {
+    /// The angle of a layer lit by `light`, and the pixel nearest to the light with its angle
+    /// before the warp.
+    pub(super) fn new(
+        surface: &Surface,
+        layer: &Layer,
+        light: &LightValues,
+    ) -> (Self, Option<(usize, f32)>) {
         let toward = match light.kind {
             LightKind::Directional => Toward::Far(light.direction.as_vec3()),
             LightKind::Point | LightKind::Spot => Toward::Near(light.position.as_vec3()),
@@ -60,7 +66,9 @@ impl Field {
                     let view = surface.toward_viewer(pixel);
                     between((2.0 * normal.dot(view) * normal - view).normalize_or(normal), l)
                 }
-                ShadingType::HalfVector => between(normal, (l + surface.toward_viewer(pixel)).normalize_or(normal)),
+                ShadingType::HalfVector => {
+                    between(normal, (l + surface.toward_viewer(pixel)).normalize_or(normal))
+                }
                 ShadingType::ScreenAligned => between(rotation * normal, own * l),
             }
         };
@@ -73,14 +81,15 @@ impl Field {
             let (slope, amount) = (slope as f32, amount as f32);
             for (angle, kappa) in angles.iter_mut().zip(kappa) {
                 // As angle_shifted does, so that what is lit throughout is so in the picture.
-                *angle = (*angle - (kappa * slope).tanh() * amount).clamp(0.0, std::f32::consts::PI);
+                *angle =
+                    (*angle - (kappa * slope).tanh() * amount).clamp(0.0, std::f32::consts::PI);
             }
         }
         (Self { size: surface.size, angles }, least)
     }
 
-    /// The angle at a place of the picture, in parts of its size, between pixels where they are of one piece; the
-    /// nearest there is where nothing is.
+    /// The angle at a place of the picture, in parts of its size, between pixels where they are of
+    /// one piece; the nearest there is where nothing is.
     pub(super) fn at(&self, surface: &Surface, place: [f32; 2]) -> Option<f32> {
         let [width, height] = self.size;
         let (x, y) = (place[0] * width as f32 - 0.5, place[1] * height as f32 - 0.5);
@@ -96,20 +105,24 @@ impl Field {
         surface.nearest(place).map(|pixel| self.angles[pixel])
     }
 
-    /// The lines along which the angle is `level`, in parts of the picture's size. What is hidden is left out, and no
-    /// line crosses from one piece of surface to another behind it.
+    /// The lines along which the angle is `level`, in parts of the picture's size. What is hidden
+    /// is left out, and no line crosses from one piece of surface to another behind it.
     pub(super) fn lines(&self, surface: &Surface, level: f32) -> Vec<Line> {
         let [width, height] = self.size;
         let mut joints = Joints::default();
         for y in 0..height.saturating_sub(1) {
             for x in 0..width - 1 {
                 let first = y * width + x;
-                let corners = [first, first + 1, first + width + 1, first + width].map(|pixel| self.angles[pixel]);
+                let corners = [first, first + 1, first + width + 1, first + width]
+                    .map(|pixel| self.angles[pixel]);
                 let above = corners.map(|angle| angle > level);
-                if above[0] == above[1] && above[1] == above[2] && above[2] == above[3] || !is_cell(surface, first) {
+                if above[0] == above[1] && above[1] == above[2] && above[2] == above[3]
+                    || !is_cell(surface, first)
+                {
                     continue;
                 }
-                // The edges of a cell, clockwise from the upper one; an edge is named by its pixel and direction.
+                // The edges of a cell, clockwise from the upper one; an edge is named by its pixel
+                // and direction.
                 let edges = [2 * first, 2 * (first + 1) + 1, 2 * (first + width), 2 * first + 1];
                 let crossed = (0..4).filter(|&edge| above[edge] != above[(edge + 1) % 4]);
                 let crossed: Vec<usize> = crossed.map(|edge| edges[edge]).collect();
@@ -141,7 +154,10 @@ impl Field {
         joints
             .chains()
             .into_iter()
-            .map(|(edges, is_closed)| Line { points: edges.into_iter().map(point).collect(), is_closed })
+            .map(|(edges, is_closed)| Line {
+                points: edges.into_iter().map(point).collect(),
+                is_closed,
+            })
             .collect()
     }
 }
@@ -212,14 +228,22 @@ impl Joints {
     }
 }
 
-/// The direction of a light that puts the middle of what a layer lights at a pixel: toward the light, world space.
-pub(super) fn direction_at(surface: &Surface, pixel: usize, shading: ShadingType, light: &LightValues) -> DVec3 {
+/// The direction of a light that puts the middle of what a layer lights at a pixel: toward the
+/// light, world space.
+pub(super) fn direction_at(
+    surface: &Surface,
+    pixel: usize,
+    shading: ShadingType,
+    light: &LightValues,
+) -> DVec3 {
     let normal = surface.normals[pixel].as_dvec3();
     let view = surface.toward_viewer(pixel).as_dvec3();
     match shading {
         ShadingType::Diffuse => normal,
         ShadingType::Specular | ShadingType::HalfVector => 2.0 * normal.dot(view) * normal - view,
         // The light is read in camera axes, where it is what it is in its own.
-        ShadingType::ScreenAligned => light.own_from_world.transpose() * (surface.camera_from_world() * normal),
+        ShadingType::ScreenAligned => {
+            light.own_from_world.transpose() * (surface.camera_from_world() * normal)
+        }
     }
 }

@@ -1,12 +1,16 @@
-//! The widget of BADF figure 3: a layer's offset, fall-off and cut-off as lines on the surface, dragged there.
+//! The widget of BADF figure 3: a layer's offset, fall-off and cut-off as lines on the surface,
+//! dragged there.
 //!
-//! Lines that lie on each other are one thing to the hand, and move together; Ctrl pulls one of them off.
+//! Lines that lie on each other are one thing to the hand, and move together; Ctrl pulls one of
+//! them off.
 
 use std::sync::Arc;
 
 use eframe::egui;
 use eframe::egui::epaint::PathStroke;
-use eframe::egui::{Align2, Color32, FontId, Id, Painter, Pos2, Rect, Shape, Stroke, Ui, pos2, vec2};
+use eframe::egui::{
+    Align2, Color32, FontId, Id, Painter, Pos2, Rect, Shape, Stroke, Ui, pos2, vec2,
+};
 
 use super::super::command::Command;
 use super::super::session::Session;
@@ -29,7 +33,8 @@ const RING_BELOW: f32 = 48.0;
 const RING_WITHIN: f64 = 0.5;
 /// The radius of that ring, in points.
 pub(super) const RING: f32 = 14.0;
-/// Where angles are told near the middle of what is lit, that lies no farther from the light than this.
+/// Where angles are told near the middle of what is lit, that lies no farther from the light than
+/// this.
 const NEAR_MIDDLE: f32 = 0.15;
 
 /// Lines of one angle.
@@ -65,7 +70,8 @@ pub(super) struct Isocurves {
     surface: Option<Arc<Surface>>,
     field: Field,
     tracks: Vec<Track>,
-    /// The place of the pixel nearest to the light, in parts of the picture, where the light is near it.
+    /// The place of the pixel nearest to the light, in parts of the picture, where the light is
+    /// near it.
     middle: Option<[f32; 2]>,
 }
 
@@ -79,13 +85,16 @@ impl Isocurves {
     pub(super) fn update(&mut self, session: &Session, surface: &Arc<Surface>, layer: &Layer) {
         let Some(light) = session.light(&layer.light) else { return self.clear() };
         let light = light_values(light, session.view.illumination, surface);
-        let is_same_surface = self.surface.as_ref().is_some_and(|known| Arc::ptr_eq(known, surface));
+        let is_same_surface =
+            self.surface.as_ref().is_some_and(|known| Arc::ptr_eq(known, surface));
         let same = |made: &&Made| is_same_surface && made.light == light;
         let known = self.made.as_ref().filter(same);
         if known.is_some_and(|made| made.layer == *layer) {
             return;
         }
-        if known.is_none_or(|made| (made.layer.shading, made.layer.warp) != (layer.shading, layer.warp)) {
+        if known
+            .is_none_or(|made| (made.layer.shading, made.layer.warp) != (layer.shading, layer.warp))
+        {
             let (field, least) = Field::new(surface, layer, &light);
             self.field = field;
             let near = least.filter(|(_, angle)| *angle < NEAR_MIDDLE);
@@ -98,11 +107,16 @@ impl Isocurves {
             if layer.shape[curve as usize].is_wired {
                 continue;
             }
-            if let Some(last) = self.tracks.last_mut().filter(|last| (last.level - level).abs() < TOGETHER) {
+            if let Some(last) =
+                self.tracks.last_mut().filter(|last| (last.level - level).abs() < TOGETHER)
+            {
                 last.curves.push(curve);
                 continue;
             }
-            let known = old.iter_mut().find(|track| track.level == level).map(|track| std::mem::take(&mut track.lines));
+            let known = old
+                .iter_mut()
+                .find(|track| track.level == level)
+                .map(|track| std::mem::take(&mut track.lines));
             let lines = known.unwrap_or_else(|| self.field.lines(surface, level as f32));
             self.tracks.push(Track { curves: vec![curve], level, lines });
         }
@@ -124,7 +138,8 @@ impl Isocurves {
     pub(super) fn hit(&self, rect: Rect, at: Pos2, splits: bool) -> Option<Held> {
         let distance = |track: &Track| {
             let lines = track.lines.iter().filter(|line| length(line, rect) >= SHORTEST);
-            let mut nearest = lines.map(|line| distance_to(line, rect, at)).fold(f32::INFINITY, f32::min);
+            let mut nearest =
+                lines.map(|line| distance_to(line, rect, at)).fold(f32::INFINITY, f32::min);
             if self.has_ring(track, rect)
                 && let Some(middle) = self.middle(rect)
             {
@@ -135,7 +150,11 @@ impl Isocurves {
         let nearest = self.tracks.iter().map(|track| (distance(track), track));
         let (distance, track) = nearest.min_by(|a, b| a.0.total_cmp(&b.0))?;
         let splits = splits && track.curves.len() > 1;
-        (distance <= REACH).then(|| Held { curves: track.curves.clone(), splits, level: track.level })
+        (distance <= REACH).then(|| Held {
+            curves: track.curves.clone(),
+            splits,
+            level: track.level,
+        })
     }
 
     /// A ring stands for an offset that is next to nothing.
@@ -146,7 +165,13 @@ impl Isocurves {
     }
 
     /// Brings what is held to a point of the screen.
-    pub(super) fn drag(&self, held: &mut Held, session: &Session, rect: Rect, at: Pos2) -> Option<Command> {
+    pub(super) fn drag(
+        &self,
+        held: &mut Held,
+        session: &Session,
+        rect: Rect,
+        at: Pos2,
+    ) -> Option<Command> {
         let layer = &self.made.as_ref()?.layer;
         let angle = self.angle_at(rect, at)?;
         if held.splits {
@@ -191,23 +216,30 @@ impl Isocurves {
         format!("Drag {names}: {what}{more}{left_out}")
     }
 
-    /// Draws the lines; `marked` is in the hand or under it, `is_near` whether the hand is over the picture.
+    /// Draws the lines; `marked` is in the hand or under it, `is_near` whether the hand is over the
+    /// picture.
     pub(super) fn paint(&self, ui: &Ui, rect: Rect, marked: Option<&Held>, is_near: bool) {
         let painter = ui.painter_at(rect);
-        let is_marked =
-            |track: &Track| marked.is_some_and(|held| held.curves.iter().any(|curve| track.curves.contains(curve)));
+        let is_marked = |track: &Track| {
+            marked.is_some_and(|held| held.curves.iter().any(|curve| track.curves.contains(curve)))
+        };
         for track in &self.tracks {
             let width = if is_marked(track) { 3.0 } else { 1.8 };
             let strength = if is_near || is_marked(track) { 1.0 } else { 0.65 };
             for line in track.lines.iter().filter(|line| length(line, rect) >= SHORTEST) {
-                let points: Vec<Pos2> = line.points.iter().map(|place| on_screen(rect, *place)).collect();
+                let points: Vec<Pos2> =
+                    line.points.iter().map(|place| on_screen(rect, *place)).collect();
                 paint_line(&painter, &points, line.is_closed, &track.curves, width, strength);
             }
             if self.has_ring(track, rect)
                 && let Some(middle) = self.middle(rect)
             {
                 let color = theme::curve(track.curves[0] as usize).gamma_multiply(strength);
-                painter.circle_stroke(middle, RING, Stroke::new(width + 2.0, theme::HALO.gamma_multiply(strength)));
+                painter.circle_stroke(
+                    middle,
+                    RING,
+                    Stroke::new(width + 2.0, theme::HALO.gamma_multiply(strength)),
+                );
                 painter.circle_stroke(middle, RING, Stroke::new(width, color));
             }
         }
@@ -223,22 +255,33 @@ impl Isocurves {
         let away = if away.length() < 0.5 { vec2(0.6, 0.8) } else { away };
         let mut taken: Vec<Rect> = Vec::new();
         for track in &self.tracks {
-            let longest = track.lines.iter().max_by(|a, b| length(a, rect).total_cmp(&length(b, rect)));
+            let longest =
+                track.lines.iter().max_by(|a, b| length(a, rect).total_cmp(&length(b, rect)));
             let longest = longest.filter(|line| length(line, rect) >= SHORTEST);
             let at = match longest {
-                _ if self.has_ring(track, rect) => self.middle(rect).map(|middle| middle + away * RING),
+                _ if self.has_ring(track, rect) => {
+                    self.middle(rect).map(|middle| middle + away * RING)
+                }
                 Some(line) => {
                     let points = line.points.iter().map(|place| on_screen(rect, *place));
-                    points.max_by(|a, b| (*a - middle).dot(away).total_cmp(&(*b - middle).dot(away)))
+                    points
+                        .max_by(|a, b| (*a - middle).dot(away).total_cmp(&(*b - middle).dot(away)))
                 }
                 None => None,
             };
             let Some(at) = at else { continue };
-            let text = format!("{} {}°", names(&track.curves), values::number_text(track.level.to_degrees(), 1));
+            let text = format!(
+                "{} {}°",
+                names(&track.curves),
+                values::number_text(track.level.to_degrees(), 1)
+            );
             let is_marked = marked.is_some_and(|held| held.curves == track.curves);
-            let color = if is_marked { Color32::WHITE } else { theme::curve(track.curves[0] as usize) };
-            let galley = painter.layout_no_wrap(text, FontId::proportional(theme::SMALL_TEXT), color);
-            let mut place = Align2::LEFT_TOP.anchor_size(at + vec2(8.0, 6.0), galley.size() + vec2(8.0, 3.0));
+            let color =
+                if is_marked { Color32::WHITE } else { theme::curve(track.curves[0] as usize) };
+            let galley =
+                painter.layout_no_wrap(text, FontId::proportional(theme::SMALL_TEXT), color);
+            let mut place =
+                Align2::LEFT_TOP.anchor_size(at + vec2(8.0, 6.0), galley.size() + vec2(8.0, 3.0));
             let over = (place.max - rect.max).max(egui::Vec2::ZERO);
             place = place.translate(-over);
             while let Some(other) = taken.iter().find(|other| other.intersects(place)) {
@@ -253,7 +296,8 @@ impl Isocurves {
     /// Points of a curve on the screen; for tests.
     pub(super) fn points(&self, curve: Curve, rect: Rect) -> Vec<Pos2> {
         let tracks = self.tracks.iter().filter(|track| track.curves.contains(&curve));
-        let lines = tracks.flat_map(|track| &track.lines).filter(|line| length(line, rect) >= SHORTEST);
+        let lines =
+            tracks.flat_map(|track| &track.lines).filter(|line| length(line, rect) >= SHORTEST);
         lines.flat_map(|line| &line.points).map(|place| on_screen(rect, *place)).collect()
     }
 }
@@ -273,12 +317,22 @@ fn names(curves: &[Curve]) -> String {
     text
 }
 
-fn paint_line(painter: &Painter, points: &[Pos2], is_closed: bool, curves: &[Curve], width: f32, strength: f32) {
+fn paint_line(
+    painter: &Painter,
+    points: &[Pos2],
+    is_closed: bool,
+    curves: &[Curve],
+    width: f32,
+    strength: f32,
+) {
     let shape = |points: Vec<Pos2>, stroke: Stroke| {
         let stroke = PathStroke::from(stroke);
         if is_closed { Shape::closed_line(points, stroke) } else { Shape::line(points, stroke) }
     };
-    painter.add(shape(points.to_vec(), Stroke::new(width + 2.2, theme::HALO.gamma_multiply(strength))));
+    painter.add(shape(
+        points.to_vec(),
+        Stroke::new(width + 2.2, theme::HALO.gamma_multiply(strength)),
+    ));
     let color = |curve: Curve| theme::curve(curve as usize).gamma_multiply(strength);
     painter.add(shape(points.to_vec(), Stroke::new(width, color(curves[0]))));
     // What lies on it is seen between its dashes.
@@ -310,7 +364,8 @@ fn on_screen(rect: Rect, place: [f32; 2]) -> Pos2 {
 fn segments(line: &Line, rect: Rect) -> impl Iterator<Item = (Pos2, Pos2)> + '_ {
     let points = &line.points;
     let count = if line.is_closed { points.len() } else { points.len().saturating_sub(1) };
-    (0..count).map(move |k| (on_screen(rect, points[k]), on_screen(rect, points[(k + 1) % points.len()])))
+    (0..count)
+        .map(move |k| (on_screen(rect, points[k]), on_screen(rect, points[(k + 1) % points.len()])))
 }
 
 fn length(line: &Line, rect: Rect) -> f32 {

@@ -1,4 +1,5 @@
-//! What is selected, as far as it can be handled on the object: a layer's light, profile, warp and colours.
+//! What is selected, as far as it can be handled on the object: a layer's light, profile, warp and
+//! colors.
 
 use std::f64::consts::PI;
 
@@ -101,7 +102,8 @@ pub(super) struct Layer {
 }
 
 impl Layer {
-    /// Offset, fall-off and cut-off as the profile has them: in order, from 0 to pi (docs/math.md D2).
+    /// Offset, fall-off and cut-off as the profile has them: in order, from 0 to pi (docs/math.md
+    /// D2).
     pub(super) fn angles(&self) -> [f64; 3] {
         self.in_order(|setting| setting.value)
     }
@@ -175,7 +177,9 @@ impl<'a> Place<'a> {
 
     fn color(&self, port: &str) -> Option<Setting<[f64; 4]>> {
         let space = self.session.look().color_space;
-        self.setting(port, |value| value.and_then(|value| value.color_in(space)).unwrap_or([0.0, 0.0, 0.0, 1.0]))
+        self.setting(port, |value| {
+            value.and_then(|value| value.color_in(space)).unwrap_or([0.0, 0.0, 0.0, 1.0])
+        })
     }
 
     fn word(&self, port: &str) -> Option<&str> {
@@ -203,7 +207,8 @@ impl<'a> Place<'a> {
     fn is_plain(&self, port: &str, kind: &str) -> bool {
         !self.is_wired(port)
             || self.feeds(port).is_some_and(|from| {
-                from.node.kind == kind && (kind != "kappa" || from.word("source") == Some("surface"))
+                from.node.kind == kind
+                    && (kind != "kappa" || from.word("source") == Some("surface"))
             })
     }
 }
@@ -215,14 +220,16 @@ pub(super) fn selected(session: &Session) -> Option<Layer> {
     }
     let place = Place::of(session, session.selection.last()?)?;
     group(&place).or_else(|| profile(&place)).or_else(|| {
-        // An angle, a light or a warp of plain nodes: what it feeds is meant, if that is one profile.
+        // An angle, a light or a warp of plain nodes: what it feeds is meant, if that is one
+        // profile.
         let fed = |from: &Place<'_>| {
             let mut wires = from.graph.wires.iter().filter(|wire| wire.from.node == *from.id);
             let mut to = wires.by_ref().map(|wire| wire.to.node.clone()).collect::<Vec<_>>();
             to.dedup();
             to
         };
-        let found: Vec<Layer> = fed(&place).iter().filter_map(|id| profile(&Place::of(session, id)?)).collect();
+        let found: Vec<Layer> =
+            fed(&place).iter().filter_map(|id| profile(&Place::of(session, id)?)).collect();
         (found.len() == 1).then(|| found.into_iter().next()).flatten()
     })
 }
@@ -236,7 +243,9 @@ fn group(place: &Place<'_>) -> Option<Layer> {
     let shading = ShadingType::of(place.word("type")?)?;
     let shape = place.shape()?;
     let (slope, amount) = (place.number("slope"), place.number("amount"));
-    let known = |setting: &Option<Setting<f64>>| setting.as_ref().filter(|it| !it.is_wired).map(|it| it.value);
+    let known = |setting: &Option<Setting<f64>>| {
+        setting.as_ref().filter(|it| !it.is_wired).map(|it| it.value)
+    };
     let is_kappa_plain = place.is_plain("kappa", "kappa");
     let warp = known(&slope).zip(known(&amount)).filter(|_| is_kappa_plain);
     let leaves_out = if !place.is_plain("normal", "normal") {
@@ -247,7 +256,8 @@ fn group(place: &Place<'_>) -> Option<Layer> {
         None
     };
     let colors = [("Convex color", "convex"), ("Concave color", "concave")];
-    let colors = colors.into_iter().filter_map(|(label, port)| Some((label, place.color(port)?))).collect();
+    let colors =
+        colors.into_iter().filter_map(|(label, port)| Some((label, place.color(port)?))).collect();
     Some(Layer {
         node: place.id.clone(),
         name: place.name(),
@@ -269,13 +279,17 @@ fn profile(place: &Place<'_>) -> Option<Layer> {
     let angle = place.feeds("angle").filter(|angle| angle.node.kind == "parametrization")?;
     let light = angle.feeds("light").filter(|light| light.node.kind == "light")?;
     let shift = place.feeds("shift").filter(|shift| shift.node.kind == "warp");
-    let transition =
-        shift.as_ref().and_then(|warp| warp.feeds("convexity")).filter(|from| from.node.kind == "transition");
+    let transition = shift
+        .as_ref()
+        .and_then(|warp| warp.feeds("convexity"))
+        .filter(|from| from.node.kind == "transition");
     let slope = transition.as_ref().and_then(|from| from.number("slope"));
     let amount = shift.as_ref().and_then(|from| from.number("amount"));
     let is_warped = place.is_wired("shift");
     let is_known = transition.as_ref().is_some_and(|from| from.is_plain("kappa", "kappa"));
-    let known = |setting: &Option<Setting<f64>>| setting.as_ref().filter(|it| !it.is_wired).map(|it| it.value);
+    let known = |setting: &Option<Setting<f64>>| {
+        setting.as_ref().filter(|it| !it.is_wired).map(|it| it.value)
+    };
     let warp = known(&slope).zip(known(&amount)).filter(|_| is_known);
     let leaves_out = if !angle.is_plain("normal", "normal") {
         Some("the normals wired into the angle")

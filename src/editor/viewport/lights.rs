@@ -1,8 +1,9 @@
 //! Lights on the object: needles that show where they come from, and handles that are dragged.
 //!
-//! The middle of what a light lights is dragged over the surface: the light turns so that the middle is under the
-//! pointer. Beyond the outline it goes on behind the object. A needle's end is dragged around the object like a bead on
-//! a ball; taken over the rim and back, it is on the other side.
+//! The middle of what a light lights is dragged over the surface: the light turns so that the
+//! middle is under the pointer. Beyond the outline it goes on behind the object. A needle's end is
+//! dragged around the object like a bead on a ball; taken over the rim and back, it is on the other
+//! side.
 
 use eframe::egui;
 use eframe::egui::{Color32, Id, Pos2, Rect, Stroke, Ui, vec2};
@@ -30,7 +31,8 @@ const REACH: f32 = 8.0;
 enum Grip {
     /// By the middle of what it lights.
     Middle(ShadingType),
-    /// By its needle's end; whether that is behind the object, and whether the hand has left the ball.
+    /// By its needle's end; whether that is behind the object, and whether the hand has left the
+    /// ball.
     Needle { is_behind: bool, is_outside: bool },
 }
 
@@ -54,17 +56,21 @@ impl Held {
 
     /// What a drag does.
     pub(super) fn hint(&self, session: &Session) -> String {
-        let name = session.lamp(&self.light).map_or_else(|| self.light.to_string(), |lamp| lamp.full_name());
+        let name = session
+            .lamp(&self.light)
+            .map_or_else(|| self.light.to_string(), |lamp| lamp.full_name());
         match &self.grip {
             Grip::Middle(shading) => {
                 format!(
-                    "Drag to turn the light {name}: its {} follows the pointer, beyond the outline it goes behind",
+                    "Drag to turn the light {name}: its {} follows the pointer, beyond the outline \
+                     it goes behind",
                     shading.middle()
                 )
             }
             Grip::Needle { .. } => {
                 format!(
-                    "Drag to turn the light {name} around the object; over the rim and back takes it to the other side"
+                    "Drag to turn the light {name} around the object; over the rim and back takes \
+                     it to the other side"
                 )
             }
         }
@@ -74,7 +80,11 @@ impl Held {
 /// A light as it is while the camera stands so.
 pub(super) fn resolved(light: &Light, orbit: &Orbit) -> LightValues {
     let (right, up) = orbit.right_and_up();
-    LightValues::new(light, orbit.illumination, DMat3::from_cols(right, up, orbit.direction()).transpose())
+    LightValues::new(
+        light,
+        orbit.illumination,
+        DMat3::from_cols(right, up, orbit.direction()).transpose(),
+    )
 }
 
 /// The light whose needle's end is under the pointer.
@@ -87,7 +97,8 @@ pub(super) fn hit(session: &Session, rect: Rect, at: Pos2) -> Option<Held> {
         let is_behind = toward.dot(session.view.direction()) < 0.0;
         Some((distance, is_behind, id))
     });
-    let (_, is_behind, light) = ends.filter(|(distance, ..)| *distance <= REACH).min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let (_, is_behind, light) =
+        ends.filter(|(distance, ..)| *distance <= REACH).min_by(|a, b| a.0.total_cmp(&b.0))?;
     Some(Held { light: light.clone(), grip: Grip::Needle { is_behind, is_outside: false } })
 }
 
@@ -115,7 +126,9 @@ pub(super) fn drag(
     };
     let short = |v: DVec3| v.to_array().map(|x| (x * 1e4).round() / 1e4 + 0.0);
     let (field, old, new) = match light.kind {
-        LightKind::Directional => ("direction", light.direction, short(values.own_from_world * toward)),
+        LightKind::Directional => {
+            ("direction", light.direction, short(values.own_from_world * toward))
+        }
         LightKind::Point | LightKind::Spot => {
             let distance = values.position.distance(place);
             ("position", light.position, short(values.own_from_world * (place + toward * distance)))
@@ -143,21 +156,29 @@ fn at_surface(
     // Beyond the outline the light goes on behind: a quarter turn in a quarter of the picture.
     let [x, y] = surface.place_of(pixel);
     let rim = rect.min + vec2(x * rect.width(), y * rect.height());
-    let beyond = f64::from((at.distance(rim) / (rect.height() * 0.25)).min(1.0)) * std::f64::consts::FRAC_PI_2;
+    let beyond = f64::from((at.distance(rim) / (rect.height() * 0.25)).min(1.0))
+        * std::f64::consts::FRAC_PI_2;
     let back = match shading {
         ShadingType::ScreenAligned => light.own_from_world.transpose() * DVec3::Z,
         _ => surface.toward_viewer(pixel).as_dvec3(),
     };
     let aside = (toward - back * toward.dot(back)).try_normalize()?;
-    // On a coarse grid the outline's last pixel may face the viewer a little still; from there on it is one turn.
+    // On a coarse grid the outline's last pixel may face the viewer a little still; from there on
+    // it is one turn.
     let start = toward.angle_between(back).min(std::f64::consts::FRAC_PI_2);
     let angle = start + beyond * (std::f64::consts::PI - start) / std::f64::consts::FRAC_PI_2;
     Some((back * angle.cos() + aside * angle.sin(), position))
 }
 
-/// The direction of the ball of needles' ends at a point of the screen, and whether the ball is there at all; else that
-/// of its rim.
-fn on_ball(orbit: &Orbit, (center, radius): (DVec3, f64), rect: Rect, at: Pos2, is_behind: bool) -> (DVec3, bool) {
+/// The direction of the ball of needles' ends at a point of the screen, and whether the ball is
+/// there at all; else that of its rim.
+fn on_ball(
+    orbit: &Orbit,
+    (center, radius): (DVec3, f64),
+    rect: Rect,
+    at: Pos2,
+    is_behind: bool,
+) -> (DVec3, bool) {
     let (right, up) = orbit.right_and_up();
     let backward = orbit.direction();
     let offset = (at - rect.center()) / rect.height();
@@ -165,7 +186,9 @@ fn on_ball(orbit: &Orbit, (center, radius): (DVec3, f64), rect: Rect, at: Pos2, 
     let eye = DVec3::from(camera.eye);
     let plane = right * f64::from(offset.x) - up * f64::from(offset.y);
     let (origin, ray) = match camera.projection {
-        Projection::Perspective => (eye, (plane * 2.0 * (camera.fov / 2.0).tan() - backward).normalize()),
+        Projection::Perspective => {
+            (eye, (plane * 2.0 * (camera.fov / 2.0).tan() - backward).normalize())
+        }
         Projection::Orthographic => (eye + plane * camera.height, -backward),
     };
     // As if the ball were in the middle of the world, and of radius 1.
@@ -181,7 +204,13 @@ fn on_ball(orbit: &Orbit, (center, radius): (DVec3, f64), rect: Rect, at: Pos2, 
 }
 
 /// Shows where the directional lights come from: a needle from the object's outside toward each.
-pub(super) fn paint_needles(ui: &Ui, rect: Rect, session: &Session, is_turning: bool, held: Option<&LightId>) {
+pub(super) fn paint_needles(
+    ui: &Ui,
+    rect: Rect,
+    session: &Session,
+    is_turning: bool,
+    held: Option<&LightId>,
+) {
     let painter = ui.painter_at(rect);
     let (center, radius) = session.ball();
     for (id, light) in session.shining().filter(|(_, light)| light.kind == LightKind::Directional) {
@@ -191,7 +220,8 @@ pub(super) fn paint_needles(ui: &Ui, rect: Rect, session: &Session, is_turning: 
         let color = light.color.map(|c| (c.clamp(0.0, 1.0) * 255.0) as u8);
         let is_behind = toward.dot(session.view.direction()) < 0.0;
         let is_held = held == Some(id);
-        let strength = if is_turning || is_held { 1.0 } else { 0.75 } * if is_behind { 0.5 } else { 1.0 };
+        let strength =
+            if is_turning || is_held { 1.0 } else { 0.75 } * if is_behind { 0.5 } else { 1.0 };
         let color = Color32::from_rgb(color[0], color[1], color[2]).gamma_multiply(strength);
         painter.line_segment([from, to], Stroke::new(4.0, theme::HALO.gamma_multiply(strength)));
         painter.circle_filled(to, if is_held { 8.0 } else { 6.0 }, theme::HALO);
@@ -208,7 +238,10 @@ pub(super) fn paint_middle(ui: &Ui, rect: Rect, at: Pos2, is_held: bool) {
     painter.circle_filled(at, 4.0, color);
     for ray in 0..8 {
         let direction = egui::Vec2::angled(ray as f32 * std::f32::consts::FRAC_PI_4);
-        painter.line_segment([at + direction * 6.0, at + direction * 9.0], Stroke::new(3.0, theme::HALO));
+        painter.line_segment(
+            [at + direction * 6.0, at + direction * 9.0],
+            Stroke::new(3.0, theme::HALO),
+        );
         painter.line_segment([at + direction * 6.0, at + direction * 9.0], Stroke::new(1.5, color));
     }
 }

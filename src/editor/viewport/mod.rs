@@ -1,7 +1,9 @@
-//! The look on an object: drag beside the object to orbit, on it to turn the lights; the wheel comes nearer.
+//! The look on an object: drag beside the object to orbit, on it to turn the lights; the wheel
+//! comes nearer.
 //!
-//! `surface` knows what is seen at each pixel; on it `isocurves` draws the selected layer's lines, which are dragged
-//! there, `lights` the handles of lights, and `strip` the values that have no place on the object.
+//! `surface` knows what is seen at each pixel; on it `isocurves` draws the selected layer's lines,
+//! which are dragged there, `lights` the handles of lights, and `strip` the values that have no
+//! place on the object.
 
 mod arrows;
 mod bar;
@@ -17,7 +19,9 @@ mod strip;
 mod surface;
 
 use eframe::egui;
-use eframe::egui::{CursorIcon, PointerButton, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2};
+use eframe::egui::{
+    CursorIcon, PointerButton, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2,
+};
 use glam::DVec3;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -117,8 +121,8 @@ impl Viewport {
         }
     }
 
-    /// Shows the picture in all the room there is. The camera and the lights belong to the window, not to the look, so
-    /// they are changed here and now.
+    /// Shows the picture in all the room there is. The camera and the lights belong to the window,
+    /// not to the look, so they are changed here and now.
     pub(crate) fn show(
         &mut self,
         ui: &mut Ui,
@@ -134,7 +138,8 @@ impl Viewport {
         fitting.bar(ui);
         self.take_exports(ui, &mut out);
         let (room, _) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
-        let (rect, beside) = self.reference.as_ref().map_or((room, None), |reference| reference.split(room));
+        let (rect, beside) =
+            self.reference.as_ref().map_or((room, None), |reference| reference.split(room));
         let response = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Picture"));
         self.rect = Some(rect);
@@ -142,17 +147,26 @@ impl Viewport {
         let [width, height] = picture_size(rect, ui.pixels_per_point()).map(f64::from);
         session.view.fit_into(width / height);
         spots::note(ui, Spot::Picture, rect);
-        let pointer = response.contains_pointer().then(|| ui.input(|input| input.pointer.hover_pos())).flatten();
+        let pointer = response
+            .contains_pointer()
+            .then(|| ui.input(|input| input.pointer.hover_pos()))
+            .flatten();
         let is_free = !probe.is_on() && !fitting.is_on();
         let handles = self.handles(rect, session, is_free);
-        let seen = objects::seen(session, handles.surface.as_deref(), rect, pointer.filter(|_| self.drag.is_none()));
+        let seen = objects::seen(
+            session,
+            handles.surface.as_deref(),
+            rect,
+            pointer.filter(|_| self.drag.is_none()),
+        );
         self.hovered = seen.as_ref().map(|seen| seen.object().clone());
         if response.clicked() && is_free {
             out.extend(objects::pick(session, handles.surface.as_deref(), seen.as_ref()));
         }
         // Where the hand paints, only what else turns the camera turns it.
         let is_alt = ui.input(|input| input.modifiers.alt);
-        let is_stroke = self.drag.is_none() && response.dragged_by(PointerButton::Primary) && !is_alt;
+        let is_stroke =
+            self.drag.is_none() && response.dragged_by(PointerButton::Primary) && !is_alt;
         if !(fitting.is_on() && is_stroke) {
             self.drags(ui, &response, rect, session, &handles, &mut out);
         }
@@ -178,7 +192,13 @@ impl Viewport {
         wipe.update(ui, session, picture_size(rect, ui.pixels_per_point()));
         wipe.over(ui, rect);
         fitting.over(ui, &response, rect, session, &mut out);
-        probe.update(ui, session, rect, pointer.filter(|_| self.drag.is_none()), response.clicked());
+        probe.update(
+            ui,
+            session,
+            rect,
+            pointer.filter(|_| self.drag.is_none()),
+            response.clicked(),
+        );
         let is_free = self.drag.is_none() && self.handles && is_free && response.hovered();
         let hovered = pointer.filter(|_| is_free);
         let hovered = hovered.and_then(|at| self.grip(ui, rect, at, session, &handles));
@@ -188,13 +208,15 @@ impl Viewport {
             fitting.hint().to_owned()
         } else {
             let hint = self.hint_at(pointer, rect, session, &handles, hovered.as_ref());
-            seen.as_ref().filter(|_| hovered.is_none()).map_or(String::new(), objects::Seen::hint) + &hint
+            seen.as_ref().filter(|_| hovered.is_none()).map_or(String::new(), objects::Seen::hint)
+                + &hint
         };
         if !fitting.is_on() {
             objects::paint(ui, rect, session, handles.surface.as_deref(), seen.as_ref());
         }
         let surface = handles.surface.as_deref().filter(|_| self.has_arrows);
-        self.arrows = surface.map(|surface| arrows::of(session, surface, rect, pointer)).unwrap_or_default();
+        self.arrows =
+            surface.map(|surface| arrows::of(session, surface, rect, pointer)).unwrap_or_default();
         arrows::paint(ui, rect, &self.arrows);
         if probe.is_on() {
             response.on_hover_cursor(CursorIcon::Crosshair);
@@ -203,7 +225,11 @@ impl Viewport {
             self.paint(ui, rect, session, &handles, hovered.as_ref(), response.hovered());
             let is_held = matches!(self.drag, Some(Drag::Curve(_) | Drag::Light(_)));
             if is_held || hovered.is_some() {
-                ui.ctx().set_cursor_icon(if is_held { CursorIcon::Grabbing } else { CursorIcon::Grab });
+                ui.ctx().set_cursor_icon(if is_held {
+                    CursorIcon::Grabbing
+                } else {
+                    CursorIcon::Grab
+                });
             }
             if let Some(layer) = &handles.layer {
                 strip::show(ui, rect, session, layer, &mut out);
@@ -216,15 +242,18 @@ impl Viewport {
     /// Finds out what is handled, and brings its lines up to date.
     fn handles(&mut self, rect: Rect, session: &mut Session, is_free: bool) -> Handles {
         let layer = layer::selected(session).filter(|_| self.handles && is_free);
-        let wants_lines = self.handles && (layer.is_some() || layer::selected_light(session).is_some());
+        let wants_lines =
+            self.handles && (layer.is_some() || layer::selected_light(session).is_some());
         // Of a scene one wants to know what is where, in any case.
         if !(wants_lines || self.has_arrows || session.stage().is_some()) || rect.area() < 16.0 {
             self.isocurves.clear();
             return Handles { surface: None, layer };
         }
         let key = SurfaceKey::new(session, rect.size());
-        let with_kappa =
-            layer.as_ref().and_then(|layer| layer.warp).is_some_and(|(slope, amount)| slope * amount != 0.0);
+        let with_kappa = layer
+            .as_ref()
+            .and_then(|layer| layer.warp)
+            .is_some_and(|(slope, amount)| slope * amount != 0.0);
         let surface = self.surfaces.update(&key, with_kappa, || session.still());
         if let (Some(surface), Some(stage)) = (&surface, session.stage_mut())
             && stage.placed != surface.pieces.placed
@@ -239,13 +268,23 @@ impl Viewport {
     }
 
     /// What there is to be taken at a point of the screen.
-    fn grip(&self, ui: &Ui, rect: Rect, at: Pos2, session: &Session, handles: &Handles) -> Option<Drag> {
+    fn grip(
+        &self,
+        ui: &Ui,
+        rect: Rect,
+        at: Pos2,
+        session: &Session,
+        handles: &Handles,
+    ) -> Option<Drag> {
         let modifiers = ui.input(|input| input.modifiers);
         let of_layer = handles.layer.as_ref().map(|layer| (layer.light.clone(), layer.shading));
-        let chosen = of_layer.or_else(|| Some((layer::selected_light(session)?, layer::ShadingType::Diffuse)));
+        let chosen = of_layer
+            .or_else(|| Some((layer::selected_light(session)?, layer::ShadingType::Diffuse)));
         if let Some((light, shading)) = chosen {
-            let is_there = handles.surface.as_ref().is_some_and(|surface| surface.is_at(place_in(rect, at)));
-            if modifiers.shift && is_there || lights::is_at_middle(self.isocurves.middle(rect), at) {
+            let is_there =
+                handles.surface.as_ref().is_some_and(|surface| surface.is_at(place_in(rect, at)));
+            if modifiers.shift && is_there || lights::is_at_middle(self.isocurves.middle(rect), at)
+            {
                 return Some(Drag::Light(lights::Held::by_middle(light, shading)));
             }
         }
@@ -255,7 +294,15 @@ impl Viewport {
         self.isocurves.hit(rect, at, modifiers.command).map(Drag::Curve)
     }
 
-    fn paint(&self, ui: &Ui, rect: Rect, session: &Session, handles: &Handles, hovered: Option<&Drag>, is_near: bool) {
+    fn paint(
+        &self,
+        ui: &Ui,
+        rect: Rect,
+        session: &Session,
+        handles: &Handles,
+        hovered: Option<&Drag>,
+        is_near: bool,
+    ) {
         let in_hand = self.drag.as_ref().or(hovered);
         let curve = match in_hand {
             Some(Drag::Curve(held)) => Some(held),
@@ -271,8 +318,11 @@ impl Viewport {
             let held = light.filter(|held| held.is_by_middle());
             let pointer = ui.input(|input| input.pointer.interact_pos());
             let is_dragged = held.is_some() && matches!(self.drag, Some(Drag::Light(_)));
-            let on_object = |at: &Pos2| handles.surface.as_ref().is_some_and(|it| it.is_at(place_in(rect, *at)));
-            let middle = if is_dragged { pointer.filter(on_object) } else { self.isocurves.middle(rect) };
+            let on_object = |at: &Pos2| {
+                handles.surface.as_ref().is_some_and(|it| it.is_at(place_in(rect, *at)))
+            };
+            let middle =
+                if is_dragged { pointer.filter(on_object) } else { self.isocurves.middle(rect) };
             if let Some(middle) = middle {
                 lights::paint_middle(ui, rect, middle, held.is_some());
             }
@@ -306,7 +356,8 @@ impl Viewport {
         {
             self.before = Some(Before { view: session.view.clone(), place: session.place() });
             let is_primary = response.dragged_by(PointerButton::Primary);
-            let grip = (is_primary && !is_alt && self.handles).then(|| self.grip(ui, rect, origin, session, handles));
+            let grip = (is_primary && !is_alt && self.handles)
+                .then(|| self.grip(ui, rect, origin, session, handles));
             self.drag = Some(match grip.flatten() {
                 Some(grip) => grip,
                 None if !is_primary => Drag::Pan,
@@ -326,7 +377,9 @@ impl Viewport {
                 Drag::Lights => session.view.turn_lights(dx, dy),
                 Drag::Pan => session.view.pan(dx, dy),
                 Drag::Curve(held) => out.extend(self.isocurves.drag(held, session, rect, at)),
-                Drag::Light(held) => out.extend(lights::drag(held, session, handles.surface.as_deref(), rect, at)),
+                Drag::Light(held) => {
+                    out.extend(lights::drag(held, session, handles.surface.as_deref(), rect, at))
+                }
             }
         }
         if response.drag_stopped() {
@@ -371,7 +424,8 @@ impl Viewport {
         match action {
             Action::ResetView => session.reset_view(),
             Action::FrameObject => {
-                let selected = session.stage().and_then(|stage| stage.selected()).map(|(id, _)| id.clone());
+                let selected =
+                    session.stage().and_then(|stage| stage.selected()).map(|(id, _)| id.clone());
                 session.frame(selected.as_ref(), aspect);
             }
             Action::FrameAll => session.frame(None, aspect),
@@ -397,8 +451,8 @@ impl Viewport {
         self.drag.is_some()
     }
 
-    /// Gives a drag up: camera and lights are where they were when it began. Returns whether the last step of the look
-    /// is the drag's, and is to be taken back too.
+    /// Gives a drag up: camera and lights are where they were when it began. Returns whether the
+    /// last step of the look is the drag's, and is to be taken back too.
     pub(crate) fn give_up(&mut self, session: &mut Session) -> bool {
         self.drag = None;
         let Some(before) = self.before.take() else { return false };
@@ -418,21 +472,32 @@ impl Viewport {
             (Some(Drag::Curve(held)), _) => self.isocurves.hint(held),
             (Some(Drag::Light(held)), _) => held.hint(session),
             (Some(Drag::Lights), _) => {
-                "Turning the illumination frame: every light in it turns with it · Esc puts it back".to_owned()
+                "Turning the illumination frame: every light in it turns with it · Esc puts it \
+                 back"
+                    .to_owned()
             }
-            (Some(Drag::Camera), _) => "Turning the camera around the object · Esc puts it back".to_owned(),
+            (Some(Drag::Camera), _) => {
+                "Turning the camera around the object · Esc puts it back".to_owned()
+            }
             (Some(Drag::Pan), _) => "Moving the camera · Esc puts it back".to_owned(),
             (None, None) => String::new(),
             (None, Some(at)) if is_on_object(at, rect, session, handles) => {
-                let one = if layer::selected_light(session).is_some() || layer::selected(session).is_some() {
+                let one = if layer::selected_light(session).is_some()
+                    || layer::selected(session).is_some()
+                {
                     "Shift-drag turns the layer's light · "
                 } else {
                     ""
                 };
-                format!("Drag to turn all lights · {one}Alt-drag turns the camera · wheel comes nearer · R resets")
+                format!(
+                    "Drag to turn all lights · {one}Alt-drag turns the camera · wheel comes \
+                         nearer · R resets"
+                )
             }
             (None, Some(_)) => {
-                "Drag to turn the camera · right-drag moves it · wheel comes nearer · R resets · F frames".to_owned()
+                "Drag to turn the camera · right-drag moves it · wheel comes nearer · R resets · F \
+                 frames"
+                    .to_owned()
             }
         }
     }
@@ -457,11 +522,14 @@ impl Viewport {
         self.rect
     }
 
-    /// Points of a line of the selected layer on the screen, by its input's name (`offset`, `falloff`, `cutoff`); for
-    /// tests.
+    /// Points of a line of the selected layer on the screen, by its input's name (`offset`,
+    /// `falloff`, `cutoff`); for tests.
     pub fn curve(&self, port: &str) -> Vec<Pos2> {
         let curve = Curve::ALL.into_iter().find(|curve| curve.port() == port);
-        curve.zip(self.rect).map(|(curve, rect)| self.isocurves.points(curve, rect)).unwrap_or_default()
+        curve
+            .zip(self.rect)
+            .map(|(curve, rect)| self.isocurves.points(curve, rect))
+            .unwrap_or_default()
     }
 
     /// Where the arrows toward the eye and the lights begin and end on the screen; for tests.
@@ -479,9 +547,14 @@ impl Viewport {
         self.exports.draw(export, session.still(), Destination::File(path));
     }
 
-    /// Copies the picture to the clipboard, as large as it is on the screen, or of a usual size where it never was there.
+    /// Copies the picture to the clipboard, as large as it is on the screen, or of a usual size
+    /// where it never was there.
     pub(crate) fn copy(&mut self, session: &Session, scale: f32) {
-        self.exports.draw(Export::Picture(self.size_in_pixels(scale)), session.still(), Destination::Clipboard);
+        self.exports.draw(
+            Export::Picture(self.size_in_pixels(scale)),
+            session.still(),
+            Destination::Clipboard,
+        );
     }
 
     /// How large the picture is on the screen, or a usual size where it never was there.
@@ -504,10 +577,14 @@ impl Viewport {
                 }
                 Done::Read(path, image) => {
                     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-                    let texture = ui.ctx().load_texture("reference", image, egui::TextureOptions::LINEAR);
-                    let (place, opacity) =
-                        self.reference.as_ref().map_or((Place::Beside, 0.5), |old| (old.place, old.opacity));
-                    let message = format!("{name} is shown with the picture; Options takes it away");
+                    let texture =
+                        ui.ctx().load_texture("reference", image, egui::TextureOptions::LINEAR);
+                    let (place, opacity) = self
+                        .reference
+                        .as_ref()
+                        .map_or((Place::Beside, 0.5), |old| (old.place, old.opacity));
+                    let message =
+                        format!("{name} is shown with the picture; Options takes it away");
                     self.reference = Some(Reference { name, texture, place, opacity });
                     message
                 }
@@ -534,11 +611,20 @@ fn place_in(rect: Rect, at: Pos2) -> [f32; 2] {
 fn probe_hint(probe: &Probe) -> &'static str {
     match probe.pinned() {
         None => "Rest the pointer to read a pixel, click to keep it · Esc leaves the probe",
-        Some(_) => "This pixel is kept: click another · Esc lets go of it, Esc again leaves the probe",
+        Some(_) => {
+            "This pixel is kept: click another · Esc lets go of it, Esc again leaves the probe"
+        }
     }
 }
 
-fn show_picture(ui: &Ui, rect: Rect, session: &mut Session, picture: &mut Picture, turns: bool, stops: f32) {
+fn show_picture(
+    ui: &Ui,
+    rect: Rect,
+    session: &mut Session,
+    picture: &mut Picture,
+    turns: bool,
+    stops: f32,
+) {
     let size = picture_size(rect, ui.pixels_per_point());
     let (is_held, dt) = ui.input(|input| (input.pointer.any_down(), input.unstable_dt));
     match picture.update(session, size, is_held || turns, dt) {
@@ -549,13 +635,20 @@ fn show_picture(ui: &Ui, rect: Rect, session: &mut Session, picture: &mut Pictur
         None => {
             ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
             let font = egui::FontId::proportional(theme::TEXT_SIZE);
-            let is_broken = !picture.problems.is_empty() || crate::diag::has_errors(session.problems());
+            let is_broken =
+                !picture.problems.is_empty() || crate::diag::has_errors(session.problems());
             let text = match session.held() {
                 Some(_) => "Not drawn until you press Try again above",
                 None if is_broken => "No picture: Problems says what is to be mended",
                 None => "Making the first picture",
             };
-            ui.painter().text(rect.center(), egui::Align2::CENTER_CENTER, text, font, theme::of(ui).dim);
+            ui.painter().text(
+                rect.center(),
+                egui::Align2::CENTER_CENTER,
+                text,
+                font,
+                theme::of(ui).dim,
+            );
         }
     }
 }
@@ -563,14 +656,20 @@ fn show_picture(ui: &Ui, rect: Rect, session: &mut Session, picture: &mut Pictur
 /// Where there is no GPU: a ball, so that camera and lights can be turned all the same.
 fn stand_in(ui: &Ui, rect: Rect, session: &Session) {
     let radius = session.view.radius_in_picture() as f32 * rect.height();
-    ui.painter().circle(rect.center(), radius, theme::of(ui).node, egui::Stroke::new(1.0, theme::of(ui).grid));
+    ui.painter().circle(
+        rect.center(),
+        radius,
+        theme::of(ui).node,
+        egui::Stroke::new(1.0, theme::of(ui).grid),
+    );
     let font = egui::FontId::proportional(theme::TEXT_SIZE);
     let at = rect.center_bottom() - vec2(0.0, 12.0);
     let text = "This window has no GPU to draw with";
     ui.painter().text(at, egui::Align2::CENTER_BOTTOM, text, font, theme::of(ui).dim);
 }
 
-/// Whether a point of the screen is on the object, or near enough: its bounding sphere has radius 1.
+/// Whether a point of the screen is on the object, or near enough: its bounding sphere has radius
+/// 1.
 fn is_on_object(at: Pos2, rect: Rect, session: &Session, handles: &Handles) -> bool {
     if let Some(surface) = &handles.surface {
         return surface.piece_at(place_in(rect, at)).is_some();

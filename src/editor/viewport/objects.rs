@@ -1,4 +1,5 @@
-//! The objects of a scene in the picture: what is under the pointer, what a click selects, and quiet marks.
+//! The objects of a scene in the picture: what is under the pointer, what a click selects, and
+//! quiet marks.
 
 use eframe::egui;
 use eframe::egui::{Align2, FontId, Pos2, Rect, Stroke, Ui, pos2, vec2};
@@ -39,19 +40,30 @@ impl Seen {
 
 /// How wide a picture is, in parts of its height.
 pub(super) fn aspect(rect: Option<Rect>) -> f64 {
-    rect.filter(|rect| rect.is_positive()).map_or(1.0, |rect| f64::from(rect.width() / rect.height()))
+    rect.filter(|rect| rect.is_positive())
+        .map_or(1.0, |rect| f64::from(rect.width() / rect.height()))
 }
 
 /// The object of a scene at the pointer.
-pub(super) fn seen(session: &Session, surface: Option<&Surface>, rect: Rect, pointer: Option<Pos2>) -> Option<Seen> {
+pub(super) fn seen(
+    session: &Session,
+    surface: Option<&Surface>,
+    rect: Rect,
+    pointer: Option<Pos2>,
+) -> Option<Seen> {
     let stage = session.stage()?;
     let piece = surface?.piece_at(place_in(rect, pointer?))?.clone();
-    let look = look_of(stage.scene().objects.get(&piece.object)?, &piece.material).map(file_label)?;
+    let look =
+        look_of(stage.scene().objects.get(&piece.object)?, &piece.material).map(file_label)?;
     Some(Seen { piece, look })
 }
 
 /// What a click asks for: the object that is seen, with its look; or, beside all, none.
-pub(super) fn pick(session: &Session, surface: Option<&Surface>, seen: Option<&Seen>) -> Option<Command> {
+pub(super) fn pick(
+    session: &Session,
+    surface: Option<&Surface>,
+    seen: Option<&Seen>,
+) -> Option<Command> {
     session.stage().filter(|_| surface.is_some())?;
     Some(Command::Stage(match seen {
         Some(Seen { piece, .. }) => Wish::Pick(piece.object.clone(), Some(piece.material.clone())),
@@ -60,12 +72,23 @@ pub(super) fn pick(session: &Session, surface: Option<&Surface>, seen: Option<&S
 }
 
 /// Marks the object that is selected by corners around it, and names the one under the pointer.
-pub(super) fn paint(ui: &Ui, rect: Rect, session: &Session, surface: Option<&Surface>, seen: Option<&Seen>) {
+pub(super) fn paint(
+    ui: &Ui,
+    rect: Rect,
+    session: &Session,
+    surface: Option<&Surface>,
+    seen: Option<&Seen>,
+) {
     let (Some(stage), Some(surface)) = (session.stage(), surface) else { return };
     let around = |id: &ObjectId| {
         let corners = surface.box_of(id)?;
-        let on_screen = |[x, y]: [f32; 2]| pos2(rect.left() + x * rect.width(), rect.top() + y * rect.height());
-        Some(Rect::from_two_pos(on_screen(corners[0]), on_screen(corners[1])).expand(4.0).intersect(rect.shrink(1.0)))
+        let on_screen =
+            |[x, y]: [f32; 2]| pos2(rect.left() + x * rect.width(), rect.top() + y * rect.height());
+        Some(
+            Rect::from_two_pos(on_screen(corners[0]), on_screen(corners[1]))
+                .expand(4.0)
+                .intersect(rect.shrink(1.0)),
+        )
     };
     let painter = ui.painter_at(rect);
     if let Some(at) = stage.selected().and_then(|(id, _)| around(id)) {
@@ -82,7 +105,9 @@ pub(super) fn paint(ui: &Ui, rect: Rect, session: &Session, surface: Option<&Sur
             }
         }
     }
-    let Some((seen, at)) = seen.and_then(|seen| Some((seen, around(&seen.piece.object)?))) else { return };
+    let Some((seen, at)) = seen.and_then(|seen| Some((seen, around(&seen.piece.object)?))) else {
+        return;
+    };
     let font = FontId::proportional(theme::SMALL_TEXT);
     let galley = painter.layout_no_wrap(seen.piece.object.to_string(), font, egui::Color32::WHITE);
     let place = Align2::LEFT_BOTTOM.anchor_size(at.left_top(), galley.size() + vec2(8.0, 3.0));

@@ -1,5 +1,5 @@
-//! The sign that the picture of what was just opened is on its way: the old picture steps back behind it. What comes quickly
-//! has none, so that nothing flickers, and it fades in calmly.
+//! The sign that the picture of what was just opened is on its way: the old picture steps back
+//! behind it. What comes quickly has none, so that nothing flickers, and it fades in calmly.
 
 use std::time::Duration;
 
@@ -26,7 +26,8 @@ pub(super) struct Preparing {
 }
 
 impl Preparing {
-    /// How plainly the sign is seen, from 0 to 1, and for how long, in seconds, nothing of it will be.
+    /// How plainly the sign is seen, from 0 to 1, and for how long, in seconds, nothing of it will
+    /// be.
     fn tell(&mut self, is_awaited: bool, now: f64) -> (f32, f64) {
         if !is_awaited {
             self.since = None;
@@ -48,12 +49,21 @@ impl Preparing {
         let text = format!("Preparing {name}");
         match awaited {
             Some(Awaited::Shader) => sign(ui, rect, strength, true, &text, "building its shader"),
-            Some(Awaited::Picture) => sign(ui, rect, strength, true, &text, "reading meshes and paintings, drawing"),
+            Some(Awaited::Picture) => {
+                sign(ui, rect, strength, true, &text, "reading meshes and paintings, drawing")
+            }
             Some(Awaited::Mended) if session.held().is_some() => {
                 sign(ui, rect, 1.0, false, "Not drawn", "until you press Try again above");
             }
             Some(Awaited::Mended) => {
-                sign(ui, rect, 1.0, false, "No picture yet", "until what is listed below is mended");
+                sign(
+                    ui,
+                    rect,
+                    1.0,
+                    false,
+                    "No picture yet",
+                    "until what is listed below is mended",
+                );
             }
             None => {}
         }
@@ -76,7 +86,11 @@ fn sign(ui: &mut Ui, rect: Rect, strength: f32, turns: bool, text: &str, more: &
     }
     let width = (room.right() - 16.0 - left).max(0.0);
     let line = |text: &str, font: FontId, color: egui::Color32| {
-        let mut job = egui::text::LayoutJob::simple_singleline(text.to_owned(), font, color.gamma_multiply(strength));
+        let mut job = egui::text::LayoutJob::simple_singleline(
+            text.to_owned(),
+            font,
+            color.gamma_multiply(strength),
+        );
         job.wrap = egui::text::TextWrapping::truncate_at_width(width);
         painter.layout_job(job)
     };
@@ -84,7 +98,8 @@ fn sign(ui: &mut Ui, rect: Rect, strength: f32, turns: bool, text: &str, more: &
     let second = line(more, FontId::proportional(theme::TEXT_SIZE), colors.dim);
     let gap = 2.0;
     let height = first.size().y + gap + second.size().y;
-    let top = Align2::LEFT_CENTER.anchor_size(egui::pos2(left, room.center().y), vec2(width, height)).min;
+    let top =
+        Align2::LEFT_CENTER.anchor_size(egui::pos2(left, room.center().y), vec2(width, height)).min;
     let below = top + vec2(0.0, first.size().y + gap);
     painter.galley(top, first, colors.text);
     painter.galley(below, second, colors.dim);
@@ -104,6 +119,10 @@ mod tests {
         assert_eq!([at(true, 12.0), at(true, 60.0)], [1.0; 2], "as long as it takes");
         assert_eq!(at(false, 60.1), 0.0, "it goes at once");
         assert_eq!(at(true, 61.0), 0.0, "and the next one is as calm");
-        assert_eq!(preparing.tell(true, 61.1).1, CALM - (61.1 - 61.0), "to be shown without anything that moves");
+        assert_eq!(
+            preparing.tell(true, 61.1).1,
+            CALM - (61.1 - 61.0),
+            "to be shown without anything that moves"
+        );
     }
 }

@@ -1,4 +1,5 @@
-//! How the picture is laid into the window: display exposure, and a reference image over it or beside it.
+//! How the picture is laid into the window: display exposure, and a reference image over it or
+//! beside it.
 
 use eframe::egui;
 use eframe::egui::{Color32, Rect, TextureHandle, TextureId, Ui, Vec2, pos2, vec2};
@@ -45,7 +46,12 @@ impl Reference {
         let scale = (rect.size() / size.max(Vec2::splat(1.0))).min_elem();
         let opacity = if self.place == Place::Over { self.opacity } else { 1.0 };
         let at = Rect::from_center_size(rect.center(), size * scale);
-        ui.painter_at(rect).image(self.texture.id(), at, whole(), Color32::WHITE.gamma_multiply(opacity));
+        ui.painter_at(rect).image(
+            self.texture.id(),
+            at,
+            whole(),
+            Color32::WHITE.gamma_multiply(opacity),
+        );
     }
 
     pub(super) fn paint_beside(&self, ui: &Ui, rect: Rect) {
@@ -58,18 +64,28 @@ fn whole() -> Rect {
     Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0))
 }
 
-/// Shows a picture brighter or darker by so many stops. The texture stays as it is: it is laid on by a part, or several
-/// times, which a display's power law allows.
+/// Shows a picture brighter or darker by so many stops. The texture stays as it is: it is laid on
+/// by a part, or several times, which a display's power law allows.
 pub(super) fn paint_exposed(ui: &Ui, texture: TextureId, rect: Rect, stops: f32) {
     let painter = ui.painter_at(rect);
     let mut gain = (stops / DISPLAY_GAMMA).exp2();
     let first = egui::lerp(0.0..=255.0, gain.min(1.0)).round() as u8;
-    painter.image(texture, rect, whole(), Color32::from_rgba_premultiplied(first, first, first, 255));
+    painter.image(
+        texture,
+        rect,
+        whole(),
+        Color32::from_rgba_premultiplied(first, first, first, 255),
+    );
     gain -= 1.0;
     while gain > 1.0 / 255.0 {
-        // Without alpha a colour is added.
+        // Without alpha a color is added.
         let part = (gain.min(1.0) * 255.0).round() as u8;
-        painter.image(texture, rect, whole(), Color32::from_rgba_premultiplied(part, part, part, 0));
+        painter.image(
+            texture,
+            rect,
+            whole(),
+            Color32::from_rgba_premultiplied(part, part, part, 0),
+        );
         gain -= 1.0;
     }
 }

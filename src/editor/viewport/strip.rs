@@ -1,9 +1,11 @@
-//! The selected layer's values at hand in a corner of the picture: its angles, where no line of them is seen, its
-//! colours and its warp. They would lie over the object's feet, so that of all this only a tab is seen until the pointer
-//! comes to it.
+//! The selected layer's values at hand in a corner of the picture: its angles, where no line of
+//! them is seen, its colors and its warp. They would lie over the object's feet, so that of all
+//! this only a tab is seen until the pointer comes to it.
 
 use eframe::egui;
-use eframe::egui::{Align2, DragValue, Frame, Id, Margin, Rect, Response, RichText, Ui, UiBuilder, Vec2, pos2, vec2};
+use eframe::egui::{
+    Align2, DragValue, Frame, Id, Margin, Rect, Response, RichText, Ui, UiBuilder, Vec2, pos2, vec2,
+};
 
 use super::super::command::Command;
 use super::super::inspector::color;
@@ -26,7 +28,13 @@ struct Seen {
 }
 
 /// Shows the strip, or its tab while nobody is there.
-pub(super) fn show(ui: &mut Ui, rect: Rect, session: &Session, layer: &Layer, out: &mut Vec<Command>) {
+pub(super) fn show(
+    ui: &mut Ui,
+    rect: Rect,
+    session: &Session,
+    layer: &Layer,
+    out: &mut Vec<Command>,
+) {
     if rect.height() < LEAST_HEIGHT {
         return;
     }
@@ -35,15 +43,20 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, session: &Session, layer: &Layer, ou
     let state = ui.scope_id().with("strip is open");
     let seen: Seen = ui.data(|data| data.get_temp(state)).unwrap_or_default();
     let known: Option<Vec2> = ui.data(|data| data.get_temp(id));
-    // What is open stays so while the pointer is near, a widget of it has the keyboard, or a hand is at something.
+    // What is open stays so while the pointer is near, a widget of it has the keyboard, or a hand
+    // is at something.
     let strip = Rect::from_min_size(
         pos2(room.left(), room.bottom() - known.map_or(64.0, |size| size.y)),
         known.unwrap_or(room.size()),
     );
-    let is_near = ui.input(|input| input.pointer.hover_pos()).is_some_and(|at| strip.expand(NEAR).contains(at));
-    let has_keyboard = ui.memory(egui::Memory::focused).is_some_and(|focus| seen.widgets.contains(&focus));
+    let is_near = ui
+        .input(|input| input.pointer.hover_pos())
+        .is_some_and(|at| strip.expand(NEAR).contains(at));
+    let has_keyboard =
+        ui.memory(egui::Memory::focused).is_some_and(|focus| seen.widgets.contains(&focus));
     let is_held = ui.input(|input| input.pointer.any_down()) || egui::Popup::is_any_open(ui.ctx());
-    let mut now = Seen { is_open: seen.is_open && (is_near || has_keyboard || is_held), widgets: Vec::new() };
+    let mut now =
+        Seen { is_open: seen.is_open && (is_near || has_keyboard || is_held), widgets: Vec::new() };
     if now.is_open {
         open(ui, room, id, session, layer, &mut now.widgets, out);
     } else {
@@ -69,7 +82,11 @@ fn tab(ui: &mut Ui, room: Rect, id: Id, layer: &Layer) -> Response {
     let rect = Align2::LEFT_BOTTOM.align_size_within_rect(size, room);
     let response = ui.interact(rect, id.with("tab"), egui::Sense::click());
     response.widget_info(|| {
-        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Values of {} over the picture", layer.name))
+        egui::WidgetInfo::labeled(
+            egui::Role::Button,
+            true,
+            format!("Values of {} over the picture", layer.name),
+        )
     });
     let painter = ui.painter().with_clip_rect(rect);
     painter.rect_filled(rect, 6.0, colors.panel.gamma_multiply(0.8));
@@ -122,7 +139,13 @@ fn open(
     }
 }
 
-fn angles(ui: &mut Ui, session: &Session, layer: &Layer, widgets: &mut Vec<Id>, out: &mut Vec<Command>) {
+fn angles(
+    ui: &mut Ui,
+    session: &Session,
+    layer: &Layer,
+    widgets: &mut Vec<Id>,
+    out: &mut Vec<Command>,
+) {
     ui.label(RichText::new(&layer.name).strong());
     for curve in Curve::ALL {
         let setting = &layer.shape[curve as usize];
@@ -134,15 +157,20 @@ fn angles(ui: &mut Ui, session: &Session, layer: &Layer, widgets: &mut Vec<Id>, 
         ui.painter().circle_filled(dot.center(), 5.0, theme::HALO);
         ui.painter().circle_filled(dot.center(), 4.0, theme::curve(index));
         let mut degrees = shown[index].to_degrees();
-        let widget = DragValue::new(&mut degrees).range(least.to_degrees()..=most.to_degrees()).speed(0.5);
         let widget =
-            widget.max_decimals(1).prefix(format!("{} ", curve.label())).suffix("°").update_while_editing(false);
+            DragValue::new(&mut degrees).range(least.to_degrees()..=most.to_degrees()).speed(0.5);
+        let widget = widget
+            .max_decimals(1)
+            .prefix(format!("{} ", curve.label()))
+            .suffix("°")
+            .update_while_editing(false);
         let help = match curve {
             Curve::Offset => "Up to this angle from the light the tone is full",
             Curve::Falloff => "Where the tone falls fastest",
             Curve::Cutoff => "Where the tone ends",
         };
-        let response = number(ui, widget, setting, &format!("{} on the object", curve.label()), help);
+        let response =
+            number(ui, widget, setting, &format!("{} on the object", curve.label()), help);
         widgets.push(response.id);
         if response.changed() {
             let angle = (degrees.to_radians() * 1e4).round() / 1e4;
@@ -154,7 +182,13 @@ fn angles(ui: &mut Ui, session: &Session, layer: &Layer, widgets: &mut Vec<Id>, 
     }
 }
 
-fn surface(ui: &mut Ui, session: &Session, layer: &Layer, widgets: &mut Vec<Id>, out: &mut Vec<Command>) {
+fn surface(
+    ui: &mut Ui,
+    session: &Session,
+    layer: &Layer,
+    widgets: &mut Vec<Id>,
+    out: &mut Vec<Command>,
+) {
     for (label, setting) in &layer.colors {
         let short = label.trim_end_matches(" color");
         let label = ui.label(RichText::new(short).color(theme::of(ui).dim));
@@ -164,7 +198,10 @@ fn surface(ui: &mut Ui, session: &Session, layer: &Layer, widgets: &mut Vec<Id>,
             })
             .inner;
         if let Some((hand, color)) = changed {
-            out.push(Command::EditHeld(hand, session.set_at(&setting.target, Value::Vector(color.to_vec()))));
+            out.push(Command::EditHeld(
+                hand,
+                session.set_at(&setting.target, Value::Vector(color.to_vec())),
+            ));
         }
     }
     if let Some(setting) = &layer.slope {
@@ -174,14 +211,18 @@ fn surface(ui: &mut Ui, session: &Session, layer: &Layer, widgets: &mut Vec<Id>,
         let response = number(ui, widget, setting, "Shape slope on the object", help);
         widgets.push(response.id);
         if response.changed() {
-            out.push(Command::EditHeld(response.id, session.set_at(&setting.target, Value::Number(slope))));
+            out.push(Command::EditHeld(
+                response.id,
+                session.set_at(&setting.target, Value::Number(slope)),
+            ));
         }
     }
     if let Some(setting) = &layer.amount {
         let mut degrees = setting.at_key.to_degrees();
         let widget = DragValue::new(&mut degrees).speed(0.5).range(-180.0..=180.0).max_decimals(1);
         let widget = widget.prefix("Shape offset ").suffix("°");
-        let help = "How far convex parts are lit beyond, and concave parts short of, what the profile says";
+        let help = "How far convex parts are lit beyond, and concave parts short of, what the \
+                    profile says";
         let response = number(ui, widget, setting, "Shape offset on the object", help);
         widgets.push(response.id);
         if response.changed() {
@@ -193,10 +234,18 @@ fn surface(ui: &mut Ui, session: &Session, layer: &Layer, widgets: &mut Vec<Id>,
     }
 }
 
-fn number<T>(ui: &mut Ui, widget: DragValue<'_>, setting: &Setting<T>, name: &str, help: &str) -> Response {
+fn number<T>(
+    ui: &mut Ui,
+    widget: DragValue<'_>,
+    setting: &Setting<T>,
+    name: &str,
+    help: &str,
+) -> Response {
     let response = ui.add_enabled(!setting.is_wired, widget);
     set_name(ui, response.id, name);
-    response.on_hover_text(help).on_disabled_hover_text("It cannot be set here: it comes from a wire")
+    response
+        .on_hover_text(help)
+        .on_disabled_hover_text("It cannot be set here: it comes from a wire")
 }
 
 /// Names a widget for screen readers.

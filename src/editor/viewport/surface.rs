@@ -1,7 +1,8 @@
 //! What the viewport sees, pixel by pixel, for the widgets on it: positions, normals, curvature.
 //!
-//! Made on a thread of its own by the reference's rasteriser, whenever mesh, camera or size change; lights and layers
-//! change nothing here. It is coarser than the picture ([`MOST`]), which curves that are interpolated hardly show.
+//! Made on a thread of its own by the reference's rasteriser, whenever mesh, camera or size change;
+//! lights and layers change nothing here. It is coarser than the picture ([`MOST`]), which curves
+//! that are interpolated hardly show.
 
 use std::sync::Arc;
 
@@ -17,13 +18,14 @@ use crate::frame::{Assets, FramePlan, Pass, PassKind, Setup, SetupObject, View};
 use crate::ids::ObjectId;
 use crate::interp::Precision;
 use crate::reference::{
-    Control, FragmentStage, Interpolation, Modules, Options, QuadBatch, Shaded, Shader, Shaders, Sides, Target, Texels,
-    Triangles, Varying, VertexStage, rasterise, shade_all,
+    Control, FragmentStage, Interpolation, Modules, Options, QuadBatch, Shaded, Shader, Shaders,
+    Sides, Target, Texels, Triangles, Varying, VertexStage, rasterise, shade_all,
 };
 
 /// As many pixels are looked at, or a few more: half of those of 500 by 500 along each side.
 const MOST: f32 = 62_500.0;
-/// How many times what the slope explains two neighbours may differ in depth and still be of one surface.
+/// How many times what the slope explains two neighbours may differ in depth and still be of one
+/// surface.
 const TOLERANCE: f32 = 2.5;
 /// Beyond this a slope explains every step.
 const LEAST_FACING: f32 = 0.05;
@@ -47,8 +49,16 @@ impl Key {
         // Neither lights nor values change where anything is.
         let stage = session.stage().map(|stage| stage.staged().shape());
         let scale = (MOST / (points.x * points.y).max(1.0)).sqrt().min(1.0);
-        let size = [points.x, points.y].map(|side| (side * scale).round().clamp(2.0, 4096.0) as u32);
-        Self { mesh: orbit.mesh.clone(), z_is_up: orbit.z_is_up, stage, files, camera: orbit.camera(), size }
+        let size =
+            [points.x, points.y].map(|side| (side * scale).round().clamp(2.0, 4096.0) as u32);
+        Self {
+            mesh: orbit.mesh.clone(),
+            z_is_up: orbit.z_is_up,
+            stage,
+            files,
+            camera: orbit.camera(),
+            size,
+        }
     }
 }
 
@@ -62,7 +72,8 @@ pub(super) struct Surface {
     pub(super) normals: Vec<Vec3>,
     /// World space.
     pub(super) positions: Vec<Vec3>,
-    /// Whether the pixel to the right (bit 0) and the one below (bit 1) belong to the same piece of surface.
+    /// Whether the pixel to the right (bit 0) and the one below (bit 1) belong to the same piece of
+    /// surface.
     pub(super) links: Vec<u8>,
     /// In 1/viewport-height, convex positive; where it was asked for.
     pub(super) kappa: Option<Vec<f32>>,
@@ -108,11 +119,15 @@ impl Surface {
         self.normals[pixel] != Vec3::ZERO
     }
 
-    /// The pixel at a place of the picture, in parts of its size, or the nearest that shows anything.
+    /// The pixel at a place of the picture, in parts of its size, or the nearest that shows
+    /// anything.
     pub(super) fn nearest(&self, place: [f32; 2]) -> Option<usize> {
         let [width, height] = self.size;
         let at = [place[0] * width as f32 - 0.5, place[1] * height as f32 - 0.5];
-        let [x, y] = [at[0].round().clamp(0.0, width as f32 - 1.0), at[1].round().clamp(0.0, height as f32 - 1.0)];
+        let [x, y] = [
+            at[0].round().clamp(0.0, width as f32 - 1.0),
+            at[1].round().clamp(0.0, height as f32 - 1.0),
+        ];
         let own = y as usize * width + x as usize;
         if self.is_covered(own) {
             return Some(own);
@@ -128,11 +143,13 @@ impl Surface {
     /// The pixel at a place of the picture, in parts of its size.
     pub(super) fn pixel_at(&self, place: [f32; 2]) -> Option<usize> {
         let [x, y] = [place[0] * self.size[0] as f32, place[1] * self.size[1] as f32];
-        let is_inside = x >= 0.0 && y >= 0.0 && (x as usize) < self.size[0] && (y as usize) < self.size[1];
+        let is_inside =
+            x >= 0.0 && y >= 0.0 && (x as usize) < self.size[0] && (y as usize) < self.size[1];
         is_inside.then(|| y as usize * self.size[0] + x as usize)
     }
 
-    /// Whether an object that wears the open look is at a place of the picture, in parts of its size.
+    /// Whether an object that wears the open look is at a place of the picture, in parts of its
+    /// size.
     pub(super) fn is_at(&self, place: [f32; 2]) -> bool {
         self.pixel_at(place).is_some_and(|pixel| self.is_covered(pixel))
     }
@@ -146,8 +163,10 @@ impl Surface {
     /// The corners, in parts of the picture's size, of a box around what is seen of an object.
     pub(super) fn box_of(&self, object: &ObjectId) -> Option<[[f32; 2]; 2]> {
         let width = self.size[0];
-        let is_it: Vec<bool> = self.pieces.all.iter().map(|piece| piece.object == *object).collect();
-        let of_it = |number: &u16| usize::from(*number).checked_sub(1).is_some_and(|piece| is_it[piece]);
+        let is_it: Vec<bool> =
+            self.pieces.all.iter().map(|piece| piece.object == *object).collect();
+        let of_it =
+            |number: &u16| usize::from(*number).checked_sub(1).is_some_and(|piece| is_it[piece]);
         let pixels = self.pieces.seen.iter().enumerate().filter(|(_, number)| of_it(number));
         let (mut least, mut most) = ([usize::MAX; 2], [0; 2]);
         for (pixel, _) in pixels {
@@ -164,7 +183,10 @@ impl Surface {
     /// The middle of a pixel, in parts of the picture's size.
     pub(super) fn place_of(&self, pixel: usize) -> [f32; 2] {
         let [width, height] = self.size;
-        [((pixel % width) as f32 + 0.5) / width as f32, ((pixel / width) as f32 + 0.5) / height as f32]
+        [
+            ((pixel % width) as f32 + 0.5) / width as f32,
+            ((pixel / width) as f32 + 0.5) / height as f32,
+        ]
     }
 }
 
@@ -189,7 +211,9 @@ impl Surfaces {
         let work = move |wish: Wish| {
             let old = last.take().filter(|old| old.key == wish.key);
             last = match old {
-                Some(old) if wish.with_kappa && old.kappa.is_none() => Some(Arc::new(with_kappa(&old))),
+                Some(old) if wish.with_kappa && old.kappa.is_none() => {
+                    Some(Arc::new(with_kappa(&old)))
+                }
                 Some(old) => Some(old),
                 None => make(&wish, &mut assets).map(Arc::new),
             };
@@ -242,10 +266,16 @@ fn surface_of(setup: &Setup, key: &Key) -> Result<Surface, Diagnostic> {
     let parts = |object: &SetupObject| -> Vec<usize> {
         (0..object.mesh.parts.len()).filter(|&part| object.looks[part].is_some()).collect()
     };
-    let parts = setup.objects.iter().flat_map(|object| parts(object).into_iter().map(move |part| (object, part)));
+    let parts = setup
+        .objects
+        .iter()
+        .flat_map(|object| parts(object).into_iter().map(move |part| (object, part)));
     let parts: Vec<_> = parts.take(usize::from(u16::MAX)).collect();
-    let shaders: Vec<_> =
-        parts.iter().zip(1..).map(|((object, _), number)| Plain::new(object, &view, number)).collect();
+    let shaders: Vec<_> = parts
+        .iter()
+        .zip(1..)
+        .map(|((object, _), number)| Plain::new(object, &view, number))
+        .collect();
     let triangles = parts.iter().zip(&shaders).map(|((object, part), shader)| {
         let part = &object.mesh.parts[*part];
         let is_mirrored = DMat3::from_mat4(object.world_from_object).determinant() < 0.0;
@@ -256,9 +286,17 @@ fn surface_of(setup: &Setup, key: &Key) -> Result<Surface, Diagnostic> {
         }
     });
     let triangles: Vec<_> = triangles.collect();
-    let raster = rasterise(size, 1, &Target::Numbers(NUMBERS), &triangles, &Options::default(), &Control::none())?;
+    let raster = rasterise(
+        size,
+        1,
+        &Target::Numbers(NUMBERS),
+        &triangles,
+        &Options::default(),
+        &Control::none(),
+    )?;
     let all: Vec<Piece> = parts.iter().map(|(object, part)| piece(object, *part)).collect();
-    let vector = |numbers: &[f64]| Vec3::new(numbers[0] as f32, numbers[1] as f32, numbers[2] as f32);
+    let vector =
+        |numbers: &[f64]| Vec3::new(numbers[0] as f32, numbers[1] as f32, numbers[2] as f32);
     let (mut normals, mut positions, mut seen) = (Vec::new(), Vec::new(), Vec::new());
     for pixel in raster.texels.values.chunks_exact(NUMBERS) {
         let number = pixel[6].round() as u16;
@@ -289,8 +327,14 @@ fn placed(object: &SetupObject) -> Placed {
     Placed { id: object.id.clone(), center: object.center(), radius: object.radius(), materials }
 }
 
-/// Which neighbours lie on one piece of surface: those no farther apart in depth than their slopes explain.
-fn links(normals: &[Vec3], positions: &[Vec3], [width, height]: [usize; 2], view: &View) -> Vec<u8> {
+/// Which neighbours lie on one piece of surface: those no farther apart in depth than their slopes
+/// explain.
+fn links(
+    normals: &[Vec3],
+    positions: &[Vec3],
+    [width, height]: [usize; 2],
+    view: &View,
+) -> Vec<u8> {
     let rotation = view.rotation().as_mat3();
     let (eye, backward) = (view.eye.as_vec3(), view.backward.as_vec3());
     let depth = |pixel: usize| (eye - positions[pixel]).dot(backward);
@@ -371,12 +415,19 @@ struct Plain<'a> {
 impl<'a> Plain<'a> {
     fn new(object: &'a SetupObject, view: &View, number: usize) -> Self {
         let linear = DMat3::from_mat4(object.world_from_object);
-        let normals = if linear.determinant().abs() > 1e-12 { linear.inverse().transpose() } else { linear };
-        Self { object, number, clip_from_object: view.clip_from_world * object.world_from_object, normals }
+        let normals =
+            if linear.determinant().abs() > 1e-12 { linear.inverse().transpose() } else { linear };
+        Self {
+            object,
+            number,
+            clip_from_object: view.clip_from_world * object.world_from_object,
+            normals,
+        }
     }
 }
 
-const VARYINGS: [Varying; 2] = [Varying { components: 3, interpolation: Interpolation::Perspective }; 2];
+const VARYINGS: [Varying; 2] =
+    [Varying { components: 3, interpolation: Interpolation::Perspective }; 2];
 
 impl Shader for Plain<'_> {
     fn varyings(&self) -> &[Varying] {
@@ -399,10 +450,12 @@ impl VertexStage for Stage<'_> {
         let Plain { object, clip_from_object, normals, .. } = self.0;
         for (&vertex, out) in vertices.iter().zip(out.chunks_exact_mut(10)) {
             let position = DVec3::from(object.mesh.positions[vertex as usize].map(f64::from));
-            let normal = *normals * DVec3::from(object.mesh.normals[vertex as usize].map(f64::from));
+            let normal =
+                *normals * DVec3::from(object.mesh.normals[vertex as usize].map(f64::from));
             out[..4].copy_from_slice(&(*clip_from_object * position.extend(1.0)).to_array());
             out[4..7].copy_from_slice(&normal.normalize_or_zero().to_array());
-            out[7..].copy_from_slice(&object.world_from_object.transform_point3(position).to_array());
+            out[7..]
+                .copy_from_slice(&object.world_from_object.transform_point3(position).to_array());
         }
         Ok(())
     }
@@ -411,7 +464,8 @@ impl VertexStage for Stage<'_> {
 impl FragmentStage for Stage<'_> {
     fn shade(&mut self, batch: &QuadBatch, out: &mut Shaded) -> Result<(), Diagnostic> {
         for component in 0..6 {
-            out.channel_mut(component)[..batch.lanes()].copy_from_slice(&batch.varying(component)[..batch.lanes()]);
+            out.channel_mut(component)[..batch.lanes()]
+                .copy_from_slice(&batch.varying(component)[..batch.lanes()]);
         }
         out.channel_mut(6)[..batch.lanes()].fill(self.0.number as f64);
         // Backs are seen with their normals turned around, as looks see them.

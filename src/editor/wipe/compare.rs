@@ -18,8 +18,8 @@ use crate::render::{Gpu, Renderer, block_on};
 
 /// What it keeps between comparisons.
 pub(super) struct Comparer {
-    /// Made when first needed, on a device of its own: the window's may not blend 32-bit floats, and the rounding of a
-    /// 16-bit picture would show in the difference.
+    /// Made when first needed, on a device of its own: the window's may not blend 32-bit floats,
+    /// and the rounding of a 16-bit picture would show in the difference.
     renderer: Option<Renderer>,
     window: Gpu,
     planner: Reused,
@@ -65,7 +65,12 @@ impl Comparer {
         }
     }
 
-    fn truth(&self, job: &Job, setup: &Setup, options: &PlanOptions) -> Result<Truth, Vec<Diagnostic>> {
+    fn truth(
+        &self,
+        job: &Job,
+        setup: &Setup,
+        options: &PlanOptions,
+    ) -> Result<Truth, Vec<Diagnostic>> {
         let told = |share: f64| {
             let thousandths = (share * 1000.0) as u32;
             let before = job.progress.fetch_max(thousandths, Ordering::Relaxed);
@@ -77,12 +82,24 @@ impl Comparer {
         let mut go_on = |_, _| true;
         let mut planner = Planner::for_truth(Assets::default());
         let library: &Arc<Library> = &job.still.library;
-        Truth::watched(setup, library, &mut planner, options, &mut Progress::new(&mut go_on), &control)
-            .map_err(|stopped: Stopped| stopped.into())
+        Truth::watched(
+            setup,
+            library,
+            &mut planner,
+            options,
+            &mut Progress::new(&mut go_on),
+            &control,
+        )
+        .map_err(|stopped: Stopped| stopped.into())
     }
 }
 
-fn together(present: &Picture, other: &Picture, wanted: &Colors<'_>, is_edge: impl Fn(usize) -> bool) -> Compared {
+fn together(
+    present: &Picture,
+    other: &Picture,
+    wanted: &Colors<'_>,
+    is_edge: impl Fn(usize) -> bool,
+) -> Compared {
     let got = Colors::from(present);
     let figures = compare(&got, wanted, &is_edge);
     let channels = |(index, (a, b)): (usize, (&[f64; 4], &[f64; 4]))| {
@@ -100,7 +117,10 @@ fn together(present: &Picture, other: &Picture, wanted: &Colors<'_>, is_edge: im
     };
     let difference = got.rgba.iter().zip(wanted.rgba.iter()).enumerate().map(channels).collect();
     let image = |picture: &Picture| {
-        ColorImage::from_rgba_unmultiplied(picture.size.map(|side| side as usize), &picture.to_rgba8())
+        ColorImage::from_rgba_unmultiplied(
+            picture.size.map(|side| side as usize),
+            &picture.to_rgba8(),
+        )
     };
     let pictures = [image(present), image(other)];
     Compared { pictures, difference, figures }

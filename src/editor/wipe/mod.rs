@@ -1,8 +1,9 @@
-//! The picture beside another of the same moment: the look in another tier, or the truth in f64. A divider wipes between
-//! both; or their difference is shown, magnified.
+//! The picture beside another of the same moment: the look in another tier, or the truth in f64. A
+//! divider wipes between both; or their difference is shown, magnified.
 //!
-//! Both are made in the background with one sample a pixel, so that like is held against like, and are dropped once
-//! anything changes. A tier is then compared again by itself; the truth, which takes long, only when it is asked for.
+//! Both are made in the background with one sample a pixel, so that like is held against like, and
+//! are dropped once anything changes. A tier is then compared again by itself; the truth, which
+//! takes long, only when it is asked for.
 
 mod compare;
 mod show;
@@ -106,7 +107,8 @@ pub struct Wipe {
 }
 
 impl Wipe {
-    /// A comparison that is off. `wake` is called from another thread when there is news. Without a GPU there is none.
+    /// A comparison that is off. `wake` is called from another thread when there is news. Without a
+    /// GPU there is none.
     pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Clone + Send + Sync + 'static) -> Self {
         let start = |gpu: Gpu| {
             let mut comparer = Comparer::new(gpu, wake.clone());
@@ -220,11 +222,13 @@ impl Wipe {
                 };
                 let [left, right] = &compared.pictures;
                 let textures = [load("as it is", left), load("against", right)];
-                self.shown = Some(Shown { moment: done.moment, compared, textures, magnified: None });
+                self.shown =
+                    Some(Shown { moment: done.moment, compared, textures, magnified: None });
             }
             Err(problems) => {
                 self.shown = None;
-                self.problems = problems.into_iter().filter(|problem| problem.code != "cancelled").collect();
+                self.problems =
+                    problems.into_iter().filter(|problem| problem.code != "cancelled").collect();
             }
         }
     }

@@ -4,7 +4,8 @@ use std::sync::atomic::Ordering;
 
 use eframe::egui;
 use eframe::egui::{
-    Align2, Color32, CursorIcon, FontId, Pos2, Rect, RichText, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2,
+    Align2, Color32, CursorIcon, FontId, Pos2, Rect, RichText, Role, Sense, Stroke, Ui, WidgetInfo,
+    pos2, vec2,
 };
 
 use super::super::session::Session;
@@ -31,7 +32,9 @@ impl Wipe {
                 }
             }
         });
-        combo.response.on_hover_text("Shows the picture beside the same in another tier, or beside the truth in f64");
+        combo.response.on_hover_text(
+            "Shows the picture beside the same in another tier, or beside the truth in f64",
+        );
     }
 
     /// A second row of controls while something is compared.
@@ -39,12 +42,20 @@ impl Wipe {
         let Some(against) = self.against else { return };
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 3.0;
-            if ui.selectable_label(self.gain.is_none(), "Wipe").on_hover_text("Drag the divider").clicked() {
+            if ui
+                .selectable_label(self.gain.is_none(), "Wipe")
+                .on_hover_text("Drag the divider")
+                .clicked()
+            {
                 self.gain = None;
             }
             for gain in GAINS {
                 let help = format!("Shows the difference, magnified {gain} times");
-                if ui.selectable_label(self.gain == Some(gain), format!("×{gain}")).on_hover_text(help).clicked() {
+                if ui
+                    .selectable_label(self.gain == Some(gain), format!("×{gain}"))
+                    .on_hover_text(help)
+                    .clicked()
+                {
                     self.gain = Some(gain);
                 }
             }
@@ -66,7 +77,8 @@ impl Wipe {
             let ink = if figures.visible > 0 { theme::of(ui).warning } else { theme::of(ui).dim };
             let [x, y] = figures.worst;
             let help = format!(
-                "Largest difference of a channel {:.3e} at pixel {x}, {y}; rms {:.1e}; {} pixels compared, and {} on edges \
+                "Largest difference of a channel {:.3e} at pixel {x}, {y}; rms {:.1e}; {} pixels \
+                 compared, and {} on edges \
                  told apart, where coverage may differ",
                 figures.max, figures.rms, figures.pixels, figures.edges
             );
@@ -76,7 +88,9 @@ impl Wipe {
         if self.is_busy() {
             if against == Against::Truth {
                 let share = self.progress.load(Ordering::Relaxed) as f32 / 1000.0;
-                let bar = egui::ProgressBar::new(share).desired_width(90.0).text(format!("{:.0} %", share * 100.0));
+                let bar = egui::ProgressBar::new(share)
+                    .desired_width(90.0)
+                    .text(format!("{:.0} %", share * 100.0));
                 ui.add(bar);
                 if ui.button("Stop").clicked() {
                     self.stop();
@@ -87,7 +101,10 @@ impl Wipe {
             return;
         }
         if against == Against::Truth {
-            if ui.button("Compute again").on_hover_text("Computes the truth of what is shown now").clicked()
+            if ui
+                .button("Compute again")
+                .on_hover_text("Computes the truth of what is shown now")
+                .clicked()
                 && let Some(moment) = self.seen.clone()
             {
                 self.ask(session, moment);
@@ -142,16 +159,27 @@ impl Wipe {
             );
             (place, Rect::from_min_max(pos2(from, 0.0), pos2(to, 1.0)))
         };
-        for (texture, (place, uv)) in shown.textures.iter().zip([half(0.0, self.split), half(self.split, 1.0)]) {
+        for (texture, (place, uv)) in
+            shown.textures.iter().zip([half(0.0, self.split), half(self.split, 1.0)])
+        {
             painter.rect_filled(place, 0.0, theme::of(ui).canvas);
             painter.image(texture.id(), place, uv, Color32::WHITE);
         }
-        let color = if response.hovered() || response.dragged() { theme::of(ui).accent } else { Color32::WHITE };
+        let color = if response.hovered() || response.dragged() {
+            theme::of(ui).accent
+        } else {
+            Color32::WHITE
+        };
         painter.vline(x, rect.y_range(), Stroke::new(3.0, Color32::from_black_alpha(110)));
         painter.vline(x, rect.y_range(), Stroke::new(1.0, color));
         painter.circle(pos2(x, rect.center().y), 5.0, theme::of(ui).panel, Stroke::new(1.5, color));
         tag(ui, rect.left_top() + vec2(8.0, 8.0), Align2::LEFT_TOP, "As set");
-        tag(ui, rect.right_top() + vec2(-8.0, 8.0), Align2::RIGHT_TOP, shown.moment.against.label());
+        tag(
+            ui,
+            rect.right_top() + vec2(-8.0, 8.0),
+            Align2::RIGHT_TOP,
+            shown.moment.against.label(),
+        );
     }
 }
 
@@ -160,8 +188,11 @@ fn whole() -> Rect {
 }
 
 fn tag(ui: &Ui, at: Pos2, align: Align2, text: &str) {
-    let galley =
-        ui.painter().layout_no_wrap(text.to_owned(), FontId::proportional(theme::SMALL_TEXT), theme::of(ui).text);
+    let galley = ui.painter().layout_no_wrap(
+        text.to_owned(),
+        FontId::proportional(theme::SMALL_TEXT),
+        theme::of(ui).text,
+    );
     let place = align.anchor_size(at, galley.size());
     ui.painter().rect_filled(place.expand2(vec2(5.0, 2.0)), 3.0, Color32::from_black_alpha(150));
     ui.painter().galley(place.min, galley, theme::of(ui).text);

@@ -1,4 +1,5 @@
-//! Takes a look apart: what the whole of it, each node and each pass cost, and how far each is from the truth.
+//! Takes a look apart: what the whole of it, each node and each pass cost, and how far each is from
+//! the truth.
 
 use super::cost::{Series, alternate};
 use super::error::VISIBLE;
@@ -53,7 +54,8 @@ pub fn bench(
     let tiers = look_tiers(setup, library);
     progress.expect(((options.rounds + 2) * (1 + nodes.len())) as u64);
     let precise = Renderer::new(renderer.gpu().precise());
-    let mut bench = Bench { setup, library, renderer, precise, options, planner: Planner::default() };
+    let mut bench =
+        Bench { setup, library, renderer, precise, options, planner: Planner::default() };
     let truth = if options.truth { Some(bench.truth(progress)?) } else { None };
     let mut rows = bench.looks(&tiers, truth.as_ref(), progress)?;
     for node in &nodes {
@@ -103,8 +105,12 @@ fn nodes(setup: &Setup, library: &Library, wanted: MeasuredNodes) -> Vec<Measure
 }
 
 fn look_tiers(setup: &Setup, library: &Library) -> Vec<Tier> {
-    let kinds = setup.looks.iter().flat_map(|look| look.look.graph.nodes.values().map(move |node| (look, node)));
-    let mut tiers: Vec<Tier> = kinds.flat_map(|(look, node)| tiers_of(&look.look, library, &node.kind)).collect();
+    let kinds = setup
+        .looks
+        .iter()
+        .flat_map(|look| look.look.graph.nodes.values().map(move |node| (look, node)));
+    let mut tiers: Vec<Tier> =
+        kinds.flat_map(|(look, node)| tiers_of(&look.look, library, &node.kind)).collect();
     tiers.sort_unstable();
     tiers.dedup();
     tiers
@@ -134,11 +140,22 @@ impl Bench<'_> {
         let mut truth = Truth::of(&setup, self.library, &mut planner, options, progress)?;
         let plan = FramePlan { samples: 1, ..self.plan(&exact)? };
         let got = block_on(self.precise.picture(&plan))?;
-        truth.settle(&Colors::from(&got), |_| VISIBLE, &setup, self.library, &mut planner, options)?;
+        truth.settle(
+            &Colors::from(&got),
+            |_| VISIBLE,
+            &setup,
+            self.library,
+            &mut planner,
+            options,
+        )?;
         Ok(truth)
     }
 
-    fn error(&mut self, plan: &FramePlan, truth: Option<&Truth>) -> Result<Option<ErrorFigures>, Stopped> {
+    fn error(
+        &mut self,
+        plan: &FramePlan,
+        truth: Option<&Truth>,
+    ) -> Result<Option<ErrorFigures>, Stopped> {
         let plan = FramePlan { samples: 1, ..plan.clone() };
         truth.map(|truth| truth.compare(&mut self.precise, &plan)).transpose()
     }
@@ -153,23 +170,34 @@ impl Bench<'_> {
         let mut variants: Vec<(Subject, Option<Tier>, Variant)> =
             tiers.iter().map(|&tier| (Subject::Whole, Some(tier), Variant::Looks(tier))).collect();
         let asked = Variant::Asked.of(self.setup);
-        let is_one_of_them = tiers.iter().any(|&tier| same_looks(&Variant::Looks(tier).of(self.setup), &asked));
+        let is_one_of_them =
+            tiers.iter().any(|&tier| same_looks(&Variant::Looks(tier).of(self.setup), &asked));
         if !is_one_of_them {
             variants.push((Subject::Whole, None, Variant::Asked));
         }
-        let plans = variants.iter().map(|(_, _, variant)| self.plan(variant)).collect::<Result<Vec<_>, _>>()?;
-        let series = alternate(self.renderer, &plans.iter().collect::<Vec<_>>(), self.options.rounds, progress)?;
+        let plans = variants
+            .iter()
+            .map(|(_, _, variant)| self.plan(variant))
+            .collect::<Result<Vec<_>, _>>()?;
+        let series = alternate(
+            self.renderer,
+            &plans.iter().collect::<Vec<_>>(),
+            self.options.rounds,
+            progress,
+        )?;
         let mut rows = Vec::new();
         for (((subject, tier, _), plan), series) in variants.into_iter().zip(&plans).zip(&series) {
             let error = self.error(plan, truth)?;
-            let passes = series.passes.iter().filter(|_| series.passes.len() > 1).map(|(kind, times)| Row {
-                subject: Subject::Pass(kind.clone()),
-                tier,
-                time: Estimate::of(times),
-                sizes: None,
-                error: None,
-            });
-            let row = Row { subject, tier, time: series.estimate(), sizes: Some(Sizes::of(plan)), error };
+            let passes =
+                series.passes.iter().filter(|_| series.passes.len() > 1).map(|(kind, times)| Row {
+                    subject: Subject::Pass(kind.clone()),
+                    tier,
+                    time: Estimate::of(times),
+                    sizes: None,
+                    error: None,
+                });
+            let row =
+                Row { subject, tier, time: series.estimate(), sizes: Some(Sizes::of(plan)), error };
             rows.push(row);
             rows.extend(passes);
         }
@@ -189,8 +217,14 @@ impl Bench<'_> {
         if node.can_be_left_out {
             variants.push(Variant::Without { look, node: id.clone() });
         }
-        let plans = variants.iter().map(|variant| self.plan(variant)).collect::<Result<Vec<_>, _>>()?;
-        let series = alternate(self.renderer, &plans.iter().collect::<Vec<_>>(), self.options.rounds, progress)?;
+        let plans =
+            variants.iter().map(|variant| self.plan(variant)).collect::<Result<Vec<_>, _>>()?;
+        let series = alternate(
+            self.renderer,
+            &plans.iter().collect::<Vec<_>>(),
+            self.options.rounds,
+            progress,
+        )?;
         // What cannot be left out is told against its own cheapest tier, which then costs nothing.
         let without = series.last().cloned().unwrap_or_default();
         let sizes_without = plans.last().map(Sizes::of).unwrap_or_default();

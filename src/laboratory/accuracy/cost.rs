@@ -1,5 +1,5 @@
-//! What something costs in time: measured in turns with what it is compared with, because machines drift and are shared,
-//! and told as a median with its confidence interval.
+//! What something costs in time: measured in turns with what it is compared with, because machines
+//! drift and are shared, and told as a median with its confidence interval.
 
 use serde::Serialize;
 
@@ -22,8 +22,8 @@ pub struct Estimate {
 }
 
 impl Estimate {
-    /// The median of `samples`, and the interval by order statistics, which assumes nothing of how they are spread.
-    /// None gives zeros.
+    /// The median of `samples`, and the interval by order statistics, which assumes nothing of how
+    /// they are spread. None gives zeros.
     pub fn of(samples: &[f64]) -> Self {
         let mut sorted = samples.to_vec();
         sorted.sort_by(f64::total_cmp);
@@ -71,7 +71,8 @@ impl Series {
 
     /// How many times as long this took as `other`, in the same rounds.
     pub fn ratio(&self, other: &Self) -> Estimate {
-        let pairs: Vec<f64> = self.frame.iter().zip(&other.frame).map(|(a, b)| a / b.max(1e-9)).collect();
+        let pairs: Vec<f64> =
+            self.frame.iter().zip(&other.frame).map(|(a, b)| a / b.max(1e-9)).collect();
         Estimate::of(&pairs)
     }
 }
@@ -128,7 +129,9 @@ mod tests {
     fn the_interval_holds_the_truth_as_often_as_it_says() {
         let mut state = 9_u64;
         let mut random = move || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             (state >> 11) as f64 / (1_u64 << 53) as f64
         };
         let held = (0..2000).filter(|_| {

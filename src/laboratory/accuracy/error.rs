@@ -1,4 +1,5 @@
-//! How far a picture is from the truth. Colours are compared where both show the same objects; edges are told apart.
+//! How far a picture is from the truth. Colors are compared where both show the same objects;
+//! edges are told apart.
 
 use serde::Serialize;
 
@@ -37,7 +38,8 @@ pub struct ErrorFigures {
     pub rms: f64,
     /// All but one pixel in a thousand are below.
     pub p999: f64,
-    /// The largest difference in colour as an eye sees it: a distance in Oklab, where black and white are 1 apart.
+    /// The largest difference in color as an eye sees it: a distance in Oklab, where black and
+    /// white are 1 apart.
     pub color: f64,
     /// How many pixels differ by more than 1/255.
     pub visible: u64,
@@ -78,10 +80,15 @@ impl ErrorFigures {
     }
 }
 
-/// Compares `picture` with `truth` pixel by pixel. `is_edge` says where coverage may differ; those are kept apart.
+/// Compares `picture` with `truth` pixel by pixel. `is_edge` says where coverage may differ; those
+/// are kept apart.
 ///
 /// Pictures of different sizes share nothing, and give no pixels.
-pub fn compare(picture: &Colors<'_>, truth: &Colors<'_>, is_edge: impl Fn(usize) -> bool) -> ErrorFigures {
+pub fn compare(
+    picture: &Colors<'_>,
+    truth: &Colors<'_>,
+    is_edge: impl Fn(usize) -> bool,
+) -> ErrorFigures {
     let mut figures = ErrorFigures::default();
     if picture.size != truth.size {
         return figures;
@@ -124,7 +131,7 @@ pub(super) fn difference(a: &[f64; 4], b: &[f64; 4]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
-/// The distance of two premultiplied display-referred colours in Oklab (Ottosson 2020), over black.
+/// The distance of two premultiplied display-referred colors in Oklab (Ottosson 2020), over black.
 fn oklab_distance(a: &[f64; 4], b: &[f64; 4]) -> f64 {
     if a == b {
         return 0.0;
@@ -183,12 +190,17 @@ mod tests {
         let truth = vec![[0.2, 0.4, 0.6, 1.0]; 50];
         let a: Vec<_> = (0..50).map(|i| [0.2 + 0.001 * f64::from(i), 0.4, 0.6, 1.0]).collect();
         let b: Vec<_> = (0..50).map(|i| [0.2, 0.4 - 0.003 * f64::from(i), 0.6, 1.0]).collect();
-        let parts =
-            [compare(&colors(&a), &colors(&truth), |_| false), compare(&colors(&b), &colors(&truth), |_| false)];
+        let parts = [
+            compare(&colors(&a), &colors(&truth), |_| false),
+            compare(&colors(&b), &colors(&truth), |_| false),
+        ];
         let joined = ErrorFigures::join(&parts);
         let (both, truths) = ([a, b].concat(), [truth.clone(), truth].concat());
         let whole = compare(&colors(&both), &colors(&truths), |_| false);
         assert!((joined.rms - whole.rms).abs() < 1e-15);
-        assert_eq!((joined.max, joined.visible, joined.pixels), (whole.max, whole.visible, whole.pixels));
+        assert_eq!(
+            (joined.max, joined.visible, joined.pixels),
+            (whole.max, whole.visible, whole.pixels)
+        );
     }
 }

@@ -8,9 +8,10 @@ use super::ErrorFigures;
 
 /// One of the figures of a comparison with the truth.
 ///
-/// The default is the 99.9th percentile, because it is what an eye judges a picture by: the largest difference is that of a
-/// single pixel, where a crease or a silhouette decides by the last bit of f32, and the exact tier itself may be far off
-/// there. Over several views each has to be within, so that a bad view is not averaged away.
+/// The default is the 99.9th percentile, because it is what an eye judges a picture by: the largest
+/// difference is that of a single pixel, where a crease or a silhouette decides by the last bit of
+/// f32, and the exact tier itself may be far off there. Over several views each has to be within,
+/// so that a bad view is not averaged away.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Measure {
     /// The largest difference of any channel of any pixel.
@@ -55,7 +56,8 @@ impl FromStr for Measure {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let known = [Self::Max, Self::P999, Self::Rms].into_iter().find(|measure| measure.word() == text);
+        let known =
+            [Self::Max, Self::P999, Self::Rms].into_iter().find(|measure| measure.word() == text);
         known.ok_or_else(|| "write max, p99.9 or rms".to_owned())
     }
 }

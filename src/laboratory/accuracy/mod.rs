@@ -1,9 +1,11 @@
-//! What accuracy costs in time: the same frame plan on the GPU and in f64, with error and cost side by side.
+//! What accuracy costs in time: the same frame plan on the GPU and in f64, with error and cost side
+//! by side.
 //!
-//! [`bench()`] takes a look apart: the whole of it in each tier, each of its nodes in each tier against the same look
-//! without that node, and each pass. Times are measured in turns and told with their confidence interval (see
-//! [`cost`]); errors are distances from the reference's picture (see [`error`]). Everything that is measured is a
-//! [`variant`] of one setup, so that no two rows can differ by more than what they name.
+//! [`bench()`] takes a look apart: the whole of it in each tier, each of its nodes in each tier
+//! against the same look without that node, and each pass. Times are measured in turns and told
+//! with their confidence interval (see [`cost`]); errors are distances from the reference's picture
+//! (see [`error`]). Everything that is measured is a [`variant`] of one setup, so that no two rows
+//! can differ by more than what they name.
 
 pub mod bench;
 pub mod cost;
@@ -88,7 +90,9 @@ impl From<Vec<Diagnostic>> for Stopped {
 impl From<Stopped> for Vec<Diagnostic> {
     fn from(stopped: Stopped) -> Self {
         match stopped {
-            Stopped::Asked => vec![Diagnostic::error("stopped", "it was stopped before it was done")],
+            Stopped::Asked => {
+                vec![Diagnostic::error("stopped", "it was stopped before it was done")]
+            }
             Stopped::Problems(problems) => problems,
         }
     }

@@ -1,4 +1,5 @@
-//! Error against time as an SVG: one point a measurement, and the front of those that nothing beats.
+//! Error against time as an SVG: one point a measurement, and the front of those that nothing
+//! beats.
 
 use std::fmt::Write as _;
 
@@ -44,7 +45,8 @@ impl Axis {
         self.start + share.clamp(0.0, 1.0) * (self.end - self.start)
     }
 
-    /// Round numbers with a mark: 1, 2 and 5 of each decade where there are few, powers of ten where there are many.
+    /// Round numbers with a mark: 1, 2 and 5 of each decade where there are few, powers of ten
+    /// where there are many.
     fn ticks(&self) -> Vec<f64> {
         let decades = self.from.floor() as i32..=self.to.ceil() as i32;
         let steps: &[f64] = if self.to - self.from < 3.0 { &[1.0, 2.0, 5.0] } else { &[1.0] };
@@ -57,8 +59,14 @@ impl Axis {
 }
 
 /// Draws the report's rows about the whole, or about one node, with errors by a measure of choice.
-pub fn svg(report: &Report, about: impl Fn(&Subject) -> bool, title: &str, measure: Measure) -> String {
-    let rows: Vec<&Row> = report.rows.iter().filter(|row| about(&row.subject) && row.error.is_some()).collect();
+pub fn svg(
+    report: &Report,
+    about: impl Fn(&Subject) -> bool,
+    title: &str,
+    measure: Measure,
+) -> String {
+    let rows: Vec<&Row> =
+        report.rows.iter().filter(|row| about(&row.subject) && row.error.is_some()).collect();
     let error_of = |row: &Row| row.error_by(measure).unwrap_or_default().max(LEAST_ERROR);
     let x = Axis::new(rows.iter().map(|row| row.time.median), LEFT, WIDTH - RIGHT);
     let errors = rows.iter().map(|row| error_of(row)).chain([1.0 / 255.0]);
@@ -68,10 +76,15 @@ pub fn svg(report: &Report, about: impl Fn(&Subject) -> bool, title: &str, measu
     let front = pareto_front_by(&rows, measure);
     let line: Vec<String> = front
         .iter()
-        .map(|&index| format!("{:.1},{:.1}", x.at(rows[index].time.median), y.at(error_of(rows[index]))))
+        .map(|&index| {
+            format!("{:.1},{:.1}", x.at(rows[index].time.median), y.at(error_of(rows[index])))
+        })
         .collect();
-    let _ =
-        writeln!(svg, r##"<polyline points="{}" fill="none" stroke="#8fa3b8" stroke-width="1.5"/>"##, line.join(" "));
+    let _ = writeln!(
+        svg,
+        r##"<polyline points="{}" fill="none" stroke="#8fa3b8" stroke-width="1.5"/>"##,
+        line.join(" ")
+    );
     let mut labels: Vec<(f64, f64)> = Vec::new();
     for row in &rows {
         point(&mut svg, row, x.at(row.time.median), y.at(error_of(row)), (&x, &mut labels));
@@ -131,7 +144,13 @@ fn frame(svg: &mut String, (x, y): (&Axis, &Axis), title: &str, report: &Report,
     );
 }
 
-fn point(svg: &mut String, row: &Row, at_x: f64, at_y: f64, (x, labels): (&Axis, &mut Vec<(f64, f64)>)) {
+fn point(
+    svg: &mut String,
+    row: &Row,
+    at_x: f64,
+    at_y: f64,
+    (x, labels): (&Axis, &mut Vec<(f64, f64)>),
+) {
     let color = match row.tier {
         Some(Tier::Exact) => "#35618f",
         Some(Tier::Balanced) => "#4f8f5b",

@@ -94,8 +94,11 @@ pub fn pareto_front(rows: &[&Row]) -> Vec<usize> {
 
 /// The same with errors by a measure of choice.
 pub fn pareto_front_by(rows: &[&Row], measure: Measure) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..rows.len()).filter(|&index| rows[index].error.is_some()).collect();
-    let key = |index: usize| (rows[index].time.median, rows[index].error_by(measure).unwrap_or(f64::INFINITY));
+    let mut order: Vec<usize> =
+        (0..rows.len()).filter(|&index| rows[index].error.is_some()).collect();
+    let key = |index: usize| {
+        (rows[index].time.median, rows[index].error_by(measure).unwrap_or(f64::INFINITY))
+    };
     order.sort_by(|&a, &b| key(a).0.total_cmp(&key(b).0).then(key(a).1.total_cmp(&key(b).1)));
     let mut best = f64::INFINITY;
     order.retain(|&index| {
@@ -117,16 +120,20 @@ pub fn tier_word(tier: Option<Tier>) -> &'static str {
 }
 
 impl Report {
-    /// Which tiers of the whole are within an error, by a measure of choice; nothing where no error is known.
+    /// Which tiers of the whole are within an error, by a measure of choice; nothing where no error
+    /// is known.
     pub fn verdict(&self, measure: Measure, most: f64) -> String {
         let mut lines = String::new();
         for row in self.rows.iter().filter(|row| row.subject == Subject::Whole) {
-            let (Some(error), Some(figures)) = (row.error_by(measure), &row.error) else { continue };
+            let (Some(error), Some(figures)) = (row.error_by(measure), &row.error) else {
+                continue;
+            };
             let [x, y] = figures.worst;
             let is_within = if error <= most { "within" } else { "beyond" };
             let _ = writeln!(
                 lines,
-                "{}: {is_within} {most:.2e} by {} ({error:.1e}); {} of {} pixels differ by more than 1/255, most at {x},{y}",
+                "{}: {is_within} {most:.2e} by {} ({error:.1e}); {} of {} pixels differ by more \
+                 than 1/255, most at {x},{y}",
                 tier_word(row.tier),
                 measure.word(),
                 figures.visible,
@@ -145,7 +152,11 @@ impl Report {
             .collect();
         let mut text = String::new();
         let clock = if self.has_timestamps { "GPU timestamps" } else { "the clock on the wall" };
-        let software = if self.is_software { "; a software adapter, whose times say little about a GPU's" } else { "" };
+        let software = if self.is_software {
+            "; a software adapter, whose times say little about a GPU's"
+        } else {
+            ""
+        };
         let [width, height] = self.size;
         let _ = writeln!(
             text,
@@ -171,12 +182,26 @@ impl Report {
     }
 }
 
-const HEADER: [&str; 12] =
-    ["what", "tier", "ms", "95% from", "to", "instr.", "KiB", "KiB moved", "max error", "rms", "99.9%", "over 1/255"];
+const HEADER: [&str; 12] = [
+    "what",
+    "tier",
+    "ms",
+    "95% from",
+    "to",
+    "instr.",
+    "KiB",
+    "KiB moved",
+    "max error",
+    "rms",
+    "99.9%",
+    "over 1/255",
+];
 
 const NOTES: &str = "
-Times are medians with their 95% confidence interval; a node's is what it adds to the exact look, and (noise) says that
-nothing was seen beyond chance. Errors are distances from the reference picture in f64, in channels from 0 to 1.
+Times are medians with their 95% confidence interval; a node's is what it adds to the exact look, \
+and (noise) says that
+nothing was seen beyond chance. Errors are distances from the reference picture in f64, in \
+channels from 0 to 1.
 ";
 
 fn cells(row: &Row) -> [String; 12] {
@@ -184,7 +209,9 @@ fn cells(row: &Row) -> [String; 12] {
     let noise = if is_node && row.time.is_noise() { " (noise)" } else { "" };
     let kib = |bytes: u64| format!("{:.0}", bytes as f64 / 1024.0);
     let sizes = |get: fn(&Sizes) -> String| row.sizes.as_ref().map_or_else(String::new, get);
-    let error = |get: fn(&ErrorFigures) -> f64| row.error.as_ref().map_or_else(String::new, |e| small(get(e)));
+    let error = |get: fn(&ErrorFigures) -> f64| {
+        row.error.as_ref().map_or_else(String::new, |e| small(get(e)))
+    };
     [
         row.name(),
         tier_word(row.tier).to_owned(),
@@ -195,7 +222,9 @@ fn cells(row: &Row) -> [String; 12] {
         row.sizes.as_ref().map_or_else(String::new, |sizes| kib(sizes.memory)),
         row.sizes.as_ref().map_or_else(String::new, |sizes| kib(sizes.traffic)),
         match &row.error {
-            Some(error) if error.max > 0.0 => format!("{} at {},{}", small(error.max), error.worst[0], error.worst[1]),
+            Some(error) if error.max > 0.0 => {
+                format!("{} at {},{}", small(error.max), error.worst[0], error.worst[1])
+            }
             Some(_) => "0".to_owned(),
             None => String::new(),
         },
@@ -226,7 +255,14 @@ mod tests {
 
     #[test]
     fn the_front_is_what_nothing_beats() {
-        let rows = [row(3.0, 0.1), row(1.0, 0.5), row(2.0, 0.6), row(4.0, 0.1), row(5.0, 0.0), row(1.0, 0.4)];
+        let rows = [
+            row(3.0, 0.1),
+            row(1.0, 0.5),
+            row(2.0, 0.6),
+            row(4.0, 0.1),
+            row(5.0, 0.0),
+            row(1.0, 0.4),
+        ];
         let rows: Vec<&Row> = rows.iter().collect();
         assert_eq!(pareto_front(&rows), [5, 0, 4]);
     }
@@ -248,7 +284,9 @@ mod tests {
         };
         let table = report.table();
         assert!(
-            table.starts_with("64x32, 1 sample a pixel, 9 rounds on an adapter (GPU timestamps; a software"),
+            table.starts_with(
+                "64x32, 1 sample a pixel, 9 rounds on an adapter (GPU timestamps; a software"
+            ),
             "{table}"
         );
         assert!(table.contains("(noise)") && table.contains("2.5e-1 at 0,0"), "{table}");

@@ -1,4 +1,5 @@
-//! What a frame is made of, counted and not measured: instructions, memory, and the bytes that must move.
+//! What a frame is made of, counted and not measured: instructions, memory, and the bytes that must
+//! move.
 
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -12,13 +13,15 @@ use crate::frame::{FramePlan, attribute_bytes};
 /// Sizes of one frame plan.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Sizes {
-    /// SPIR-V instructions within functions, over all modules that the plan runs, as naga writes them.
+    /// SPIR-V instructions within functions, over all modules that the plan runs, as naga writes
+    /// them.
     pub instructions: u64,
     /// Lines of WGSL, over the same modules.
     pub lines: u64,
     /// Bytes of uniforms, meshes, images and targets.
     pub memory: u64,
-    /// Bytes that a frame must at least read and write once: meshes, images and targets; caches may save no less.
+    /// Bytes that a frame must at least read and write once: meshes, images and targets; caches may
+    /// save no less.
     pub traffic: u64,
 }
 
@@ -37,14 +40,17 @@ impl Sizes {
                 }
                 // Each draw reads its vertices once in each pass.
                 let vertex: u64 = shader.needs.attributes().into_iter().map(attribute_bytes).sum();
-                sizes.traffic += vertex * draw.mesh.positions.len() as u64 + 4 * draw.indices.len() as u64;
+                sizes.traffic +=
+                    vertex * draw.mesh.positions.len() as u64 + 4 * draw.indices.len() as u64;
             }
             let uniforms = std::iter::once(&draw.object_uniform).chain(draw.look_uniforms.values());
             let uniforms: usize = uniforms.map(|uniform| uniform.bytes.len()).sum();
             sizes.memory += uniforms as u64;
             if meshes.insert(Arc::as_ptr(&draw.mesh)) {
-                let vertex: u64 = draw.look.needs.attributes().into_iter().map(attribute_bytes).sum();
-                sizes.memory += vertex * draw.mesh.positions.len() as u64 + 4 * draw.mesh.indices.len() as u64;
+                let vertex: u64 =
+                    draw.look.needs.attributes().into_iter().map(attribute_bytes).sum();
+                sizes.memory +=
+                    vertex * draw.mesh.positions.len() as u64 + 4 * draw.mesh.indices.len() as u64;
             }
             for image in &draw.images {
                 if images.insert(image.hash) {
@@ -70,7 +76,8 @@ pub fn instructions(shader: &CompiledShader) -> u64 {
     count_in_functions(&words)
 }
 
-/// SPIR-V instructions begin with a word of their length and their code; functions lie between codes 54 and 56.
+/// SPIR-V instructions begin with a word of their length and their code; functions lie between
+/// codes 54 and 56.
 fn count_in_functions(words: &[u32]) -> u64 {
     const HEADER: usize = 5;
     const FUNCTION: u32 = 54;

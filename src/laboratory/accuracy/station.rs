@@ -19,7 +19,8 @@ impl Station {
         let [turn, rise] = self.orbit.map(f64::to_degrees);
         let [around, up] = self.lights.map(f64::to_degrees);
         format!(
-            "camera turned by {turn:.0} and {rise:.0} degrees, lights by {around:.0} and {up:.0}, {} s",
+            "camera turned by {turn:.0} and {rise:.0} degrees, lights by {around:.0} and {up:.0}, \
+             {} s",
             (self.time * 100.0).round() / 100.0
         )
     }
@@ -33,10 +34,12 @@ impl Station {
     }
 }
 
-/// So many stations, the first one as the scene is; the rest spread evenly over views, lights and times.
+/// So many stations, the first one as the scene is; the rest spread evenly over views, lights and
+/// times.
 pub fn stations(setup: &Setup, count: usize) -> Vec<Station> {
     // Multiples of powers of the generalised golden ratio fill a cube evenly (Roberts 2018).
-    const STEPS: [f64; 5] = [0.856_674_883_7, 0.733_891_856_6, 0.628_706_720_8, 0.538_597_158_5, 0.461_402_658_3];
+    const STEPS: [f64; 5] =
+        [0.856_674_883_7, 0.733_891_856_6, 0.628_706_720_8, 0.538_597_158_5, 0.461_402_658_3];
     let range = &setup.scene.time;
     let station = |index: usize| {
         let share = |axis: usize| (0.5 + STEPS[axis] * index as f64).fract();
@@ -44,7 +47,11 @@ pub fn stations(setup: &Setup, count: usize) -> Vec<Station> {
         // Even over the sphere, but not onto the poles, where a look is seldom seen.
         let rise = |share: f64| (1.6 * share - 0.8).asin();
         let time = range.start + share(4) * (range.end - range.start);
-        Station { orbit: [turn(share(0)), rise(share(1))], lights: [turn(share(2)), rise(share(3))], time }
+        Station {
+            orbit: [turn(share(0)), rise(share(1))],
+            lights: [turn(share(2)), rise(share(3))],
+            time,
+        }
     };
     let first = Station { orbit: [0.0; 2], lights: [0.0; 2], time: range.start };
     std::iter::once(first).chain((1..count.max(1)).map(station)).collect()

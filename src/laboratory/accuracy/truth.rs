@@ -13,8 +13,9 @@ use crate::library::Library;
 use crate::reference::{self, Control, Modules, ReferencePicture, Snap};
 use crate::render::{Renderer, block_on};
 
-/// GPUs and software Vulkan decide coverage where they have rounded vertices to, to 2^-8 of a pixel; it agrees where the
-/// truth does the same. What is interpolated lies between vertices as they are: a GPU that rounds it too is off by that.
+/// GPUs and software Vulkan decide coverage where they have rounded vertices to, to 2^-8 of a
+/// pixel; it agrees where the truth does the same. What is interpolated lies between vertices as
+/// they are: a GPU that rounds it too is off by that.
 const GRID: Snap = Snap::Subpixel(8);
 
 /// A picture in f64: nothing folded, every value at f64, one sample a pixel.
@@ -30,10 +31,12 @@ pub struct Truth {
 }
 
 impl Truth {
-    /// Renders `setup` as it is, with what `planner` (one [for the truth](Planner::for_truth)) has read.
+    /// Renders `setup` as it is, with what `planner` (one [for the truth](Planner::for_truth)) has
+    /// read.
     ///
     /// # Errors
-    /// What is wrong with the setup, what the interpreter cannot run, or that `progress` stopped it.
+    /// What is wrong with the setup, what the interpreter cannot run, or that `progress` stopped
+    /// it.
     pub fn of(
         setup: &Setup,
         library: &Library,
@@ -98,9 +101,10 @@ impl Truth {
         self.edges.get(index).copied().unwrap_or(true)
     }
 
-    /// Counts pixels as on edges where rounding decides which of two triangles they show, and so what is drawn leaps: those
-    /// that differ from `got` by more than `above` says, and that a camera which stands one step of the grid aside sees as
-    /// they were drawn. `setup`, `planner` and `options` are those that this was rendered with. Returns how many they are.
+    /// Counts pixels as on edges where rounding decides which of two triangles they show, and so
+    /// what is drawn leaps: those that differ from `got` by more than `above` says, and that a
+    /// camera which stands one step of the grid aside sees as they were drawn. `setup`, `planner`
+    /// and `options` are those that this was rendered with. Returns how many they are.
     ///
     /// # Errors
     /// As [`of`](Self::of).
@@ -114,9 +118,11 @@ impl Truth {
         options: &PlanOptions,
     ) -> Result<usize, Stopped> {
         let colors = self.colors();
-        let is_off =
-            |&index: &usize| !self.is_edge(index) && difference(&got.rgba[index], &colors.rgba[index]) > above(index);
-        let mut open: Vec<usize> = self.indices().filter(|&index| index < got.rgba.len()).filter(is_off).collect();
+        let is_off = |&index: &usize| {
+            !self.is_edge(index) && difference(&got.rgba[index], &colors.rgba[index]) > above(index)
+        };
+        let mut open: Vec<usize> =
+            self.indices().filter(|&index| index < got.rgba.len()).filter(is_off).collect();
         drop(colors);
         let all = open.len();
         // So many are no chance.
@@ -128,15 +134,19 @@ impl Truth {
             if open.is_empty() {
                 break;
             }
-            let plan = planner.plan(&aside(setup, &self.view, step), library, &Live::All, &options)?;
+            let plan =
+                planner.plan(&aside(setup, &self.view, step), library, &Live::All, &options)?;
             let one = |problem| vec![problem];
             let modules = Modules::new(&plan, Precision::F64).map_err(one)?;
             let mut left = Vec::new();
             for index in open {
-                let [x, y] = [index as u32 % self.picture.size[0], index as u32 / self.picture.size[0]];
+                let [x, y] =
+                    [index as u32 % self.picture.size[0], index as u32 / self.picture.size[0]];
                 let region = Some([x, y, x + 1, y + 1]);
-                let options = reference::Options { snap: GRID, region, ..reference::Options::default() };
-                let picture = reference::execute(&plan, &modules, &options, &Control::none()).map_err(one)?;
+                let options =
+                    reference::Options { snap: GRID, region, ..reference::Options::default() };
+                let picture =
+                    reference::execute(&plan, &modules, &options, &Control::none()).map_err(one)?;
                 let seen = std::array::from_fn(|channel| picture.color.values[4 * index + channel]);
                 if difference(&got.rgba[index], &seen) > above(index) {
                     left.push(index);
@@ -149,12 +159,16 @@ impl Truth {
         Ok(all - open.len())
     }
 
-    /// How far the GPU's picture of `plan` is from this one. `renderer` should be [precise](crate::render::Gpu::precise),
-    /// and the plan have one sample a pixel.
+    /// How far the GPU's picture of `plan` is from this one. `renderer` should be
+    /// [precise](crate::render::Gpu::precise), and the plan have one sample a pixel.
     ///
     /// # Errors
     /// What the GPU refuses.
-    pub fn compare(&self, renderer: &mut Renderer, plan: &FramePlan) -> Result<ErrorFigures, Stopped> {
+    pub fn compare(
+        &self,
+        renderer: &mut Renderer,
+        plan: &FramePlan,
+    ) -> Result<ErrorFigures, Stopped> {
         Ok(self.figures(&Colors::from(&block_on(renderer.picture(plan))?)))
     }
 
@@ -178,7 +192,7 @@ impl Truth {
         self.rows.start * width..self.rows.end * width
     }
 
-    /// Its colours, premultiplied.
+    /// Its colors, premultiplied.
     pub fn colors(&self) -> Colors<'_> {
         let pixels = self.picture.color.values.chunks_exact(4);
         Colors { size: self.picture.size, rgba: pixels.map(|p| [p[0], p[1], p[2], p[3]]).collect() }
@@ -188,12 +202,22 @@ impl Truth {
 /// Steps of the grid to all sides, in pixels.
 const BESIDE: [[f64; 2]; 8] = {
     const STEP: f64 = 1.0 / 256.0;
-    [[STEP, 0.0], [-STEP, 0.0], [0.0, STEP], [0.0, -STEP], [STEP, STEP], [-STEP, -STEP], [STEP, -STEP], [-STEP, STEP]]
+    [
+        [STEP, 0.0],
+        [-STEP, 0.0],
+        [0.0, STEP],
+        [0.0, -STEP],
+        [STEP, STEP],
+        [-STEP, -STEP],
+        [STEP, -STEP],
+        [-STEP, STEP],
+    ]
 };
 /// Of a picture in which more pixels differ none is looked at again.
 const MOST_BESIDE: usize = 200;
 
-/// The same seen by a camera that stands so many pixels to the right and up, as pixels are where it looks at.
+/// The same seen by a camera that stands so many pixels to the right and up, as pixels are where it
+/// looks at.
 fn aside(setup: &Setup, view: &View, [x, y]: [f64; 2]) -> Setup {
     let mut setup = setup.clone();
     let camera = &mut setup.scene.camera;
@@ -204,7 +228,8 @@ fn aside(setup: &Setup, view: &View, [x, y]: [f64; 2]) -> Setup {
     setup
 }
 
-/// A depth bends more than this from pixel to pixel where one part of a surface hides another: in pixels.
+/// A depth bends more than this from pixel to pixel where one part of a surface hides another: in
+/// pixels.
 const BEND: f64 = 3.0;
 
 /// How far an edge is felt, in pixels: beyond its neighbours as far as passes over normals look.
@@ -212,8 +237,8 @@ fn reach(plan: &FramePlan) -> usize {
     1 + plan.reach()
 }
 
-/// Pixels that have a neighbour with another draw on top, or nothing, or another part of the same surface: there a GPU
-/// may see the one where the truth sees the other.
+/// Pixels that have a neighbour with another draw on top, or nothing, or another part of the same
+/// surface: there a GPU may see the one where the truth sees the other.
 fn edges(picture: &ReferencePicture, view: &View, reach: usize) -> Vec<bool> {
     let [width, height] = picture.size.map(|side| side as usize);
     let distances: Vec<f64> = picture.depths.iter().map(|&depth| view.distance(depth)).collect();
@@ -243,7 +268,10 @@ fn edges(picture: &ReferencePicture, view: &View, reach: usize) -> Vec<bool> {
 fn widened(set: &[bool], width: usize, reach: usize) -> Vec<bool> {
     let height = set.len() / width.max(1);
     let near = |at: usize, size: usize| at.saturating_sub(reach)..(at + reach + 1).min(size);
-    let rows: Vec<bool> =
-        (0..set.len()).map(|index| near(index % width, width).any(|x| set[index / width * width + x])).collect();
-    (0..set.len()).map(|index| near(index / width, height).any(|y| rows[y * width + index % width])).collect()
+    let rows: Vec<bool> = (0..set.len())
+        .map(|index| near(index % width, width).any(|x| set[index / width * width + x]))
+        .collect();
+    (0..set.len())
+        .map(|index| near(index / width, height).any(|y| rows[y * width + index % width]))
+        .collect()
 }

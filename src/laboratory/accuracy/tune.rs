@@ -1,8 +1,10 @@
-//! Picks tiers: the cheapest that stay under a stated error, or the most accurate that stay within a stated time.
+//! Picks tiers: the cheapest that stay under a stated error, or the most accurate that stay within
+//! a stated time.
 //!
-//! Each node's tiers are first measured alone, in error over every station (a view, a turn of the lights, a time) and in
-//! time against the exact tier. A choice is then made from these, and measured as a whole; where the errors of several
-//! nodes add up beyond the bound, the one that errs most for what it saves goes back, until the whole is within.
+//! Each node's tiers are first measured alone, in error over every station (a view, a turn of the
+//! lights, a time) and in time against the exact tier. A choice is then made from these, and
+//! measured as a whole; where the errors of several nodes add up beyond the bound, the one that
+//! errs most for what it saves goes back, until the whole is within.
 
 use serde::Serialize;
 
@@ -23,7 +25,8 @@ use crate::render::Renderer;
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Goal {
-    /// The error, by the [measure](TuneOptions::measure) that is asked for, is not larger; as fast as possible.
+    /// The error, by the [measure](TuneOptions::measure) that is asked for, is not larger; as fast
+    /// as possible.
     MaxError(f64),
     /// Milliseconds a frame; as accurate as possible.
     MaxTime(f64),
@@ -55,7 +58,8 @@ pub struct Candidate {
     pub node: NodeId,
     /// The tier.
     pub tier: Tier,
-    /// The error over all stations with this node alone in this tier, by the measure that was asked for.
+    /// The error over all stations with this node alone in this tier, by the measure that was asked
+    /// for.
     pub error: f64,
     /// Milliseconds that it saves against the exact tier.
     pub saves: Estimate,
@@ -135,7 +139,8 @@ impl Tuned {
         };
         let met = if self.is_met { "met" } else { "missed" };
         format!(
-            "tuned for {goal}, {met}: error {} {:.2e} (max {:.2e}, rms {:.1e}) over {} views, lights and times; {:.3} ms a \
+            "tuned for {goal}, {met}: error {} {:.2e} (max {:.2e}, rms {:.1e}) over {} views, \
+             lights and times; {:.3} ms a \
              frame, {:.3} ms exact, {:.3} ms saved ({:.3} to {:.3}), on {}",
             measure.word(),
             measure.of(figures),
@@ -151,7 +156,8 @@ impl Tuned {
         )
     }
 
-    /// Whether the exact tier itself is farther from the truth than what is allowed, so that no choice can be within.
+    /// Whether the exact tier itself is farther from the truth than what is allowed, so that no
+    /// choice can be within.
     pub fn is_exact_beyond(&self) -> bool {
         matches!(self.goal, Goal::MaxError(most) if self.measure.of(&self.error_exact) > most)
     }
@@ -166,14 +172,18 @@ fn is_faster(candidate: &Candidate) -> bool {
     candidate.saves.low > 0.0
 }
 
-/// Whether another tier of the same node is as fast, as far as can be told, and nearer to the truth.
+/// Whether another tier of the same node is as fast, as far as can be told, and nearer to the
+/// truth.
 pub fn is_beaten(candidate: &Candidate, other: &Candidate) -> bool {
     let is_same_node = (candidate.look, &candidate.node) == (other.look, &other.node);
-    is_same_node && is_faster(other) && other.ties.contains(&candidate.tier) && other.error < candidate.error
+    is_same_node
+        && is_faster(other)
+        && other.ties.contains(&candidate.tier)
+        && other.error < candidate.error
 }
 
-/// Tunes every look of `setups`, which wear the same looks on different meshes: all of them must be within the error; the
-/// time is that of the first.
+/// Tunes every look of `setups`, which wear the same looks on different meshes: all of them must be
+/// within the error; the time is that of the first.
 ///
 /// # Errors
 /// What is wrong with the setups, what the GPU refuses, or that `progress` stopped it.
@@ -184,7 +194,8 @@ pub fn tune(
     options: &TuneOptions,
     progress: &mut Progress<'_>,
 ) -> Result<Tuned, Stopped> {
-    let exact: Vec<Setup> = setups.iter().map(|setup| Variant::Looks(Tier::Exact).of(setup)).collect();
+    let exact: Vec<Setup> =
+        setups.iter().map(|setup| Variant::Looks(Tier::Exact).of(setup)).collect();
     let nodes = exact.first().map(|setup| nodes(setup, library)).unwrap_or_default();
     let tries: usize = nodes.iter().map(|(_, _, tiers)| tiers.len()).sum();
     let pictures = options.stations * setups.len() * (4 + tries);
@@ -197,7 +208,9 @@ pub fn tune(
     let (error_exact, worst_exact) = tuner.error(&[], progress)?;
     let time_exact = tuner.times(&[&[]], &candidates, progress)?[0].estimate();
     let mut joint = |chosen: &[usize]| {
-        tuner.error(&chosen_of(&candidates, chosen), progress).map(|(figures, _)| options.measure.of(&figures))
+        tuner
+            .error(&chosen_of(&candidates, chosen), progress)
+            .map(|(figures, _)| options.measure.of(&figures))
     };
     let chosen = choose(&candidates, options.goal, time_exact.median, &mut joint)?;
     let (error, worst) = tuner.error(&chosen_of(&candidates, &chosen), progress)?;
@@ -243,8 +256,8 @@ fn nodes(setup: &Setup, library: &Library) -> Vec<(usize, NodeId, Vec<Tier>)> {
     found
 }
 
-/// Chooses at most one tier a node. `joint` measures the error of a choice as a whole. Of tiers that cannot be told apart in
-/// time, the one that is nearer to the truth is taken.
+/// Chooses at most one tier a node. `joint` measures the error of a choice as a whole. Of tiers
+/// that cannot be told apart in time, the one that is nearer to the truth is taken.
 ///
 /// # Errors
 /// What `joint` says.
@@ -255,15 +268,20 @@ pub fn choose<E>(
     joint: &mut dyn FnMut(&[usize]) -> Result<f64, E>,
 ) -> Result<Vec<usize>, E> {
     let place = |index: usize| (candidates[index].look, candidates[index].node.clone());
-    let mut usable: Vec<usize> = (0..candidates.len()).filter(|&index| is_faster(&candidates[index])).collect();
+    let mut usable: Vec<usize> =
+        (0..candidates.len()).filter(|&index| is_faster(&candidates[index])).collect();
     match goal {
         Goal::MaxError(most) => {
             usable.retain(|&index| candidates[index].error <= most);
             // The cheapest of each node.
-            usable.sort_by(|&a, &b| candidates[b].saves.median.total_cmp(&candidates[a].saves.median));
+            usable.sort_by(|&a, &b| {
+                candidates[b].saves.median.total_cmp(&candidates[a].saves.median)
+            });
             usable.retain({
                 let all = usable.clone();
-                move |&index| all.iter().all(|&other| !is_beaten(&candidates[index], &candidates[other]))
+                move |&index| {
+                    all.iter().all(|&other| !is_beaten(&candidates[index], &candidates[other]))
+                }
             });
             let mut chosen: Vec<usize> = Vec::new();
             for index in usable.clone() {
@@ -272,21 +290,24 @@ pub fn choose<E>(
                 }
             }
             while !chosen.is_empty() && joint(&chosen)? > most {
-                let price = |index: usize| candidates[index].error / candidates[index].saves.median.max(1e-9);
-                let worst = (0..chosen.len()).max_by(|&a, &b| price(chosen[a]).total_cmp(&price(chosen[b])));
+                let price = |index: usize| {
+                    candidates[index].error / candidates[index].saves.median.max(1e-9)
+                };
+                let worst = (0..chosen.len())
+                    .max_by(|&a, &b| price(chosen[a]).total_cmp(&price(chosen[b])));
                 let Some(gone) = worst.map(|at| chosen.remove(at)) else { break };
                 // A less cheap tier of the same node may still do.
-                let other = usable
-                    .iter()
-                    .copied()
-                    .find(|&index| place(index) == place(gone) && candidates[index].error < candidates[gone].error);
+                let other = usable.iter().copied().find(|&index| {
+                    place(index) == place(gone) && candidates[index].error < candidates[gone].error
+                });
                 chosen.extend(other);
             }
             Ok(chosen)
         }
         Goal::MaxTime(most) => {
             // The least error for what is saved comes first.
-            let price = |index: usize| candidates[index].error / candidates[index].saves.median.max(1e-9);
+            let price =
+                |index: usize| candidates[index].error / candidates[index].saves.median.max(1e-9);
             usable.sort_by(|&a, &b| price(a).total_cmp(&price(b)));
             let mut chosen: Vec<usize> = Vec::new();
             let mut time = time_exact;
@@ -332,13 +353,21 @@ impl<'a> Tuner<'a> {
         progress: &mut Progress<'_>,
     ) -> Result<Self, Stopped> {
         let precise = Renderer::new(renderer.gpu().precise());
-        let mut tuner =
-            Self { setups, library, renderer, precise, options, planner: Planner::default(), truths: Vec::new() };
+        let mut tuner = Self {
+            setups,
+            library,
+            renderer,
+            precise,
+            options,
+            planner: Planner::default(),
+            truths: Vec::new(),
+        };
         let mut truth_planner = Planner::for_truth(Assets::default());
         for (index, setup) in setups.iter().enumerate() {
             for station in stations(setup, options.stations) {
                 let plan = tuner.error_plan(&station);
-                let truth = Truth::of(&station.of(setup), library, &mut truth_planner, &plan, progress)?;
+                let truth =
+                    Truth::of(&station.of(setup), library, &mut truth_planner, &plan, progress)?;
                 tuner.truths.push((index, station, truth));
             }
         }
@@ -352,11 +381,17 @@ impl<'a> Tuner<'a> {
 
     fn with(&self, setup: usize, chosen: &[Candidate]) -> Setup {
         let setup = self.setups.get(setup).cloned().unwrap_or_default();
-        chosen.iter().fold(setup, |setup, choice| Variant::of_also(setup, choice.look, &choice.node, choice.tier))
+        chosen.iter().fold(setup, |setup, choice| {
+            Variant::of_also(setup, choice.look, &choice.node, choice.tier)
+        })
     }
 
     /// The worst over all stations, and where that is.
-    fn error(&mut self, chosen: &[Candidate], progress: &mut Progress<'_>) -> Result<(ErrorFigures, Worst), Stopped> {
+    fn error(
+        &mut self,
+        chosen: &[Candidate],
+        progress: &mut Progress<'_>,
+    ) -> Result<(ErrorFigures, Worst), Stopped> {
         let mut figures = Vec::new();
         let mut worst = Worst::default();
         for at in 0..self.truths.len() {
@@ -367,7 +402,13 @@ impl<'a> Tuner<'a> {
             let found = truth.compare(&mut self.precise, &plan)?;
             if found.max > worst.error {
                 let side = self.options.error_side;
-                worst = Worst { error: found.max, pixel: found.worst, side, setup: *index, station: *station };
+                worst = Worst {
+                    error: found.max,
+                    pixel: found.worst,
+                    side,
+                    setup: *index,
+                    station: *station,
+                };
             }
             figures.push(found);
             progress.step()?;
@@ -384,7 +425,12 @@ impl<'a> Tuner<'a> {
         let mut plans = Vec::new();
         for chosen in choices {
             let setup = self.with(0, &chosen_of(candidates, chosen));
-            plans.push(self.planner.plan(&setup, self.library, &Live::Keyed, &self.options.plan)?);
+            plans.push(self.planner.plan(
+                &setup,
+                self.library,
+                &Live::Keyed,
+                &self.options.plan,
+            )?);
         }
         alternate(self.renderer, &plans.iter().collect::<Vec<_>>(), self.options.rounds, progress)
     }
@@ -405,14 +451,16 @@ impl<'a> Tuner<'a> {
             ties: Vec::new(),
         };
         let mut candidates: Vec<Candidate> = tiers.iter().map(|&tier| alone(tier)).collect();
-        let single: Vec<Vec<usize>> =
-            std::iter::once(Vec::new()).chain((0..candidates.len()).map(|index| vec![index])).collect();
+        let single: Vec<Vec<usize>> = std::iter::once(Vec::new())
+            .chain((0..candidates.len()).map(|index| vec![index]))
+            .collect();
         let choices: Vec<&[usize]> = single.iter().map(Vec::as_slice).collect();
         let series = self.times(&choices, &candidates, progress)?;
         for (index, candidate) in candidates.iter_mut().enumerate() {
             candidate.saves = series[0].over(&series[index + 1]);
             let is_tie = |other: &usize| series[index + 1].over(&series[other + 1]).low <= 0.0;
-            candidate.ties = (index + 1..tiers.len()).filter(is_tie).map(|other| tiers[other]).collect();
+            candidate.ties =
+                (index + 1..tiers.len()).filter(is_tie).map(|other| tiers[other]).collect();
             let (figures, _) = self.error(std::slice::from_ref(candidate), progress)?;
             candidate.error = self.options.measure.of(&figures);
         }
@@ -450,7 +498,8 @@ mod tests {
     /// Both are much faster than exact, and nobody can say which is the faster one.
     #[test]
     fn of_two_that_cannot_be_told_apart_the_more_accurate() {
-        let mut candidates = [candidate("a", Tier::Balanced, 0.0005, 1.0), candidate("a", Tier::Fast, 0.003, 1.02)];
+        let mut candidates =
+            [candidate("a", Tier::Balanced, 0.0005, 1.0), candidate("a", Tier::Fast, 0.003, 1.02)];
         let goal = Goal::MaxError(1.0 / 255.0);
         assert_eq!(choose(&candidates, goal, 10.0, &mut sum(&candidates)).unwrap(), [1]);
         candidates[0].ties = vec![Tier::Fast];
@@ -482,6 +531,10 @@ mod tests {
         ];
         let chosen = choose(&candidates, Goal::MaxTime(7.0), 10.0, &mut sum(&candidates)).unwrap();
         assert_eq!(chosen, [2, 1]);
-        assert!(choose(&candidates, Goal::MaxTime(20.0), 10.0, &mut sum(&candidates)).unwrap().is_empty());
+        assert!(
+            choose(&candidates, Goal::MaxTime(20.0), 10.0, &mut sum(&candidates))
+                .unwrap()
+                .is_empty()
+        );
     }
 }

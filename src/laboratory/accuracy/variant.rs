@@ -42,13 +42,16 @@ impl Variant {
         }
         match self {
             Self::Asked | Self::Looks(_) => {}
-            Self::Node { look, node, tier } => edit(&mut setup, *look, node, |node| node.tier = Some(*tier)),
+            Self::Node { look, node, tier } => {
+                edit(&mut setup, *look, node, |node| node.tier = Some(*tier))
+            }
             Self::Without { look, node } => edit(&mut setup, *look, node, |node| node.muted = true),
         }
         setup
     }
 
-    /// Gives a node of the look's own graph a tier; the look's own where they are the same, so that little is said.
+    /// Gives a node of the look's own graph a tier; the look's own where they are the same, so that
+    /// little is said.
     pub fn set_tier(look: &mut Look, node: &NodeId, tier: Tier) {
         let of_look = look.tier;
         if let Some(node) = look.graph.nodes.get_mut(node) {
@@ -66,12 +69,15 @@ impl Variant {
 
 /// Changes a node of a look's own graph, if there is one of that id.
 fn edit(setup: &mut Setup, look: usize, node: &NodeId, change: impl FnOnce(&mut Node)) {
-    if let Some(node) = setup.looks.get_mut(look).and_then(|look| look.look.graph.nodes.get_mut(node)) {
+    if let Some(node) =
+        setup.looks.get_mut(look).and_then(|look| look.look.graph.nodes.get_mut(node))
+    {
         change(node);
     }
 }
 
-/// The tiers that differ for a node, groups included: `exact` and whatever cheaper function it or a node within has.
+/// The tiers that differ for a node, groups included: `exact` and whatever cheaper function it or a
+/// node within has.
 pub fn tiers_of(look: &Look, library: &Library, kind: &str) -> Vec<Tier> {
     let mut tiers = vec![Tier::Exact];
     let mut open = vec![kind];
@@ -80,10 +86,17 @@ pub fn tiers_of(look: &Look, library: &Library, kind: &str) -> Vec<Tier> {
         if !seen.insert(kind) {
             continue;
         }
-        let definition = look.definitions.get(kind).or_else(|| library.groups.get(kind).map(|group| &group.definition));
+        let definition = look
+            .definitions
+            .get(kind)
+            .or_else(|| library.groups.get(kind).map(|group| &group.definition));
         match definition {
-            Some(definition) => open.extend(definition.graph.nodes.values().map(|node| node.kind.as_str())),
-            None => tiers.extend(library.nodes.get(kind).into_iter().flat_map(|def| own_tiers(def))),
+            Some(definition) => {
+                open.extend(definition.graph.nodes.values().map(|node| node.kind.as_str()))
+            }
+            None => {
+                tiers.extend(library.nodes.get(kind).into_iter().flat_map(|def| own_tiers(def)))
+            }
         }
     }
     tiers.sort_unstable();
@@ -95,15 +108,21 @@ fn own_tiers(def: &NodeDef) -> impl Iterator<Item = Tier> + '_ {
     def.tiers().into_iter()
 }
 
-/// Whether a look still makes sense without a node: whatever it gives can be passed through or be zero.
+/// Whether a look still makes sense without a node: whatever it gives can be passed through or be
+/// zero.
 pub fn can_be_left_out(look: &Look, library: &Library, kind: &str) -> bool {
-    let definition = look.definitions.get(kind).or_else(|| library.groups.get(kind).map(|group| &group.definition));
+    let definition = look
+        .definitions
+        .get(kind)
+        .or_else(|| library.groups.get(kind).map(|group| &group.definition));
     let (inputs, outputs) = match (definition, library.nodes.get(kind)) {
         (Some(definition), _) => {
             let ports = GroupPorts::of(definition, &look.definitions, library);
             (ports.inputs, ports.outputs)
         }
-        (None, Some(def)) if def.special == crate::library::Special::None => (def.inputs.clone(), def.outputs.clone()),
+        (None, Some(def)) if def.special == crate::library::Special::None => {
+            (def.inputs.clone(), def.outputs.clone())
+        }
         _ => return false,
     };
     can_be_muted(&inputs, &outputs)

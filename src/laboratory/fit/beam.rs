@@ -26,7 +26,9 @@ pub(super) struct Width {
 pub(super) fn apart(found: Vec<(Lit, Stack)>, most: usize) -> Vec<Stack> {
     let mut kept: Vec<(Lit, Stack)> = Vec::new();
     for (lit, stack) in found {
-        let is_near = |(other, _): &(Lit, Stack)| other.kind == lit.kind && other.direction.dot(lit.direction) > 0.9;
+        let is_near = |(other, _): &(Lit, Stack)| {
+            other.kind == lit.kind && other.direction.dot(lit.direction) > 0.9
+        };
         if kept.iter().filter(|other| is_near(other)).count() < 2 {
             kept.push((lit, stack));
         }
@@ -40,7 +42,9 @@ pub(super) fn apart(found: Vec<(Lit, Stack)>, most: usize) -> Vec<Stack> {
 /// The best, of equals only the first.
 pub(super) fn best_of(mut found: Vec<Stack>, most: usize) -> Vec<Stack> {
     found.sort_by(|a, b| a.error.total_cmp(&b.error));
-    found.dedup_by(|b, a| (b.error - a.error).abs() <= 1e-3 * a.error && b.point.len() == a.point.len());
+    found.dedup_by(|b, a| {
+        (b.error - a.error).abs() <= 1e-3 * a.error && b.point.len() == a.point.len()
+    });
     found.truncate(most);
     found
 }

@@ -10,10 +10,12 @@ use crate::ids::{LightId, NodeId};
 /// From node to node on the canvas, in points.
 const APART: f64 = 260.0;
 
-/// A look with a layer for each of `layers`, of these colours from the base up, each with a light of its own.
+/// A look with a layer for each of `layers`, of these colors from the base up, each with a light
+/// of its own.
 pub(super) fn layered(name: &str, layers: &[Layer], colors: &[[f64; 3]]) -> Look {
     let mut look = Look { name: name.to_owned(), ..Look::default() };
-    let color = |index: usize| Value::Vector(colors.get(index).copied().unwrap_or_default().to_vec());
+    let color =
+        |index: usize| Value::Vector(colors.get(index).copied().unwrap_or_default().to_vec());
     let base = Values::from_iter([("color".into(), color(0))]);
     add(&mut look.graph, "base", "base", "Base", base);
     let mut below = "base".to_owned();
@@ -30,7 +32,7 @@ pub(super) fn layered(name: &str, layers: &[Layer], colors: &[[f64; 3]]) -> Look
             ("falloff", falloff),
             ("cutoff", cutoff),
             ("convex", color(index + 1)),
-            // One colour, whatever the shape: what was painted says nothing of curvature.
+            // One color, whatever the shape: what was painted says nothing of curvature.
             ("slope", Value::Number(0.0)),
             ("blend", word(layer.mode.word())),
         ];
@@ -47,7 +49,8 @@ pub(super) fn layered(name: &str, layers: &[Layer], colors: &[[f64; 3]]) -> Look
 
 fn add(graph: &mut Graph, id: &str, kind: &str, name: &str, values: Values) {
     let position = [APART * graph.nodes.len() as f64, 0.0];
-    let node = Node { kind: kind.to_owned(), name: name.to_owned(), position, values, ..Node::default() };
+    let node =
+        Node { kind: kind.to_owned(), name: name.to_owned(), position, values, ..Node::default() };
     graph.nodes.insert(NodeId::new(id), node);
 }
 

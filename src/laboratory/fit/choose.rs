@@ -41,13 +41,18 @@ pub(super) fn telling(missing: &[f64], most: usize) -> Vec<usize> {
 ///
 /// # Errors
 /// `fit-target`: there is none.
-pub(super) fn wishes_of(pixels: &[[u32; 2]], wishes: &[Wish]) -> Result<Vec<Wish>, Vec<Diagnostic>> {
+pub(super) fn wishes_of(
+    pixels: &[[u32; 2]],
+    wishes: &[Wish],
+) -> Result<Vec<Wish>, Vec<Diagnostic>> {
     let by_pixel: HashMap<[u32; 2], &Wish> = wishes.iter().map(|wish| (wish.pixel, wish)).collect();
-    let found: Vec<Wish> = pixels.iter().filter_map(|pixel| by_pixel.get(pixel).map(|wish| **wish)).collect();
+    let found: Vec<Wish> =
+        pixels.iter().filter_map(|pixel| by_pixel.get(pixel).map(|wish| **wish)).collect();
     if found.is_empty() {
         let message = "no painted pixel lies within an object that wears the look";
         return Err(vec![Diagnostic::error("fit-target", message).hint(
-            "paint over the picture as `chiaro render` makes it, at the same size and with the same mesh and camera",
+            "paint over the picture as `chiaro render` makes it, at the same size and with the \
+             same mesh and camera",
         )]);
     }
     Ok(found)
@@ -72,12 +77,16 @@ impl Surface {
     ///
     /// # Errors
     /// What the interpreter cannot run.
-    pub(super) fn new(shot: &Shot<'_>, chosen: &HashSet<[u32; 2]>) -> Result<Self, Vec<Diagnostic>> {
+    pub(super) fn new(
+        shot: &Shot<'_>,
+        chosen: &HashSet<[u32; 2]>,
+    ) -> Result<Self, Vec<Diagnostic>> {
         let setup = wearing(shot, showing("normal"));
         let model = Model::new(&Shot { setup: &setup, ..*shot }, Vec::new(), chosen)?;
         let normals = model.colors(&model.sheet(&model.all()), &[]).map_err(|one| vec![one])?;
         let directions = normals.into_iter().zip(&model.pixels).map(|(normal, pixel)| {
-            let (normal, view) = (DVec3::from(normal).normalize_or(DVec3::Z), model.toward_viewer(*pixel));
+            let (normal, view) =
+                (DVec3::from(normal).normalize_or(DVec3::Z), model.toward_viewer(*pixel));
             [normal, (2.0 * normal.dot(view) * normal - view).normalize_or(normal)]
         });
         let directions = directions.collect();
@@ -90,7 +99,8 @@ impl Surface {
 fn showing(kind: &str) -> Look {
     let node = |kind: &str| Node { kind: kind.to_owned(), ..Node::default() };
     let wire = Wire { from: Endpoint::new("shown", ""), to: Endpoint::new("output", "color") };
-    let nodes = [("shown".into(), node(kind)), ("output".into(), node("output"))].into_iter().collect();
+    let nodes =
+        [("shown".into(), node(kind)), ("output".into(), node("output"))].into_iter().collect();
     Look { graph: Graph { nodes, wires: vec![wire], ..Graph::default() }, ..Look::default() }
 }
 
@@ -111,7 +121,10 @@ mod tests {
         missing[700..740].fill(1.0);
         let chosen = telling(&missing, 40);
         assert_eq!(chosen.len(), 40);
-        assert!(chosen.iter().filter(|&&index| (700..740).contains(&index)).count() >= 19, "{chosen:?}");
+        assert!(
+            chosen.iter().filter(|&&index| (700..740).contains(&index)).count() >= 19,
+            "{chosen:?}"
+        );
         assert!(chosen.iter().filter(|&&index| index < 700).count() >= 13, "{chosen:?}");
         assert_eq!(telling(&missing[..10], 40).len(), 10);
     }

@@ -1,13 +1,16 @@
-//! Light layers from nothing: each is searched for where most is missing, and all are turned together after it.
+//! Light layers from nothing: each is searched for where most is missing, and all are turned
+//! together after it.
 //!
-//! A layer is tried with lights from everywhere, and from where what is missing lies (its normal, or what a mirror would
-//! show there), with a few profiles, at every place in the stack. The best few are turned downhill, and the best stacks of
-//! those go on to the next layer, as one layer's best place is not always what is best with the next. Where the whole
-//! is not near enough, the lowest layer is turned over, and layers are taken out and searched for again.
+//! A layer is tried with lights from everywhere, and from where what is missing lies (its normal,
+//! or what a mirror would show there), with a few profiles, at every place in the stack. The best
+//! few are turned downhill, and the best stacks of those go on to the next layer, as one layer's
+//! best place is not always what is best with the next. Where the whole is not near enough, the
+//! lowest layer is turned over, and layers are taken out and searched for again.
 
 use glam::DVec3;
 use rayon::iter::{
-    IntoParallelIterator as _, IntoParallelRefIterator as _, IntoParallelRefMutIterator as _, ParallelIterator as _,
+    IntoParallelIterator as _, IntoParallelRefIterator as _, IntoParallelRefMutIterator as _,
+    ParallelIterator as _,
 };
 
 use super::beam::{Stack, WIDTHS, Width, apart, best_of};
@@ -49,12 +52,14 @@ const SOFT: f64 = 4.0 / 255.0;
 /// How often layers are searched for again where the whole is not near enough.
 const ROUNDS: usize = 2;
 
-/// Lays up to `layers` light layers over a base so that they show what `target` wishes of `setup`, and puts them in the
-/// place of the nodes of look number `look`. Layers that would change nothing are left out.
+/// Lays up to `layers` light layers over a base so that they show what `target` wishes of `setup`,
+/// and puts them in the place of the nodes of look number `look`. Layers that would change nothing
+/// are left out.
 ///
 /// # Errors
-/// `fit-target` where no painted pixel can be compared; `fit-layers` for no or too many layers; `stopped` where it was
-/// stopped before there was a layer, else the nearest that it had come to is what was fitted; what is wrong with the setup.
+/// `fit-target` where no painted pixel can be compared; `fit-layers` for no or too many layers;
+/// `stopped` where it was stopped before there was a layer, else the nearest that it had come to is
+/// what was fitted; what is wrong with the setup.
 pub fn fit_layers(
     setup: &Setup,
     look: usize,
@@ -78,7 +83,8 @@ pub fn fit_layers(
     let chosen = pixels_of(&given);
     let Surface { directions, pixels } = Surface::new(&shot, &chosen)?;
     let wishes = wishes_of(&pixels, &given)?;
-    let at = |most: usize| Search::new(&directions, &wishes, &evenly(wishes.len(), most)).softly(soft);
+    let at =
+        |most: usize| Search::new(&directions, &wishes, &evenly(wishes.len(), most)).softly(soft);
     let (whole, even) = (at(wishes.len()), at(PIXELS));
     let mut best: Option<Stack> = None;
     for width in WIDTHS {
@@ -98,7 +104,8 @@ pub fn fit_layers(
         if best.as_ref().is_none_or(|best| found.error < best.error) {
             best = Some(found);
         }
-        if progress.is_stopped() || best.as_ref().is_some_and(|best| best.error <= whole.error_of(2.0 * options.enough))
+        if progress.is_stopped()
+            || best.as_ref().is_some_and(|best| best.error <= whole.error_of(2.0 * options.enough))
         {
             break;
         }
@@ -117,7 +124,12 @@ pub fn fit_layers(
     let report = Report::new(&shot, &fitted, target, &before, &after, options)?;
     let report = Report { is_stopped: progress.is_stopped(), ..report };
     let misses = painted(&after);
-    Ok(Fitted { edit: Edit::Replace { look: Box::new(fitted.clone()) }, look: fitted, report, misses })
+    Ok(Fitted {
+        edit: Edit::Replace { look: Box::new(fitted.clone()) },
+        look: fitted,
+        report,
+        misses,
+    })
 }
 
 struct Grower<'a> {
@@ -167,15 +179,16 @@ impl Grower<'_> {
         Search::new(self.surface, self.wishes, &telling(missing, PIXELS)).softly(self.soft)
     }
 
-    /// Where not all that is wished can be had, what is farthest off must not have its way alone: stacks go on downhill at
-    /// pixels that stand for all. The nearest by all pixels comes first.
+    /// Where not all that is wished can be had, what is farthest off must not have its way alone:
+    /// stacks go on downhill at pixels that stand for all. The nearest by all pixels comes first.
     fn evened(&self, stacks: &mut [Stack]) -> Result<(), Diagnostic> {
         let Self { whole, even, .. } = *self;
         let step = |stack: &mut Stack| -> Result<(), Diagnostic> {
             stack.error = whole.error(&whole.taken_over(&stack.point));
             if stack.error > whole.error_of(self.enough) {
                 let until = Until { steps: 20, error: even.error_of(0.5 * self.enough) };
-                let point = descend(even, even.taken_over(&stack.point), until, self.progress)?.point;
+                let point =
+                    descend(even, even.taken_over(&stack.point), until, self.progress)?.point;
                 let error = whole.error(&whole.taken_over(&point));
                 if error < stack.error {
                     *stack = Found { point, error };
@@ -188,7 +201,8 @@ impl Grower<'_> {
         Ok(())
     }
 
-    /// Turns the lowest layer over, and takes each out and searches for it again, while that brings the whole nearer.
+    /// Turns the lowest layer over, and takes each out and searches for it again, while that brings
+    /// the whole nearer.
     fn again(&self, best: Vec<Layer>) -> Result<Stack, Diagnostic> {
         let whole = self.whole;
         let mut best = Found { error: whole.error(&whole.taken_over(&best)), point: best };
@@ -210,7 +224,9 @@ impl Grower<'_> {
                     }
                 };
                 self.evened(&mut found)?;
-                if let Some(nearest) = found.into_iter().next().filter(|found| found.error < 0.98 * best.error) {
+                if let Some(nearest) =
+                    found.into_iter().next().filter(|found| found.error < 0.98 * best.error)
+                {
                     best = nearest;
                 }
             }
@@ -221,8 +237,9 @@ impl Grower<'_> {
         Ok(best)
     }
 
-    /// Stacks whose lowest layer is what lies around it, at any place: light that covers a dark base, and dark that covers
-    /// a light one from the other side, are so nearly the same picture that a search may take either.
+    /// Stacks whose lowest layer is what lies around it, at any place: light that covers a dark
+    /// base, and dark that covers a light one from the other side, are so nearly the same picture
+    /// that a search may take either.
     fn turned_over(&self, search: &Search, layers: &[Layer]) -> Result<Vec<Stack>, Diagnostic> {
         let Some((lowest, rest)) = layers.split_first() else { return Ok(Vec::new()) };
         let lit = lowest.lit.turned_over();
@@ -238,14 +255,28 @@ impl Grower<'_> {
     /// The best of some stacks, turned downhill.
     fn downhill(&self, search: &Search, stacks: Vec<Vec<Layer>>) -> Result<Vec<Stack>, Diagnostic> {
         let turned = |stack: Vec<Layer>, steps: usize, share: f64| {
-            descend(search, stack, Until { steps, error: search.error_of(share * self.enough) }, self.progress)
+            descend(
+                search,
+                stack,
+                Until { steps, error: search.error_of(share * self.enough) },
+                self.progress,
+            )
         };
-        let begun: Result<Vec<Stack>, Diagnostic> = stacks.into_par_iter().map(|stack| turned(stack, 8, 0.5)).collect();
-        best_of(begun?, self.width.beam).into_par_iter().map(|stack| turned(stack.point, 40, 0.2)).collect()
+        let begun: Result<Vec<Stack>, Diagnostic> =
+            stacks.into_par_iter().map(|stack| turned(stack, 8, 0.5)).collect();
+        best_of(begun?, self.width.beam)
+            .into_par_iter()
+            .map(|stack| turned(stack.point, 40, 0.2))
+            .collect()
     }
 
     /// Stacks with one more layer, turned downhill.
-    fn with_one_more(&self, search: &Search, layers: &[Layer], missing: &[f64]) -> Result<Vec<Stack>, Diagnostic> {
+    fn with_one_more(
+        &self,
+        search: &Search,
+        layers: &[Layer],
+        missing: &[f64],
+    ) -> Result<Vec<Stack>, Diagnostic> {
         if self.progress.is_stopped() {
             return Ok(Vec::new());
         }
@@ -271,7 +302,9 @@ impl Grower<'_> {
         };
         let mut found: Vec<(Lit, Stack)> = lights.par_iter().filter_map(tried).collect();
         found.sort_by(|a, b| a.1.error.total_cmp(&b.1.error));
-        let begun = apart(found, self.width.beginnings).into_iter().map(|stack| search.taken_over(&stack.point));
+        let begun = apart(found, self.width.beginnings)
+            .into_iter()
+            .map(|stack| search.taken_over(&stack.point));
         self.downhill(search, begun.collect())
     }
 
@@ -291,7 +324,11 @@ impl Grower<'_> {
             }
             directions.extend(told);
             for direction in directions {
-                lights.extend(SHAPES.map(|ends| Lit { kind, direction, shape: Shape::new(ends.map(f64::to_radians)) }));
+                lights.extend(SHAPES.map(|ends| Lit {
+                    kind,
+                    direction,
+                    shape: Shape::new(ends.map(f64::to_radians)),
+                }));
             }
         }
         lights
@@ -304,8 +341,8 @@ fn missing(whole: &Search, layers: &[Layer]) -> Vec<f64> {
     misses.chunks_exact(3).map(|miss| miss.iter().map(|x| x * x).sum::<f64>().sqrt()).collect()
 }
 
-/// Where a layer may go among `count` others, and how it is laid. To add to the base is to cover it, unless the sum is cut
-/// off at white.
+/// Where a layer may go among `count` others, and how it is laid. To add to the base is to cover
+/// it, unless the sum is cut off at white.
 fn places(count: usize, search: &Search) -> Vec<(usize, Mode)> {
     let at = |place: usize| {
         let is_the_same = place == 0 && !search.is_cut_off();

@@ -1,4 +1,5 @@
-//! What of a look is turned: directions of its lights, profiles and colours, with where they are written.
+//! What of a look is turned: directions of its lights, profiles and colors, with where they are
+//! written.
 
 use std::collections::HashSet;
 
@@ -17,7 +18,8 @@ use super::state::{Setting, Shape};
 /// The ports of a profile, which belong together.
 const ENDS: [&str; 3] = ["offset", "falloff", "cutoff"];
 
-/// Of ramps as many stops are turned: each is a colour of its own, and more of them than this few strokes tell nothing of.
+/// Of ramps as many stops are turned: each is a color of its own, and more of them than this few
+/// strokes tell nothing of.
 const MOST_STOPS: usize = 24;
 
 /// What is turned.
@@ -27,9 +29,9 @@ pub(super) enum Knob {
     Direction(LightId),
     /// A profile's offset, fall-off and cut-off.
     Profile(NodePath),
-    /// A colour; its alpha stays.
+    /// A color; its alpha stays.
     Color { node: NodePath, port: PortName, alpha: f64 },
-    /// A colour of a ramp, by its index; its place and alpha stay.
+    /// A color of a ramp, by its index; its place and alpha stay.
     Stop { node: NodePath, port: PortName, index: usize, ramp: Ramp },
 }
 
@@ -49,11 +51,14 @@ impl Knob {
         match self {
             Self::Direction(_) => Vec::new(),
             Self::Profile(node) => ENDS.map(|port| (node.clone(), port.into())).to_vec(),
-            Self::Color { node, port, .. } | Self::Stop { node, port, .. } => vec![(node.clone(), port.clone())],
+            Self::Color { node, port, .. } | Self::Stop { node, port, .. } => {
+                vec![(node.clone(), port.clone())]
+            }
         }
     }
 
-    /// The values of its inputs, in their order. `before` is what a ramp has by now: its stops are set one after the other.
+    /// The values of its inputs, in their order. `before` is what a ramp has by now: its stops are
+    /// set one after the other.
     pub(super) fn values(&self, setting: &Setting, before: Option<&Value>) -> Vec<Value> {
         match (self, setting) {
             (Self::Stop { index, ramp, .. }, Setting::Color(color)) => {
@@ -61,13 +66,16 @@ impl Knob {
                 vec![Value::Ramp(with_stop(before, *index, *color))]
             }
             (Self::Profile(_), Setting::Profile(shape)) => shape.ends().map(Value::Number).to_vec(),
-            (Self::Color { alpha, .. }, Setting::Color([r, g, b])) => vec![Value::Vector(vec![*r, *g, *b, *alpha])],
+            (Self::Color { alpha, .. }, Setting::Color([r, g, b])) => {
+                vec![Value::Vector(vec![*r, *g, *b, *alpha])]
+            }
             _ => Vec::new(),
         }
     }
 }
 
-/// Writes settings into a look, in numbers that people can read: five decimals are finer than a tenth of a pixel.
+/// Writes settings into a look, in numbers that people can read: five decimals are finer than a
+/// tenth of a pixel.
 pub(super) fn edits(knobs: &[Knob], state: &[Setting], look: &Look) -> Vec<Edit> {
     let mut edits = Vec::new();
     let mut values: IndexMap<(NodePath, PortName), Value> = IndexMap::new();
@@ -91,7 +99,7 @@ pub(super) fn edits(knobs: &[Knob], state: &[Setting], look: &Look) -> Vec<Edit>
     edits
 }
 
-/// A ramp with another colour at a stop, which keeps its alpha.
+/// A ramp with another color at a stop, which keeps its alpha.
 fn with_stop(ramp: &Ramp, index: usize, color: [f64; 3]) -> Ramp {
     let mut ramp = ramp.clone();
     if let Some(stop) = ramp.stops.get_mut(index) {
@@ -107,21 +115,25 @@ fn short(x: f64) -> f64 {
 fn shortened(value: Value) -> Value {
     match value {
         Value::Number(x) => Value::Number(short(x)),
-        // A colour that is opaque needs no alpha.
+        // A color that is opaque needs no alpha.
         Value::Vector(v) => {
             let is_opaque = v.len() == 4 && v[3] == 1.0;
             Value::Vector(v.into_iter().take(if is_opaque { 3 } else { 4 }).map(short).collect())
         }
         Value::Ramp(mut ramp) => {
-            ramp.stops.iter_mut().flat_map(|stop| &mut stop.color).for_each(|channel| *channel = short(*channel));
+            ramp.stops
+                .iter_mut()
+                .flat_map(|stop| &mut stop.color)
+                .for_each(|channel| *channel = short(*channel));
             Value::Ramp(ramp)
         }
         other => other,
     }
 }
 
-/// Everything of a look that can be turned, with where it stands. What is wired, keyed, or set by the scene stays, and so
-/// does a ramp whose stops would be more than [`MOST_STOPS`] with those of others.
+/// Everything of a look that can be turned, with where it stands. What is wired, keyed, or set by
+/// the scene stays, and so does a ramp whose stops would be more than [`MOST_STOPS`] with those of
+/// others.
 ///
 /// # Errors
 /// Everything that is wrong with the look.
@@ -159,7 +171,9 @@ pub(super) fn knobs_of(
             {
                 let target = Target::Input { node: param.path.clone(), port: param.port.clone() };
                 let stops = stops(param, ramp);
-                if !fixed.contains(&target) && stops.iter().all(|(knob, _)| known.insert(knob.told())) {
+                if !fixed.contains(&target)
+                    && stops.iter().all(|(knob, _)| known.insert(knob.told()))
+                {
                     stops_left -= stops.len();
                     knobs.extend(stops);
                 }
@@ -167,7 +181,10 @@ pub(super) fn knobs_of(
             }
             let Some((knob, setting)) = found else { continue };
             let is_base = keep.base && node.def.kind == "base";
-            let is_fixed = knob.inputs().into_iter().any(|(node, port)| fixed.contains(&Target::Input { node, port }));
+            let is_fixed = knob
+                .inputs()
+                .into_iter()
+                .any(|(node, port)| fixed.contains(&Target::Input { node, port }));
             if !is_base && !is_fixed && known.insert(knob.told()) {
                 knobs.push((knob, setting));
             }
@@ -181,7 +198,9 @@ fn fixed(setup: &Setup, index: usize, typed: &TypedGraph) -> HashSet<Target> {
     let mut fixed: HashSet<Target> = typed.keyed.iter().cloned().collect();
     for object in setup.objects.iter().filter(|object| object.looks.contains(&Some(index))) {
         let is_set = |name: &PortName| object.values.contains_key(name);
-        fixed.extend(typed.exposed.iter().filter(|exposed| is_set(&exposed.name)).map(|e| e.target.clone()));
+        fixed.extend(
+            typed.exposed.iter().filter(|exposed| is_set(&exposed.name)).map(|e| e.target.clone()),
+        );
     }
     fixed
 }
@@ -231,7 +250,8 @@ fn lights(
 /// The profile that a parameter is an end of, where all of its ends are parameters.
 fn profile(param: &Param, params: &[Param]) -> Option<(Knob, Setting)> {
     let end = |name: &str| {
-        let it = params.iter().find(|other| other.path == param.path && other.port.as_str() == name)?;
+        let it =
+            params.iter().find(|other| other.path == param.path && other.port.as_str() == name)?;
         match it.value {
             Some(Value::Number(x)) => Some(x),
             _ => None,
@@ -241,11 +261,16 @@ fn profile(param: &Param, params: &[Param]) -> Option<(Knob, Setting)> {
     Some((Knob::Profile(param.path.clone()), Setting::Profile(shape)))
 }
 
-/// The colours of a ramp.
+/// The colors of a ramp.
 fn stops(param: &Param, ramp: &Ramp) -> Vec<(Knob, Setting)> {
     let stop = |(index, color): (usize, &Vec<f64>)| {
         let &[r, g, b, ..] = color.as_slice() else { return None };
-        let knob = Knob::Stop { node: param.path.clone(), port: param.port.clone(), index, ramp: ramp.clone() };
+        let knob = Knob::Stop {
+            node: param.path.clone(),
+            port: param.port.clone(),
+            index,
+            ramp: ramp.clone(),
+        };
         Some((knob, Setting::Color([r, g, b].map(|x| x.clamp(0.0, 1.0)))))
     };
     ramp.stops.iter().map(|stop| &stop.color).enumerate().filter_map(stop).collect()

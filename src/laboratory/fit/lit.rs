@@ -1,8 +1,9 @@
 //! A layer's light and profile, and the tone that they make.
 //!
-//! The search has the formula of the BADF paper (eq. 5, 11) by hand and without antialiasing, at the reference's normals and
-//! mirrored views: it tries tens of thousands of tones, where the interpreter would take minutes. It only has to come near.
-//! What it finds becomes a look, and is turned on the reference from there.
+//! The search has the formula of the BADF paper (eq. 5, 11) by hand and without antialiasing, at
+//! the reference's normals and mirrored views: it tries tens of thousands of tones, where the
+//! interpreter would take minutes. It only has to come near. What it finds becomes a look, and is
+//! turned on the reference from there.
 
 use std::f64::consts::PI;
 
@@ -41,7 +42,8 @@ pub(super) struct Lit {
 }
 
 impl Lit {
-    /// The tone where the surface's direction is `direction`: 1 up to the offset, 0 from the cut-off on (BADF eq. 5).
+    /// The tone where the surface's direction is `direction`: 1 up to the offset, 0 from the
+    /// cut-off on (BADF eq. 5).
     pub(super) fn tone(&self, direction: DVec3) -> f64 {
         self.shape.tone(self.direction.dot(direction).clamp(-1.0, 1.0).acos())
     }
@@ -53,12 +55,23 @@ impl Lit {
         let cutoff = PI - self.shape.offset;
         let shapes = (0..TURNED).flat_map(|begin| {
             let offset = cutoff * f64::from(begin) / f64::from(TURNED);
-            // A steep profile is as good as gone long before its cut-off, so what is left of it begins anywhere.
-            [0.2, 0.35, 0.5, 0.65, 0.8, 0.95].map(|share| Shape { offset, width: cutoff - offset, share })
+            // A steep profile is as good as gone long before its cut-off, so what is left of it
+            // begins anywhere.
+            [0.2, 0.35, 0.5, 0.65, 0.8, 0.95].map(|share| Shape {
+                offset,
+                width: cutoff - offset,
+                share,
+            })
         });
-        let miss = |shape: &Shape| angles().map(|angle| (shape.tone(angle) - around(angle)).powi(2)).sum::<f64>();
+        let miss = |shape: &Shape| {
+            angles().map(|angle| (shape.tone(angle) - around(angle)).powi(2)).sum::<f64>()
+        };
         let nearest = shapes.map(|shape| (miss(&shape), shape)).min_by(|a, b| a.0.total_cmp(&b.0));
-        Self { direction: -self.direction, shape: nearest.map_or(self.shape, |(_, shape)| shape), ..*self }
+        Self {
+            direction: -self.direction,
+            shape: nearest.map_or(self.shape, |(_, shape)| shape),
+            ..*self
+        }
     }
 }
 
@@ -86,7 +99,8 @@ impl Shape {
 mod tests {
     use super::*;
 
-    /// A profile and what is left of it make one together, nearly: no profile is exactly what another leaves.
+    /// A profile and what is left of it make one together, nearly: no profile is exactly what
+    /// another leaves.
     #[test]
     fn what_is_turned_over_lies_around() {
         for ends in [[0.3, 0.8, 1.4], [1.9, 2.0, PI], [0.8, 1.2, 1.25], [0.0, 1.0, PI]] {
@@ -97,7 +111,11 @@ mod tests {
                 let (sin, cos) = f64::from(step).to_radians().sin_cos();
                 let place = DVec3::new(sin, 0.0, cos);
                 let sum = lit.tone(place) + over.tone(place);
-                assert!((sum - 1.0).abs() < 0.12, "{ends:?} at {step} degrees: {sum}, {:?}", over.shape);
+                assert!(
+                    (sum - 1.0).abs() < 0.12,
+                    "{ends:?} at {step} degrees: {sum}, {:?}",
+                    over.shape
+                );
             }
         }
     }

@@ -1,14 +1,17 @@
-//! Painted shading (Okabe et al. 2007, the last wish of the BADF paper): a look from what was painted on a picture.
+//! Painted shading (Okabe et al. 2007, the last wish of the BADF paper): a look from what was
+//! painted on a picture.
 //!
-//! A [`Target`] says what some pixels should show. [`fit_look`] turns the lights, profiles and colours of a look until it
-//! shows that; [`fit_layers`] begins from nothing and lays light layers one over the other, each where most is missing.
-//! Both end in damped least squares (`solve`) on the picture of the f64 reference at the painted pixels alone (`model`),
-//! and leave an ordinary look with the edit that makes it. [`Report`] says how far off it was and is.
+//! A [`Target`] says what some pixels should show. [`fit_look`] turns the lights, profiles and
+//! colors of a look until it shows that; [`fit_layers`] begins from nothing and lays light layers
+//! one over the other, each where most is missing. Both end in damped least squares (`solve`) on
+//! the picture of the f64 reference at the painted pixels alone (`model`), and leave an ordinary
+//! look with the edit that makes it. [`Report`] says how far off it was and is.
 //!
-//! Two things keep the search honest and quick. The colours of a stack of layers enter its picture linearly, so that
-//! for any tones of the layers the best colours are known at once, and only where light comes from and how it falls off
-//! is searched (variable projection, Golub and Pereyra 1973; `stack`). And a hard edge pulls at nothing but its own
-//! pixels, so that every search begins with soft profiles, which narrow by themselves as they come closer.
+//! Two things keep the search honest and quick. The colors of a stack of layers enter its picture
+//! linearly, so that for any tones of the layers the best colors are known at once, and only where
+//! light comes from and how it falls off is searched (variable projection, Golub and Pereyra 1973;
+//! `stack`). And a hard edge pulls at nothing but its own pixels, so that every search begins with
+//! soft profiles, which narrow by themselves as they come closer.
 
 mod beam;
 mod build;
@@ -39,9 +42,9 @@ pub struct Keep {
     pub lights: bool,
     /// Offsets, fall-offs and cut-offs.
     pub profiles: bool,
-    /// Colours, that of the base too.
+    /// Colors, that of the base too.
     pub colors: bool,
-    /// The colour of the base.
+    /// The color of the base.
     pub base: bool,
 }
 
@@ -52,7 +55,8 @@ pub struct FitOptions {
     pub time: f64,
     /// What stays.
     pub keep: Keep,
-    /// How far what is not painted stays as it is: 0 lets it go, 1 keeps it as far as strokes let it.
+    /// How far what is not painted stays as it is: 0 lets it go, 1 keeps it as far as strokes let
+    /// it.
     pub keep_rest: f64,
     /// From how many beginnings a look that is there is turned, its own first: at least 1.
     pub starts: usize,

@@ -1,8 +1,9 @@
 //! A look at chosen pixels, as a function of what is turned.
 //!
-//! The look is compiled with what is turned as uniforms and all else folded, and its picture is drawn once by the
-//! reference, which keeps the fragments of the chosen pixels ([`Gathered`]). A step is then the host's programs in f64
-//! and the fragment shader of these pixels: exactly the picture's own numbers, at a thousandth of its cost.
+//! The look is compiled with what is turned as uniforms and all else folded, and its picture is
+//! drawn once by the reference, which keeps the fragments of the chosen pixels ([`Gathered`]). A
+//! step is then the host's programs in f64 and the fragment shader of these pixels: exactly the
+//! picture's own numbers, at a thousandth of its cost.
 
 use std::collections::{BTreeMap, HashSet};
 use std::sync::Arc;
@@ -18,7 +19,9 @@ use super::target::Wish;
 use crate::compile::{HostInputs, Live, Param, ParamId};
 use crate::diag::Diagnostic;
 use crate::document::{Light, Values};
-use crate::frame::{Assets, CompiledShader, Moment, ParamTable, PlanOptions, Planner, Rig, Setup, Stage, Wires};
+use crate::frame::{
+    Assets, CompiledShader, Moment, ParamTable, PlanOptions, Planner, Rig, Setup, Stage, Wires,
+};
 use crate::ids::{LightId, ObjectId};
 use crate::library::Library;
 use crate::reference::{Control, Gathered, Options, Sheet};
@@ -63,7 +66,8 @@ pub(super) struct Model {
     scene_lights: IndexMap<LightId, Light>,
     illumination: DQuat,
     time: [f64; 2],
-    /// The gathered pixels that can be compared: of draws that wear the look, and not at their edges.
+    /// The gathered pixels that can be compared: of draws that wear the look, and not at their
+    /// edges.
     pub(super) pixels: Vec<[u32; 2]>,
     /// Their places among the gathered ones.
     places: Vec<usize>,
@@ -74,7 +78,11 @@ impl Model {
     ///
     /// # Errors
     /// What is wrong with the look, and what the interpreter cannot run.
-    pub(super) fn new(shot: &Shot<'_>, knobs: Vec<Knob>, chosen: &HashSet<[u32; 2]>) -> Result<Self, Vec<Diagnostic>> {
+    pub(super) fn new(
+        shot: &Shot<'_>,
+        knobs: Vec<Knob>,
+        chosen: &HashSet<[u32; 2]>,
+    ) -> Result<Self, Vec<Diagnostic>> {
         let mut setup = shot.setup.clone();
         setup.edited = Some(shot.look);
         let touched = knobs.iter().flat_map(Knob::inputs).collect();
@@ -84,15 +92,24 @@ impl Model {
         let look = &setup.looks[shot.look].look;
         let mut parts = Vec::new();
         for (number, draw) in plan.draws.iter().enumerate() {
-            let Some((index, object)) = setup.objects.iter().enumerate().find(|(_, o)| o.id == draw.object) else {
+            let Some((index, object)) =
+                setup.objects.iter().enumerate().find(|(_, o)| o.id == draw.object)
+            else {
                 continue;
             };
-            let worn = object.mesh.parts.iter().zip(&object.looks).find(|(part, _)| part.indices == draw.indices);
+            let worn = object
+                .mesh
+                .parts
+                .iter()
+                .zip(&object.looks)
+                .find(|(part, _)| part.indices == draw.indices);
             if worn.is_none_or(|(_, look)| *look != Some(shot.look)) {
                 continue;
             }
             let table = ParamTable::new(&draw.look.params);
-            let ids = |knob: &Knob| knob.inputs().iter().map(|(node, port)| table.find(node, port)).collect();
+            let ids = |knob: &Knob| {
+                knob.inputs().iter().map(|(node, port)| table.find(node, port)).collect()
+            };
             parts.push(Part {
                 draw: number,
                 object: (index, object.center()),
@@ -104,11 +121,12 @@ impl Model {
                 exposed: object.values.clone(),
             });
         }
-        let time = [shot.time, ((shot.time - setup.scene.time.start) * setup.scene.time.fps).round()];
+        let time =
+            [shot.time, ((shot.time - setup.scene.time.start) * setup.scene.time.fps).round()];
         let (rig, lights) = (Rig::new(look).0, look.lights.clone());
         let is_chosen = |pixel: [u32; 2]| chosen.contains(&pixel);
-        let gathered =
-            Gathered::new(plan, &is_chosen, &Options::default(), &Control::none()).map_err(|one| vec![one])?;
+        let gathered = Gathered::new(plan, &is_chosen, &Options::default(), &Control::none())
+            .map_err(|one| vec![one])?;
         let wears = |index: &usize| {
             let seen = gathered.seen[*index];
             parts.iter().any(|part| part.draw == seen.draw) && !is_edge(&gathered, seen.pixel)
@@ -117,7 +135,18 @@ impl Model {
         let pixels = places.iter().map(|&index| gathered.seen[index].pixel).collect();
         let illumination = DQuat::from_array(setup.scene.illumination).normalize();
         let scene_lights = setup.scene.lights;
-        Ok(Self { gathered, parts, knobs, rig, lights, scene_lights, illumination, time, pixels, places })
+        Ok(Self {
+            gathered,
+            parts,
+            knobs,
+            rig,
+            lights,
+            scene_lights,
+            illumination,
+            time,
+            pixels,
+            places,
+        })
     }
 
     /// The places of all pixels.
@@ -125,16 +154,19 @@ impl Model {
         (0..self.pixels.len()).collect()
     }
 
-    /// Places in [`pixels`](Self::pixels) that tell most about what is `missing` at each, of up to `most` quads: a quad is
-    /// shaded whole, whoever of it is looked at.
+    /// Places in [`pixels`](Self::pixels) that tell most about what is `missing` at each, of up to
+    /// `most` quads: a quad is shaded whole, whoever of it is looked at.
     pub(super) fn telling(&self, missing: &[f64], most: usize) -> Vec<usize> {
         let quads = self.quads();
-        let of_quad = |quad: &Vec<usize>| quad.iter().map(|&place| missing.get(place).copied().unwrap_or(0.0)).sum();
+        let of_quad = |quad: &Vec<usize>| {
+            quad.iter().map(|&place| missing.get(place).copied().unwrap_or(0.0)).sum()
+        };
         let missing: Vec<f64> = quads.iter().map(of_quad).collect();
         of_quads(&quads, telling(&missing, most))
     }
 
-    /// Places in [`pixels`](Self::pixels) of up to `most` quads, evenly spread: they stand for all pixels.
+    /// Places in [`pixels`](Self::pixels) of up to `most` quads, evenly spread: they stand for all
+    /// pixels.
     pub(super) fn even(&self, most: usize) -> Vec<usize> {
         let quads = self.quads();
         of_quads(&quads, evenly(quads.len(), most))
@@ -151,9 +183,13 @@ impl Model {
 
     /// Unit, from what is seen in the middle of a pixel toward the viewer, world space.
     pub(super) fn toward_viewer(&self, [x, y]: [u32; 2]) -> DVec3 {
-        let (view, [width, height]) = (&self.gathered.plan().view, self.gathered.plan().size.map(f64::from));
-        let (across, up) = ((2.0 * f64::from(x) + 1.0) / width - 1.0, 1.0 - (2.0 * f64::from(y) + 1.0) / height);
-        view.toward_viewer(view.clip_from_world.inverse().project_point3(DVec3::new(across, up, 0.5)))
+        let (view, [width, height]) =
+            (&self.gathered.plan().view, self.gathered.plan().size.map(f64::from));
+        let (across, up) =
+            ((2.0 * f64::from(x) + 1.0) / width - 1.0, 1.0 - (2.0 * f64::from(y) + 1.0) / height);
+        view.toward_viewer(
+            view.clip_from_world.inverse().project_point3(DVec3::new(across, up, 0.5)),
+        )
     }
 
     /// Some of the pixels, by their places in [`pixels`](Self::pixels).
@@ -162,11 +198,16 @@ impl Model {
         self.gathered.sheet(&places)
     }
 
-    /// The colours of a sheet as they are seen, over the scene's backdrop where the look is transparent.
+    /// The colors of a sheet as they are seen, over the scene's backdrop where the look is
+    /// transparent.
     ///
     /// # Errors
     /// What keeps a shader from ending.
-    pub(super) fn colors(&self, sheet: &Sheet, state: &[Setting]) -> Result<Vec<[f64; 3]>, Diagnostic> {
+    pub(super) fn colors(
+        &self,
+        sheet: &Sheet,
+        state: &[Setting],
+    ) -> Result<Vec<[f64; 3]>, Diagnostic> {
         let plan = self.gathered.plan();
         let mut numbers: Vec<Vec<f64>> = plan.draws.iter().map(plan_numbers).collect();
         for part in &self.parts {
@@ -212,12 +253,15 @@ impl Model {
             object_id: number as f64,
         };
         let params: &[Param] = &part.shader.params;
-        let mut values = self.rig.evaluate(params, &part.table, Wires::of(&part.shader), &moment)?;
+        let mut values =
+            self.rig.evaluate(params, &part.table, Wires::of(&part.shader), &moment)?;
         // What is turned is neither wired nor keyed, so nothing else has set it.
         for ((knob, setting), ids) in self.knobs.iter().zip(state).zip(&part.ids) {
             let before = ids.first().copied().flatten().and_then(|id| values.params.get(&id));
             let new = knob.values(setting, before);
-            values.params.extend(ids.iter().zip(new).filter_map(|(id, value)| Some(((*id)?, value))));
+            values
+                .params
+                .extend(ids.iter().zip(new).filter_map(|(id, value)| Some(((*id)?, value))));
         }
         let inputs = HostInputs {
             params: &values.params,
@@ -243,7 +287,8 @@ fn plan_numbers(draw: &crate::frame::Draw) -> Vec<f64> {
     draw.look_uniforms.get(&Stage::Draw).map(|uniform| uniform.numbers.clone()).unwrap_or_default()
 }
 
-/// Whether a pixel lies beside one where something else is on top: a smooth picture has mixed them there.
+/// Whether a pixel lies beside one where something else is on top: a smooth picture has mixed them
+/// there.
 fn is_edge(gathered: &Gathered, [x, y]: [u32; 2]) -> bool {
     let [width, height] = gathered.plan().size;
     let draw = |x: u32, y: u32| gathered.coverage[(y * width + x) as usize].draw;
@@ -273,10 +318,14 @@ impl<'a> Painted<'a> {
         Self { model, sheet: model.sheet(chosen), wishes, soft: 0.0 }
     }
 
-    /// The same, with profiles that are to be broad and soft where that costs less than `soft`, an RMS of a channel.
+    /// The same, with profiles that are to be broad and soft where that costs less than `soft`, an
+    /// RMS of a channel.
     #[must_use]
     pub(super) fn softly(self, soft: f64) -> Self {
-        Self { soft: soft * (3.0 * self.wishes.iter().map(|wish| wish.weight).sum::<f64>()).sqrt(), ..self }
+        Self {
+            soft: soft * (3.0 * self.wishes.iter().map(|wish| wish.weight).sum::<f64>()).sqrt(),
+            ..self
+        }
     }
 }
 

@@ -24,16 +24,19 @@ const FAR: f64 = 10.0 / 255.0;
 /// A fit that leaves more than this of what was missing did hardly help.
 const HARDLY: f64 = 0.7;
 
-/// What a fit came to. Errors are of a channel, straight and as shown, from 0 to 1, weighted as painted.
+/// What a fit came to. Errors are of a channel, straight and as shown, from 0 to 1, weighted as
+/// painted.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
     /// Pixels that were painted.
     pub painted: usize,
-    /// Pixels that were compared: painted ones within the objects, thinned where there are very many.
+    /// Pixels that were compared: painted ones within the objects, thinned where there are very
+    /// many.
     pub compared: usize,
-    /// Cells of the picture that pixels were compared in, of 32 by 32: two dots are a few, however many pixels they have.
+    /// Cells of the picture that pixels were compared in, of 32 by 32: two dots are a few, however
+    /// many pixels they have.
     pub places: usize,
-    /// Numbers that could be turned: two of a light, three of a profile and of a colour.
+    /// Numbers that could be turned: two of a light, three of a profile and of a color.
     pub turned: usize,
     /// What these are of.
     pub tried: Things,
@@ -60,7 +63,7 @@ pub struct Things {
     pub lights: usize,
     /// Profiles.
     pub profiles: usize,
-    /// Colours, also of ramps.
+    /// Colors, also of ramps.
     pub colors: usize,
 }
 
@@ -90,8 +93,11 @@ impl Things {
     /// As people say it: `1 light, 2 profiles and 7 colors`; nothing where there are none.
     pub fn told(&self) -> Option<String> {
         let each = [(self.lights, "light"), (self.profiles, "profile"), (self.colors, "color")];
-        let mut named: Vec<String> =
-            each.into_iter().filter(|(n, _)| *n > 0).map(|(n, noun)| count(n as u64, noun)).collect();
+        let mut named: Vec<String> = each
+            .into_iter()
+            .filter(|(n, _)| *n > 0)
+            .map(|(n, noun)| count(n as u64, noun))
+            .collect();
         let last = named.pop()?;
         Some(if named.is_empty() { last } else { format!("{} and {last}", named.join(", ")) })
     }
@@ -126,15 +132,16 @@ pub struct Missed {
 /// The error at which a picture of misses is at its brightest.
 const BRIGHT: f64 = 0.1;
 
-/// Where a look misses what was painted: black where it does not, over red and yellow to white; transparent where nothing
-/// was compared.
+/// Where a look misses what was painted: black where it does not, over red and yellow to white;
+/// transparent where nothing was compared.
 pub fn picture_of(size: [u32; 2], misses: &[Missed]) -> Picture {
     let mut rgba = vec![[0.0; 4]; size[0] as usize * size[1] as usize];
     for missed in misses {
         let share = 3.0 * (missed.error / BRIGHT).min(1.0) as f32;
         let [x, y] = missed.pixel.map(|at| at as usize);
         if let Some(pixel) = rgba.get_mut(y * size[0] as usize + x) {
-            *pixel = [share.min(1.0), (share - 1.0).clamp(0.0, 1.0), (share - 2.0).clamp(0.0, 1.0), 1.0];
+            *pixel =
+                [share.min(1.0), (share - 1.0).clamp(0.0, 1.0), (share - 2.0).clamp(0.0, 1.0), 1.0];
         }
     }
     Picture { size, rgba }
@@ -201,7 +208,8 @@ impl Report {
 }
 
 impl Report {
-    /// Whether what was painted is hardly there: it is off by more than an eye passes over, or by most of what it was.
+    /// Whether what was painted is hardly there: it is off by more than an eye passes over, or by
+    /// most of what it was.
     pub fn is_far_off(&self) -> bool {
         self.after > FAR || self.after > 0.5 * FAR && self.after > HARDLY * self.before
     }
@@ -216,7 +224,8 @@ impl Report {
         let tried = self.tried.told().unwrap_or_else(|| "nothing".to_owned());
         let steps = |error: f64| format!("{:.0}/255", 255.0 * error);
         let message = format!(
-            "the look is off by {} of what was painted, and was by {}: turning {tried} of it found nothing nearer",
+            "the look is off by {} of what was painted, and was by {}: turning {tried} of it found \
+             nothing nearer",
             steps(self.after),
             steps(self.before)
         );
@@ -227,8 +236,10 @@ impl Report {
         if self.rest.is_some() {
             problem = problem.hint("keep less of what is not painted, with a smaller --keep-rest");
         }
-        let other = if from_nothing { "allow more --layers" } else { "--layers begins from nothing" };
-        let problem = problem.hint(format!("{other}; --misses writes a picture of where it is off"));
+        let other =
+            if from_nothing { "allow more --layers" } else { "--layers begins from nothing" };
+        let problem =
+            problem.hint(format!("{other}; --misses writes a picture of where it is off"));
         self.is_far_off().then_some(problem)
     }
 
@@ -242,13 +253,21 @@ impl Report {
             count(*turned as u64, "number")
         );
         let problem = Diagnostic::warning("fit-few-places", message);
-        (places < turned).then(|| problem.hint("paint more of the light, of the shade, and of where one becomes the other; or keep what is right already, with --keep and --keep-rest"))
+        (places < turned).then(|| {
+            problem.hint(
+                "paint more of the light, of the shade, and of \
+                                                where one becomes the other; or keep what is right \
+                                                already, with --keep and --keep-rest",
+            )
+        })
     }
 }
 
 /// The cells that pixels lie in, of a picture that is cut into 32 by 32.
 fn places(size: [u32; 2], compared: &Compared) -> usize {
-    let cell = |pixel: [u32; 2]| [0, 1].map(|axis| u64::from(pixel[axis]) * CELLS / u64::from(size[axis].max(1)));
+    let cell = |pixel: [u32; 2]| {
+        [0, 1].map(|axis| u64::from(pixel[axis]) * CELLS / u64::from(size[axis].max(1)))
+    };
     compared.iter().map(|one| cell(one.missed.pixel)).collect::<HashSet<_>>().len()
 }
 
@@ -260,7 +279,11 @@ pub(super) fn compared_as_is(shot: &Shot<'_>, given: &[Wish]) -> Result<Compared
 }
 
 /// How far a model is off at each of its pixels.
-pub(super) fn compared(model: &Model, wishes: &[Wish], state: &[Setting]) -> Result<Compared, Diagnostic> {
+pub(super) fn compared(
+    model: &Model,
+    wishes: &[Wish],
+    state: &[Setting],
+) -> Result<Compared, Diagnostic> {
     let colors = model.colors(&model.sheet(&model.all()), state)?;
     let missed = |(wish, shown): (&Wish, [f64; 3])| {
         let error = rms_of(std::array::from_fn(|c| shown[c] - wish.color[c]));
@@ -273,22 +296,31 @@ pub(super) fn compared(model: &Model, wishes: &[Wish], state: &[Setting]) -> Res
 /// The RMS of what was painted, or of the rest; `None` where there is none.
 fn rms(compared: &Compared, of_rest: bool) -> Option<f64> {
     let chosen = compared.iter().filter(|one| one.is_rest == of_rest);
-    let (sum, weight) =
-        chosen.fold((0.0, 0.0), |(sum, total), one| (sum + one.weight * one.missed.error.powi(2), total + one.weight));
+    let (sum, weight) = chosen.fold((0.0, 0.0), |(sum, total), one| {
+        (sum + one.weight * one.missed.error.powi(2), total + one.weight)
+    });
     (weight > 0.0).then(|| (sum / weight).sqrt())
 }
 
 fn changed(old: &[(Knob, Setting)], new: &[(Knob, Setting)]) -> Vec<Changed> {
     let changes = new.iter().filter_map(|(knob, setting)| {
-        let was = old.iter().find(|(other, _)| other.told() == knob.told()).map(|(_, setting)| told(setting));
+        let was = old
+            .iter()
+            .find(|(other, _)| other.told() == knob.told())
+            .map(|(_, setting)| told(setting));
         let to = told(setting);
         let (what, place) = knob.told();
-        (was.as_ref() != Some(&to)).then(|| Changed { what, place, from: was.unwrap_or_default(), to })
+        (was.as_ref() != Some(&to)).then(|| Changed {
+            what,
+            place,
+            from: was.unwrap_or_default(),
+            to,
+        })
     });
     changes.collect()
 }
 
-/// A setting as people read it: angles in degrees, colours in hex.
+/// A setting as people read it: angles in degrees, colors in hex.
 fn told(setting: &Setting) -> String {
     match setting {
         Setting::Direction(direction) => {

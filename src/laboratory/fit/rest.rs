@@ -1,8 +1,9 @@
 //! What nobody painted: it stays as the look shows it, as far as that is asked for.
 //!
-//! Two strokes have all lights and colours of a look for themselves, and what is between them becomes what it will. So
-//! pixels of the rest wish to stay. All together they count in proportion to what is painted, however large either is;
-//! close to a stroke they count less, for light that falls on a place goes out around it.
+//! Two strokes have all lights and colors of a look for themselves, and what is between them
+//! becomes what it will. So pixels of the rest wish to stay. All together they count in proportion
+//! to what is painted, however large either is; close to a stroke they count less, for light that
+//! falls on a place goes out around it.
 
 use std::collections::HashSet;
 
@@ -15,9 +16,11 @@ use crate::diag::Diagnostic;
 const MOST: usize = 768;
 /// Pixels of a picture that they are chosen from.
 const MOST_SEEN: usize = 65_536;
-/// Where the rest is kept wholly, something that moves it as much as what is painted is held back by this part.
+/// Where the rest is kept wholly, something that moves it as much as what is painted is held back
+/// by this part.
 const WHOLLY: f64 = 0.8;
-/// So far from a stroke the rest counts as much as it does anywhere, in parts of the picture's height.
+/// So far from a stroke the rest counts as much as it does anywhere, in parts of the picture's
+/// height.
 const REACH: f64 = 0.1;
 
 /// What nobody painted.
@@ -34,26 +37,36 @@ impl Rest {
     ///
     /// # Errors
     /// What is wrong with the look, and what the interpreter cannot run.
-    pub(super) fn new(shot: &Shot<'_>, target: &Target, kept: f64) -> Result<Self, Vec<Diagnostic>> {
+    pub(super) fn new(
+        shot: &Shot<'_>,
+        target: &Target,
+        kept: f64,
+    ) -> Result<Self, Vec<Diagnostic>> {
         let [width, height] = target.size;
-        let stride = (f64::from(width) * f64::from(height) / MOST_SEEN as f64).sqrt().ceil().max(1.0) as usize;
+        let stride =
+            (f64::from(width) * f64::from(height) / MOST_SEEN as f64).sqrt().ceil().max(1.0)
+                as usize;
         let seen = |side: u32| (0..side).step_by(stride);
-        let chosen: HashSet<[u32; 2]> = seen(height).flat_map(|y| seen(width).map(move |x| [x, y])).collect();
+        let chosen: HashSet<[u32; 2]> =
+            seen(height).flat_map(|y| seen(width).map(move |x| [x, y])).collect();
         let painted: HashSet<[u32; 2]> = target.wishes.iter().map(|wish| wish.pixel).collect();
         let model = Model::new(shot, Vec::new(), &chosen)?;
-        let free: Vec<usize> =
-            (0..model.pixels.len()).filter(|&place| !painted.contains(&model.pixels[place])).collect();
+        let free: Vec<usize> = (0..model.pixels.len())
+            .filter(|&place| !painted.contains(&model.pixels[place]))
+            .collect();
         let share = free.len() as f64 / model.pixels.len().max(1) as f64;
         if kept <= 0.0 || free.is_empty() {
             return Ok(Self { wishes: Vec::new(), share });
         }
-        let chosen: Vec<usize> = evenly(free.len(), MOST).into_iter().map(|index| free[index]).collect();
+        let chosen: Vec<usize> =
+            evenly(free.len(), MOST).into_iter().map(|index| free[index]).collect();
         let colors = model.colors(&model.sheet(&chosen), &[]).map_err(|one| vec![one])?;
         let weighed = |(place, color): (&usize, [f64; 3])| {
             let pixel = model.pixels[*place];
             Wish { pixel, color, weight: away(pixel, target), is_rest: true }
         };
-        let mut wishes: Vec<Wish> = chosen.iter().zip(colors).map(weighed).filter(|wish| wish.weight > 0.0).collect();
+        let mut wishes: Vec<Wish> =
+            chosen.iter().zip(colors).map(weighed).filter(|wish| wish.weight > 0.0).collect();
         let sum = |wishes: &[Wish]| wishes.iter().map(|wish| wish.weight).sum::<f64>();
         let each = share_of(kept) * sum(&target.wishes) / sum(&wishes).max(1e-9);
         wishes.iter_mut().for_each(|wish| wish.weight *= each);
@@ -65,7 +78,8 @@ impl Rest {
 fn away([x, y]: [u32; 2], target: &Target) -> f64 {
     let reach = REACH * f64::from(target.size[1]);
     let squared = |wish: &Wish| {
-        let [across, down] = [f64::from(wish.pixel[0]) - f64::from(x), f64::from(wish.pixel[1]) - f64::from(y)];
+        let [across, down] =
+            [f64::from(wish.pixel[0]) - f64::from(x), f64::from(wish.pixel[1]) - f64::from(y)];
         across * across + down * down
     };
     let nearest = target.wishes.iter().map(squared).fold(f64::INFINITY, f64::min).sqrt();
@@ -73,8 +87,9 @@ fn away([x, y]: [u32; 2], target: &Target) -> f64 {
     part * part * (3.0 - 2.0 * part)
 }
 
-/// How much the rest counts against what is painted, all together. Where all of a look moves as one, its optimum is then
-/// nearer to the rest by an even share of the way with every step of `kept`.
+/// How much the rest counts against what is painted, all together. Where all of a look moves as
+/// one, its optimum is then nearer to the rest by an even share of the way with every step of
+/// `kept`.
 fn share_of(kept: f64) -> f64 {
     let held = WHOLLY * kept.clamp(0.0, 1.0);
     held / (1.0 - held)
@@ -84,7 +99,8 @@ fn share_of(kept: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Something that moves strokes and rest alike, of which strokes wish 1 and the rest 0: the least of (1 - x)^2 + s x^2.
+    /// Something that moves strokes and rest alike, of which strokes wish 1 and the rest 0: the
+    /// least of (1 - x)^2 + s x^2.
     #[test]
     fn every_step_holds_an_even_share() {
         for step in 0..=10 {

@@ -1,7 +1,9 @@
-//! Damped least squares (Levenberg 1944, Marquardt 1963) on derivatives by finite differences, within bounds.
+//! Damped least squares (Levenberg 1944, Marquardt 1963) on derivatives by finite differences,
+//! within bounds.
 //!
-//! Coordinates that stand at a bound, and that would leave it, are held for the step. Columns of the Jacobian are
-//! computed side by side on all cores; each is a number of its own, so that the result is the same on any number.
+//! Coordinates that stand at a bound, and that would leave it, are held for the step. Columns of
+//! the Jacobian are computed side by side on all cores; each is a number of its own, so that the
+//! result is the same on any number.
 
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
@@ -27,7 +29,8 @@ pub(super) trait Problem: Sync {
     /// How far it is off, everywhere.
     fn residuals(&self, point: &Self::Point) -> Result<Vec<f64>, Diagnostic>;
 
-    /// For how many steps a slope is carried along, by what the steps show of it, before it is taken anew.
+    /// For how many steps a slope is carried along, by what the steps show of it, before it is
+    /// taken anew.
     fn patience(&self) -> usize;
 }
 
@@ -173,14 +176,16 @@ impl Normal {
         let mut held: Vec<Option<f64>> = (0..count)
             .map(|i| {
                 let is_flat = self.products[i][i] <= 1e-18;
-                let leaves = (room[i][0] > -1e-9 && self.slope[i] < 0.0) || (room[i][1] < 1e-9 && self.slope[i] > 0.0);
+                let leaves = (room[i][0] > -1e-9 && self.slope[i] < 0.0)
+                    || (room[i][1] < 1e-9 && self.slope[i] > 0.0);
                 (is_flat || leaves).then_some(0.0)
             })
             .collect();
         // What leaves its range goes to the bound, and the others make up for it.
         for _ in 0..=count {
             let step = self.free_step(damping, &held);
-            let beyond = |i: &usize| held[*i].is_none() && !(room[*i][0]..=room[*i][1]).contains(&step[*i]);
+            let beyond =
+                |i: &usize| held[*i].is_none() && !(room[*i][0]..=room[*i][1]).contains(&step[*i]);
             let Some(first) = (0..count).find(beyond) else { return step };
             held[first] = Some(step[first].clamp(room[first][0], room[first][1]));
         }
@@ -193,11 +198,15 @@ impl Normal {
             let product = self.products[i][j];
             if i == j { product * (1.0 + damping) + 1e-12 } else { product }
         };
-        let mut matrix: Vec<Vec<f64>> = free.iter().map(|&i| free.iter().map(|&j| entry(i, j)).collect()).collect();
+        let mut matrix: Vec<Vec<f64>> =
+            free.iter().map(|&i| free.iter().map(|&j| entry(i, j)).collect()).collect();
         let mut right: Vec<f64> = free
             .iter()
             .map(|&i| {
-                let known = held.iter().enumerate().filter_map(|(j, value)| Some(self.products[i][j] * (*value)?));
+                let known = held
+                    .iter()
+                    .enumerate()
+                    .filter_map(|(j, value)| Some(self.products[i][j] * (*value)?));
                 self.slope[i] - known.sum::<f64>()
             })
             .collect();
@@ -208,9 +217,9 @@ impl Normal {
     }
 }
 
-/// Solves a symmetric, positive system by Cholesky's method; the result takes the place of `right`. What has no weight
-/// gets 0. The systems here have a few rows and are solved hundreds of thousands of times, where a library of large
-/// matrices spends its time on being called.
+/// Solves a symmetric, positive system by Cholesky's method; the result takes the place of `right`.
+/// What has no weight gets 0. The systems here have a few rows and are solved hundreds of thousands
+/// of times, where a library of large matrices spends its time on being called.
 pub(super) fn solve_in_place(matrix: &mut [Vec<f64>], right: &mut [f64]) {
     let count = right.len();
     for i in 0..count {
@@ -275,8 +284,13 @@ mod tests {
             assert!(found.point.iter().all(|x| (x - 1.0).abs() < 1e-6), "{found:?}");
         }
         // With x and y at most 1/2 the least is at x = 1/2, y = 1/4.
-        let found = descend(&Valley { high: 0.5, patience: 0 }, [-1.2, 0.4], until, &Progress::new()).unwrap();
-        assert!((found.point[0] - 0.5).abs() < 1e-6 && (found.point[1] - 0.25).abs() < 1e-6, "{found:?}");
+        let found =
+            descend(&Valley { high: 0.5, patience: 0 }, [-1.2, 0.4], until, &Progress::new())
+                .unwrap();
+        assert!(
+            (found.point[0] - 0.5).abs() < 1e-6 && (found.point[1] - 0.25).abs() < 1e-6,
+            "{found:?}"
+        );
     }
 
     #[test]
@@ -284,7 +298,8 @@ mod tests {
         let progress = Progress::new();
         progress.stop();
         let until = Until { steps: 200, error: 0.0 };
-        let found = descend(&Valley { high: 2.0, patience: 0 }, [-1.2, 1.0], until, &progress).unwrap();
+        let found =
+            descend(&Valley { high: 2.0, patience: 0 }, [-1.2, 1.0], until, &progress).unwrap();
         assert_eq!(found.point, [-1.2, 1.0]);
     }
 
@@ -293,6 +308,9 @@ mod tests {
         let mut matrix = vec![vec![4.0, 2.0, 0.0], vec![2.0, 3.0, 0.0], vec![0.0, 0.0, 0.0]];
         let mut right = vec![8.0, 8.0, 0.0];
         solve_in_place(&mut matrix, &mut right);
-        assert!((right[0] - 1.0).abs() < 1e-12 && (right[1] - 2.0).abs() < 1e-12 && right[2] == 0.0, "{right:?}");
+        assert!(
+            (right[0] - 1.0).abs() < 1e-12 && (right[1] - 2.0).abs() < 1e-12 && right[2] == 0.0,
+            "{right:?}"
+        );
     }
 }

@@ -1,8 +1,8 @@
-//! Light layers one over the other, whose best colours are known for any tones.
+//! Light layers one over the other, whose best colors are known for any tones.
 //!
-//! A layer mixes its colour over what is below by its tone, or adds it; so the picture is a sum of the colours of base and
-//! layers, each times a factor that is made of tones. For given tones the best colours are a small linear least squares
-//! problem within 0 and 1 for each channel.
+//! A layer mixes its color over what is below by its tone, or adds it; so the picture is a sum of
+//! the colors of base and layers, each times a factor that is made of tones. For given tones the
+//! best colors are a small linear least squares problem within 0 and 1 for each channel.
 
 use std::sync::Arc;
 
@@ -64,7 +64,8 @@ impl Search {
         Self { surface, wishes: chosen.iter().map(|&index| wishes[index]).collect(), soft: 0.0 }
     }
 
-    /// The same, with profiles that are to be broad where that costs less than `soft`, an RMS of a channel.
+    /// The same, with profiles that are to be broad where that costs less than `soft`, an RMS of a
+    /// channel.
     #[must_use]
     pub(super) fn softly(self, soft: f64) -> Self {
         Self { soft, ..self }
@@ -99,7 +100,7 @@ impl Search {
         3.0 * enough * enough * self.wishes.iter().map(|wish| wish.weight).sum::<f64>()
     }
 
-    /// The best colours of base and layers, straight RGB, from the base up.
+    /// The best colors of base and layers, straight RGB, from the base up.
     pub(super) fn colors(&self, layers: &[Layer]) -> Vec<[f64; 3]> {
         let count = layers.len() + 1;
         let mut sums = [Sums::default(); 3];
@@ -117,14 +118,18 @@ impl Search {
         (0..count).map(|part| channels.map(|channel| channel[part])).collect()
     }
 
-    /// How far off each channel of each pixel is with the best colours.
+    /// How far off each channel of each pixel is with the best colors.
     pub(super) fn misses(&self, layers: &[Layer]) -> Vec<f64> {
         let colors = self.colors(layers);
         let mut misses = Vec::with_capacity(3 * self.wishes.len());
         for (index, wish) in self.wishes.iter().enumerate() {
             let (factors, root) = (factors(layers, index), wish.weight.sqrt());
             for channel in 0..3 {
-                let sum: f64 = colors.iter().zip(&factors).map(|(color, factor)| color[channel] * factor).sum();
+                let sum: f64 = colors
+                    .iter()
+                    .zip(&factors)
+                    .map(|(color, factor)| color[channel] * factor)
+                    .sum();
                 misses.push(root * (sum.min(1.0) - wish.color[channel]));
             }
         }
@@ -147,7 +152,7 @@ impl Search {
     }
 }
 
-/// What the colours of base and layers are multiplied with at a pixel.
+/// What the colors of base and layers are multiplied with at a pixel.
 fn factors(layers: &[Layer], pixel: usize) -> [f64; MOST] {
     let mut factors = [0.0; MOST];
     factors[0] = 1.0;
@@ -187,15 +192,22 @@ impl Sums {
         for _ in 0..=count {
             let free: Vec<usize> = (0..count).filter(|&i| held[i].is_none()).collect();
             let ridge = |i: usize, j: usize| if i == j { 1e-9 } else { 0.0 };
-            let mut matrix: Vec<Vec<f64>> =
-                free.iter().map(|&i| free.iter().map(|&j| product(i, j) + ridge(i, j)).collect()).collect();
-            let known = |i: usize| -> f64 { (0..count).filter_map(|j| Some(product(i, j) * held[j]?)).sum() };
+            let mut matrix: Vec<Vec<f64>> = free
+                .iter()
+                .map(|&i| free.iter().map(|&j| product(i, j) + ridge(i, j)).collect())
+                .collect();
+            let known = |i: usize| -> f64 {
+                (0..count).filter_map(|j| Some(product(i, j) * held[j]?)).sum()
+            };
             let mut right: Vec<f64> = free.iter().map(|&i| self.right[i] - known(i)).collect();
             solve_in_place(&mut matrix, &mut right);
             best = held.map(|value| value.unwrap_or(0.0));
             free.iter().zip(&right).for_each(|(&i, value)| best[i] = *value);
             let beyond = |i: &usize| (best[*i] - best[*i].clamp(0.0, 1.0)).abs();
-            let Some(worst) = free.into_iter().max_by(|a, b| beyond(a).total_cmp(&beyond(b))) else { break };
+            let Some(worst) = free.into_iter().max_by(|a, b| beyond(a).total_cmp(&beyond(b)))
+            else {
+                break;
+            };
             if beyond(&worst) < 1e-12 {
                 break;
             }
@@ -210,7 +222,8 @@ impl Problem for Search {
 
     fn room(&self, layers: &Vec<Layer>) -> Vec<[f64; 2]> {
         let of_layer = |layer: &Layer| {
-            [Setting::Direction(layer.lit.direction), Setting::Profile(layer.lit.shape)].map(|setting| setting.room())
+            [Setting::Direction(layer.lit.direction), Setting::Profile(layer.lit.shape)]
+                .map(|setting| setting.room())
         };
         layers.iter().flat_map(of_layer).flatten().collect()
     }
@@ -221,7 +234,8 @@ impl Problem for Search {
                 return layer.clone();
             }
             let mut lit = layer.lit;
-            if let Setting::Direction(direction) = Setting::Direction(lit.direction).moved(&by[..2]) {
+            if let Setting::Direction(direction) = Setting::Direction(lit.direction).moved(&by[..2])
+            {
                 lit.direction = direction;
             }
             if let Setting::Profile(shape) = Setting::Profile(lit.shape).moved(&by[2..]) {

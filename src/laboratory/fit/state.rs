@@ -6,7 +6,8 @@ use glam::DVec3;
 
 /// The least distance of a fall-off from its offset, as a share of the way to the cut-off.
 const LEAST_SHARE: f64 = 0.02;
-/// The greatest offset: at pi a profile is ambient, and neither its light nor its ends mean anything.
+/// The greatest offset: at pi a profile is ambient, and neither its light nor its ends mean
+/// anything.
 const MAX_OFFSET: f64 = PI - 0.01;
 
 /// A profile that goes from 1 to 0 over so many radians is as soft as any.
@@ -26,7 +27,8 @@ pub(super) struct Shape {
 }
 
 impl Shape {
-    /// From an artist's offset, fall-off and cut-off in radians, brought into order as the Profile node does.
+    /// From an artist's offset, fall-off and cut-off in radians, brought into order as the Profile
+    /// node does.
     pub(super) fn new([offset, falloff, cutoff]: [f64; 3]) -> Self {
         let offset = offset.clamp(0.0, PI);
         let width = cutoff.clamp(offset, PI) - offset;
@@ -53,7 +55,8 @@ impl Shape {
         ]
     }
 
-    /// How far it is from being broad and soft: 0 where it is, 1 or more at a spot and with a hard edge.
+    /// How far it is from being broad and soft: 0 where it is, 1 or more at a spot and with a hard
+    /// edge.
     pub(super) fn hardness(&self) -> f64 {
         let narrow = (1.0 - self.width / BROAD).max(0.0);
         // It falls steeply at its offset, or at its cut-off.
@@ -62,7 +65,8 @@ impl Shape {
         narrow + early + late
     }
 
-    /// The same with a soft edge, which tells from afar where it should be: a hard one is felt in its own pixels alone.
+    /// The same with a soft edge, which tells from afar where it should be: a hard one is felt in
+    /// its own pixels alone.
     pub(super) fn softened(&self, width: f64) -> Self {
         let grown = (width - self.width).max(0.0);
         let offset = (self.offset - 0.5 * grown).max(0.0);
@@ -77,7 +81,7 @@ pub(super) enum Setting {
     Direction(DVec3),
     /// A profile.
     Profile(Shape),
-    /// Straight RGB in the look's colour space.
+    /// Straight RGB in the look's color space.
     Color([f64; 3]),
 }
 
@@ -95,7 +99,9 @@ impl Setting {
         match self {
             Self::Direction(direction) => Self::Direction(turned(*direction, [by[0], by[1]])),
             Self::Profile(shape) => Self::Profile(shape.moved(by)),
-            Self::Color(color) => Self::Color(std::array::from_fn(|c| (color[c] + by[c]).clamp(0.0, 1.0))),
+            Self::Color(color) => {
+                Self::Color(std::array::from_fn(|c| (color[c] + by[c]).clamp(0.0, 1.0)))
+            }
         }
     }
 
@@ -104,7 +110,9 @@ impl Setting {
         match self {
             Self::Direction(_) => vec![[-0.5, 0.5]; 2],
             // Far steps trust a straight line too long.
-            Self::Profile(shape) => shape.room().map(|[low, high]| [low.max(-0.5), high.min(0.5)]).to_vec(),
+            Self::Profile(shape) => {
+                shape.room().map(|[low, high]| [low.max(-0.5), high.min(0.5)]).to_vec()
+            }
             Self::Color(color) => color.map(|x| [-x, 1.0 - x]).to_vec(),
         }
     }
@@ -143,7 +151,10 @@ mod tests {
         assert!(shape.ends().iter().zip([0.2, 0.5, 0.8]).all(|(is, was)| (is - was).abs() < 1e-12));
         for by in [[-9.0, 0.0, 0.0], [9.0, 9.0, 9.0], [0.0, -9.0, -9.0], [0.1, -0.2, 0.3]] {
             let [offset, falloff, cutoff] = shape.moved(&by).ends();
-            assert!(0.0 <= offset && offset <= falloff && falloff <= cutoff && cutoff <= PI + 1e-12, "{by:?}");
+            assert!(
+                0.0 <= offset && offset <= falloff && falloff <= cutoff && cutoff <= PI + 1e-12,
+                "{by:?}"
+            );
         }
         let color = Setting::Color([0.2, 0.9, 0.0]).moved(&[0.1, 0.5, -0.5]);
         assert_eq!(color, Setting::Color([0.2 + 0.1, 1.0, 0.0]));
@@ -162,7 +173,10 @@ mod tests {
     fn a_direction_turns_by_the_angle_asked_for() {
         for direction in even_directions(20) {
             let step = turned(direction, [0.03, -0.04]);
-            assert!((step.angle_between(direction) - 0.05).abs() < 1e-9 && (step.length() - 1.0).abs() < 1e-12);
+            assert!(
+                (step.angle_between(direction) - 0.05).abs() < 1e-9
+                    && (step.length() - 1.0).abs() < 1e-12
+            );
         }
     }
 

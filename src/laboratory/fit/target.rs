@@ -1,4 +1,4 @@
-//! What is wished: colours of some pixels of a picture.
+//! What is wished: colors of some pixels of a picture.
 
 use std::io::Cursor;
 
@@ -32,15 +32,18 @@ pub struct Target {
 }
 
 impl Target {
-    /// Straight RGBA, rows from the top: alpha is how much a pixel counts, and where it is 0 nothing is wished.
+    /// Straight RGBA, rows from the top: alpha is how much a pixel counts, and where it is 0
+    /// nothing is wished.
     pub fn from_rgba8(size: [u32; 2], rgba: &[u8]) -> Self {
         let channel = |byte: u8| f64::from(byte) / 255.0;
-        let wishes = rgba.chunks_exact(4).zip(0_u32..).filter(|(texel, _)| texel[3] > 0).map(|(texel, index)| Wish {
-            pixel: [index % size[0].max(1), index / size[0].max(1)],
-            color: [channel(texel[0]), channel(texel[1]), channel(texel[2])],
-            weight: channel(texel[3]),
-            is_rest: false,
-        });
+        let wishes = rgba.chunks_exact(4).zip(0_u32..).filter(|(texel, _)| texel[3] > 0).map(
+            |(texel, index)| Wish {
+                pixel: [index % size[0].max(1), index / size[0].max(1)],
+                color: [channel(texel[0]), channel(texel[1]), channel(texel[2])],
+                weight: channel(texel[3]),
+                is_rest: false,
+            },
+        );
         Self { size, wishes: wishes.collect() }
     }
 
@@ -50,20 +53,29 @@ impl Target {
     /// `fit-target`: it is no PNG, is broken, is larger than [`MAX_SIDE`], or wishes nothing.
     pub fn from_png(bytes: &[u8]) -> Result<Self, Diagnostic> {
         let problem = |message: String| Diagnostic::error("fit-target", message);
-        let broken = |error: image::ImageError| problem(format!("the painted picture cannot be decoded: {error}"));
+        let broken = |error: image::ImageError| {
+            problem(format!("the painted picture cannot be decoded: {error}"))
+        };
         let mut limits = Limits::default();
         (limits.max_image_width, limits.max_image_height) = (Some(MAX_SIDE), Some(MAX_SIDE));
-        let decoder = image::codecs::png::PngDecoder::with_limits(Cursor::new(bytes), limits).map_err(broken)?;
+        let decoder = image::codecs::png::PngDecoder::with_limits(Cursor::new(bytes), limits)
+            .map_err(broken)?;
         let (width, height) = decoder.dimensions();
         if width.max(height) > MAX_SIDE {
-            let message = format!("the painted picture is {width}x{height} pixels, and a side may have {MAX_SIDE}");
+            let message = format!(
+                "the painted picture is {width}x{height} pixels, and a side may have {MAX_SIDE}"
+            );
             return Err(problem(message));
         }
         let rgba = DynamicImage::from_decoder(decoder).map_err(broken)?.into_rgba8();
         let target = Self::from_rgba8([width, height], rgba.as_raw());
         if target.wishes.is_empty() {
-            let problem = problem("all of the painted picture is transparent, so nothing is wished".to_owned());
-            return Err(problem.hint("paint on a transparent layer over the rendered picture, and save that layer"));
+            let problem = problem(
+                "all of the painted picture is transparent, so nothing is wished".to_owned(),
+            );
+            return Err(problem.hint(
+                "paint on a transparent layer over the rendered picture, and save that layer",
+            ));
         }
         Ok(target)
     }
@@ -81,7 +93,10 @@ mod tests {
         let target = Target::from_png(&png).unwrap();
         assert_eq!(target.size, [2, 2]);
         let wish = |pixel, color, weight| Wish { pixel, color, weight, is_rest: false };
-        assert_eq!(target.wishes, [wish([0, 0], [1.0, 0.0, 0.0], 1.0), wish([0, 1], [0.0, 1.0, 0.0], 0.2)]);
+        assert_eq!(
+            target.wishes,
+            [wish([0, 0], [1.0, 0.0, 0.0], 1.0), wish([0, 1], [0.0, 1.0, 0.0], 0.2)]
+        );
     }
 
     #[test]

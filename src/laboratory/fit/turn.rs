@@ -1,4 +1,5 @@
-//! A look that is there: its lights, profiles and colours are turned until it shows what was painted.
+//! A look that is there: its lights, profiles and colors are turned until it shows what was
+//! painted.
 
 use super::choose::{Surface, pixels_of, thinned, wearing, wishes_of};
 use super::knobs::{Knob, edits, knobs_of};
@@ -30,12 +31,13 @@ const ROUNDS: usize = 5;
 /// Radians that a soft edge is wide.
 const SOFT: f64 = 0.6;
 
-/// Turns look number `look` of `setup` until it shows what `target` wishes. Its nodes and wires stay as they are.
+/// Turns look number `look` of `setup` until it shows what `target` wishes. Its nodes and wires
+/// stay as they are.
 ///
 /// # Errors
-/// `fit-nothing` where the look has nothing that could be turned; `fit-target` where no painted pixel can be compared;
-/// `stopped` where it was stopped before it came nearer, else the nearest that it had come to is what was fitted; what is
-/// wrong with the setup.
+/// `fit-nothing` where the look has nothing that could be turned; `fit-target` where no painted
+/// pixel can be compared; `stopped` where it was stopped before it came nearer, else the nearest
+/// that it had come to is what was fitted; what is wrong with the setup.
 pub fn fit_look(
     setup: &Setup,
     look: usize,
@@ -70,14 +72,17 @@ pub fn fit_look(
     found.truncate(GOING_ON);
     let mut best = Nearest::new(&model, &wishes, begin).map_err(one)?;
     for start in found {
-        let far = descend(&painted, start.point, Until { steps: 40, error: 0.25 * enough }, progress).map_err(one)?;
+        let far =
+            descend(&painted, start.point, Until { steps: 40, error: 0.25 * enough }, progress)
+                .map_err(one)?;
         progress.add(1);
         best.offer(&model, &wishes, far.point).map_err(one)?;
     }
     if best.error > error_of(&wishes, options.enough) {
         // Not all of it can be had, and what is farthest off must not have its way alone.
         let even = Painted::new(&model, &wishes, &model.even(EVEN_QUADS));
-        let until = Until { steps: EVEN_STEPS, error: error_of(&even.wishes, 0.5 * options.enough) };
+        let until =
+            Until { steps: EVEN_STEPS, error: error_of(&even.wishes, 0.5 * options.enough) };
         let next = descend(&even, best.state.clone(), until, progress).map_err(one)?;
         best.offer(&model, &wishes, next.point).map_err(one)?;
     }
@@ -93,12 +98,14 @@ pub fn fit_look(
             return Err(vec![stopped()]);
         }
         // What is written in numbers that people read is no nearer: it stays.
-        let report = Report::new(&shot, &setup.looks[look].look, target, &before, &before, options)?;
+        let report =
+            Report::new(&shot, &setup.looks[look].look, target, &before, &before, options)?;
         let misses = painted_of(&before);
         let edit = Edit::Group { edits: Vec::new() };
         return Ok(Fitted { edit, look: setup.looks[look].look.clone(), report, misses });
     }
-    let report = Report { is_stopped, ..Report::new(&shot, &fitted, target, &before, &after, options)? };
+    let report =
+        Report { is_stopped, ..Report::new(&shot, &fitted, target, &before, &after, options)? };
     if is_stopped && report.changed.is_empty() {
         // No nearer than rounding makes it.
         return Err(vec![stopped()]);
@@ -117,8 +124,8 @@ pub(super) struct Polished {
     pub(super) after: Compared,
 }
 
-/// Turns a look that is near downhill at all painted pixels; its profiles are to be broad where that costs less than `soft`,
-/// an RMS of a channel.
+/// Turns a look that is near downhill at all painted pixels; its profiles are to be broad where
+/// that costs less than `soft`, an RMS of a channel.
 ///
 /// # Errors
 /// As [`fit_look`].
@@ -139,7 +146,8 @@ pub(super) fn polished(
         if best.error <= error_of(&wishes, 0.4 / 255.0) || progress.is_stopped() {
             break;
         }
-        let chosen = if is_even { model.even(EVEN_QUADS) } else { model.telling(&best.missing, QUADS) };
+        let chosen =
+            if is_even { model.even(EVEN_QUADS) } else { model.telling(&best.missing, QUADS) };
         let painted = Painted::new(&model, &wishes, &chosen).softly(soft);
         let steps = if is_even { EVEN_STEPS } else { 25 };
         let until = Until { steps, error: error_of(&painted.wishes, 0.1 / 255.0) };
@@ -147,7 +155,8 @@ pub(super) fn polished(
         let next = descend(&painted, best.state.clone(), until, progress).map_err(one)?.point;
         best.offer(&model, &wishes, next).map_err(one)?;
         if best.error > 0.95 * before {
-            // What is farthest off cannot be mended: then all of it counts alike, and after that no more is to be had.
+            // What is farthest off cannot be mended: then all of it counts alike, and after that no
+            // more is to be had.
             if is_even {
                 break;
             }
@@ -179,7 +188,12 @@ impl Nearest {
     }
 
     /// Takes another one if it is nearer.
-    fn offer(&mut self, model: &Model, wishes: &[Wish], state: Vec<Setting>) -> Result<(), Diagnostic> {
+    fn offer(
+        &mut self,
+        model: &Model,
+        wishes: &[Wish],
+        state: Vec<Setting>,
+    ) -> Result<(), Diagnostic> {
         let other = Self::new(model, wishes, state)?;
         if other.error < self.error {
             *self = other;
@@ -193,12 +207,22 @@ fn squares(missing: &[f64]) -> f64 {
 }
 
 /// The look at the painted pixels, with where everything stands.
-fn model(shot: &Shot<'_>, given: &[Wish], options: &FitOptions) -> Result<(Model, Vec<Setting>), Vec<Diagnostic>> {
+fn model(
+    shot: &Shot<'_>,
+    given: &[Wish],
+    options: &FitOptions,
+) -> Result<(Model, Vec<Setting>), Vec<Diagnostic>> {
     let (knobs, begin): (Vec<Knob>, Vec<Setting>) =
         knobs_of(shot.setup, shot.look, shot.library, &options.keep)?.into_iter().unzip();
     if knobs.is_empty() {
-        let problem = Diagnostic::error("fit-nothing", "the look has no light, profile or colour that could be turned");
-        return Err(vec![problem.hint("what is wired or keyed stays as it is; or begin from nothing with --layers")]);
+        let problem = Diagnostic::error(
+            "fit-nothing",
+            "the look has no light, profile or color that could be turned",
+        );
+        return Err(vec![
+            problem
+                .hint("what is wired or keyed stays as it is; or begin from nothing with --layers"),
+        ]);
     }
     Ok((Model::new(shot, knobs, &pixels_of(given))?, begin))
 }
@@ -221,7 +245,8 @@ fn missing_of(compared: &Compared) -> Vec<f64> {
     compared.iter().map(One::miss).collect()
 }
 
-/// Where to begin: as it is, then with soft profiles, then also with the lights where most is missing.
+/// Where to begin: as it is, then with soft profiles, then also with the lights where most is
+/// missing.
 fn starts(
     shot: &Shot<'_>,
     given: &[Wish],
@@ -242,7 +267,8 @@ fn starts(
         let surface = Surface::new(shot, &pixels_of(given))?.directions;
         let mut order: Vec<usize> = (0..missing.len()).collect();
         order.sort_by(|&a, &b| missing[b].total_cmp(&missing[a]).then(a.cmp(&b)));
-        // Of the quarter of the pixels that are farthest off, by turns the normal and what a mirror would show there.
+        // Of the quarter of the pixels that are farthest off, by turns the normal and what a mirror
+        // would show there.
         let far = order.len() / 4 + 1;
         for start in 2..count {
             let mut next = start;

@@ -58,7 +58,8 @@ impl Entry {
         let png = picture.to_png().map_err(|problem| vec![problem])?;
         let mut seen = HashSet::new();
         let modules = plan.draws.iter().filter(|draw| seen.insert(Arc::as_ptr(&draw.look)));
-        let shaders = modules.map(|draw| (draw.look_name.clone(), draw.look.wgsl.clone())).collect();
+        let shaders =
+            modules.map(|draw| (draw.look_name.clone(), draw.look.wgsl.clone())).collect();
         let report = match options.rounds {
             0 => None,
             rounds => Some(measure(&setup, library, renderer, &plan_options, rounds)?),
@@ -68,7 +69,11 @@ impl Entry {
         let entry = Self {
             name,
             about,
-            file: shown.file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default(),
+            file: shown
+                .file
+                .file_name()
+                .map(|name| name.to_string_lossy().into_owned())
+                .unwrap_or_default(),
             png,
             size: picture.size,
             kinds: kinds(&looks),
@@ -114,7 +119,8 @@ fn kinds(looks: &[Look]) -> BTreeMap<String, usize> {
     let mut kinds = BTreeMap::new();
     for look in looks {
         let inner = look.definitions.values().map(|definition| &definition.graph);
-        for node in std::iter::once(&look.graph).chain(inner).flat_map(|graph| graph.nodes.values()) {
+        for node in std::iter::once(&look.graph).chain(inner).flat_map(|graph| graph.nodes.values())
+        {
             if !look.definitions.contains_key(node.kind.as_str()) {
                 *kinds.entry(node.kind.clone()).or_default() += 1;
             }
@@ -138,7 +144,11 @@ fn told(shown: &Shown, setup: &Setup) -> (String, String) {
         name.clone_from(own);
     }
     if name.is_empty() {
-        name = shown.file.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+        name = shown
+            .file
+            .file_stem()
+            .map(|stem| stem.to_string_lossy().into_owned())
+            .unwrap_or_default();
     }
     (name, about)
 }

@@ -111,7 +111,8 @@ struct EntryText {
     time: Option<f64>,
 }
 
-/// Entries are paths or say more; told apart here, so that what is wrong with one is told of its field.
+/// Entries are paths or say more; told apart here, so that what is wrong with one is told of its
+/// field.
 fn entries_text<'de, D: Deserializer<'de>>(entries: D) -> Result<Vec<EntryText>, D::Error> {
     let entry = |entry: Json| {
         let more = if entry.is_string() { serde_json::json!({ "file": entry }) } else { entry };
@@ -125,12 +126,13 @@ fn entries_text<'de, D: Deserializer<'de>>(entries: D) -> Result<Vec<EntryText>,
 /// # Errors
 /// None, as a test holds.
 pub fn examples() -> Result<List, Vec<Diagnostic>> {
-    let in_examples = |file: &Path| PathBuf::from(format!("{}{}", examples::PREFIX, file.display()));
+    let in_examples =
+        |file: &Path| PathBuf::from(format!("{}{}", examples::PREFIX, file.display()));
     parsed(examples::GALLERY, Path::new(LIST_FILE), &in_examples).map_err(|one| vec![one])
 }
 
-/// What is shown of files and folders: a folder's `gallery.json` where it has one, else its looks and scenes by name,
-/// and those of the folders in it, a section a folder.
+/// What is shown of files and folders: a folder's `gallery.json` where it has one, else its looks
+/// and scenes by name, and those of the folders in it, a section a folder.
 ///
 /// # Errors
 /// Paths that are not there, a `gallery.json` that cannot be read, and where nothing is found.
@@ -156,7 +158,11 @@ pub fn list(paths: &[PathBuf]) -> Result<List, Vec<Diagnostic>> {
     if !own.shown.is_empty() {
         all.sections.insert(0, own);
     }
-    let missing = all.sections.iter().flat_map(|section| &section.shown).filter(|shown| !shown.file.is_file());
+    let missing = all
+        .sections
+        .iter()
+        .flat_map(|section| &section.shown)
+        .filter(|shown| !shown.file.is_file());
     problems.extend(missing.map(|shown| {
         let problem = Diagnostic::error("missing-file", "there is no such file");
         problem.in_file(shown.file.display().to_string())
@@ -164,8 +170,11 @@ pub fn list(paths: &[PathBuf]) -> Result<List, Vec<Diagnostic>> {
     let count: usize = all.sections.iter().map(|section| section.shown.len()).sum();
     if count > MOST {
         problems.push(
-            Diagnostic::error("too-many", format!("a gallery shows {MOST} documents at most, and these are {count}"))
-                .hint("make several galleries of them"),
+            Diagnostic::error(
+                "too-many",
+                format!("a gallery shows {MOST} documents at most, and these are {count}"),
+            )
+            .hint("make several galleries of them"),
         );
     }
     if count == 0 && problems.is_empty() {
@@ -210,11 +219,13 @@ fn read(file: &Path) -> Result<List, Diagnostic> {
 /// The list that the text of `file` says; `place` tells where a file lies that it names.
 fn parsed(text: &str, file: &Path, place: &dyn Fn(&Path) -> PathBuf) -> Result<List, Diagnostic> {
     let list_file = file.display().to_string();
-    let bad = |message: String| Diagnostic::error("bad-gallery", message).in_file(list_file.clone());
+    let bad =
+        |message: String| Diagnostic::error("bad-gallery", message).in_file(list_file.clone());
     let list: ListText = serde_json::from_str(text).map_err(|error| {
         bad(error.to_string())
             .hint("write {\"title\", \"about\", \"sections\": [{\"title\", \"about\", \"entries\": [\"look.json\"]}]}")
-            .hint("an entry may say more: {\"file\", \"name\", \"mesh\", \"backdrop\", \"camera\", \"turn_lights\", \"time\"}")
+            .hint("an entry may say more: \
+                   {\"file\", \"name\", \"mesh\", \"backdrop\", \"camera\", \"turn_lights\", \"time\"}")
     })?;
     let color = |file: &Path, text: String| {
         let told = || bad(format!("the backdrop `{text}` of {} is no color", file.display()));
@@ -227,7 +238,15 @@ fn parsed(text: &str, file: &Path, place: &dyn Fn(&Path) -> PathBuf) -> Result<L
     let shown = |entry: EntryText| {
         let EntryText { file, mesh, backdrop, name, camera, turn_lights: lights, time } = entry;
         let backdrop = backdrop.map(|text| color(&file, text)).transpose()?;
-        let shown = Shown { file: place(&file), mesh: mesh.map(mesh_of), backdrop, name, camera, lights, time };
+        let shown = Shown {
+            file: place(&file),
+            mesh: mesh.map(mesh_of),
+            backdrop,
+            name,
+            camera,
+            lights,
+            time,
+        };
         // Tried here, so that what is wrong is told before anything is drawn.
         shown.place(&mut Scene::default()).map_err(|problem| problem.in_file(list_file.clone()))?;
         Ok(shown)
@@ -243,7 +262,8 @@ fn parsed(text: &str, file: &Path, place: &dyn Fn(&Path) -> PathBuf) -> Result<L
 /// The documents right in a folder, by name.
 fn documents(folder: &Path) -> Result<Vec<Shown>, Diagnostic> {
     let is_document = |path: &PathBuf| {
-        let is_json = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"));
+        let is_json =
+            path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"));
         is_json && path.file_name().is_some_and(|name| name != LIST_FILE)
     };
     let found = entries(folder)?.into_iter().filter(is_document);
@@ -252,7 +272,8 @@ fn documents(folder: &Path) -> Result<Vec<Shown>, Diagnostic> {
 
 fn entries(folder: &Path) -> Result<Vec<PathBuf>, Diagnostic> {
     let told = |error: std::io::Error| {
-        let problem = Diagnostic::error("cannot-read", format!("the folder cannot be read: {error}"));
+        let problem =
+            Diagnostic::error("cannot-read", format!("the folder cannot be read: {error}"));
         problem.in_file(folder.display().to_string())
     };
     let mut found = Vec::new();
@@ -266,7 +287,10 @@ fn entries(folder: &Path) -> Result<Vec<PathBuf>, Diagnostic> {
 /// A folder's name as a title.
 fn name_of(folder: &Path) -> String {
     let whole = folder.canonicalize().unwrap_or_else(|_| folder.to_path_buf());
-    let name = whole.file_name().map(|name| name.to_string_lossy().replace(['-', '_'], " ")).unwrap_or_default();
+    let name = whole
+        .file_name()
+        .map(|name| name.to_string_lossy().replace(['-', '_'], " "))
+        .unwrap_or_default();
     let mut letters = name.chars();
     letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
 }
@@ -283,11 +307,15 @@ mod tests {
             std::fs::create_dir_all(path.parent().unwrap()).unwrap();
             std::fs::write(path, "{}").unwrap();
         };
-        ["b.json", "a.json", "more-looks/c.json", "more-looks/c.png", "empty/nothing.txt"].into_iter().for_each(write);
+        ["b.json", "a.json", "more-looks/c.json", "more-looks/c.png", "empty/nothing.txt"]
+            .into_iter()
+            .for_each(write);
         let found = list(&[folder.path().to_path_buf()]).unwrap();
-        let titles: Vec<&str> = found.sections.iter().map(|section| section.title.as_str()).collect();
+        let titles: Vec<&str> =
+            found.sections.iter().map(|section| section.title.as_str()).collect();
         assert_eq!(titles, ["", "More looks"]);
-        let names: Vec<_> = found.sections[0].shown.iter().map(|shown| shown.file.file_name().unwrap()).collect();
+        let names: Vec<_> =
+            found.sections[0].shown.iter().map(|shown| shown.file.file_name().unwrap()).collect();
         assert_eq!(names, ["a.json", "b.json"]);
     }
 
@@ -300,15 +328,24 @@ mod tests {
         std::fs::write(&path, text).unwrap();
         let found = list(&[folder.path().to_path_buf()]).unwrap();
         let [plain, with] = found.sections[0].shown.as_slice() else { panic!("{found:?}") };
-        assert_eq!((found.title.as_str(), plain.mesh.as_deref(), plain.backdrop), ("T", None, None));
+        assert_eq!(
+            (found.title.as_str(), plain.mesh.as_deref(), plain.backdrop),
+            ("T", None, None)
+        );
         assert_eq!((with.mesh.as_deref(), with.backdrop), (Some("shape:knot"), Some([1.0; 4])));
 
         std::fs::write(&path, text.replace("entries", "entrys")).unwrap();
         let problems = list(&[folder.path().to_path_buf()]).unwrap_err();
-        assert!(problems[0].message.contains("entrys") && problems[0].to_string().contains(LIST_FILE), "{problems:?}");
+        assert!(
+            problems[0].message.contains("entrys") && problems[0].to_string().contains(LIST_FILE),
+            "{problems:?}"
+        );
         std::fs::write(&path, text.replace("#ffffff", "white")).unwrap();
         let problems = list(&[folder.path().to_path_buf()]).unwrap_err();
-        assert!(problems[0].code == "bad-gallery" && problems[0].message.contains("`white`"), "{problems:?}");
+        assert!(
+            problems[0].code == "bad-gallery" && problems[0].message.contains("`white`"),
+            "{problems:?}"
+        );
         std::fs::write(&path, text.replace("\"a.json\", ", "\"b.json\", ")).unwrap();
         assert_eq!(list(&[folder.path().to_path_buf()]).unwrap_err()[0].code, "missing-file");
         std::fs::write(&path, text.replace("backdrop", "backdrp")).unwrap();
@@ -334,12 +371,15 @@ mod tests {
         let found = list(&[folder.path().to_path_buf()]).unwrap();
         let shown = &found.sections[0].shown[0];
         assert_eq!((shown.name.as_deref(), shown.time), (Some("Dusk"), Some(2.5)));
-        assert_eq!((shown.camera.as_deref(), shown.lights.as_deref()), (Some("orbit=60,10"), Some("180")));
+        assert_eq!(
+            (shown.camera.as_deref(), shown.lights.as_deref()),
+            (Some("orbit=60,10"), Some("180"))
+        );
         for (right, wrong) in [("orbit=60,10", "orbit=60"), ("\"180\"", "\"round\"")] {
             std::fs::write(&path, text.replace(right, wrong)).unwrap();
             let problems = list(&[folder.path().to_path_buf()]).unwrap_err();
-            let is_told =
-                problems[0].message.contains(wrong.trim_matches('"')) && problems[0].message.contains("a.json");
+            let is_told = problems[0].message.contains(wrong.trim_matches('"'))
+                && problems[0].message.contains("a.json");
             assert!(problems[0].code == "bad-gallery" && is_told, "{problems:?}");
         }
     }
@@ -347,7 +387,8 @@ mod tests {
     #[test]
     fn the_examples_are_shown_without_a_folder() {
         let found = examples().unwrap();
-        let shown: Vec<&PathBuf> = found.sections.iter().flat_map(|section| &section.shown).map(|s| &s.file).collect();
+        let shown: Vec<&PathBuf> =
+            found.sections.iter().flat_map(|section| &section.shown).map(|s| &s.file).collect();
         assert!(!shown.is_empty());
         for file in shown {
             assert!(examples::file(file).is_some(), "{}", file.display());

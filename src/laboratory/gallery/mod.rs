@@ -1,8 +1,9 @@
 //! Looks and scenes as a web page: pictures, graphs, shaders, and what they cost.
 //!
-//! [`list`] says what is shown, [`build`] draws and measures one document after the other and writes its page at once, so
-//! that a gallery of any length takes the memory of one picture. The pages are plain files: no scripts, nothing from
-//! elsewhere, dark or light as the reader's screen is.
+//! [`list`] says what is shown, [`build`] draws and measures one document after the other and
+//! writes its page at once, so that a gallery of any length takes the memory of one picture. The
+//! pages are plain files: no scripts, nothing from elsewhere, dark or light as the reader's screen
+//! is.
 
 mod entry;
 pub mod list;
@@ -38,7 +39,8 @@ pub struct Options {
     pub rounds: usize,
     /// A mesh or an own shape in place of each document's own.
     pub mesh: Option<String>,
-    /// Where the nodes' documentation lies from the pages, such as `../nodes.md`; nothing is linked without it.
+    /// Where the nodes' documentation lies from the pages, such as `../nodes.md`; nothing is linked
+    /// without it.
     pub nodes: Option<String>,
 }
 
@@ -55,18 +57,20 @@ pub struct Made {
 const GENERATOR: &str = "<meta name=\"generator\" content=\"Chiaro\">";
 
 /// A page.
-const PAGE: OutputKind<'static> = OutputKind { name: "a page of a gallery", is_own: &is_page, has_seal: false };
+const PAGE: OutputKind<'static> =
+    OutputKind { name: "a page of a gallery", is_own: &is_page, has_seal: false };
 
 fn is_page(bytes: &[u8]) -> bool {
     String::from_utf8_lossy(bytes).contains(GENERATOR)
 }
 
-/// Writes a gallery into `folder`, which is made where there is none. `library_for` finds the nodes that a document may
-/// use. A document that cannot be shown is left out and told of. A page comes with its pictures, all at once.
+/// Writes a gallery into `folder`, which is made where there is none. `library_for` finds the nodes
+/// that a document may use. A document that cannot be shown is left out and told of. A page comes
+/// with its pictures, all at once.
 ///
 /// # Errors
-/// Where nothing can be written there, or a file of somebody else lies in the way, or `progress` stopped it: the pages
-/// that are done stay.
+/// Where nothing can be written there, or a file of somebody else lies in the way, or `progress`
+/// stopped it: the pages that are done stay.
 pub fn build(
     list: &List,
     folder: &Path,
@@ -99,11 +103,16 @@ pub fn build(
                     let page = folder.join(format!("{slug}.html"));
                     let is_picture = |bytes: &[u8]| is_picture(bytes, &page);
                     let picture = OutputKind { is_own: &is_picture, ..OutputKind::PICTURE };
-                    outputs.add(&folder.join(format!("{slug}.png")), picture, &entry.png).map_err(one)?;
+                    outputs
+                        .add(&folder.join(format!("{slug}.png")), picture, &entry.png)
+                        .map_err(one)?;
                     for (place, look) in entry.looks.iter().enumerate() {
                         catalog.sync(look, &library);
-                        let (file, graph) = (page::graph_file(slug, place), page::graph(look, &catalog));
-                        outputs.add(&folder.join(file), OutputKind::DRAWING, graph.as_bytes()).map_err(one)?;
+                        let (file, graph) =
+                            (page::graph_file(slug, place), page::graph(look, &catalog));
+                        outputs
+                            .add(&folder.join(file), OutputKind::DRAWING, graph.as_bytes())
+                            .map_err(one)?;
                     }
                     let html = page::entry(&entry, slug, list, options);
                     outputs.add(&page, PAGE, html.as_bytes()).map_err(one)?;
@@ -126,7 +135,8 @@ pub fn build(
     if made.pages > 0 {
         let index_page = folder.join("index.html");
         let is_style = |bytes: &[u8]| is_style(bytes, &index_page);
-        let style = OutputKind { name: "the style of a gallery", is_own: &is_style, has_seal: false };
+        let style =
+            OutputKind { name: "the style of a gallery", is_own: &is_style, has_seal: false };
         outputs.add(&folder.join("style.css"), style, page::STYLE.as_bytes()).map_err(one)?;
         outputs.add(&index_page, PAGE, index.finish().as_bytes()).map_err(one)?;
         outputs.commit().map_err(one)?;
@@ -134,12 +144,17 @@ pub fn build(
     Ok(made)
 }
 
-/// A page's name for each document in order, each used once: `index` and the like are taken by the gallery itself.
+/// A page's name for each document in order, each used once: `index` and the like are taken by the
+/// gallery itself.
 fn slugs(list: &List) -> Vec<String> {
     let mut taken: HashSet<String> = HashSet::from(["index".to_owned(), "style".to_owned()]);
     let all = list.sections.iter().flat_map(|section| &section.shown);
     let slug = |shown: &Shown| {
-        let stem = shown.file.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+        let stem = shown
+            .file
+            .file_stem()
+            .map(|stem| stem.to_string_lossy().into_owned())
+            .unwrap_or_default();
         let slug = make_slug(&stem, |slug| taken.contains(slug));
         taken.insert(slug.clone());
         slug.replace('_', "-")
@@ -149,13 +164,14 @@ fn slugs(list: &List) -> Vec<String> {
 
 fn make_folder(folder: &Path) -> Result<(), Vec<Diagnostic>> {
     std::fs::create_dir_all(folder).map_err(|error| {
-        let problem = Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
+        let problem =
+            Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
         vec![problem.in_file(folder.display().to_string())]
     })
 }
 
-/// Whether a gallery may be written into a folder, asked before anything is drawn. A page that is not ours stands for a
-/// folder that is not.
+/// Whether a gallery may be written into a folder, asked before anything is drawn. A page that is
+/// not ours stands for a folder that is not.
 ///
 /// # Errors
 /// As [`Outputs::check`], and where `index.html` is somebody else's.
@@ -170,7 +186,9 @@ pub fn check(list: &List, folder: &Path, outputs: &Outputs) -> Result<(), Vec<Di
     };
     if is_others {
         let problem = Diagnostic::error("in-the-way", "its index.html is not a gallery of Chiaro");
-        return Err(vec![problem.in_file(folder.display().to_string()).hint("choose an empty folder with -o")]);
+        return Err(vec![
+            problem.in_file(folder.display().to_string()).hint("choose an empty folder with -o"),
+        ]);
     }
     outputs.check(&index, PAGE).map_err(one)?;
     let is_style = |bytes: &[u8]| is_style(bytes, &index);
@@ -182,7 +200,9 @@ pub fn check(list: &List, folder: &Path, outputs: &Outputs) -> Result<(), Vec<Di
         let picture = OutputKind { is_own: &is_picture, ..OutputKind::PICTURE };
         outputs.check(&page, PAGE).map_err(one)?;
         outputs.check(&folder.join(format!("{slug}.png")), picture).map_err(one)?;
-        outputs.check(&folder.join(page::graph_file(&slug, 0)), OutputKind::DRAWING).map_err(one)?;
+        outputs
+            .check(&folder.join(page::graph_file(&slug, 0)), OutputKind::DRAWING)
+            .map_err(one)?;
     }
     Ok(())
 }
@@ -195,5 +215,6 @@ fn is_picture(bytes: &[u8], page: &Path) -> bool {
 
 /// Whether a style is ours: it is as we write it, or lies beside a page of ours.
 fn is_style(bytes: &[u8], index: &Path) -> bool {
-    bytes == page::STYLE.as_bytes() || files::read(index, MAX_PAGE_BYTES).is_ok_and(|page| is_page(&page))
+    bytes == page::STYLE.as_bytes()
+        || files::read(index, MAX_PAGE_BYTES).is_ok_and(|page| is_page(&page))
 }

@@ -1,4 +1,5 @@
-//! Pictures of nodes, for their documentation: the node as the canvas draws it, and what it gives on a sphere.
+//! Pictures of nodes, for their documentation: the node as the canvas draws it, and what it gives
+//! on a sphere.
 
 use std::path::{Path, PathBuf};
 
@@ -38,15 +39,19 @@ pub fn draw_nodes(
 ) -> Result<(), Vec<Diagnostic>> {
     let catalog = Catalog::new(library);
     let one = |problem: Diagnostic| vec![problem];
-    let told = |error: std::io::Error| one(Diagnostic::error("no-room", format!("no folder for samples: {error}")));
+    let told = |error: std::io::Error| {
+        one(Diagnostic::error("no-room", format!("no folder for samples: {error}")))
+    };
     let folder = tempfile::tempdir().map_err(told)?;
     sample::write_assets(folder.path()).map_err(one)?;
     let kinds: Vec<_> = catalog.all().filter(|kind| kind.id != CUSTOM_KIND).collect();
     progress.expect(kinds.len() as u64);
     for kind in kinds {
         let mut renderer = Renderer::new(gpu.clone());
-        let picture = sample::picture(kind, &catalog, library, &mut renderer, (folder.path(), SIDE))?;
-        done(NodePictures { kind: kind.id.clone(), svg: node_svg(&kind.id, &catalog), picture }).map_err(one)?;
+        let picture =
+            sample::picture(kind, &catalog, library, &mut renderer, (folder.path(), SIDE))?;
+        done(NodePictures { kind: kind.id.clone(), svg: node_svg(&kind.id, &catalog), picture })
+            .map_err(one)?;
         progress.step()?;
     }
     Ok(())
@@ -61,12 +66,15 @@ pub fn check_nodes(library: &Library, folder: &Path, outputs: &Outputs) -> Resul
     catalog.all().filter(|kind| kind.id != CUSTOM_KIND).try_for_each(|kind| {
         let [svg, png] = files_of(folder, &kind.id);
         outputs.check(&svg, OutputKind::DRAWING)?;
-        outputs.check(&png, OutputKind { is_own: &|bytes| is_picture(bytes, &svg), ..OutputKind::PICTURE })
+        outputs.check(
+            &png,
+            OutputKind { is_own: &|bytes| is_picture(bytes, &svg), ..OutputKind::PICTURE },
+        )
     })
 }
 
-/// Writes `KIND.svg` and `KIND.png` of every kind into `folder`, which is made where there is none; the two of a kind
-/// together.
+/// Writes `KIND.svg` and `KIND.png` of every kind into `folder`, which is made where there is none;
+/// the two of a kind together.
 ///
 /// # Errors
 /// As [`draw_nodes`], and where nothing can be written, or files of others are in the way.
@@ -78,13 +86,15 @@ pub fn write_nodes(
     progress: &mut Progress<'_>,
 ) -> Result<(), Vec<Diagnostic>> {
     std::fs::create_dir_all(folder).map_err(|error| {
-        let problem = Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
+        let problem =
+            Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
         vec![problem.in_file(folder.display().to_string())]
     })?;
     draw_nodes(library, gpu, progress, &mut |node| {
         let [svg, png] = files_of(folder, &node.kind);
         if let Some(picture) = &node.picture {
-            let kind = OutputKind { is_own: &|bytes| is_picture(bytes, &svg), ..OutputKind::PICTURE };
+            let kind =
+                OutputKind { is_own: &|bytes| is_picture(bytes, &svg), ..OutputKind::PICTURE };
             outputs.add(&png, kind, &picture.to_png()?)?;
         }
         outputs.add(&svg, OutputKind::DRAWING, node.svg.as_bytes())?;

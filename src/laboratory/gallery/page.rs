@@ -15,7 +15,8 @@ pub(super) const STYLE: &str = include_str!("style.css");
 fn head(title: &str) -> String {
     format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n{GENERATOR}\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n\
+         <meta name=\"viewport\" content=\"width=device-width, \
+         initial-scale=1\">\n<title>{}</title>\n\
          <link rel=\"stylesheet\" href=\"style.css\">\n</head>\n<body>\n",
         escaped(title)
     )
@@ -36,8 +37,12 @@ pub(super) struct Index {
 impl Index {
     pub(super) fn new(list: &List) -> Self {
         let mut html = head(&list.title);
-        let _ =
-            write!(html, "<header>\n<h1>{}</h1>\n{}</header>\n<main>\n", escaped(&list.title), paragraphs(&list.about));
+        let _ = write!(
+            html,
+            "<header>\n<h1>{}</h1>\n{}</header>\n<main>\n",
+            escaped(&list.title),
+            paragraphs(&list.about)
+        );
         Self { html, is_open: false }
     }
 
@@ -56,7 +61,8 @@ impl Index {
         let name = escaped(&entry.name);
         let _ = writeln!(
             self.html,
-            "<a class=\"card\" href=\"{slug}.html\"><img src=\"{slug}.png\" width=\"{width}\" height=\"{height}\" \
+            "<a class=\"card\" href=\"{slug}.html\"><img src=\"{slug}.png\" width=\"{width}\" \
+             height=\"{height}\" \
              alt=\"{name}\" loading=\"lazy\"><span>{name}</span></a>"
         );
     }
@@ -90,8 +96,10 @@ pub(super) fn entry(entry: &Entry, slug: &str, list: &List, options: &Options) -
     let name = escaped(&entry.name);
     let _ = write!(
         html,
-        "<nav><a href=\"index.html\">{}</a></nav>\n<header class=\"entry\">\n<img src=\"{slug}.png\" width=\"{width}\" \
-         height=\"{height}\" alt=\"{name}\">\n<div>\n<h1>{name}</h1>\n{}{}</div>\n</header>\n<main>\n",
+        "<nav><a href=\"index.html\">{}</a></nav>\n<header class=\"entry\">\n<img \
+         src=\"{slug}.png\" width=\"{width}\" \
+         height=\"{height}\" \
+         alt=\"{name}\">\n<div>\n<h1>{name}</h1>\n{}{}</div>\n</header>\n<main>\n",
         escaped(&list.title),
         paragraphs(&entry.about),
         facts(entry, options),
@@ -99,13 +107,17 @@ pub(super) fn entry(entry: &Entry, slug: &str, list: &List, options: &Options) -
     if let Some(report) = &entry.report {
         html += "<h2>What it costs, and how accurate it is</h2>\n";
         html += &costs(&report.rows);
-        let software =
-            if report.is_software { ", a software adapter, whose times say little about a GPU's" } else { "" };
+        let software = if report.is_software {
+            ", a software adapter, whose times say little about a GPU's"
+        } else {
+            ""
+        };
         let clock = if report.has_timestamps { "GPU timestamps" } else { "the clock on the wall" };
         let [width, height] = report.size;
         let _ = writeln!(
             html,
-            "<p class=\"small\">{width}x{height}, one sample a pixel, {} rounds on {}{software}; medians by {clock}. Errors are \
+            "<p class=\"small\">{width}x{height}, one sample a pixel, {} rounds on {}{software}; \
+             medians by {clock}. Errors are \
              distances from the reference's picture in f64, in channels from 0 to 1.</p>",
             report.rounds,
             escaped(&report.adapter),
@@ -113,20 +125,26 @@ pub(super) fn entry(entry: &Entry, slug: &str, list: &List, options: &Options) -
     }
     for (place, look) in entry.looks.iter().enumerate() {
         let file = graph_file(slug, place);
-        let title =
-            if entry.looks.len() == 1 { "Graph".to_owned() } else { format!("Graph of {}", escaped(&look.name)) };
+        let title = if entry.looks.len() == 1 {
+            "Graph".to_owned()
+        } else {
+            format!("Graph of {}", escaped(&look.name))
+        };
         let _ = writeln!(
             html,
-            "<h2>{title}</h2>\n<a class=\"graph\" href=\"{file}\"><img src=\"{file}\" alt=\"{title}\" loading=\"lazy\"></a>"
+            "<h2>{title}</h2>\n<a class=\"graph\" href=\"{file}\"><img src=\"{file}\" \
+             alt=\"{title}\" loading=\"lazy\"></a>"
         );
     }
     html += "<h2>Shader</h2>\n";
     for (name, wgsl) in &entry.shaders {
         let lines = wgsl.lines().count();
-        let of = if entry.shaders.len() == 1 { String::new() } else { format!(" of {}", escaped(name)) };
+        let of =
+            if entry.shaders.len() == 1 { String::new() } else { format!(" of {}", escaped(name)) };
         let _ = writeln!(
             html,
-            "<details><summary>The WGSL{of}, {lines} lines</summary>\n<pre><code>{}</code></pre></details>",
+            "<details><summary>The WGSL{of}, {lines} \
+             lines</summary>\n<pre><code>{}</code></pre></details>",
             escaped(wgsl)
         );
     }
@@ -155,7 +173,8 @@ fn facts(entry: &Entry, options: &Options) -> String {
 
 fn costs(rows: &[Row]) -> String {
     let mut html = String::from(
-        "<table>\n<tr><th>Tier</th><th>ms</th><th>95% interval</th><th>largest error</th><th>99.9% are below</th>\
+        "<table>\n<tr><th>Tier</th><th>ms</th><th>95% interval</th><th>largest error</th><th>99.9% \
+         are below</th>\
          <th>RMS</th><th>pixels over 1/255</th></tr>\n",
     );
     for row in rows {
@@ -164,7 +183,8 @@ fn costs(rows: &[Row]) -> String {
             Subject::Pass(kind) => format!("&nbsp;&nbsp;{} pass", kind.label()),
             Subject::Node { name, .. } => escaped(name),
         };
-        let small = |number: f64| if number == 0.0 { "0".to_owned() } else { format!("{number:.1e}") };
+        let small =
+            |number: f64| if number == 0.0 { "0".to_owned() } else { format!("{number:.1e}") };
         let errors = match &row.error {
             Some(error) => {
                 let [max, p999, rms] = [error.max, error.p999, error.rms].map(small);

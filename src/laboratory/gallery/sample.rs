@@ -13,8 +13,9 @@ use crate::frame::{Assets, Picture, PlanOptions, Planner, SHAPE_PREFIX, SetupLoo
 use crate::library::{Fallback, Library, Type};
 use crate::render::{Renderer, block_on};
 
-/// What shows more of a node than its defaults, by kind: values as in a look's JSON, which source `feed`s which input, what
-/// the output is multiplied by (`times`), on which own shape it is seen (`mesh`), or `null` where there is nothing to see.
+/// What shows more of a node than its defaults, by kind: values as in a look's JSON, which source
+/// `feed`s which input, what the output is multiplied by (`times`), on which own shape it is seen
+/// (`mesh`), or `null` where there is nothing to see.
 const VALUES: &str = crate::NODE_SAMPLES;
 /// What a node is shown on where the table names no other of the own shapes.
 const MESH: &str = "sphere";
@@ -36,7 +37,8 @@ struct Showing {
     mesh: String,
 }
 
-/// A look that shows the first output of a node of `kind`; `None` where there is nothing to see of it.
+/// A look that shows the first output of a node of `kind`; `None` where there is nothing to see of
+/// it.
 fn look_of(kind: &Kind, catalog: &Catalog, showing: Showing) -> Option<Look> {
     let mut build = Build { look: Look::default(), catalog };
     let lights = [("key", [-0.5, 0.6, 0.62]), ("back", [0.8, -0.1, 0.2])];
@@ -64,7 +66,7 @@ fn look_of(kind: &Kind, catalog: &Catalog, showing: Showing) -> Option<Look> {
         Type::Light => build.lit(),
         // Half a turn is white.
         Type::Angle => build.then("share", "divide", "a", &[("b", std::f64::consts::PI)], NODE),
-        // Directions as colours, with the middle grey for 0.
+        // Directions as colors, with the middle grey for 0.
         Type::Vec3 => {
             let half = build.then("half", "multiply", "a", &[("b", 0.5)], NODE);
             build.then("raised", "add", "a", &[("b", 0.5)], half)
@@ -87,16 +89,20 @@ impl Showing {
         if let Some(own) = table.get(&kind.id) {
             let mut own = own.as_object()?.clone();
             if let Some(Json::Object(feed)) = own.remove("feed") {
-                let pair = |(port, source): (String, Json)| Some((port, source.as_str()?.to_owned()));
+                let pair =
+                    |(port, source): (String, Json)| Some((port, source.as_str()?.to_owned()));
                 showing.feed = feed.into_iter().filter_map(pair).collect();
             }
             if let Some(Json::String(mesh)) = own.remove("mesh") {
                 showing.mesh = mesh;
             }
             showing.times = own.remove("times").and_then(|times| times.as_f64());
-            // Read as a document's: numbers, colours, curves and ramps are told apart there.
-            let text = serde_json::json!({"nodes": [{"id": NODE, "kind": kind.id, "values": own}]}).to_string();
-            let node = Look::read(&text, "samples.json").value.and_then(|look| look.graph.nodes.get(NODE).cloned());
+            // Read as a document's: numbers, colors, curves and ramps are told apart there.
+            let text = serde_json::json!({"nodes": [{"id": NODE, "kind": kind.id, "values": own}]})
+                .to_string();
+            let node = Look::read(&text, "samples.json")
+                .value
+                .and_then(|look| look.graph.nodes.get(NODE).cloned());
             showing.values = node.map(|node| node.values).unwrap_or_default();
         }
         for port in &kind.inputs {
@@ -135,26 +141,42 @@ struct Build<'a> {
 
 impl Build<'_> {
     fn add(&mut self, id: &str, kind: &str, values: Values) {
-        self.look.graph.nodes.insert(id.into(), Node { kind: kind.to_owned(), values, ..Node::default() });
+        self.look
+            .graph
+            .nodes
+            .insert(id.into(), Node { kind: kind.to_owned(), values, ..Node::default() });
     }
 
     fn wire(&mut self, from: &str, node: &str, port: &str) {
         let port = if port.is_empty() { self.first_input(node) } else { port.to_owned() };
         let output = self.look.graph.nodes.get(from).and_then(|node| self.catalog.of(node));
-        let output = output.and_then(|kind| kind.outputs.first()).map(|port| port.name.clone()).unwrap_or_default();
+        let output = output
+            .and_then(|kind| kind.outputs.first())
+            .map(|port| port.name.clone())
+            .unwrap_or_default();
         let from = Endpoint { node: from.into(), port: output };
-        self.look.graph.wires.push(Wire { from, to: Endpoint { node: node.into(), port: port.as_str().into() } });
+        self.look
+            .graph
+            .wires
+            .push(Wire { from, to: Endpoint { node: node.into(), port: port.as_str().into() } });
     }
 
     fn first_input(&self, node: &str) -> String {
         let kind = self.look.graph.nodes.get(node).and_then(|node| self.catalog.of(node));
-        kind.and_then(|kind| kind.inputs.first()).map(|port| port.name.to_string()).unwrap_or_default()
+        kind.and_then(|kind| kind.inputs.first())
+            .map(|port| port.name.to_string())
+            .unwrap_or_default()
     }
 
-    /// Whether an input gets a wire: all that need one, and of a node that would be the same everywhere the first, unless
-    /// that was chosen by hand.
+    /// Whether an input gets a wire: all that need one, and of a node that would be the same
+    /// everywhere the first, unless that was chosen by hand.
     fn is_fed(&self, kind: &Kind, port: &Port, is_chosen: bool) -> bool {
-        let has_value = self.look.graph.nodes.get(NODE).is_some_and(|node| node.values.contains_key(&port.name));
+        let has_value = self
+            .look
+            .graph
+            .nodes
+            .get(NODE)
+            .is_some_and(|node| node.values.contains_key(&port.name));
         let has_wire = self.look.graph.wire_into(&NODE.into(), &port.name).is_some();
         if !port.is_wirable() || has_value || has_wire {
             return false;
@@ -162,14 +184,27 @@ impl Build<'_> {
         if matches!(port.fallback, Fallback::Wire) {
             return true;
         }
-        let is_varying = kind.inputs.iter().any(|port| matches!(port.fallback, Fallback::Context(_) | Fallback::Wire));
+        let is_varying = kind
+            .inputs
+            .iter()
+            .any(|port| matches!(port.fallback, Fallback::Context(_) | Fallback::Wire));
         let is_value = kind.category == "input" || kind.id == "base";
-        let first = kind.inputs.iter().find(|port| port.is_wirable() && source_of(kind, &port.ty).is_some());
+        let first = kind
+            .inputs
+            .iter()
+            .find(|port| port.is_wirable() && source_of(kind, &port.ty).is_some());
         !is_chosen && !is_varying && !is_value && first.is_some_and(|first| first.name == port.name)
     }
 
     /// Adds a node with some numbers, fed by `from`.
-    fn then(&mut self, id: &'static str, kind: &str, port: &str, numbers: &[(&str, f64)], from: &str) -> &'static str {
+    fn then(
+        &mut self,
+        id: &'static str,
+        kind: &str,
+        port: &str,
+        numbers: &[(&str, f64)],
+        from: &str,
+    ) -> &'static str {
         let values = numbers.iter().map(|(name, x)| ((*name).into(), Value::Number(*x)));
         self.add(id, kind, values.collect());
         self.wire(from, id, port);
@@ -205,7 +240,11 @@ impl Build<'_> {
                 let soft = [("offset", 0.0), ("falloff", 1.6), ("cutoff", 1.6)];
                 self.then("tone", "profile", "angle", &soft, "turn");
             }
-            "base" => self.add("base", "base", [("color".into(), Value::Vector(vec![0.24, 0.14, 0.2, 1.0]))].into()),
+            "base" => self.add(
+                "base",
+                "base",
+                [("color".into(), Value::Vector(vec![0.24, 0.14, 0.2, 1.0]))].into(),
+            ),
             "facing" => self.add("facing", "camera_normal", Values::default()),
             "across" => {
                 self.make("facing");
@@ -217,7 +256,13 @@ impl Build<'_> {
             // A normal map that leans with the noise.
             "bumps" => {
                 self.make("noise");
-                self.then("bumps", "combine_color", "red", &[("green", 0.5), ("blue", 1.0)], "noise");
+                self.then(
+                    "bumps",
+                    "combine_color",
+                    "red",
+                    &[("green", 0.5), ("blue", 1.0)],
+                    "noise",
+                );
             }
             _ => {
                 self.make("facing");
@@ -228,8 +273,8 @@ impl Build<'_> {
     }
 }
 
-/// Draws what a node of a kind gives, on a transparent ground; `None` where nothing could be seen of it. `folder` is where
-/// the image and the HCBTF lie that some nodes read ([`write_assets`]).
+/// Draws what a node of a kind gives, on a transparent ground; `None` where nothing could be seen
+/// of it. `folder` is where the image and the HCBTF lie that some nodes read ([`write_assets`]).
 pub(super) fn picture(
     kind: &Kind,
     catalog: &Catalog,
@@ -258,8 +303,9 @@ pub(super) fn picture(
 
 /// Writes the files that samples read.
 pub(super) fn write_assets(folder: &Path) -> Result<(), Diagnostic> {
-    let write =
-        |name: &str, bytes: &[u8]| crate::document::write_atomic(&folder.join(name), bytes).map_err(|problem| *problem);
+    let write = |name: &str, bytes: &[u8]| {
+        crate::document::write_atomic(&folder.join(name), bytes).map_err(|problem| *problem)
+    };
     write(HCBTF, examples::file(Path::new(STRIPES)).unwrap_or_default())?;
     // Warm above and cool below, lighter to the right, so that it is seen which way round it lies.
     const SIDE: u32 = 64;
@@ -284,8 +330,16 @@ mod tests {
         for (kind, values) in &table {
             let known = catalog.get(kind).unwrap_or_else(|| panic!("there is no kind `{kind}`"));
             let Some(values) = values.as_object() else { continue };
-            let fed = values.get("feed").and_then(Json::as_object).into_iter().flat_map(|feed| feed.keys());
-            for port in values.keys().filter(|name| !matches!(name.as_str(), "feed" | "times" | "mesh")).chain(fed) {
+            let fed = values
+                .get("feed")
+                .and_then(Json::as_object)
+                .into_iter()
+                .flat_map(|feed| feed.keys());
+            for port in values
+                .keys()
+                .filter(|name| !matches!(name.as_str(), "feed" | "times" | "mesh"))
+                .chain(fed)
+            {
                 assert!(known.input(port).is_some(), "{kind} has no input `{port}`");
             }
         }
@@ -305,7 +359,9 @@ mod tests {
                 }
             }
         }
-        let told = |kind: &String| serde_json::from_str::<serde_json::Map<_, Json>>(VALUES).unwrap()[kind].is_null();
+        let told = |kind: &String| {
+            serde_json::from_str::<serde_json::Map<_, Json>>(VALUES).unwrap()[kind].is_null()
+        };
         assert!(unseen.iter().all(told), "nothing is seen of {unseen:?}");
     }
 }

@@ -40,7 +40,8 @@ impl LineColumn {
     }
 }
 
-/// Everything known of where a problem is. All of it is optional; [`Diagnostic`]'s display shows what there is.
+/// Everything known of where a problem is. All of it is optional; [`Diagnostic`]'s display shows
+/// what there is.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Place {
     /// The file, as the user named it.
@@ -63,7 +64,10 @@ pub struct Place {
     pub wgsl: Option<Range<usize>>,
 }
 
-fn as_text<S: serde::Serializer>(path: &Option<NodePath>, serializer: S) -> Result<S::Ok, S::Error> {
+fn as_text<S: serde::Serializer>(
+    path: &Option<NodePath>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
     serializer.collect_str(path.as_ref().expect("skipped when absent"))
 }
 
@@ -118,7 +122,8 @@ impl Diagnostic {
             [] => self,
             [one] => self.hint(format!("did you mean `{one}`?")),
             [most @ .., last] => {
-                let most = most.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+                let most =
+                    most.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
                 self.hint(format!("did you mean {most} or `{last}`?"))
             }
         }
@@ -210,7 +215,8 @@ pub fn has_errors(diagnostics: &[Diagnostic]) -> bool {
 /// As many errors, and as many warnings, as are told of one document; the rest is counted.
 pub const MAX_PROBLEMS: usize = 1000;
 
-/// The first [`MAX_PROBLEMS`] errors and the first [`MAX_PROBLEMS`] others, with how many more there are.
+/// The first [`MAX_PROBLEMS`] errors and the first [`MAX_PROBLEMS`] others, with how many more
+/// there are.
 pub fn bounded(mut problems: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let (all, mut errors, mut others) = (problems.len(), 0, 0);
     problems.retain(|problem| {
@@ -226,7 +232,10 @@ pub fn bounded(mut problems: Vec<Diagnostic>) -> Vec<Diagnostic> {
 
 /// Tells how many problems are not told.
 pub fn more_problems(count: usize) -> Diagnostic {
-    Diagnostic::note("more-problems", format!("there are {count} more problems, which are not listed"))
+    Diagnostic::note(
+        "more-problems",
+        format!("there are {count} more problems, which are not listed"),
+    )
 }
 
 /// Why the system refused something, in words, without the number that it has for that.
@@ -289,7 +298,8 @@ mod tests {
             .to_string();
         assert_eq!(
             text,
-            "a.json:3:7: error[unknown-port]: there is no port `ofset` (node `rim/profile`, port `ofset`)\n  help: did you mean `offset`?"
+            "a.json:3:7: error[unknown-port]: there is no port `ofset` (node `rim/profile`, port \
+             `ofset`)\n  help: did you mean `offset`?"
         );
     }
 }

@@ -47,7 +47,8 @@ pub(super) enum Instruction {
     Load { to: Slot, pointer: Slot, offset: u32, count: u32 },
     /// `memory[pointer + offset] = from`
     Store { pointer: Slot, offset: u32, from: Slot },
-    /// `to[i] = buffers[buffer][pointer + offset + i]` for `i < count`; beyond its end the last scalar.
+    /// `to[i] = buffers[buffer][pointer + offset + i]` for `i < count`; beyond its end the last
+    /// scalar.
     LoadBuffer { to: Slot, buffer: u32, pointer: Slot, offset: u32, count: u32 },
     /// How a float differs between the lanes of a 2x2 quad.
     Derivative { op: Derivative, to: Slot, a: Slot },
@@ -63,7 +64,8 @@ pub(super) enum Instruction {
     Switch { selector: Slot, table: u32 },
     /// Goes on at `target`, and leaves in `link` the number of the next instruction.
     Call { target: Target, link: Slot },
-    /// The same, of a function that gives the same for the same arguments; the number is that of a [`PureCall`].
+    /// The same, of a function that gives the same for the same arguments; the number is that of a
+    /// [`PureCall`].
     CallPure { target: Target, link: Slot, call: u32 },
     /// Goes on at the instruction whose number is in `link`.
     Return { link: Slot },
@@ -83,8 +85,9 @@ impl Instruction {
     }
 }
 
-/// A call of a function whose result depends on its arguments, constants and buffers alone, and that does much: lanes
-/// that all give it the same arguments can share one run, and later runs its result.
+/// A call of a function whose result depends on its arguments, constants and buffers alone, and
+/// that does much: lanes that all give it the same arguments can share one run, and later runs its
+/// result.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct PureCall {
     /// All slots of its arguments.

@@ -24,8 +24,11 @@ impl Endless {
     #[cold]
     pub(super) fn diagnose(&self, program: &Program) -> Diagnostic {
         let Program { name, step_limit, .. } = program;
-        Diagnostic::error("interp-endless", format!("`{name}` did not end within {step_limit} steps"))
-            .hint("look for a loop whose exit condition never becomes true")
+        Diagnostic::error(
+            "interp-endless",
+            format!("`{name}` did not end within {step_limit} steps"),
+        )
+        .hint("look for a loop whose exit condition never becomes true")
     }
 }
 
@@ -43,9 +46,8 @@ impl<'p> Machine<'p> {
         let Program { name, parameters, result, result_slot, resources, .. } = self.program;
         if self.held.len() != resources.len() {
             let message = format!("`{name}` reads resources, and none are bound");
-            return Err(
-                Diagnostic::error("interp-unbound", message).hint("bind them, and run what `Program::bind` gives")
-            );
+            return Err(Diagnostic::error("interp-unbound", message)
+                .hint("bind them, and run what `Program::bind` gives"));
         }
         write_arguments(name, parameters, arguments, self.precision, &self.memory, 0)?;
         let world = World { held: self.held, operations: &self.program.operations };
@@ -70,8 +72,11 @@ pub(super) fn write_arguments<const W: usize>(
 ) -> Result<(), Diagnostic> {
     if arguments.len() != parameters.len() {
         let plural = if parameters.len() == 1 { "" } else { "s" };
-        let message =
-            format!("`{function}` takes {} argument{plural}, but {} were given", parameters.len(), arguments.len());
+        let message = format!(
+            "`{function}` takes {} argument{plural}, but {} were given",
+            parameters.len(),
+            arguments.len()
+        );
         return Err(Diagnostic::error("interp-argument", message));
     }
     for (parameter, value) in parameters.iter().zip(arguments) {
@@ -87,11 +92,15 @@ pub(super) fn write_arguments<const W: usize>(
 #[cold]
 fn wrong_shape(function: &str, parameter: &Parameter, value: &Value) -> Diagnostic {
     let Parameter { name, shape, .. } = parameter;
-    let message = format!("argument `{name}` of `{function}` is {shape}, but {value} ({}) was given", value.describe());
+    let message = format!(
+        "argument `{name}` of `{function}` is {shape}, but {value} ({}) was given",
+        value.describe()
+    );
     Diagnostic::error("interp-argument", message)
 }
 
-/// Runs the function at `entry` until it returns, its link being 0, and takes what it did from `steps`.
+/// Runs the function at `entry` until it returns, its link being 0, and takes what it did from
+/// `steps`.
 pub(super) fn run<R: Rounding>(
     program: &Program,
     memory: &Memory<1>,

@@ -1,8 +1,8 @@
 //! The operations on scalars.
 //!
-//! Each function here takes an operation and what it is to be done to: one pair of operands or whole rows of them. The
-//! choice of the operation thus stands outside the loop over the lanes, and its meaning is written once for any number
-//! of them.
+//! Each function here takes an operation and what it is to be done to: one pair of operands or
+//! whole rows of them. The choice of the operation thus stands outside the loop over the lanes, and
+//! its meaning is written once for any number of them.
 
 use half::f16;
 
@@ -153,8 +153,8 @@ pub(super) fn float_compare(op: Compare, each: impl Binary<f64, bool>) {
     }
 }
 
-/// A fraction with magnitude in [0.5, 1), and the exponent of the power of two that it is to be multiplied by. Zeros,
-/// infinities and NaN are their own fraction, with exponent 0.
+/// A fraction with magnitude in [0.5, 1), and the exponent of the power of two that it is to be
+/// multiplied by. Zeros, infinities and NaN are their own fraction, with exponent 0.
 pub(super) fn frexp(x: f64) -> (f64, i32) {
     const MIDDLE: u64 = 1022;
     if x == 0.0 || !x.is_finite() {
@@ -174,7 +174,8 @@ pub(super) fn ldexp(mut x: f64, exponent: i32) -> f64 {
         x *= 1000_f64.exp2();
         rest -= 1000;
     }
-    // Steps down stay clear of subnormals (53 bits of 1022), lest one step round what another rounds again.
+    // Steps down stay clear of subnormals (53 bits of 1022), lest one step round what another
+    // rounds again.
     while rest < -969 {
         x *= (-969_f64).exp2();
         rest += 969;
@@ -196,7 +197,9 @@ pub(super) fn int_unary(op: IntUnary, each: impl Unary<u32, u32>) {
         IntUnary::CountLeadingZeros => each.with(u32::leading_zeros),
         IntUnary::CountOneBits => each.with(u32::count_ones),
         IntUnary::ReverseBits => each.with(u32::reverse_bits),
-        IntUnary::FirstTrailingBit => each.with(|x| if x == 0 { u32::MAX } else { x.trailing_zeros() }),
+        IntUnary::FirstTrailingBit => {
+            each.with(|x| if x == 0 { u32::MAX } else { x.trailing_zeros() })
+        }
         // The topmost bit that differs from the sign; none gives 31 - 32, all ones.
         IntUnary::FirstLeadingBitSigned => each.with(|x| {
             let signed = x.cast_signed();
@@ -276,8 +279,9 @@ pub(super) fn convert<R: Rounding>(op: Conversion, each: impl Unary<u64, u64>) {
     let whole = |x: i32| u64::from(x as u32);
     let at_most = |x: f64, greatest: f64| if x > greatest { greatest } else { x };
     // `as` truncates and saturates, and makes 0 of NaN.
-    let normalized =
-        |bits: u64, least: f64, scale: f64| whole((0.5 + scale * float(bits).clamp(least, 1.0)).floor() as i32);
+    let normalized = |bits: u64, least: f64, scale: f64| {
+        whole((0.5 + scale * float(bits).clamp(least, 1.0)).floor() as i32)
+    };
     match op {
         Conversion::FloatToI32 => each.with(|x| whole(at_most(float(x), greatest_i32) as i32)),
         Conversion::FloatToU32 => each.with(|x| u64::from(at_most(float(x), greatest_u32) as u32)),

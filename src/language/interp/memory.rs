@@ -1,6 +1,6 @@
-//! Memory: a list of slots, each of which is a row of `W` lanes: 1 for one call, [`super::LANES`] for lockstep. Rows are
-//! cells, because the operands of one instruction may be the same row, and because that leaves plain loops which the
-//! compiler turns into vector code.
+//! Memory: a list of slots, each of which is a row of `W` lanes: 1 for one call, [`super::LANES`]
+//! for lockstep. Rows are cells, because the operands of one instruction may be the same row, and
+//! because that leaves plain loops which the compiler turns into vector code.
 
 use std::cell::Cell;
 

@@ -1,51 +1,64 @@
 //! An interpreter over naga IR, in f64 or f32.
 //!
-//! [`Program::compile`] turns one function of a `naga::Module`, with all that it calls, into a flat list of
-//! instructions over numbered slots; [`Program::call`] runs it. Whatever is decidable is decided while compiling:
-//! types, shapes, swizzles, jumps, where every value lies. At run time there is no map, no tree and no call stack.
+//! [`Program::compile`] turns one function of a `naga::Module`, with all that it calls, into a flat
+//! list of instructions over numbered slots; [`Program::call`] runs it. Whatever is decidable is
+//! decided while compiling: types, shapes, swizzles, jumps, where every value lies. At run time
+//! there is no map, no tree and no call stack.
 //!
-//! For a stage of a pipeline, [`Program::bind`] hands it uniforms, storage buffers, textures and samplers; what comes of
-//! that makes [`Machine`]s, which run one call, and [`Lanes`], which run 64 in lockstep.
+//! For a stage of a pipeline, [`Program::bind`] hands it uniforms, storage buffers, textures and
+//! samplers; what comes of that makes [`Machine`]s, which run one call, and [`Lanes`], which run 64
+//! in lockstep.
 //!
 //! # Layout
 //!
-//! - Memory is one list of 64-bit **slots**. A slot holds one scalar: the bits of an f64, an i32 or u32 in its low 32
-//!   bits, a bool as 0 or 1, or the number of another slot (a pointer) or of a resource. Composites take a slot for each
-//!   scalar, in order, matrices by columns, without padding.
-//! - A slot is a row of as many scalars as there are lanes. What an instruction does is written once, in `step` and
-//!   `math`, as a loop over the row, and compiled for rows of 1 and of 64: a call alone and a batch cannot disagree, and
-//!   the loop over one is no loop, so folding is as fast as with scalars.
-//! - While compiling, an expression is the list of the slots of its scalars, which need not be neighbours: `Compose`,
-//!   `Splat`, `Swizzle` and constant indices therefore cost no instruction. Only what is indexed dynamically is
-//!   gathered into neighbours first. What is read of a buffer at a fixed place has a slot that is filled when the buffer
-//!   is bound, and costs no instruction either.
-//! - Slots are never shared: WGSL has no recursion, so each function's arguments, locals and temporaries have one fixed
-//!   place. A call copies arguments there and writes where to go on into the callee's *link* slot.
-//! - Callees precede their callers in the code, and every construct's code stands between its entry and its exit.
-//!   Lanes that run in lockstep thus reconverge by always advancing those with the smallest program counter.
-//! - A temporary is read only in the scope that computed it, by lanes that passed there. So all lanes may write it,
-//!   whoever is active: nothing is masked but copies, stores and loads.
-//! - A call whose result depends on its arguments alone, and that all lanes make with the same ones (a look's `prepare`,
-//!   of uniforms), is run for one lane, and not again until its arguments change.
+//! - Memory is one list of 64-bit **slots**. A slot holds one scalar: the bits of an f64, an i32 or
+//!   u32 in its low 32 bits, a bool as 0 or 1, or the number of another slot (a pointer) or of a
+//!   resource. Composites take a slot for each scalar, in order, matrices by columns, without
+//!   padding.
+//! - A slot is a row of as many scalars as there are lanes. What an instruction does is written
+//!   once, in `step` and `math`, as a loop over the row, and compiled for rows of 1 and of 64: a
+//!   call alone and a batch cannot disagree, and the loop over one is no loop, so folding is as
+//!   fast as with scalars.
+//! - While compiling, an expression is the list of the slots of its scalars, which need not be
+//!   neighbours: `Compose`, `Splat`, `Swizzle` and constant indices therefore cost no instruction.
+//!   Only what is indexed dynamically is gathered into neighbours first. What is read of a buffer
+//!   at a fixed place has a slot that is filled when the buffer is bound, and costs no instruction
+//!   either.
+//! - Slots are never shared: WGSL has no recursion, so each function's arguments, locals and
+//!   temporaries have one fixed place. A call copies arguments there and writes where to go on into
+//!   the callee's *link* slot.
+//! - Callees precede their callers in the code, and every construct's code stands between its entry
+//!   and its exit. Lanes that run in lockstep thus reconverge by always advancing those with the
+//!   smallest program counter.
+//! - A temporary is read only in the scope that computed it, by lanes that passed there. So all
+//!   lanes may write it, whoever is active: nothing is masked but copies, stores and loads.
+//! - A call whose result depends on its arguments alone, and that all lanes make with the same ones
+//!   (a look's `prepare`, of uniforms), is run for one lane, and not again until its arguments
+//!   change.
 //!
 //! # What a number is
 //!
-//! With [`Precision::F64`] every float is an f64, and nothing is rounded to f32 but bitcasts, which go through f32's bits,
-//! and literals, which naga's WGSL front end has already rounded (and folded, in f32) before this sees them; given the
-//! [`source`](Options::source), they are read again from there. With
-//! [`Precision::F32`] each float operation is computed in f64 and rounded to f32, which for `+ - * / sqrt` is exactly f32
-//! arithmetic, and for the rest the nearest f32 to a nearly exact result. Nothing flushes subnormals; infinities
-//! and NaN propagate as in IEEE 754. Functions composed of others (`dot`, `mix`, `smoothstep`, `refract`, ...) follow the
-//! formulas of the WGSL specification step by step. An f16 is a float, in f32 mode rounded to f16 by every operation; one of
-//! type f64 is a float like any other. Integers of 64 bits are not supported.
+//! With [`Precision::F64`] every float is an f64, and nothing is rounded to f32 but bitcasts, which
+//! go through f32's bits, and literals, which naga's WGSL front end has already rounded (and
+//! folded, in f32) before this sees them; given the [`source`](Options::source), they are read
+//! again from there. With [`Precision::F32`] each float operation is computed in f64 and rounded to
+//! f32, which for `+ - * / sqrt` is exactly f32 arithmetic, and for the rest the nearest f32 to a
+//! nearly exact result. Nothing flushes subnormals; infinities and NaN propagate as in IEEE 754.
+//! Functions composed of others (`dot`, `mix`, `smoothstep`, `refract`, ...) follow the formulas of
+//! the WGSL specification step by step. An f16 is a float, in f32 mode rounded to f16 by every
+//! operation; one of type f64 is a float like any other. Integers of 64 bits are not supported.
 //!
-//! Where WGSL leaves room, this does what naga's back ends do: an index out of bounds is clamped (a negative one to the
-//! last), shifts use the amount modulo 32, `x / 0` is `x` and `x % 0` is 0 for integers, conversions to integers saturate
-//! and turn NaN into 0. `pow` has the domain that WGSL gives it, `exp2(y * log2(x))`: a negative base gives NaN, as on a
-//! GPU. A texture load from outside gives zeros; filters weigh exactly, in f64; a derivative is that of the lane's own row or
-//! column, unless a coarse one is asked for; `discard` leaves the lane as a helper of its quad.
+//! Where WGSL leaves room, this does what naga's back ends do: an index out of bounds is clamped (a
+//! negative one to the last), shifts use the amount modulo 32, `x / 0` is `x` and `x % 0` is 0 for
+//! integers, conversions to integers saturate and turn NaN into 0. `pow` has the domain that WGSL
+//! gives it, `exp2(y * log2(x))`: a negative base gives NaN, as on a GPU. A texture load from
+//! outside gives zeros; filters weigh exactly, in f64; a derivative is that of the lane's own row
+//! or column, unless a coarse one is asked for; `discard` leaves the lane as a helper of its quad.
 
-#![allow(clippy::result_large_err, reason = "diagnostics are large, and made only when all is lost")]
+#![allow(
+    clippy::result_large_err,
+    reason = "diagnostics are large, and made only when all is lost"
+)]
 
 mod compile;
 mod image;
@@ -69,8 +82,8 @@ pub use machine::Machine;
 pub use observed::Observed;
 pub use port::Port;
 pub use resources::{
-    Address, Bindings, Bound, Filter, Level, Resource, ResourceKind, Sampler, SamplerCompare, Texel, Texture,
-    TextureDimension,
+    Address, Bindings, Bound, Filter, Level, Resource, ResourceKind, Sampler, SamplerCompare,
+    Texel, Texture, TextureDimension,
 };
 pub use shape::{ScalarKind, Shape};
 pub use value::{Scalar, Value};
@@ -104,14 +117,16 @@ pub enum Derivatives {
 pub struct Options<'s> {
     /// What derivatives give.
     pub derivatives: Derivatives,
-    /// Whether it may use what only a stage of a pipeline has: resources, private variables, `discard`.
+    /// Whether it may use what only a stage of a pipeline has: resources, private variables,
+    /// `discard`.
     pub is_stage: bool,
-    /// The text that the module was read from. From there literals are read at f64, which naga has rounded to f32;
-    /// [`Precision::F32`] has naga's.
+    /// The text that the module was read from. From there literals are read at f64, which naga has
+    /// rounded to f32; [`Precision::F32`] has naga's.
     pub source: Option<&'s str>,
     /// Whether values that the source names can be read after a run.
     pub observe: bool,
-    /// The number of instructions after which a call is given up as endless; one that copies counts for each scalar.
+    /// The number of instructions after which a call is given up as endless; one that copies counts
+    /// for each scalar.
     pub step_limit: u64,
 }
 
@@ -130,7 +145,12 @@ impl Default for Options<'_> {
 impl<'s> Options<'s> {
     /// For an entry point of a pipeline, run in [`Lanes`], with constants at f64.
     pub fn stage(source: &'s str) -> Self {
-        Self { derivatives: Derivatives::Quads, is_stage: true, source: Some(source), ..Self::default() }
+        Self {
+            derivatives: Derivatives::Quads,
+            is_stage: true,
+            source: Some(source),
+            ..Self::default()
+        }
     }
 }
 
@@ -145,7 +165,8 @@ pub struct Parameter {
     slot: u32,
 }
 
-/// One function of a module with all that it calls, ready to run any number of times, on any number of threads.
+/// One function of a module with all that it calls, ready to run any number of times, on any number
+/// of threads.
 #[derive(Clone, Debug)]
 pub struct Program {
     name: String,
@@ -171,23 +192,31 @@ pub struct Program {
 }
 
 impl Program {
-    /// Compiles `function`, a function or entry point of `module`, which must have passed naga's validator.
+    /// Compiles `function`, a function or entry point of `module`, which must have passed naga's
+    /// validator.
     ///
     /// # Errors
     /// - `interp-unknown-function`: the module has none of that name.
-    /// - `interp-unsupported`: it, or a function that it calls, does what only a GPU can do (barriers, atomics, storage
-    ///   textures, ray queries; derivatives unless [`Options::derivatives`] tells what they are; resources unless
-    ///   [`Options::is_stage`]), or uses a type that is none of bool, i32, u32, float and their composites, or gives no
-    ///   result and is no stage. The place has the span in the WGSL source.
-    /// - `interp-too-big`: it needs more memory than the interpreter grants (32 MiB), or nests types more than 64 deep.
-    pub fn compile(module: &naga::Module, function: &str, options: Options) -> Result<Self, Diagnostic> {
+    /// - `interp-unsupported`: it, or a function that it calls, does what only a GPU can do
+    ///   (barriers, atomics, storage textures, ray queries; derivatives unless
+    ///   [`Options::derivatives`] tells what they are; resources unless [`Options::is_stage`]), or
+    ///   uses a type that is none of bool, i32, u32, float and their composites, or gives no result
+    ///   and is no stage. The place has the span in the WGSL source.
+    /// - `interp-too-big`: it needs more memory than the interpreter grants (32 MiB), or nests
+    ///   types more than 64 deep.
+    pub fn compile(
+        module: &naga::Module,
+        function: &str,
+        options: Options,
+    ) -> Result<Self, Diagnostic> {
         compile::compile(module, function, options).map_err(|boxed| *boxed)
     }
 
     /// Runs it once. For many calls, keep a [`Machine`].
     ///
     /// # Errors
-    /// - `interp-argument`: the number of arguments is wrong, or one has another shape than the [`parameters`](Self::parameters).
+    /// - `interp-argument`: the number of arguments is wrong, or one has another shape than the
+    ///   [`parameters`](Self::parameters).
     /// - `interp-endless`: it ran for more instructions than [`Options::step_limit`].
     /// - `interp-unbound`: it reads [`resources`](Self::resources); [`bind`](Self::bind) them.
     pub fn call(&self, arguments: &[Value], precision: Precision) -> Result<Value, Diagnostic> {
@@ -203,7 +232,11 @@ impl Program {
     ///
     /// # Errors
     /// All `interp-binding`: a resource is not bound, or is bound to something else than it takes.
-    pub fn bind(&self, bindings: &Bindings, precision: Precision) -> Result<Bound<'_>, Vec<Diagnostic>> {
+    pub fn bind(
+        &self,
+        bindings: &Bindings,
+        precision: Precision,
+    ) -> Result<Bound<'_>, Vec<Diagnostic>> {
         Bound::new(self, bindings, precision)
     }
 
@@ -222,7 +255,8 @@ impl Program {
         &self.resources
     }
 
-    /// The scalars and vectors among its arguments and the members of arguments that are structs, in order.
+    /// The scalars and vectors among its arguments and the members of arguments that are structs,
+    /// in order.
     pub fn inputs(&self) -> &[Port] {
         &self.inputs
     }

@@ -1,4 +1,5 @@
-//! Values that a program names (`let`), readable after a run: every one keeps its slots, because none are shared.
+//! Values that a program names (`let`), readable after a run: every one keeps its slots, because
+//! none are shared.
 
 use std::ops::Range;
 
@@ -33,7 +34,8 @@ impl Observed {
 }
 
 impl Program {
-    /// Every named value; none unless it was compiled with [`Options::observe`](super::Options::observe).
+    /// Every named value; none unless it was compiled with
+    /// [`Options::observe`](super::Options::observe).
     pub fn observed(&self) -> &[Observed] {
         &self.observed
     }
@@ -45,7 +47,11 @@ impl Lanes<'_> {
     /// # Panics
     /// There is no such lane.
     pub fn observe(&self, value: &Observed, lane: usize) -> Vec<f64> {
-        value.slots.iter().map(|&(slot, kind)| kind.read(self.memory.bits(slot, lane)).as_f64()).collect()
+        value
+            .slots
+            .iter()
+            .map(|&(slot, kind)| kind.read(self.memory.bits(slot, lane)).as_f64())
+            .collect()
     }
 }
 
@@ -58,6 +64,8 @@ pub(super) fn kinds(shape: &Shape, kinds_so_far: &mut Vec<ScalarKind>) {
             kinds_so_far.extend(std::iter::repeat_n(ScalarKind::Float, columns * rows));
         }
         Shape::Array { element, count } => (0..*count).for_each(|_| kinds(element, kinds_so_far)),
-        Shape::Struct { members, .. } => members.iter().for_each(|(_, member)| kinds(member, kinds_so_far)),
+        Shape::Struct { members, .. } => {
+            members.iter().for_each(|(_, member)| kinds(member, kinds_so_far))
+        }
     }
 }

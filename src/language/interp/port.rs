@@ -3,7 +3,8 @@
 use super::ScalarKind;
 use super::instruction::Slot;
 
-/// A scalar or vector that [`Lanes`](super::Lanes) are given or give: an argument or result, or a member of one.
+/// A scalar or vector that [`Lanes`](super::Lanes) are given or give: an argument or result, or a
+/// member of one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Port {
     /// Its name: `in.position`, `color`. An unnamed result is empty.
@@ -21,7 +22,11 @@ pub struct Port {
 impl Port {
     /// Its location, if it has one.
     pub fn location(&self) -> Option<u32> {
-        if let Some(naga::Binding::Location { location, .. }) = self.binding { Some(location) } else { None }
+        if let Some(naga::Binding::Location { location, .. }) = self.binding {
+            Some(location)
+        } else {
+            None
+        }
     }
 
     /// Its builtin, if it is one.

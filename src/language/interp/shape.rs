@@ -98,11 +98,18 @@ impl Shape {
         }
     }
 
-    /// Writes the scalars of `value` to `slots`, and gives what is left of them; `None` if the value has another
-    /// shape. Recursion is as deep as the type, which the compiler bounds.
-    pub(super) fn write<'s>(&self, value: &Value, precision: Precision, slots: &'s mut [u64]) -> Option<&'s mut [u64]> {
+    /// Writes the scalars of `value` to `slots`, and gives what is left of them; `None` if the
+    /// value has another shape. Recursion is as deep as the type, which the compiler bounds.
+    pub(super) fn write<'s>(
+        &self,
+        value: &Value,
+        precision: Precision,
+        slots: &'s mut [u64],
+    ) -> Option<&'s mut [u64]> {
         match (self, value) {
-            (Self::Scalar(kind), value) => write_scalars(*kind, &[value.as_scalar()?], precision, slots),
+            (Self::Scalar(kind), value) => {
+                write_scalars(*kind, &[value.as_scalar()?], precision, slots)
+            }
             (Self::Vector { kind, size }, Value::Vector(scalars)) if scalars.len() == *size => {
                 write_scalars(*kind, scalars, precision, slots)
             }
@@ -115,12 +122,20 @@ impl Shape {
                 }
                 Some(rest)
             }
-            (Self::Array { element, count }, Value::Array(elements)) if elements.len() == *count => {
-                elements.iter().try_fold(slots, |slots, value| element.write(value, precision, slots))
+            (Self::Array { element, count }, Value::Array(elements))
+                if elements.len() == *count =>
+            {
+                elements
+                    .iter()
+                    .try_fold(slots, |slots, value| element.write(value, precision, slots))
             }
-            (Self::Struct { members, .. }, Value::Struct(values)) if values.len() == members.len() => {
+            (Self::Struct { members, .. }, Value::Struct(values))
+                if values.len() == members.len() =>
+            {
                 let mut pairs = members.iter().zip(values);
-                pairs.try_fold(slots, |slots, ((_, shape), value)| shape.write(value, precision, slots))
+                pairs.try_fold(slots, |slots, ((_, shape), value)| {
+                    shape.write(value, precision, slots)
+                })
             }
             _ => None,
         }
@@ -130,13 +145,19 @@ impl Shape {
     pub(super) fn read(&self, slots: &mut impl Iterator<Item = u64>) -> Value {
         match self {
             Self::Scalar(kind) => kind.read(slots.next().unwrap_or(0)).into(),
-            Self::Vector { kind, size } => Value::Vector(slots.take(*size).map(|bits| kind.read(bits)).collect()),
+            Self::Vector { kind, size } => {
+                Value::Vector(slots.take(*size).map(|bits| kind.read(bits)).collect())
+            }
             Self::Matrix { columns, rows } => Value::Matrix {
                 columns: *columns,
                 components: slots.take(columns * rows).map(f64::from_bits).collect(),
             },
-            Self::Array { element, count } => Value::Array((0..*count).map(|_| element.read(slots)).collect()),
-            Self::Struct { members, .. } => Value::Struct(members.iter().map(|(_, shape)| shape.read(slots)).collect()),
+            Self::Array { element, count } => {
+                Value::Array((0..*count).map(|_| element.read(slots)).collect())
+            }
+            Self::Struct { members, .. } => {
+                Value::Struct(members.iter().map(|(_, shape)| shape.read(slots)).collect())
+            }
         }
     }
 }

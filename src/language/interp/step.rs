@@ -47,7 +47,8 @@ impl<const W: usize> Binary<f64, bool> for Lanes2<'_, W> {
     fn with(self, f: impl Fn(f64, f64) -> bool) {
         let Self { to, a, b } = self;
         for lane in 0..W {
-            to[lane].set(u64::from(f(f64::from_bits(a[lane].get()), f64::from_bits(b[lane].get()))));
+            to[lane]
+                .set(u64::from(f(f64::from_bits(a[lane].get()), f64::from_bits(b[lane].get()))));
         }
     }
 }
@@ -84,9 +85,9 @@ impl<const W: usize> Unary<u64, u64> for Lanes1<'_, W> {
 
 /// Executes an instruction that goes on at the next.
 ///
-/// Slots that hold what an instruction computed are read only by lanes that executed it, so those are written in all
-/// lanes. Locals, arguments, results and links keep their values while other lanes run; `Copy` and its like write them,
-/// and obey the mask.
+/// Slots that hold what an instruction computed are read only by lanes that executed it, so those
+/// are written in all lanes. Locals, arguments, results and links keep their values while other
+/// lanes run; `Copy` and its like write them, and obey the mask.
 #[inline(always)] // The callers are the loops, and a second dispatch would cost as much as most instructions.
 pub(super) fn step<R: Rounding, const W: usize>(
     instruction: Instruction,
@@ -103,14 +104,19 @@ pub(super) fn step<R: Rounding, const W: usize>(
             memory.copy_run(to, from, count, mask);
         }
         Instruction::Clear { to, count } => memory.clear(to, count, mask),
-        Instruction::FloatUnary { op, to, a } => math::float_unary(op, Floats(lanes1(to, a), rounded)),
-        Instruction::FloatBinary { op, to, a, b } => math::float_binary(op, Floats(lanes2(to, a, b), rounded)),
+        Instruction::FloatUnary { op, to, a } => {
+            math::float_unary(op, Floats(lanes1(to, a), rounded))
+        }
+        Instruction::FloatBinary { op, to, a, b } => {
+            math::float_binary(op, Floats(lanes2(to, a, b), rounded))
+        }
         Instruction::FloatCompare { op, to, a, b } => math::float_compare(op, lanes2(to, a, b)),
         Instruction::IntUnary { op, to, a } => math::int_unary(op, lanes1(to, a)),
         Instruction::IntBinary { op, to, a, b } => math::int_binary(op, lanes2(to, a, b)),
         Instruction::Convert { op, to, a } => math::convert::<R>(op, lanes1(to, a)),
         Instruction::Select { to, condition, accept, reject } => {
-            let [to, condition, accept, reject] = [to, condition, accept, reject].map(|slot| memory.row(slot));
+            let [to, condition, accept, reject] =
+                [to, condition, accept, reject].map(|slot| memory.row(slot));
             for lane in 0..W {
                 let (accept, reject) = (accept[lane].get(), reject[lane].get());
                 to[lane].set(if condition[lane].get() != 0 { accept } else { reject });
@@ -119,7 +125,8 @@ pub(super) fn step<R: Rounding, const W: usize>(
         Instruction::Index { to, pointer, index, count, stride } => {
             let [to, pointer, index] = [to, pointer, index].map(|slot| memory.row(slot));
             for lane in 0..W {
-                let offset = u64::from((index[lane].get() as u32).min(count - 1)) * u64::from(stride);
+                let offset =
+                    u64::from((index[lane].get() as u32).min(count - 1)) * u64::from(stride);
                 to[lane].set(pointer[lane].get() + offset);
             }
         }
@@ -149,17 +156,24 @@ pub(super) fn step<R: Rounding, const W: usize>(
 
 /// Executes what is not worth a place in the loop.
 #[inline(never)]
-fn rare<R: Rounding, const W: usize>(instruction: Instruction, memory: &Memory<W>, mask: Mask, world: &World) {
+fn rare<R: Rounding, const W: usize>(
+    instruction: Instruction,
+    memory: &Memory<W>,
+    mask: Mask,
+    world: &World,
+) {
     match instruction {
         Instruction::FloatFma { to, a, b, c } => {
             for lane in 0..W {
-                let fused = R::fma(memory.float(a, lane), memory.float(b, lane), memory.float(c, lane));
+                let fused =
+                    R::fma(memory.float(a, lane), memory.float(b, lane), memory.float(c, lane));
                 memory.set(to, lane, R::round(fused).to_bits());
             }
         }
         Instruction::FloatScale { to, a, exponent } => {
             for lane in 0..W {
-                let scaled = math::ldexp(memory.float(a, lane), memory.int(exponent, lane).cast_signed());
+                let scaled =
+                    math::ldexp(memory.float(a, lane), memory.int(exponent, lane).cast_signed());
                 memory.set(to, lane, R::round(scaled).to_bits());
             }
         }
@@ -171,14 +185,17 @@ fn rare<R: Rounding, const W: usize>(instruction: Instruction, memory: &Memory<W
         }
         Instruction::InsertBits { to, a, b, offset, count } => {
             for lane in 0..W {
-                let [a, b, offset, count] = [a, b, offset, count].map(|slot| memory.int(slot, lane));
+                let [a, b, offset, count] =
+                    [a, b, offset, count].map(|slot| memory.int(slot, lane));
                 memory.set(to, lane, math::insert_bits(a, b, offset, count).into());
             }
         }
         Instruction::LoadBuffer { to, buffer, pointer, offset, count } => {
             for lane in mask.lanes(W) {
                 let from = memory.bits(pointer, lane) + u64::from(offset);
-                (0..count).for_each(|i| memory.set(to + i, lane, world.load(buffer, from + u64::from(i))));
+                (0..count).for_each(|i| {
+                    memory.set(to + i, lane, world.load(buffer, from + u64::from(i)))
+                });
             }
         }
         Instruction::Image { operation } => image::execute::<R, W>(operation, memory, mask, world),

@@ -50,7 +50,8 @@ impl fmt::Display for Scalar {
     }
 }
 
-/// A value of a WGSL type that can be constructed. Equality is that of IEEE 754: NaN equals nothing.
+/// A value of a WGSL type that can be constructed. Equality is that of IEEE 754: NaN equals
+/// nothing.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
     /// `bool`
@@ -118,7 +119,8 @@ impl Value {
         }
     }
 
-    /// The numbers of a scalar, a vector or a matrix (column after column); none for an array or a struct.
+    /// The numbers of a scalar, a vector or a matrix (column after column); none for an array or a
+    /// struct.
     pub fn components(&self) -> Option<Vec<f64>> {
         match self {
             Self::Vector(scalars) => Some(scalars.iter().map(|s| s.as_f64()).collect()),
@@ -131,8 +133,10 @@ impl Value {
     /// The components of a vector of exactly `N` floats.
     pub fn as_vec<const N: usize>(&self) -> Option<[f64; N]> {
         let Self::Vector(scalars) = self else { return None };
-        let floats: Option<Vec<f64>> =
-            scalars.iter().map(|s| if let Scalar::Float(x) = s { Some(*x) } else { None }).collect();
+        let floats: Option<Vec<f64>> = scalars
+            .iter()
+            .map(|s| if let Scalar::Float(x) = s { Some(*x) } else { None })
+            .collect();
         floats?.try_into().ok()
     }
 
@@ -204,9 +208,14 @@ impl<const N: usize> From<[f64; N]> for Value {
 }
 
 impl fmt::Display for Value {
-    /// As it would be written in WGSL, but without type names: `1.5`, `(1, 2)`, `[(1, 2), (3, 4)]`, `{1, true}`.
+    /// As it would be written in WGSL, but without type names: `1.5`, `(1, 2)`, `[(1, 2), (3, 4)]`,
+    /// `{1, true}`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fn list<T: fmt::Display>(f: &mut fmt::Formatter<'_>, items: &[T], [open, close]: [&str; 2]) -> fmt::Result {
+        fn list<T: fmt::Display>(
+            f: &mut fmt::Formatter<'_>,
+            items: &[T],
+            [open, close]: [&str; 2],
+        ) -> fmt::Result {
             f.write_str(open)?;
             for (index, item) in items.iter().enumerate() {
                 let separator = if index == 0 { "" } else { ", " };

@@ -28,13 +28,23 @@ pub const MAX_BRANCHES: usize = 256;
 /// Everything about `source` that is beyond a bound, with its place.
 pub fn beyond_bounds(source: &str) -> Vec<WgslError> {
     if source.len() > MAX_CODE_BYTES {
-        let message = format!("the code has {} bytes, and a node's code at most {MAX_CODE_BYTES}", source.len());
+        let message = format!(
+            "the code has {} bytes, and a node's code at most {MAX_CODE_BYTES}",
+            source.len()
+        );
         return vec![WgslError { message, span: Some(0..0) }];
     }
-    let mut counter = Counter { source, levels: vec![Level::default()], beyond: Vec::new(), ..Counter::default() };
+    let mut counter = Counter {
+        source,
+        levels: vec![Level::default()],
+        beyond: Vec::new(),
+        ..Counter::default()
+    };
     let tokens = tokenize(source);
     let mut before: Option<&Token> = None;
-    for token in tokens.iter().filter(|token| !matches!(token.kind, TokenKind::Doc | TokenKind::ModuleDoc)) {
+    for token in
+        tokens.iter().filter(|token| !matches!(token.kind, TokenKind::Doc | TokenKind::ModuleDoc))
+    {
         counter.token(token, before);
         before = Some(token);
     }
@@ -98,7 +108,9 @@ impl Counter<'_> {
             }
             // `&&`, `||`, `<<` and `>>` are one operator each, and an operator with `=` is the
             // operator.
-            "&" | "|" | "<" | ">" if before.is_some_and(|before| self.follows(before, token, text)) => {
+            "&" | "|" | "<" | ">"
+                if before.is_some_and(|before| self.follows(before, token, text)) =>
+            {
                 self.angle(text);
             }
             "+" | "-" | "*" | "/" | "%" | "&" | "|" | "^" | "!" | "~" | "<" | ">" | "." => {
@@ -195,7 +207,12 @@ impl Counter<'_> {
         if self.levels.len() > 1 {
             self.statements += 1;
             if self.statements == MAX_STATEMENTS + 1 {
-                self.tell("statements in one function", MAX_STATEMENTS, span, "split it into several functions");
+                self.tell(
+                    "statements in one function",
+                    MAX_STATEMENTS,
+                    span,
+                    "split it into several functions",
+                );
             }
         }
     }
@@ -259,7 +276,9 @@ mod tests {
         assert_eq!(told(&format!("let t = array({table}); return t[0];")), [""; 0]);
         assert_eq!(told(&"let a = x * 2.0 + 1.0; ".repeat(MAX_STATEMENTS)), [""; 0]);
         assert_eq!(told(&format!("return {};", vec!["x"; MAX_OPERATORS].join("+"))), [""; 0]);
-        let library = crate::wgsl::SHADER_LIBRARY.iter().map(|&(path, text)| (path.to_owned(), text.to_owned()));
+        let library = crate::wgsl::SHADER_LIBRARY
+            .iter()
+            .map(|&(path, text)| (path.to_owned(), text.to_owned()));
         for (path, text) in library.chain(crate::wgsl::shipped_nodes()) {
             assert_eq!(beyond_bounds(&text), [], "{path}");
         }
@@ -269,7 +288,11 @@ mod tests {
     fn statements_branches_declarations_and_bytes_are_bounded() {
         assert_eq!(told(&"x;".repeat(50_000)).len(), 1);
         assert_eq!(told(&"if (x > 0.0) { } else { }".repeat(MAX_BRANCHES + 9)).len(), 1);
-        assert_eq!(told(&format!("switch i32(x) {{ case {} {{ }} }}", "1,".repeat(MAX_BRANCHES + 9))).len(), 1);
+        assert_eq!(
+            told(&format!("switch i32(x) {{ case {} {{ }} }}", "1,".repeat(MAX_BRANCHES + 9)))
+                .len(),
+            1
+        );
         assert_eq!(beyond_bounds(&"const a = 1;".repeat(MAX_DECLARATIONS + 9)).len(), 1);
         assert_eq!(beyond_bounds(&" ".repeat(MAX_CODE_BYTES + 1)).len(), 1);
     }

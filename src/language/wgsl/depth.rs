@@ -2,8 +2,8 @@
 //! calls inlined.
 //!
 //! Drivers ask of a value what its operands are, and of these in turn, by recursion: Mesa's range
-//! analysis takes up to 150 bytes of stack for each operation on the way. So a chain of nodes overflows
-//! the stack of whoever compiles it, however it was split into functions.
+//! analysis takes up to 150 bytes of stack for each operation on the way. So a chain of nodes
+//! overflows the stack of whoever compiles it, however it was split into functions.
 
 use std::rc::Rc;
 
@@ -103,7 +103,9 @@ impl Walk<'_> {
                     self.block(accept, frame);
                     self.block(reject, frame);
                 }
-                Statement::Switch { cases, .. } => cases.iter().for_each(|case| self.block(&case.body, frame)),
+                Statement::Switch { cases, .. } => {
+                    cases.iter().for_each(|case| self.block(&case.body, frame))
+                }
                 Statement::Loop { body, continuing, .. } => {
                     self.block(body, frame);
                     self.block(continuing, frame);
@@ -112,7 +114,9 @@ impl Walk<'_> {
                     let depth = self.value(*value, frame).most();
                     self.store(*pointer, depth, frame);
                 }
-                Statement::Call { function, arguments, result } => self.call(*function, arguments, *result, frame),
+                Statement::Call { function, arguments, result } => {
+                    self.call(*function, arguments, *result, frame)
+                }
                 Statement::Return { value: Some(value) } => {
                     let depth = self.value(*value, frame);
                     frame.result = Some(match frame.result.take() {
@@ -132,7 +136,8 @@ impl Walk<'_> {
         result: Option<Handle<Expression>>,
         frame: &mut Frame<'_>,
     ) {
-        let depths: Vec<Depth> = arguments.iter().map(|&argument| self.value(argument, frame)).collect();
+        let depths: Vec<Depth> =
+            arguments.iter().map(|&argument| self.value(argument, frame)).collect();
         let (depth, handed_back) = if self.calls < MAX_CALL_DEPTH {
             self.calls += 1;
             let found = self.function(&self.module.functions[function], &depths);
@@ -165,12 +170,17 @@ impl Walk<'_> {
 
     fn emit(&mut self, handle: Handle<Expression>, frame: &mut Frame<'_>) {
         let depth = match &frame.function.expressions[handle] {
-            Expression::Compose { components, .. } => {
-                components.iter().map(|&component| self.value(component, frame).most()).collect::<Vec<_>>().into()
+            Expression::Compose { components, .. } => components
+                .iter()
+                .map(|&component| self.value(component, frame).most())
+                .collect::<Vec<_>>()
+                .into(),
+            Expression::AccessIndex { base, index } => {
+                Depth::Whole(self.value(*base, frame).member(*index))
             }
-            Expression::AccessIndex { base, index } => Depth::Whole(self.value(*base, frame).member(*index)),
             expression => {
-                let below = operands(expression).map(|operand| self.value(operand, frame).most()).max();
+                let below =
+                    operands(expression).map(|operand| self.value(operand, frame).most()).max();
                 Depth::Whole(below.unwrap_or_default() + own_depth(expression))
             }
         };
@@ -202,7 +212,9 @@ impl From<Vec<u64>> for Depth {
 /// The variable or argument that a pointer leads into.
 fn base_of(function: &Function, pointer: Handle<Expression>) -> Handle<Expression> {
     let mut at = pointer;
-    while let Expression::Access { base, .. } | Expression::AccessIndex { base, .. } = function.expressions[at] {
+    while let Expression::Access { base, .. } | Expression::AccessIndex { base, .. } =
+        function.expressions[at]
+    {
         at = base;
     }
     at
@@ -212,15 +224,21 @@ fn base_of(function: &Function, pointer: Handle<Expression>) -> Handle<Expressio
 fn operands(expression: &Expression) -> impl Iterator<Item = Handle<Expression>> {
     let found = match *expression {
         Expression::Access { base, index } => [Some(base), Some(index), None, None],
-        Expression::Splat { value, .. } | Expression::Swizzle { vector: value, .. } => [Some(value), None, None, None],
+        Expression::Splat { value, .. } | Expression::Swizzle { vector: value, .. } => {
+            [Some(value), None, None, None]
+        }
         Expression::Load { pointer } => [Some(pointer), None, None, None],
         Expression::ImageSample { coordinate, array_index, .. }
-        | Expression::ImageLoad { coordinate, array_index, .. } => [Some(coordinate), array_index, None, None],
-        Expression::Unary { expr, .. } | Expression::Derivative { expr, .. } | Expression::As { expr, .. } => {
-            [Some(expr), None, None, None]
+        | Expression::ImageLoad { coordinate, array_index, .. } => {
+            [Some(coordinate), array_index, None, None]
         }
+        Expression::Unary { expr, .. }
+        | Expression::Derivative { expr, .. }
+        | Expression::As { expr, .. } => [Some(expr), None, None, None],
         Expression::Binary { left, right, .. } => [Some(left), Some(right), None, None],
-        Expression::Select { condition, accept, reject } => [Some(condition), Some(accept), Some(reject), None],
+        Expression::Select { condition, accept, reject } => {
+            [Some(condition), Some(accept), Some(reject), None]
+        }
         Expression::Relational { argument, .. } => [Some(argument), None, None, None],
         Expression::Math { arg, arg1, arg2, arg3, .. } => [Some(arg), arg1, arg2, arg3],
         _ => [None; 4],
@@ -242,7 +260,9 @@ fn own_depth(expression: &Expression) -> u64 {
         | Expression::ImageLoad { .. } => 1,
         Expression::Math { fun, .. } => match fun {
             // Polynomials of the driver's own.
-            MathFunction::Asin | MathFunction::Acos | MathFunction::Atan | MathFunction::Atan2 => 24,
+            MathFunction::Asin | MathFunction::Acos | MathFunction::Atan | MathFunction::Atan2 => {
+                24
+            }
             MathFunction::Inverse | MathFunction::Determinant => 12,
             MathFunction::Asinh
             | MathFunction::Acosh
@@ -281,7 +301,9 @@ mod tests {
     use super::*;
 
     fn depth(functions: &str, body: &str) -> u64 {
-        let source = format!("{functions}\n@fragment fn main(@location(0) x: f32) -> @location(0) vec4f {{ {body} }}");
+        let source = format!(
+            "{functions}\n@fragment fn main(@location(0) x: f32) -> @location(0) vec4f {{ {body} }}"
+        );
         depth_of_entry_points(&crate::wgsl::parse(&source).unwrap().module)
     }
 
@@ -289,7 +311,10 @@ mod tests {
     fn calls_variables_and_pointers_are_followed() {
         let step = "fn step_on(y: f32) -> f32 { return y * 2.0 + 1.0; }";
         assert_eq!(depth("", "return vec4f(x * x * x + (x + x));"), 3);
-        assert_eq!(depth(step, "let a = step_on(x); let b = step_on(a); return vec4f(step_on(b));"), 6);
+        assert_eq!(
+            depth(step, "let a = step_on(x); let b = step_on(a); return vec4f(step_on(b));"),
+            6
+        );
         assert_eq!(depth(step, "var y = x; y = step_on(y); y = step_on(y); return vec4f(y);"), 4);
         let into = "fn into(p: ptr<function, f32>) { *p = *p * 2.0; }";
         assert_eq!(depth(into, "var y = x * x; into(&y); into(&y); return vec4f(y);"), 3);
@@ -301,12 +326,17 @@ mod tests {
     fn members_have_depths_of_their_own() {
         let pair = "struct Pair { a: f32, b: f32 }
             fn pair(a: f32, b: f32) -> Pair { return Pair(a * 2.0, b * b * b * b * b); }";
-        assert_eq!(depth(pair, "let p = pair(x, x); let q = pair(p.a, x); return vec4f(q.a * q.a);"), 4);
+        assert_eq!(
+            depth(pair, "let p = pair(x, x); let q = pair(p.a, x); return vec4f(q.a * q.a);"),
+            4
+        );
     }
 
     #[test]
     fn what_doubles_is_not_walked() {
-        let twice = |i: usize| format!("fn g{}(x: f32) -> f32 {{ return g{i}(x) + g{i}(x + 1.0); }}\n", i + 1);
+        let twice = |i: usize| {
+            format!("fn g{}(x: f32) -> f32 {{ return g{i}(x) + g{i}(x + 1.0); }}\n", i + 1)
+        };
         let doubling: String = (0..70).map(twice).collect();
         let functions = format!("fn g0(x: f32) -> f32 {{ return sin(x); }}\n{doubling}");
         assert!(depth(&functions, "return vec4f(g70(x));") > MAX_WALKED);

@@ -36,7 +36,8 @@ struct Part {
 impl Linked {
     /// The file that a byte of the text came from, and the place in it.
     pub fn locate(&self, offset: usize) -> Option<(&str, LineColumn)> {
-        let part = self.parts.iter().find(|part| part.span.contains(&offset)).or(self.parts.last())?;
+        let part =
+            self.parts.iter().find(|part| part.span.contains(&offset)).or(self.parts.last())?;
         let text = &self.text[part.span.clone()];
         Some((&part.name, LineColumn::of(text, offset.saturating_sub(part.span.start))))
     }
@@ -101,12 +102,18 @@ fn add_imports(
 ) {
     for import in &scanned.imports {
         let Some(file) = library_file(&import.path) else {
-            let known: Vec<_> = SHADER_LIBRARY.iter().map(|(path, _)| format!("{ROOT}{}", file_stem(path))).collect();
+            let known: Vec<_> = SHADER_LIBRARY
+                .iter()
+                .map(|(path, _)| format!("{ROOT}{}", file_stem(path)))
+                .collect();
             problems.push(
-                Diagnostic::error("unknown-import", format!("there is no `{}` to import", import.path))
-                    .in_file(source.name)
-                    .at(LineColumn::of(source.text, import.span.start))
-                    .suggest(&import.path, known.iter().map(String::as_str)),
+                Diagnostic::error(
+                    "unknown-import",
+                    format!("there is no `{}` to import", import.path),
+                )
+                .in_file(source.name)
+                .at(LineColumn::of(source.text, import.span.start))
+                .suggest(&import.path, known.iter().map(String::as_str)),
             );
             continue;
         };
@@ -124,7 +131,8 @@ mod tests {
 
     #[test]
     fn an_unknown_import_names_its_line() {
-        let problems = link(&[Source { name: "a.wgsl", text: "\nimport chiaro::tipes;\n" }]).unwrap_err();
+        let problems =
+            link(&[Source { name: "a.wgsl", text: "\nimport chiaro::tipes;\n" }]).unwrap_err();
         let text = problems[0].to_string();
         assert!(text.starts_with("a.wgsl:2:1: error[unknown-import]"), "{text}");
         assert!(text.contains("chiaro::types"), "{text}");

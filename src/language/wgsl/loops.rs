@@ -42,7 +42,10 @@ const LIBRARY_ROUNDS: u64 = 64;
 /// What may be imported.
 static LIBRARY_FUNCTIONS: LazyLock<HashSet<String>> = LazyLock::new(|| {
     let declarations = SHADER_LIBRARY.iter().flat_map(|(_, text)| scan(text).declarations);
-    declarations.filter(|found| found.kind == DeclarationKind::Function).map(|found| found.name).collect()
+    declarations
+        .filter(|found| found.kind == DeclarationKind::Function)
+        .map(|found| found.name)
+        .collect()
 });
 
 /// Code whose loops end.
@@ -73,15 +76,19 @@ pub fn bound_loops(source: &str) -> BoundedLoops {
     for function in &functions {
         let is_counted = |found: &&Loop| found.is_counted();
         let counted = function.loops.iter().filter(is_counted);
-        bounded.counted.extend(counted.map(|found| CountedLoop { span: found.span.clone(), rounds: found.rounds }));
+        bounded.counted.extend(
+            counted.map(|found| CountedLoop { span: found.span.clone(), rounds: found.rounds }),
+        );
     }
     let mut rounds = Rounds { functions: &functions, known: HashMap::new(), open: HashSet::new() };
     for (index, function) in functions.iter().enumerate() {
         let total = rounds.of(index);
         if total > MAX_CALL_ROUNDS {
             let message = format!(
-                "the loops of `{}` may take {total} rounds, one within the other and in what they call, \
-                 and one call at most {MAX_CALL_ROUNDS}: write inner ones as `for` with whole numbers in \
+                "the loops of `{}` may take {total} rounds, one within the other and in what they \
+                 call, \
+                 and one call at most {MAX_CALL_ROUNDS}: write inner ones as `for` with whole \
+                 numbers in \
                  place of variables",
                 function.name
             );
@@ -147,13 +154,17 @@ impl Rounds<'_> {
             return 0;
         }
         let function = &self.functions[index];
-        let outside = function.calls.iter().fold(0u64, |sum, &callee| sum.saturating_add(self.of(callee)));
+        let outside =
+            function.calls.iter().fold(0u64, |sum, &callee| sum.saturating_add(self.of(callee)));
         // Loops are listed before those within them.
         let mut within = vec![0u64; function.loops.len()];
         let (mut seen, mut counted) = (outside, 0u64);
         for (at, found) in function.loops.iter().enumerate().rev() {
             let library = found.library_calls.saturating_mul(LIBRARY_ROUNDS);
-            let calls = found.calls.iter().fold(library, |sum, &callee| sum.saturating_add(self.of(callee)));
+            let calls = found
+                .calls
+                .iter()
+                .fold(library, |sum, &callee| sum.saturating_add(self.of(callee)));
             let a_round = calls.saturating_add(within[at]).saturating_add(1);
             if found.is_counted() {
                 // One counter ends them all, whichever of them takes the rounds.
@@ -213,7 +224,8 @@ impl<'a> Code<'a> {
         let mut declared: HashMap<&str, usize> = HashMap::new();
         for index in 1..self.tokens.len() {
             let is_local = matches!(self.text(index - 1), "const" | "let" | "var");
-            let is_parameter = matches!(self.text(index - 1), "(" | ",") && self.text(index + 1) == ":";
+            let is_parameter =
+                matches!(self.text(index - 1), "(" | ",") && self.text(index + 1) == ":";
             if is_local || is_parameter {
                 *declared.entry(self.text(index)).or_default() += 1;
             }
@@ -221,8 +233,11 @@ impl<'a> Code<'a> {
         let mut constants = HashMap::new();
         for index in (0..self.tokens.len()).filter(|&index| self.text(index) == "const") {
             let name = self.text(index + 1);
-            let (ty, equals) =
-                if self.text(index + 2) == ":" { (self.text(index + 3), index + 4) } else { ("", index + 2) };
+            let (ty, equals) = if self.text(index + 2) == ":" {
+                (self.text(index + 3), index + 4)
+            } else {
+                ("", index + 2)
+            };
             if declared.get(name) == Some(&1)
                 && self.text(equals) == "="
                 && let Some((mut whole, end)) = self.whole(equals + 1)
@@ -250,12 +265,16 @@ impl<'a> Code<'a> {
         let is_number = self.tokens.get(at).is_some_and(|token| token.kind == TokenKind::Number);
         // Beyond 32 bits there is no such number in WGSL, and no sum of two overflows here.
         let is_in_range = value <= i64::from(u32::MAX);
-        (is_number && is_in_range).then_some((Whole { value: sign * value, is_unsigned: text.ends_with('u') }, at + 1))
+        (is_number && is_in_range)
+            .then_some((Whole { value: sign * value, is_unsigned: text.ends_with('u') }, at + 1))
     }
 
     fn functions(&self) -> Vec<FunctionLoops> {
-        let declared = || self.scan.declarations.iter().filter(|found| found.kind == DeclarationKind::Function);
-        let names: HashMap<&str, usize> = declared().enumerate().map(|(i, found)| (found.name.as_str(), i)).collect();
+        let declared = || {
+            self.scan.declarations.iter().filter(|found| found.kind == DeclarationKind::Function)
+        };
+        let names: HashMap<&str, usize> =
+            declared().enumerate().map(|(i, found)| (found.name.as_str(), i)).collect();
         let function = |found: &super::scan::Declaration| {
             let first = self.tokens.partition_point(|token| token.span.start < found.body.start);
             let last = self.tokens.partition_point(|token| token.span.start < found.body.end);
@@ -264,13 +283,24 @@ impl<'a> Code<'a> {
         declared().map(function).collect()
     }
 
-    fn function(&self, name: &str, tokens: Range<usize>, names: &HashMap<&str, usize>) -> FunctionLoops {
+    fn function(
+        &self,
+        name: &str,
+        tokens: Range<usize>,
+        names: &HashMap<&str, usize>,
+    ) -> FunctionLoops {
         let named = tokens.clone().find(|&index| self.text(index) == name).unwrap_or(tokens.start);
         let open = tokens.clone().find(|&index| self.text(index) == "{").unwrap_or(tokens.start);
-        let end_of = |index: usize| self.tokens.get(index).map_or(self.source.len(), |token| token.span.end);
+        let end_of =
+            |index: usize| self.tokens.get(index).map_or(self.source.len(), |token| token.span.end);
         let span = self.tokens.get(named).map_or(0..0, |token| token.span.clone());
-        let mut function =
-            FunctionLoops { name: name.to_owned(), span, body: end_of(open), loops: Vec::new(), calls: Vec::new() };
+        let mut function = FunctionLoops {
+            name: name.to_owned(),
+            span,
+            body: end_of(open),
+            loops: Vec::new(),
+            calls: Vec::new(),
+        };
         // The loop that each open brace begins, if it is a loop's, and the one that the next brace
         // will begin.
         let mut braces: Vec<Option<usize>> = Vec::new();
@@ -281,11 +311,19 @@ impl<'a> Code<'a> {
                 "for" | "while" | "loop" => {
                     let span = self.tokens[index].span.clone();
                     let parent = braces.iter().rev().copied().flatten().next();
-                    let body = (index..tokens.end).find(|&at| self.text(at) == "{").unwrap_or(index);
+                    let body =
+                        (index..tokens.end).find(|&at| self.text(at) == "{").unwrap_or(index);
                     let rounds = self.rounds(index, body..tokens.end);
                     next = Some(function.loops.len());
                     let body = end_of(body);
-                    function.loops.push(Loop { span, body, parent, rounds, calls: Vec::new(), library_calls: 0 });
+                    function.loops.push(Loop {
+                        span,
+                        body,
+                        parent,
+                        rounds,
+                        calls: Vec::new(),
+                        library_calls: 0,
+                    });
                 }
                 "{" => braces.push(next.take()),
                 "}" => drop(braces.pop()),
@@ -295,7 +333,8 @@ impl<'a> Code<'a> {
                         (Some(found), Some(callee)) => function.loops[found].calls.push(callee),
                         (None, Some(callee)) => function.calls.push(callee),
                         (Some(found), None) => {
-                            function.loops[found].library_calls += u64::from(self.is_imported(word));
+                            function.loops[found].library_calls +=
+                                u64::from(self.is_imported(word));
                         }
                         (None, None) => {}
                     }
@@ -318,8 +357,11 @@ impl<'a> Code<'a> {
             return None;
         }
         let name = self.text(keyword + 3);
-        let (ty, equals) =
-            if self.text(keyword + 4) == ":" { (self.text(keyword + 5), keyword + 6) } else { ("", keyword + 4) };
+        let (ty, equals) = if self.text(keyword + 4) == ":" {
+            (self.text(keyword + 5), keyword + 6)
+        } else {
+            ("", keyword + 4)
+        };
         if self.text(equals) != "=" || !matches!(ty, "" | "i32" | "u32") {
             return None;
         }
@@ -339,8 +381,12 @@ impl<'a> Code<'a> {
         let is_unsigned = ty == "u32" || first.is_unsigned || last.is_unsigned || step.is_unsigned;
         let end = i64::from(has_end);
         let (distance, beyond) = match compared {
-            "<" if step.value > 0 => (last.value - first.value + end, last.value + step.value + end - 1),
-            ">" if step.value < 0 => (first.value - last.value + end, last.value + step.value - end + 1),
+            "<" if step.value > 0 => {
+                (last.value - first.value + end, last.value + step.value + end - 1)
+            }
+            ">" if step.value < 0 => {
+                (first.value - last.value + end, last.value + step.value - end + 1)
+            }
             _ => return None,
         };
         // What wraps around at the end of its type begins anew.
@@ -359,7 +405,9 @@ impl<'a> Code<'a> {
             ("+", "+") => Some((one, at + 2)),
             ("-", "-") => Some((Whole { value: -1, ..one }, at + 2)),
             ("+", "=") => self.whole(at + 2),
-            ("-", "=") => self.whole(at + 2).map(|(whole, end)| (Whole { value: -whole.value, ..whole }, end)),
+            ("-", "=") => {
+                self.whole(at + 2).map(|(whole, end)| (Whole { value: -whole.value, ..whole }, end))
+            }
             _ => None,
         }
     }
@@ -400,7 +448,8 @@ impl<'a> Code<'a> {
         let counter = self.unused_name("rounds");
         let mut inserted: Vec<(usize, String)> = Vec::new();
         for function in functions {
-            let counted: Vec<&Loop> = function.loops.iter().filter(|found| found.is_counted()).collect();
+            let counted: Vec<&Loop> =
+                function.loops.iter().filter(|found| found.is_counted()).collect();
             if counted.is_empty() {
                 continue;
             }
@@ -445,9 +494,11 @@ mod tests {
     use super::*;
 
     fn counted(body: &str) -> usize {
-        let bounded = bound_loops(&format!("const STEPS = 64;\nfn f(x: f32) -> f32 {{ {body} return x; }}"));
+        let bounded =
+            bound_loops(&format!("const STEPS = 64;\nfn f(x: f32) -> f32 {{ {body} return x; }}"));
         assert!(bounded.beyond.is_empty(), "{body}: {:?}", bounded.beyond);
-        crate::wgsl::parse(&bounded.text).unwrap_or_else(|error| panic!("{}: {error}", bounded.text));
+        crate::wgsl::parse(&bounded.text)
+            .unwrap_or_else(|error| panic!("{}: {error}", bounded.text));
         bounded.counted.len()
     }
 
@@ -461,7 +512,11 @@ mod tests {
             "for (var i = 7; i >= 0; i -= 1)",
             "for (var i = 0x1; i < 0x10; i++)",
         ] {
-            assert_eq!(counted(&format!("{head} {{ let a = i == 3 || i >= 4; if (a) {{ continue; }} }}")), 0, "{head}");
+            assert_eq!(
+                counted(&format!("{head} {{ let a = i == 3 || i >= 4; if (a) {{ continue; }} }}")),
+                0,
+                "{head}"
+            );
         }
     }
 
@@ -493,10 +548,14 @@ mod tests {
 
     #[test]
     fn nested_loops_share_a_counter_and_keep_their_lines() {
-        let source = "fn f(x: f32) -> f32 {\n    var rounds = x;\n    while (rounds > 0.5) {\n        loop { break; }\n    }\n    return rounds;\n}\n";
+        let source = "fn f(x: f32) -> f32 \
+                      {\n    var rounds = x;\n    while (rounds > 0.5) {\n        loop { break; }\n    }\n    return rounds;\n}\n";
         let bounded = bound_loops(source);
-        let expected = "fn f(x: f32) -> f32 {\n    var rounds_2 = 0u;\n    var rounds = x;\n    while (rounds > 0.5) {\n        \
-                        if rounds_2 == 4096u { break; } rounds_2 += 1u;\n        loop { if rounds_2 == 4096u { break; } rounds_2 += 1u; break; }\n    }\n    return rounds;\n}\n";
+        let expected = "fn f(x: f32) -> f32 \
+                        {\n    var rounds_2 = 0u;\n    var rounds = x;\n    while (rounds > 0.5) {\n        \
+                        if rounds_2 == 4096u { break; } rounds_2 += 1u;\n        loop \
+                        { if rounds_2 == 4096u { break; } rounds_2 += 1u; break; }\n    }\n    \
+                        return rounds;\n}\n";
         assert_eq!(bounded.text, expected);
         assert_eq!(bounded.counted.len(), 2);
         crate::wgsl::parse(&bounded.text).unwrap();
@@ -506,22 +565,23 @@ mod tests {
     fn loops_within_loops_are_bounded_through_calls_too() {
         let inner = "fn g(x: f32) -> f32 { var y = x; while (y > 0.5) { y *= 0.9; } return y; }\n";
         let few = format!(
-            "fn f(x: f32) -> f32 {{ var y = x; for (var i = 0; i < 8; i++) {{ y += g(y); }} return y; }}\n{inner}"
+            "fn f(x: f32) -> f32 {{ var y = x; for (var i = 0; i < 8; i++) {{ y += g(y); }} return \
+             y; }}\n{inner}"
         );
         assert!(bound_loops(&few).beyond.is_empty());
         let many = few.replace("i < 8", "i < 4000");
         assert_eq!(bound_loops(&many).beyond.len(), 1);
         let unseen = few.replace("for (var i = 0; i < 8; i++)", "while (y < 100.0)");
         assert_eq!(bound_loops(&unseen).beyond.len(), 1);
-        let nested =
-            "fn f(x: f32) -> f32 { for (var i = 0; i < 2000; i++) { for (var j = 0; j < 2000; j++) { } } return x; }";
+        let nested = "fn f(x: f32) -> f32 \
+                      { for (var i = 0; i < 2000; i++) { for (var j = 0; j < 2000; j++) { } } return x; }";
         assert_eq!(bound_loops(nested).beyond.len(), 1);
     }
 
     #[test]
     fn broken_text_never_panics() {
-        let source =
-            "const N = 3; fn f(x: f32) -> f32 { for (var i = 0; i < N; i++) { loop { } } while (x > 0.0) { } }";
+        let source = "const N = 3; fn f(x: f32) -> f32 \
+                      { for (var i = 0; i < N; i++) { loop { } } while (x > 0.0) { } }";
         for end in 0..=source.len() {
             bound_loops(&source[..end]);
             bound_loops(&source[end..]);

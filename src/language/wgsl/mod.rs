@@ -1,8 +1,9 @@
-//! WGSL sources: what is embedded, how imports are resolved, and the only caller of naga's front end and validator.
+//! WGSL sources: what is embedded, how imports are resolved, and the only caller of naga's front
+//! end and validator.
 //!
-//! A source may begin with lines `import chiaro::name;`, each naming a file of `shaders/lib/`. [`link`] puts what is
-//! imported before the source, each file once; the result is plain WGSL, and [`Linked::locate`] finds the way back to
-//! the file and line that a byte of it came from.
+//! A source may begin with lines `import chiaro::name;`, each naming a file of `shaders/lib/`.
+//! [`link`] puts what is imported before the source, each file once; the result is plain WGSL, and
+//! [`Linked::locate`] finds the way back to the file and line that a byte of it came from.
 
 use crate::diag::Diagnostic;
 
@@ -16,7 +17,9 @@ mod permitted;
 mod scan;
 mod validate;
 
-pub use bounds::{MAX_BRANCHES, MAX_CODE_BYTES, MAX_DECLARATIONS, MAX_OPERATORS, MAX_STATEMENTS, beyond_bounds};
+pub use bounds::{
+    MAX_BRANCHES, MAX_CODE_BYTES, MAX_DECLARATIONS, MAX_OPERATORS, MAX_STATEMENTS, beyond_bounds,
+};
 pub use depth::depth_of_entry_points;
 #[cfg(test)]
 pub use embedded::shipped_nodes;
@@ -24,8 +27,12 @@ pub use embedded::{PASSES, SHADER_LIBRARY};
 pub use link::{Linked, Source, link};
 pub use loops::{BoundedLoops, CountedLoop, MAX_CALL_ROUNDS, MAX_ROUNDS, bound_loops};
 pub use operations::Operations;
-pub use permitted::{MAX_CODE_OPERATIONS, MAX_TABLE_BYTES, MAX_TABLE_LENGTH, MAX_VARIABLE_BYTES, refusals};
-pub use scan::{Declaration, DeclarationKind, Field, Import, Scan, identifiers, rename_identifiers, scan};
+pub use permitted::{
+    MAX_CODE_OPERATIONS, MAX_TABLE_BYTES, MAX_TABLE_LENGTH, MAX_VARIABLE_BYTES, refusals,
+};
+pub use scan::{
+    Declaration, DeclarationKind, Field, Import, Scan, identifiers, rename_identifiers, scan,
+};
 pub use validate::{Valid, WgslError, parse, validate};
 
 /// `shaders/passes/NAME.wgsl` with what it imports.
@@ -33,9 +40,14 @@ pub use validate::{Valid, WgslError, parse, validate};
 /// # Errors
 /// That there is no such pass, or what it imports in vain.
 pub fn pass(name: &str) -> Result<Linked, Vec<Diagnostic>> {
-    let is_it = |path: &str| path.rsplit('/').next().and_then(|file| file.strip_suffix(".wgsl")) == Some(name);
+    let is_it = |path: &str| {
+        path.rsplit('/').next().and_then(|file| file.strip_suffix(".wgsl")) == Some(name)
+    };
     let Some((path, text)) = PASSES.iter().find(|(path, _)| is_it(path)) else {
-        return Err(vec![Diagnostic::error("missing-pass", format!("this build of Chiaro lacks the pass `{name}`"))]);
+        return Err(vec![Diagnostic::error(
+            "missing-pass",
+            format!("this build of Chiaro lacks the pass `{name}`"),
+        )]);
     };
     link(&[Source { name: path, text }])
 }

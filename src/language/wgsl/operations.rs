@@ -1,4 +1,5 @@
-//! How many operations a function asks for, counted in naga's IR: what there is to do before any back end makes it less.
+//! How many operations a function asks for, counted in naga's IR: what there is to do before any
+//! back end makes it less.
 
 use std::ops::Range;
 
@@ -6,8 +7,9 @@ use naga::{Expression, Function, Handle, Module};
 
 /// Operations of every function of a module, those of what it calls included.
 ///
-/// Each expression that computes or fetches counts once: so do both sides of a branch, and the body of a loop however
-/// often it runs. Literals, names and the taking apart of vectors and structs count nothing.
+/// Each expression that computes or fetches counts once: so do both sides of a branch, and the body
+/// of a loop however often it runs. Literals, names and the taking apart of vectors and structs
+/// count nothing.
 #[derive(Clone, Debug, Default)]
 pub struct Operations {
     /// In the order of the module's functions.
@@ -28,7 +30,8 @@ impl Operations {
 
     /// The operations of a function by its name; 0 where there is none.
     pub fn of_function(&self, module: &Module, name: &str) -> u64 {
-        let found = module.functions.iter().find(|(_, function)| function.name.as_deref() == Some(name));
+        let found =
+            module.functions.iter().find(|(_, function)| function.name.as_deref() == Some(name));
         found.map_or(0, |(handle, _)| self.called(handle))
     }
 
@@ -38,14 +41,16 @@ impl Operations {
         counts.fold(0, u64::saturating_add)
     }
 
-    /// Gives every stretch of the source that an operation of a function or entry point was written in, with the
-    /// operations it asks for.
+    /// Gives every stretch of the source that an operation of a function or entry point was written
+    /// in, with the operations it asks for.
     pub fn for_each(&self, module: &Module, mut tell: impl FnMut(Range<usize>, u64)) {
         let entry_points = module.entry_points.iter().map(|entry| &entry.function);
         for function in module.functions.iter().map(|(_, function)| function).chain(entry_points) {
             for (handle, expression) in function.expressions.iter() {
                 let count = self.of_expression(expression);
-                if let Some(span) = function.expressions.get_span(handle).to_range().filter(|_| count > 0) {
+                if let Some(span) =
+                    function.expressions.get_span(handle).to_range().filter(|_| count > 0)
+                {
                     tell(span, count);
                 }
             }
@@ -54,7 +59,8 @@ impl Operations {
 
     fn within(&self, function: &Function) -> u64 {
         // Functions that call others twice, and these again, soon ask for more than a number holds.
-        let counts = function.expressions.iter().map(|(_, expression)| self.of_expression(expression));
+        let counts =
+            function.expressions.iter().map(|(_, expression)| self.of_expression(expression));
         counts.fold(0, u64::saturating_add)
     }
 

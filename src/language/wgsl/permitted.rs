@@ -65,7 +65,8 @@ impl<'a> Refusals<'a> {
         for (handle, found) in self.module().overrides.iter() {
             let name = found.name.as_deref().unwrap_or_default();
             let message = format!(
-                "no pipeline gives the override `{name}` a value: write `const {name} = ...;`, or make it \
+                "no pipeline gives the override `{name}` a value: write `const {name} = ...;`, or \
+                 make it \
                  a parameter"
             );
             self.tell(self.module().overrides.get_span(handle), message);
@@ -108,7 +109,8 @@ impl<'a> Refusals<'a> {
 
     /// Tells of the first variable with which there is too much.
     fn variable_bytes(&mut self, bytes: u64, name: &str, span: naga::Span) {
-        let is_told = self.told.iter().any(|error| error.message.contains("variables of this code"));
+        let is_told =
+            self.told.iter().any(|error| error.message.contains("variables of this code"));
         if bytes > MAX_VARIABLE_BYTES && !is_told {
             let message = format!(
                 "with `{name}` the variables of this code take {bytes} bytes, and at most \
@@ -119,7 +121,10 @@ impl<'a> Refusals<'a> {
     }
 
     fn size(&self, ty: Handle<naga::Type>) -> u64 {
-        self.module().types[ty].inner.try_size(self.module().to_ctx()).map_or(u64::MAX >> 16, u64::from)
+        self.module().types[ty]
+            .inner
+            .try_size(self.module().to_ctx())
+            .map_or(u64::MAX >> 16, u64::from)
     }
 
     fn entry_points(&mut self) {
@@ -129,8 +134,12 @@ impl<'a> Refusals<'a> {
                 entry.name,
                 stage(entry.stage)
             );
-            let span =
-                entry.function.expressions.iter().next().map(|(first, _)| entry.function.expressions.get_span(first));
+            let span = entry
+                .function
+                .expressions
+                .iter()
+                .next()
+                .map(|(first, _)| entry.function.expressions.get_span(first));
             self.tell(span.unwrap_or_default(), message);
         }
     }
@@ -143,9 +152,14 @@ impl<'a> Refusals<'a> {
         for (handle, ty) in self.module().types.iter() {
             let bytes = self.size(handle);
             if bytes > MAX_TABLE_BYTES {
-                let name = ty.name.as_ref().map_or_else(|| "an array".to_owned(), |name| format!("`{name}`"));
-                let message =
-                    format!("{name} takes {bytes} bytes, and a value at most {MAX_TABLE_BYTES}: use shorter arrays");
+                let name = ty
+                    .name
+                    .as_ref()
+                    .map_or_else(|| "an array".to_owned(), |name| format!("`{name}`"));
+                let message = format!(
+                    "{name} takes {bytes} bytes, and a value at most {MAX_TABLE_BYTES}: use \
+                     shorter arrays"
+                );
                 self.tell(self.module().types.get_span(handle), message);
             }
         }
@@ -167,7 +181,8 @@ impl<'a> Refusals<'a> {
             let count = operations.of_function(self.module(), &name);
             if count > MAX_CODE_OPERATIONS {
                 let message = format!(
-                    "`{name}` asks for {count} operations, with those of what it calls, and at most \
+                    "`{name}` asks for {count} operations, with those of what it calls, and at \
+                     most \
                      {MAX_CODE_OPERATIONS} are compiled in good time"
                 );
                 self.tell(span, message);
@@ -199,7 +214,8 @@ impl<'a> Refusals<'a> {
             }
             if bytes > MAX_TABLE_BYTES {
                 let message = format!(
-                    "the arrays that are looked up in here take {bytes} bytes, and in one function at most \
+                    "the arrays that are looked up in here take {bytes} bytes, and in one function \
+                     at most \
                      {MAX_TABLE_BYTES}: look each up once, in a function of its own"
                 );
                 self.tell(span, message);
@@ -216,9 +232,12 @@ impl<'a> Refusals<'a> {
                 && !uses[global].is_empty()
                 && !self.is_own(self.module().global_variables.get_span(global))
         };
-        if let Some((_, found)) = self.module().global_variables.iter().find(|(global, _)| is_foreign(*global)) {
+        if let Some((_, found)) =
+            self.module().global_variables.iter().find(|(global, _)| is_foreign(*global))
+        {
             let resource = found.name.clone().unwrap_or_default();
-            let message = format!("`{name}` reads `{resource}`, which passes are given and nodes are not");
+            let message =
+                format!("`{name}` reads `{resource}`, which passes are given and nodes are not");
             self.tell(span, message);
         }
     }
@@ -242,7 +261,9 @@ fn barrier(body: &Block) -> Option<naga::Span> {
                 Statement::Block(inner) => blocks.push(inner),
                 Statement::If { accept, reject, .. } => blocks.extend([accept, reject]),
                 Statement::Loop { body, continuing, .. } => blocks.extend([body, continuing]),
-                Statement::Switch { cases, .. } => blocks.extend(cases.iter().map(|case| &case.body)),
+                Statement::Switch { cases, .. } => {
+                    blocks.extend(cases.iter().map(|case| &case.body))
+                }
                 _ => {}
             }
         }
@@ -262,9 +283,18 @@ mod tests {
     #[test]
     fn what_nothing_gives_a_value_is_refused() {
         let cases = [
-            ("@group(0) @binding(9) var t: texture_2d<f32>; fn f(x: f32) -> f32 { return x; }", "bound to `t`"),
-            ("@group(0) @binding(9) var<uniform> u: f32; fn f(x: f32) -> f32 { return u; }", "bound to `u`"),
-            ("@group(0) @binding(9) var<storage> b: f32; fn f(x: f32) -> f32 { return b; }", "bound to `b`"),
+            (
+                "@group(0) @binding(9) var t: texture_2d<f32>; fn f(x: f32) -> f32 { return x; }",
+                "bound to `t`",
+            ),
+            (
+                "@group(0) @binding(9) var<uniform> u: f32; fn f(x: f32) -> f32 { return u; }",
+                "bound to `u`",
+            ),
+            (
+                "@group(0) @binding(9) var<storage> b: f32; fn f(x: f32) -> f32 { return b; }",
+                "bound to `b`",
+            ),
             ("var<workgroup> a: atomic<u32>; fn f(x: f32) -> f32 { return x; }", "bound to `a`"),
             ("@id(1) override k: f32; fn f(x: f32) -> f32 { return x * k; }", "override `k`"),
             ("override k = 1.0; fn f(x: f32) -> f32 { return x * k; }", "override `k`"),
@@ -287,18 +317,27 @@ mod tests {
     #[test]
     fn memory_and_operations_are_bounded() {
         let cases = [
-            ("fn f(x: f32) -> f32 { var a: array<f32, 100000000>; return a[u32(x)]; }", "400000000 bytes"),
-            ("var<private> a: array<f32, 1000>; fn f(x: f32) -> f32 { return a[u32(x)]; }", "4000 bytes"),
+            (
+                "fn f(x: f32) -> f32 { var a: array<f32, 100000000>; return a[u32(x)]; }",
+                "400000000 bytes",
+            ),
+            (
+                "var<private> a: array<f32, 1000>; fn f(x: f32) -> f32 { return a[u32(x)]; }",
+                "4000 bytes",
+            ),
             ("fn f(x: f32) -> f32 { return array<f32, 1000>()[u32(x)]; }", "1000 elements"),
             (
-                "const T = array<vec4f, 300>(); fn f(x: f32) -> f32 { return T[u32(x)].x + T[u32(x) + 1u].x; }",
+                "const T = array<vec4f, 300>(); fn f(x: f32) -> f32 \
+                 { return T[u32(x)].x + T[u32(x) + 1u].x; }",
                 "9600 bytes",
             ),
         ];
         for (code, expected) in cases {
             assert!(told(code).contains(expected), "{code}: {}", told(code));
         }
-        let twice = |i: usize| format!("fn g{}(x: f32) -> f32 {{ return g{i}(x) + g{i}(x + 1.0); }}\n", i + 1);
+        let twice = |i: usize| {
+            format!("fn g{}(x: f32) -> f32 {{ return g{i}(x) + g{i}(x + 1.0); }}\n", i + 1)
+        };
         let doubling: String = (0..70).map(twice).collect();
         let told = told(&format!("fn g0(x: f32) -> f32 {{ return sin(x); }}\n{doubling}"));
         assert!(told.contains("operations") && told.lines().count() == 1, "{told}");

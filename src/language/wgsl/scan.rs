@@ -1,7 +1,9 @@
-//! A scanner over WGSL text: top-level declarations with their docs, signatures and the names they use.
+//! A scanner over WGSL text: top-level declarations with their docs, signatures and the names they
+//! use.
 //!
-//! naga drops argument comments, alias names and the spans of whole declarations, and a node's ports are read from
-//! exactly these. The scanner knows tokens and brackets, not grammar: naga validates the same text afterwards.
+//! naga drops argument comments, alias names and the spans of whole declarations, and a node's
+//! ports are read from exactly these. The scanner knows tokens and brackets, not grammar: naga
+//! validates the same text afterwards.
 
 use std::ops::Range;
 
@@ -100,7 +102,8 @@ pub(super) fn tokenize(source: &str) -> Vec<Token> {
             continue;
         }
         let kind = if source[at..].starts_with("//") {
-            at = bytes[at..].iter().position(|&b| b == b'\n').map_or(bytes.len(), |end| start + end);
+            at =
+                bytes[at..].iter().position(|&b| b == b'\n').map_or(bytes.len(), |end| start + end);
             let line = &source[start..at];
             if line.starts_with("///") && !line.starts_with("////") {
                 TokenKind::Doc
@@ -118,7 +121,9 @@ pub(super) fn tokenize(source: &str) -> Vec<Token> {
             }
             TokenKind::Number
         } else if byte.is_ascii_alphabetic() || byte == b'_' || byte >= 0x80 {
-            while at < bytes.len() && (bytes[at].is_ascii_alphanumeric() || bytes[at] == b'_' || bytes[at] >= 0x80) {
+            while at < bytes.len()
+                && (bytes[at].is_ascii_alphanumeric() || bytes[at] == b'_' || bytes[at] >= 0x80)
+            {
                 at += 1;
             }
             TokenKind::Word
@@ -153,7 +158,8 @@ fn end_of_block_comment(bytes: &[u8], start: usize) -> usize {
     bytes.len()
 }
 
-/// Scans a whole source. Text that is no WGSL gives whatever declarations can be made out; naga reports the rest.
+/// Scans a whole source. Text that is no WGSL gives whatever declarations can be made out; naga
+/// reports the rest.
 pub fn scan(source: &str) -> Scan {
     let tokens = tokenize(source);
     let mut scanner = Scanner { source, tokens: &tokens, at: 0 };
@@ -225,7 +231,8 @@ impl<'a> Scanner<'a> {
     fn item(&mut self, scan: &mut Scan) {
         let first = self.at;
         let mut doc = Vec::new();
-        while let Some(token) = self.peek().filter(|token| matches!(token.kind, TokenKind::Doc | TokenKind::ModuleDoc))
+        while let Some(token) =
+            self.peek().filter(|token| matches!(token.kind, TokenKind::Doc | TokenKind::ModuleDoc))
         {
             doc.push(doc_line(self.source, token));
             self.at += 1;
@@ -261,7 +268,8 @@ impl<'a> Scanner<'a> {
         });
     }
 
-    /// The identifiers that may name other declarations: not members, and not locals unless they are called.
+    /// The identifiers that may name other declarations: not members, and not locals unless they
+    /// are called.
     fn uses(&self, tokens: &[Token], name: &str, fields: &[Field]) -> Vec<String> {
         let mut locals: Vec<&str> = fields.iter().map(|field| field.name.as_str()).collect();
         for pair in tokens.windows(2) {
@@ -270,7 +278,9 @@ impl<'a> Scanner<'a> {
             }
         }
         let mut uses = Vec::new();
-        for (index, token) in tokens.iter().enumerate().filter(|(_, token)| token.kind == TokenKind::Word) {
+        for (index, token) in
+            tokens.iter().enumerate().filter(|(_, token)| token.kind == TokenKind::Word)
+        {
             let word = self.text(token);
             let is_member = index > 0 && self.text(&tokens[index - 1]) == ".";
             let is_called = tokens.get(index + 1).is_some_and(|next| self.text(next) == "(");
@@ -327,7 +337,9 @@ impl<'a> Scanner<'a> {
 
     fn name_index(&self, start: usize, kind: DeclarationKind) -> Option<usize> {
         let mut at = start + 1;
-        if kind == DeclarationKind::Variable && self.tokens.get(at).is_some_and(|token| self.text(token) == "<") {
+        if kind == DeclarationKind::Variable
+            && self.tokens.get(at).is_some_and(|token| self.text(token) == "<")
+        {
             while self.tokens.get(at).is_some_and(|token| self.text(token) != ">") {
                 at += 1;
             }
@@ -336,14 +348,21 @@ impl<'a> Scanner<'a> {
         self.tokens.get(at).filter(|token| token.kind == TokenKind::Word).map(|_| at)
     }
 
-    fn signature(&self, kind: DeclarationKind, from: usize, to: usize) -> (Vec<Field>, Option<String>) {
+    fn signature(
+        &self,
+        kind: DeclarationKind,
+        from: usize,
+        to: usize,
+    ) -> (Vec<Field>, Option<String>) {
         let (open, close) = match kind {
             DeclarationKind::Function => ("(", ")"),
             DeclarationKind::Struct => ("{", "}"),
             _ => return (Vec::new(), None),
         };
         let tokens = &self.tokens[from..to.max(from)];
-        let Some(first) = tokens.iter().position(|token| self.text(token) == open) else { return (Vec::new(), None) };
+        let Some(first) = tokens.iter().position(|token| self.text(token) == open) else {
+            return (Vec::new(), None);
+        };
         let mut depth = 0usize;
         let mut last = tokens.len();
         let mut fields = Vec::new();
@@ -369,9 +388,9 @@ impl<'a> Scanner<'a> {
         }
         let result = tokens.get(last + 1..).unwrap_or_default();
         let result = match result {
-            [dash, angle, rest @ ..] if self.text(dash) == "-" && self.text(angle) == ">" => {
-                Some(rest.iter().map(|token| self.text(token)).take_while(|text| *text != "{").collect())
-            }
+            [dash, angle, rest @ ..] if self.text(dash) == "-" && self.text(angle) == ">" => Some(
+                rest.iter().map(|token| self.text(token)).take_while(|text| *text != "{").collect(),
+            ),
             _ => None,
         };
         (fields, if kind == DeclarationKind::Function { result } else { None })
@@ -409,21 +428,37 @@ mod tests {
 
     #[test]
     fn declarations_are_found_with_docs_and_signatures() {
-        let source = "//! Top.\nimport chiaro::types;\n/// A node.\n/// @param a \"A\"\nfn node(a: vec3f, t: texture_2d<f32>) -> array<f32, 3> { if (a.x > 0.0) { return b(a); } }\n\
-            /* gone /* nested */ */ @group(0) @binding(1) var<uniform> look: Look;\nconst C: f32 = 1.0;\n\
-            struct S {\n  /// First.\n  @size(16) x: f32,\n  y: vec2<f32>,\n}\nalias Color = vec4f;";
+        let source = "//! Top.\nimport chiaro::types;\n/// A node.\n/// @param a \"A\"\nfn node(a: \
+                      vec3f, t: texture_2d<f32>) -> array<f32, 3> \
+                      { if (a.x > 0.0) { return b(a); } }\n\
+            /* gone /* nested */ */ @group(0) @binding(1) var<uniform> look: Look;\nconst C: f32 = \
+            1.0;\n\
+            struct S {\n  /// First.\n  @size(16) x: f32,\n  y: vec2<f32>,\n}\nalias Color = \
+            vec4f;";
         let scan = scan(source);
         assert_eq!(scan.doc, ["Top."]);
         assert_eq!(scan.imports[0].path, "chiaro::types");
         let names: Vec<_> = scan.declarations.iter().map(|d| (d.kind, d.name.as_str())).collect();
         use DeclarationKind::*;
-        assert_eq!(names, [(Function, "node"), (Variable, "look"), (Constant, "C"), (Struct, "S"), (Alias, "Color")]);
+        assert_eq!(
+            names,
+            [
+                (Function, "node"),
+                (Variable, "look"),
+                (Constant, "C"),
+                (Struct, "S"),
+                (Alias, "Color")
+            ]
+        );
         let node = &scan.declarations[0];
         assert_eq!(node.doc, ["A node.", "@param a \"A\""]);
         assert_eq!(node.fields[1].ty, "texture_2d<f32>");
         assert_eq!(node.result.as_deref(), Some("array<f32,3>"));
         assert!(node.uses.contains(&"b".to_owned()));
-        assert!(source[node.body.clone()].starts_with("fn node") && source[node.span.clone()].starts_with("/// A"));
+        assert!(
+            source[node.body.clone()].starts_with("fn node")
+                && source[node.span.clone()].starts_with("/// A")
+        );
         assert_eq!(scan.declarations[3].fields[0].doc, ["First."]);
         assert_eq!(scan.declarations[3].fields[1].ty, "vec2<f32>");
     }
@@ -438,7 +473,8 @@ mod tests {
 
     #[test]
     fn broken_text_never_panics() {
-        let source = "fn f(a: vec3f) -> f32 { return g(a, 1.0e-3); } struct S { x: f32 } /* λ */ var<private> p: S;";
+        let source = "fn f(a: vec3f) -> f32 { return g(a, 1.0e-3); } struct S { x: f32 } /* λ */ \
+                      var<private> p: S;";
         for end in (0..=source.len()).filter(|&end| source.is_char_boundary(end)) {
             scan(&source[..end]);
             scan(&source[end..]);

@@ -46,7 +46,8 @@ pub fn validate(module: naga::Module) -> Result<Valid, WgslError> {
     match validator.validate(&module) {
         Ok(info) => Ok(Valid { module, info }),
         Err(error) => {
-            // naga tells of the function and of what is inside it; the innermost place is the one to mend.
+            // naga tells of the function and of what is inside it; the innermost place is the one
+            // to mend.
             let spans = error.spans().filter_map(|(span, _)| span.to_range());
             let span = spans.min_by_key(ExactSizeIterator::len);
             let mut message = error.as_inner().to_string();

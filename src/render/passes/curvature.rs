@@ -1,5 +1,6 @@
-//! What is found from the normals that are on the screen: curvature (`shaders/passes/curvature.wgsl` and its cheaper
-//! sibling `curvature_sparse.wgsl`), its tensor (`curvature_tensor.wgsl`), and smoothed normals (`smooth_normals_*.wgsl`).
+//! What is found from the normals that are on the screen: curvature
+//! (`shaders/passes/curvature.wgsl` and its cheaper sibling `curvature_sparse.wgsl`), its tensor
+//! (`curvature_tensor.wgsl`), and smoothed normals (`smooth_normals_*.wgsl`).
 
 use wgpu::util::DeviceExt as _;
 
@@ -18,8 +19,10 @@ pub(crate) struct CurvaturePass {
 impl CurvaturePass {
     pub(crate) fn new(gpu: &Gpu, name: &str, kind: &PassKind) -> Self {
         let source = wgsl::pass(name).unwrap_or_default().text;
-        let descriptor =
-            wgpu::ShaderModuleDescriptor { label: Some(name), source: wgpu::ShaderSource::Wgsl(source.into()) };
+        let descriptor = wgpu::ShaderModuleDescriptor {
+            label: Some(name),
+            source: wgpu::ShaderSource::Wgsl(source.into()),
+        };
         let module = gpu.device.create_shader_module(descriptor);
         let pipeline = gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some(name),
@@ -47,16 +50,24 @@ impl CurvaturePass {
 }
 
 impl Renderer {
-    pub(crate) fn draw_curvature(&mut self, plan: &FramePlan, kind: &PassKind, encoder: &mut wgpu::CommandEncoder) {
+    pub(crate) fn draw_curvature(
+        &mut self,
+        plan: &FramePlan,
+        kind: &PassKind,
+        encoder: &mut wgpu::CommandEncoder,
+    ) {
         let (Some(targets), Some(name)) = (self.targets.of(kind), kind.shader()) else { return };
         let Some(made) = self.targets.made(kind) else { return };
         // Each level of smoothed normals is made from the one before it.
         let normals = match kind {
-            PassKind::SmoothNormals(level @ 2..) => targets.made(&PassKind::SmoothNormals(level - 1)),
+            PassKind::SmoothNormals(level @ 2..) => {
+                targets.made(&PassKind::SmoothNormals(level - 1))
+            }
             _ => Some(&targets.normals),
         };
         let Some(normals) = normals else { return };
-        let fixed = self.curvature.entry(name).or_insert_with(|| CurvaturePass::new(&self.gpu, name, kind));
+        let fixed =
+            self.curvature.entry(name).or_insert_with(|| CurvaturePass::new(&self.gpu, name, kind));
         let device = &self.gpu.device;
         let numbers = plan.view.curvature_numbers(plan.samples).map(|number| number as f32);
         let uniform = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {

@@ -13,8 +13,11 @@ pub(super) struct Bound {
     group: wgpu::BindGroup,
 }
 
-/// An attachment that begins with one colour.
-pub(super) fn cleared(view: &wgpu::TextureView, color: wgpu::Color) -> wgpu::RenderPassColorAttachment<'_> {
+/// An attachment that begins with one color.
+pub(super) fn cleared(
+    view: &wgpu::TextureView,
+    color: wgpu::Color,
+) -> wgpu::RenderPassColorAttachment<'_> {
     wgpu::RenderPassColorAttachment {
         view,
         depth_slice: None,
@@ -24,10 +27,15 @@ pub(super) fn cleared(view: &wgpu::TextureView, color: wgpu::Color) -> wgpu::Ren
 }
 
 /// A depth buffer that begins far away and is not kept.
-pub(super) fn depth_attachment(view: &wgpu::TextureView) -> wgpu::RenderPassDepthStencilAttachment<'_> {
+pub(super) fn depth_attachment(
+    view: &wgpu::TextureView,
+) -> wgpu::RenderPassDepthStencilAttachment<'_> {
     wgpu::RenderPassDepthStencilAttachment {
         view,
-        depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: wgpu::StoreOp::Discard }),
+        depth_ops: Some(wgpu::Operations {
+            load: wgpu::LoadOp::Clear(1.0),
+            store: wgpu::StoreOp::Discard,
+        }),
         stencil_ops: None,
     }
 }
@@ -43,7 +51,9 @@ impl Renderer {
         for draw in &plan.draws {
             bound.push(self.bind(&draw.look, Stage::Draw, draw, &view, plan.samples)?);
         }
-        let (Some(picture), Some(depth)) = (self.picture_view(), &self.targets.depth) else { return Ok(()) };
+        let (Some(picture), Some(depth)) = (self.picture_view(), &self.targets.depth) else {
+            return Ok(());
+        };
         let [r, g, b, a] = plan.backdrop.unwrap_or([0.0; 4]);
         let background = wgpu::Color { r: r * a, g: g * a, b: b * a, a };
         let color = match &self.targets.multisampled {
@@ -93,7 +103,8 @@ impl Renderer {
         let look = draw.look_uniforms.get(&stage).map(|uniform| &uniform.bytes);
         let look = look.filter(|bytes| !bytes.is_empty()).map(|bytes| self.uniform(bytes));
         let images = self.images.of(&self.gpu, draw.images_of(stage), &shader.needs.images)?;
-        let curvature = |kind: PassKind| self.targets.made(&kind).map(wgpu::BindingResource::TextureView);
+        let curvature =
+            |kind: PassKind| self.targets.made(&kind).map(wgpu::BindingResource::TextureView);
         let mut entries = Vec::new();
         for binding in &shader.bindings {
             let resource = match &binding.kind {
@@ -112,10 +123,19 @@ impl Renderer {
                 BindingKind::SmoothNormal(level) => curvature(PassKind::SmoothNormals(*level)),
                 BindingKind::Samples => None,
             };
-            let missing = || RenderError::Refused { message: format!("nothing to bind to `{}`", binding.name) };
-            entries.push(wgpu::BindGroupEntry { binding: binding.binding, resource: resource.ok_or_else(missing)? });
+            let missing = || RenderError::Refused {
+                message: format!("nothing to bind to `{}`", binding.name),
+            };
+            entries.push(wgpu::BindGroupEntry {
+                binding: binding.binding,
+                resource: resource.ok_or_else(missing)?,
+            });
         }
-        let descriptor = wgpu::BindGroupDescriptor { label: Some("look"), layout: &pipeline.layout, entries: &entries };
+        let descriptor = wgpu::BindGroupDescriptor {
+            label: Some("look"),
+            layout: &pipeline.layout,
+            entries: &entries,
+        };
         let group = self.gpu.device.create_bind_group(&descriptor);
         Ok(Bound { pipeline, group })
     }

@@ -1,4 +1,5 @@
-//! Raw weights in closed form: `w_k(x) = a_k + sum over j of c_jk K(x, x_j)`, with `sum over j of c_jk = 0`.
+//! Raw weights in closed form: `w_k(x) = a_k + sum over j of c_jk K(x, x_j)`, with `sum over j of
+//! c_jk = 0`.
 
 use faer::linalg::solvers::DenseSolveCore;
 use faer::{Col, Mat, Side};
@@ -6,8 +7,8 @@ use glam::DVec3;
 
 use super::kernel::Kernel;
 
-/// How far a raw weight may be from 1 at its key and from 0 at the others. The smoothstep is flat there, so it leaves
-/// 3 TOLERANCE^2 of this.
+/// How far a raw weight may be from 1 at its key and from 0 at the others. The smoothstep is flat
+/// there, so it leaves 3 TOLERANCE^2 of this.
 const TOLERANCE: f64 = 1e-5;
 
 /// Raw weights of distinct keys.
@@ -24,10 +25,11 @@ pub(super) struct ClosedForm {
 impl ClosedForm {
     /// Solves for the weights of unit directions; `None` if they are (nearly) not distinct.
     ///
-    /// The conditions `w_k(x_j) = [j = k]` and `sum c = 0` are a saddle-point system. The kernel plus twice its peak
-    /// is positive definite (its Legendre coefficients all are positive), and a constant does not matter to
-    /// coefficients that sum to 0. So with G that matrix, U its inverse, u = U 1 and s = 1'u, the solution is
-    /// C = U - u u' / s and a = u / s: one Cholesky factorisation.
+    /// The conditions `w_k(x_j) = [j = k]` and `sum c = 0` are a saddle-point system. The kernel
+    /// plus twice its peak is positive definite (its Legendre coefficients all are positive), and a
+    /// constant does not matter to coefficients that sum to 0. So with G that matrix, U its
+    /// inverse, u = U 1 and s = 1'u, the solution is C = U - u u' / s and a = u / s: one Cholesky
+    /// factorisation.
     pub(super) fn solve(kernel: Kernel, centers: &[DVec3]) -> Option<Self> {
         let n = centers.len();
         let kernels = Mat::from_fn(n, n, |i, j| kernel.between(centers[i], centers[j]));
@@ -41,9 +43,11 @@ impl ClosedForm {
             (&inverse * right - &sums * &constants, constants)
         };
         let (mut coefficients, mut constants) = solve(&Mat::identity(n, n));
-        // The shift drowned the small kernels of near keys. One step of refinement with the kernels themselves mends
-        // that: with 512 keys, each at the merge distance from the next, errors at keys fall from 7e-5 to 6e-7.
-        let residual = Mat::from_fn(n, n, |j, k| f64::from(u8::from(j == k)) - constants[k]) - &kernels * &coefficients;
+        // The shift drowned the small kernels of near keys. One step of refinement with the kernels
+        // themselves mends that: with 512 keys, each at the merge distance from the next, errors at
+        // keys fall from 7e-5 to 6e-7.
+        let residual = Mat::from_fn(n, n, |j, k| f64::from(u8::from(j == k)) - constants[k])
+            - &kernels * &coefficients;
         let (coefficient_errors, constant_errors) = solve(&residual);
         coefficients += coefficient_errors;
         constants += constant_errors;
@@ -82,7 +86,8 @@ impl ClosedForm {
     }
 }
 
-/// Weights that fall with the square of the distance, for sets whose system cannot be solved: 1 at a key, and C1.
+/// Weights that fall with the square of the distance, for sets whose system cannot be solved: 1 at
+/// a key, and C1.
 pub(super) fn inverse_distance_into(centers: &[DVec3], direction: DVec3, out: &mut [f64]) {
     for (weight, center) in out.iter_mut().zip(centers) {
         // The least distance at which the others' weights are not lost to rounding.
@@ -108,7 +113,8 @@ mod tests {
     #[test]
     fn keys_at_the_merge_distance_are_solved_well() {
         // A patch of keys at the least distance that merging leaves, 5 by 5, and some far away.
-        let near = |i: usize| DVec3::new(1.0, 1e-4 * (i % 5) as f64, 1e-4 * (i / 5) as f64).normalize();
+        let near =
+            |i: usize| DVec3::new(1.0, 1e-4 * (i % 5) as f64, 1e-4 * (i / 5) as f64).normalize();
         let mut keys: Vec<DVec3> = (0..25).map(near).collect();
         keys.extend([DVec3::Z, DVec3::NEG_Y, DVec3::new(-0.6, 0.8, 0.0)]);
         for kernel in BOTH {
@@ -124,10 +130,14 @@ mod tests {
         for kernel in BOTH {
             let solved = ClosedForm::solve(kernel, &[a, b]).unwrap();
             for x in [DVec3::Y, DVec3::new(-0.2, 0.7, 0.1).normalize()] {
-                let wanted = 0.5 - 0.5 * (kernel.between(x, a) - kernel.between(x, b)) / kernel.between(a, b);
+                let wanted = 0.5
+                    - 0.5 * (kernel.between(x, a) - kernel.between(x, b)) / kernel.between(a, b);
                 let mut weights = [0.0; 2];
                 solved.raw_into(x, &mut weights);
-                assert!((weights[0] - wanted).abs() < 1e-14 && (weights[0] + weights[1] - 1.0).abs() < 1e-14);
+                assert!(
+                    (weights[0] - wanted).abs() < 1e-14
+                        && (weights[0] + weights[1] - 1.0).abs() < 1e-14
+                );
             }
         }
     }

@@ -9,8 +9,9 @@ use glam::DVec3;
 pub(super) struct Icosphere {
     /// Unit vectors.
     pub(super) positions: Vec<DVec3>,
-    /// Vertices of each triangle, counterclockwise from outside. The children of triangle `t` of the level above are
-    /// triangles `4t` to `4t + 3`: those at its three corners, then the middle one.
+    /// Vertices of each triangle, counterclockwise from outside. The children of triangle `t` of
+    /// the level above are triangles `4t` to `4t + 3`: those at its three corners, then the middle
+    /// one.
     pub(super) triangles: Vec<[u32; 3]>,
     /// How often the icosahedron was subdivided.
     pub(super) level: u32,
@@ -26,7 +27,8 @@ impl Icosphere {
             for &[a, b, c] in &triangles {
                 let [ab, bc, ca] = [(a, b), (b, c), (c, a)].map(|(from, to): (u32, u32)| {
                     *middles.entry((from.min(to), from.max(to))).or_insert_with(|| {
-                        positions.push((positions[from as usize] + positions[to as usize]).normalize());
+                        positions
+                            .push((positions[from as usize] + positions[to as usize]).normalize());
                         positions.len() as u32 - 1
                     })
                 });
@@ -37,7 +39,8 @@ impl Icosphere {
         Self { positions, triangles, level }
     }
 
-    /// The angle (radians) that an edge takes on average, near enough: that of the icosahedron, halved per level.
+    /// The angle (radians) that an edge takes on average, near enough: that of the icosahedron,
+    /// halved per level.
     pub(super) fn edge_angle(level: u32) -> f64 {
         2f64.atan() / f64::from(1u32 << level)
     }
@@ -57,8 +60,9 @@ impl Icosphere {
 
     /// The jumps of the Jacobian over all edges; see [`Jump`].
     ///
-    /// With `area_weighted`, each squared jump counts `3 L^2 / (A_a + A_b)` (edge length L, triangle areas A), which
-    /// makes up for an icosphere's triangles being of unequal size. The paper weighs all edges alike.
+    /// With `area_weighted`, each squared jump counts `3 L^2 / (A_a + A_b)` (edge length L,
+    /// triangle areas A), which makes up for an icosphere's triangles being of unequal size. The
+    /// paper weighs all edges alike.
     pub(super) fn jumps(&self, area_weighted: bool) -> Vec<Jump> {
         let neighbors = self.neighbors();
         let mut jumps = Vec::with_capacity(3 * self.triangles.len() / 2);
@@ -91,11 +95,19 @@ impl Icosphere {
         let from_i = (1.0 - along_a) / height_a + (1.0 - along_b) / height_b;
         let from_j = along_a / height_a + along_b / height_b;
         // A triangle's area is half of length times height.
-        let weight = if area_weighted { (6.0 * squared_length.sqrt() / (height_a + height_b)).sqrt() } else { 1.0 };
-        Jump { vertices, coefficients: [from_i, from_j, -1.0 / height_a, -1.0 / height_b].map(|c| weight * c) }
+        let weight = if area_weighted {
+            (6.0 * squared_length.sqrt() / (height_a + height_b)).sqrt()
+        } else {
+            1.0
+        };
+        Jump {
+            vertices,
+            coefficients: [from_i, from_j, -1.0 / height_a, -1.0 / height_b].map(|c| weight * c),
+        }
     }
 
-    /// The least height of any triangle, in edges of the regular mesh; negative when a triangle is turned over.
+    /// The least height of any triangle, in edges of the regular mesh; negative when a triangle is
+    /// turned over.
     pub(super) fn least_height(&self) -> f64 {
         let height = |&[a, b, c]: &[u32; 3]| {
             let [a, b, c] = [a, b, c].map(|vertex| self.positions[vertex as usize]);
@@ -103,14 +115,16 @@ impl Icosphere {
             let longest = (b - a).length().max((c - b).length()).max((a - c).length());
             normal.length().copysign(normal.dot(a + b + c)) / longest
         };
-        self.triangles.iter().map(height).fold(f64::INFINITY, f64::min) / Self::edge_angle(self.level)
+        self.triangles.iter().map(height).fold(f64::INFINITY, f64::min)
+            / Self::edge_angle(self.level)
     }
 }
 
 /// One term of the energy: how much the Jacobian of a function on the mesh changes over an edge.
 ///
-/// Once the two triangles are unfolded onto a plane, their Jacobians agree along the edge and differ only across it,
-/// by `(w(foot_a) - w_k) / h_a + (w(foot_b) - w_l) / h_b`: linear in the values at the four vertices.
+/// Once the two triangles are unfolded onto a plane, their Jacobians agree along the edge and
+/// differ only across it, by `(w(foot_a) - w_k) / h_a + (w(foot_b) - w_l) / h_b`: linear in the
+/// values at the four vertices.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Jump {
     /// The ends of the edge, then the opposite vertices.
@@ -126,7 +140,8 @@ pub(super) fn icosahedron() -> (Vec<DVec3>, Vec<[u32; 3]>) {
     for (s, l) in [(short, long), (-short, long), (short, -long), (-short, -long)] {
         positions.extend([DVec3::new(0.0, s, l), DVec3::new(s, l, 0.0), DVec3::new(l, 0.0, s)]);
     }
-    // Its faces are the triples of vertices that are all 2 apart (its edge), turned to face outside.
+    // Its faces are the triples of vertices that are all 2 apart (its edge), turned to face
+    // outside.
     let adjacent = |a: usize, b: usize| ((positions[a] - positions[b]).length() - 2.0).abs() < 1e-9;
     let mut triangles = Vec::with_capacity(20);
     for a in 0..12 {
@@ -134,7 +149,9 @@ pub(super) fn icosahedron() -> (Vec<DVec3>, Vec<[u32; 3]>) {
             for c in b + 1..12 {
                 if adjacent(a, b) && adjacent(b, c) && adjacent(a, c) {
                     let outward = positions[a].dot(positions[b].cross(positions[c])) > 0.0;
-                    triangles.push(if outward { [a, b, c] } else { [a, c, b] }.map(|vertex| vertex as u32));
+                    triangles.push(
+                        if outward { [a, b, c] } else { [a, c, b] }.map(|vertex| vertex as u32),
+                    );
                 }
             }
         }
@@ -154,14 +171,21 @@ mod tests {
             assert_eq!(sphere.triangles.len(), triangles);
             assert_eq!(sphere.positions.len(), triangles / 2 + 2);
             assert_eq!(sphere.jumps(false).len(), 3 * triangles / 2);
-            assert!(sphere.neighbors().iter().flatten().all(|&neighbor| (neighbor as usize) < triangles));
+            assert!(
+                sphere
+                    .neighbors()
+                    .iter()
+                    .flatten()
+                    .all(|&neighbor| (neighbor as usize) < triangles)
+            );
             assert!(sphere.least_height() > 0.7, "{}", sphere.least_height());
         }
     }
 
     #[test]
     fn linear_functions_on_a_plane_have_no_jump() {
-        // Four vertices in a plane (not on the sphere, which the energy does not ask for), a crooked pair of triangles.
+        // Four vertices in a plane (not on the sphere, which the energy does not ask for), a
+        // crooked pair of triangles.
         let positions = vec![
             DVec3::new(0.0, 0.0, 0.0),
             DVec3::new(1.0, 0.2, 0.0),
@@ -171,7 +195,8 @@ mod tests {
         let linear = |p: DVec3| 3.0 - 2.0 * p.x + 5.0 * p.y;
         let mesh = Icosphere { positions, triangles: Vec::new(), level: 0 };
         let jump = mesh.jump([0, 1, 2, 3], false);
-        let value: f64 = jump.coefficients.iter().zip(&mesh.positions).map(|(c, p)| c * linear(*p)).sum();
+        let value: f64 =
+            jump.coefficients.iter().zip(&mesh.positions).map(|(c, p)| c * linear(*p)).sum();
         assert!(value.abs() < 1e-14, "{value:e}");
     }
 
@@ -181,7 +206,9 @@ mod tests {
         let (mut energy, mut norm) = (0.0, 0.0);
         for harmonic in harmonics {
             let values: Vec<f64> = sphere.positions.iter().map(|&p| harmonic(p)).collect();
-            let jump = |j: &Jump| -> f64 { (0..4).map(|n| j.coefficients[n] * values[j.vertices[n] as usize]).sum() };
+            let jump = |j: &Jump| -> f64 {
+                (0..4).map(|n| j.coefficients[n] * values[j.vertices[n] as usize]).sum()
+            };
             energy += jumps.iter().map(|j| jump(j).powi(2)).sum::<f64>();
             norm += values.iter().map(|v| v * v).sum::<f64>();
         }

@@ -1,12 +1,15 @@
-//! The two kernels of the closed forms: Green's functions of fourth-order operators on the unit sphere.
+//! The two kernels of the closed forms: Green's functions of fourth-order operators on the unit
+//! sphere.
 //!
-//! With y = |a - b|^2 / 4 (from 0 where the directions agree to 1 where they are opposite) and P_l the Legendre
-//! polynomials at 1 - 2y, a kernel is `sum over l >= 1 of (2l+1) / s(l) P_l`, where s is the operator's spectrum:
+//! With y = |a - b|^2 / 4 (from 0 where the directions agree to 1 where they are opposite) and P_l
+//! the Legendre polynomials at 1 - 2y, a kernel is `sum over l >= 1 of (2l+1) / s(l) P_l`, where s
+//! is the operator's spectrum:
 //! - biharmonic: s = (l(l+1))^2, the square of the Laplacian;
-//! - Appendix B: s = l(l+1) (3 l(l+1) - 4), the limit of the paper's energy on ever finer regular meshes.
+//! - Appendix B: s = l(l+1) (3 l(l+1) - 4), the limit of the paper's energy on ever finer regular
+//!   meshes.
 //!
-//! Both are stored less their value at y = 0. A weight takes kernels with coefficients that sum to 0, so the constant
-//! changes nothing, and near-coincident keys keep relative accuracy.
+//! Both are stored less their value at y = 0. A weight takes kernels with coefficients that sum to
+//! 0, so the constant changes nothing, and near-coincident keys keep relative accuracy.
 
 use std::f64::consts::{EULER_GAMMA, PI};
 use std::sync::LazyLock;
@@ -18,7 +21,8 @@ use glam::DVec3;
 pub(super) enum Kernel {
     Biharmonic,
     AppendixB,
-    /// Less the distance, between places of a cube of side 1: in space the biharmonic Green's function.
+    /// Less the distance, between places of a cube of side 1: in space the biharmonic Green's
+    /// function.
     Distance,
 }
 
@@ -32,17 +36,20 @@ impl Kernel {
         if y <= 0.5 { self.near(y) } else { self.far(0.25 * (a + b).length_squared()) }
     }
 
-    /// The sum of the Legendre series at distance 0: what was taken off, and the largest value of the series.
+    /// The sum of the Legendre series at distance 0: what was taken off, and the largest value of
+    /// the series.
     pub(super) fn peak(self) -> f64 {
         match self {
             Self::Biharmonic => 1.0,
             Self::AppendixB => APPENDIX_B.at_zero + 3.0 / 16.0,
-            // The cube's diagonal: so much more than any distance makes a matrix of them positive definite.
+            // The cube's diagonal: so much more than any distance makes a matrix of them positive
+            // definite.
             Self::Distance => 3.0_f64.sqrt(),
         }
     }
 
-    /// The kernel at y in [0, 1/2], to a few units in the last place, y = 0 and subnormals included.
+    /// The kernel at y in [0, 1/2], to a few units in the last place, y = 0 and subnormals
+    /// included.
     fn near(self, y: f64) -> f64 {
         if y <= 0.0 {
             return 0.0;
@@ -69,7 +76,8 @@ impl Kernel {
     }
 }
 
-/// Li2(x) for x in [0, 1/2], given z = -ln(1 - x): the series in z with Bernoulli numbers, B_n z^(n+1) / (n+1)!.
+/// Li2(x) for x in [0, 1/2], given z = -ln(1 - x): the series in z with Bernoulli numbers, B_n
+/// z^(n+1) / (n+1)!.
 fn dilogarithm(z: f64) -> f64 {
     /// B_2n / (2n+1)! for n from 1; the next term is below 1e-18.
     const COEFFICIENTS: [f64; 8] = [
@@ -98,9 +106,9 @@ static APPENDIX_B: LazyLock<AppendixB> = LazyLock::new(AppendixB::new);
 
 /// Series of `[1 + ln y - pi / sin(nu pi) 2F1(-nu, nu+1; 1; 1-y)] / 4` with nu (nu+1) = 4/3.
 ///
-/// At y = 0 the logarithm of 2F1 cancels ln y, so near 0 the series about the singularity is used, with the
-/// cancellation done on paper: `4 K = 1 + h_0 + sum over n >= 1 of t_n (h_n - ln y) y^n`, where
-/// t_n = (-nu)_n (nu+1)_n / n!^2 and h_n = 2 psi(n+1) - psi(n-nu) - psi(n+nu+1).
+/// At y = 0 the logarithm of 2F1 cancels ln y, so near 0 the series about the singularity is used,
+/// with the cancellation done on paper: `4 K = 1 + h_0 + sum over n >= 1 of t_n (h_n - ln y) y^n`,
+/// where t_n = (-nu)_n (nu+1)_n / n!^2 and h_n = 2 psi(n+1) - psi(n-nu) - psi(n+nu+1).
 struct AppendixB {
     /// t_n for n from 0.
     series: [f64; TERMS],
@@ -162,7 +170,8 @@ mod tests {
         if y <= 0.5 { kernel.near(y) } else { kernel.far(1.0 - y) }
     }
 
-    /// The Legendre series itself, less its sum at y = 0, summed over `count` degrees by the three-term recurrence.
+    /// The Legendre series itself, less its sum at y = 0, summed over `count` degrees by the
+    /// three-term recurrence.
     fn legendre_series(kernel: Kernel, y: f64, count: u32) -> f64 {
         let x = 1.0 - 2.0 * y;
         let (mut before, mut now, mut sum) = (1.0, x, 0.0);
@@ -182,8 +191,27 @@ mod tests {
 
     /// The largest difference between closed form and series over y from 1e-5 to 1 - 1e-9.
     fn series_error(kernel: Kernel) -> f64 {
-        let ys = [1e-5, 1e-4, 1e-3, 0.01, 0.1, 0.25, 0.4, 0.4999, 0.5, 0.5001, 0.6, 0.75, 0.9, 0.99, 0.999, 1.0 - 1e-9];
-        ys.iter().map(|&y| (at(kernel, y) - legendre_series(kernel, y, 200_000)).abs()).fold(0.0, f64::max)
+        let ys = [
+            1e-5,
+            1e-4,
+            1e-3,
+            0.01,
+            0.1,
+            0.25,
+            0.4,
+            0.4999,
+            0.5,
+            0.5001,
+            0.6,
+            0.75,
+            0.9,
+            0.99,
+            0.999,
+            1.0 - 1e-9,
+        ];
+        ys.iter()
+            .map(|&y| (at(kernel, y) - legendre_series(kernel, y, 200_000)).abs())
+            .fold(0.0, f64::max)
     }
 
     #[test]

@@ -4,16 +4,20 @@ use glam::DVec3;
 
 use crate::diag::Diagnostic;
 
-/// Keys that are closer than this (radians) are one: raw weights grow like 1 over their distance, to -2e3 here.
+/// Keys that are closer than this (radians) are one: raw weights grow like 1 over their distance,
+/// to -2e3 here.
 pub const MERGE_ANGLE: f64 = 1e-4;
 
-/// Keys of drivers that are closer than this, as a share of how far keys are apart along an axis, are one.
+/// Keys of drivers that are closer than this, as a share of how far keys are apart along an axis,
+/// are one.
 pub(super) const MERGE_PLACES: f64 = 1e-6;
 
-/// Keys that are closer than this (radians, 5 degrees) are warned of: they split the sphere by a sharp edge.
+/// Keys that are closer than this (radians, 5 degrees) are warned of: they split the sphere by a
+/// sharp edge.
 pub const CLOSE_ANGLE: f64 = 5.0 * std::f64::consts::PI / 180.0;
 
-/// As many keys as one set holds; the solve takes the cube of the count, a query its square. Later keys have weight 0.
+/// As many keys as one set holds; the solve takes the cube of the count, a query its square. Later
+/// keys have weight 0.
 pub const MAX_KEYS: usize = 512;
 
 /// The group of a key that has no weight.
@@ -22,8 +26,8 @@ pub(super) const NO_GROUP: u32 = u32::MAX;
 /// Distinct unit directions, and which of them each key stands at.
 #[derive(Clone, Debug, Default)]
 pub(super) struct KeySet {
-    /// The direction of each group: that of its first key. In order of first keys, so group `g` begins at or after
-    /// key `g`.
+    /// The direction of each group: that of its first key. In order of first keys, so group `g`
+    /// begins at or after key `g`.
     pub(super) centers: Vec<DVec3>,
     /// The number of keys in each group.
     pub(super) sizes: Vec<u32>,
@@ -39,12 +43,19 @@ impl KeySet {
         let mut set = Self::default();
         let mut diagnostics = Vec::new();
         for (key, &direction) in directions.iter().enumerate() {
-            let group = if key < MAX_KEYS { set.place(key, direction, &mut diagnostics) } else { NO_GROUP };
+            let group =
+                if key < MAX_KEYS { set.place(key, direction, &mut diagnostics) } else { NO_GROUP };
             set.group_of.push(group);
         }
         if directions.len() > MAX_KEYS {
-            let problem = format!("there are {} direction keys, more than the {MAX_KEYS} that fit", directions.len());
-            diagnostics.push(Diagnostic::error("too-many-keys", problem).hint("those past the limit have no weight"));
+            let problem = format!(
+                "there are {} direction keys, more than the {MAX_KEYS} that fit",
+                directions.len()
+            );
+            diagnostics.push(
+                Diagnostic::error("too-many-keys", problem)
+                    .hint("those past the limit have no weight"),
+            );
         }
         (set, diagnostics)
     }
@@ -58,7 +69,9 @@ impl KeySet {
             let group = match set.centers.iter().position(near) {
                 _ if key >= MAX_KEYS || !place.is_finite() => NO_GROUP,
                 Some(group) => {
-                    diagnostics.push(merged(key, set.first_keys[group]).json_path(format!("keys[{key}].at")));
+                    diagnostics.push(
+                        merged(key, set.first_keys[group]).json_path(format!("keys[{key}].at")),
+                    );
                     set.sizes[group] += 1;
                     group as u32
                 }
@@ -67,8 +80,14 @@ impl KeySet {
             set.group_of.push(group);
         }
         if places.len() > MAX_KEYS {
-            let problem = format!("there are {} keys in a set, more than the {MAX_KEYS} that fit", places.len());
-            diagnostics.push(Diagnostic::error("too-many-keys", problem).hint("those past the limit have no weight"));
+            let problem = format!(
+                "there are {} keys in a set, more than the {MAX_KEYS} that fit",
+                places.len()
+            );
+            diagnostics.push(
+                Diagnostic::error("too-many-keys", problem)
+                    .hint("those past the limit have no weight"),
+            );
         }
         (set, diagnostics)
     }
@@ -102,7 +121,8 @@ impl KeySet {
     /// The group nearest to a unit direction, and the angle between.
     pub(super) fn nearest(&self, direction: DVec3) -> Option<(usize, f64)> {
         let squared = |center: &DVec3| (direction - *center).length_squared();
-        let nearest = self.centers.iter().map(squared).enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
+        let nearest =
+            self.centers.iter().map(squared).enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
         nearest.map(|(group, squared)| (group, angle_of_chord(squared.sqrt())))
     }
 
@@ -121,12 +141,14 @@ impl KeySet {
     }
 }
 
-/// The angle (radians) between unit vectors `chord` apart; exact for small ones, where an arc cosine is not.
+/// The angle (radians) between unit vectors `chord` apart; exact for small ones, where an arc
+/// cosine is not.
 pub(super) fn angle_of_chord(chord: f64) -> f64 {
     2.0 * (0.5 * chord).min(1.0).asin()
 }
 
-/// The unit vector along `direction`, however long or short; `None` for zero and for what is not finite.
+/// The unit vector along `direction`, however long or short; `None` for zero and for what is not
+/// finite.
 pub(super) fn unit(direction: DVec3) -> Option<DVec3> {
     let largest = direction.abs().max_element();
     // Division by the largest component first, so that squares neither overflow nor vanish.
@@ -145,16 +167,21 @@ fn without_direction(key: usize, direction: DVec3) -> Diagnostic {
 }
 
 fn merged(key: usize, other: usize) -> Diagnostic {
-    let problem = format!("`keys[{key}]` stands where `keys[{other}]` does, so they share one weight equally");
-    Diagnostic::warning("merged-keys", problem).json_path(path(key)).hint("move one of them, or delete it")
+    let problem = format!(
+        "`keys[{key}]` stands where `keys[{other}]` does, so they share one weight equally"
+    );
+    Diagnostic::warning("merged-keys", problem)
+        .json_path(path(key))
+        .hint("move one of them, or delete it")
 }
 
 fn close(key: usize, other: usize, angle: f64) -> Diagnostic {
     let degrees = angle.to_degrees();
     let problem = format!("`keys[{key}]` and `keys[{other}]` are only {degrees:.2} degrees apart");
-    Diagnostic::warning("close-keys", problem)
-        .json_path(path(key))
-        .hint("keys this close split the sphere by a sharp edge; move them 5 degrees apart, or delete one")
+    Diagnostic::warning("close-keys", problem).json_path(path(key)).hint(
+        "keys this close split the sphere by a sharp edge; move them 5 degrees apart, or \
+               delete one",
+    )
 }
 
 #[cfg(test)]
@@ -168,7 +195,10 @@ mod tests {
     #[test]
     fn any_length_has_a_direction() {
         for length in [1e-310, 1e-200, 1.0, 1e200, 1e308] {
-            assert!((unit(DVec3::new(1.0, -1.0, 0.0) * length).unwrap().length() - 1.0).abs() < 1e-15, "{length:e}");
+            assert!(
+                (unit(DVec3::new(1.0, -1.0, 0.0) * length).unwrap().length() - 1.0).abs() < 1e-15,
+                "{length:e}"
+            );
         }
         assert_eq!(unit(DVec3::ZERO), None);
         assert_eq!(unit(DVec3::new(1.0, f64::NAN, 0.0)), None);
@@ -178,11 +208,18 @@ mod tests {
     #[test]
     fn every_odd_key_is_reported() {
         let near = |angle: f64| DVec3::new(angle.cos(), angle.sin(), 0.0);
-        let keys = [DVec3::X, DVec3::ZERO, DVec3::X * 7.0, near(1e-6), near(0.05), DVec3::NAN, DVec3::Z];
+        let keys =
+            [DVec3::X, DVec3::ZERO, DVec3::X * 7.0, near(1e-6), near(0.05), DVec3::NAN, DVec3::Z];
         let (set, diagnostics) = KeySet::gather(&keys);
         assert_eq!(set.group_of, [0, NO_GROUP, 0, 0, 1, NO_GROUP, 2]);
         assert_eq!(set.sizes, [3, 1, 1]);
-        let wanted = ["key-without-direction", "merged-keys", "merged-keys", "close-keys", "key-without-direction"];
+        let wanted = [
+            "key-without-direction",
+            "merged-keys",
+            "merged-keys",
+            "close-keys",
+            "key-without-direction",
+        ];
         assert_eq!(codes(&diagnostics), wanted);
         assert!(diagnostics[3].message.contains("2.86 degrees"), "{}", diagnostics[3]);
         assert_eq!(set.closest_pair().map(|(a, b, _)| (a, b)), Some((0, 4)));

@@ -1,4 +1,5 @@
-//! Raw weights as the paper solves for them (BADF Appendix B): least squares over a subdivided icosahedron.
+//! Raw weights as the paper solves for them (BADF Appendix B): least squares over a subdivided
+//! icosahedron.
 
 use std::sync::LazyLock;
 
@@ -12,16 +13,17 @@ use super::icosphere::{Icosphere, Jump, icosahedron};
 /// The mesh of [`KeyScheme::Tessellated`](crate::document::KeyScheme).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tessellation {
-    /// How often an icosahedron is subdivided: 4 gives 2,562 vertices with edges of about 4 degrees. At most
-    /// [`Tessellation::MAX_LEVEL`]; more is taken for that.
+    /// How often an icosahedron is subdivided: 4 gives 2,562 vertices with edges of about 4
+    /// degrees. At most [`Tessellation::MAX_LEVEL`]; more is taken for that.
     pub level: u32,
-    /// Whether each edge counts by the areas beside it, which brings the solution nearer to the limit of regular
-    /// meshes. The paper weighs all edges alike.
+    /// Whether each edge counts by the areas beside it, which brings the solution nearer to the
+    /// limit of regular meshes. The paper weighs all edges alike.
     pub area_weighted: bool,
 }
 
 impl Tessellation {
-    /// 40,962 vertices. Finer meshes come no nearer to the closed form, and take four times the memory per level.
+    /// 40,962 vertices. Finer meshes come no nearer to the closed form, and take four times the
+    /// memory per level.
     pub const MAX_LEVEL: u32 = 6;
 }
 
@@ -45,7 +47,10 @@ pub(super) struct Tessellated {
 
 impl Tessellated {
     /// Solves for the weights of unit directions. The error says why the mesh cannot carry them.
-    pub(super) fn solve(tessellation: Tessellation, centers: &[DVec3]) -> Result<Self, &'static str> {
+    pub(super) fn solve(
+        tessellation: Tessellation,
+        centers: &[DVec3],
+    ) -> Result<Self, &'static str> {
         let mut mesh = Icosphere::new(tessellation.level.min(Tessellation::MAX_LEVEL));
         let pins = pin(&mesh, centers).ok_or("two keys are nearest to the same vertex")?;
         for (&vertex, &center) in pins.iter().zip(centers) {
@@ -60,7 +65,8 @@ impl Tessellated {
         Ok(Self { mesh, neighbors, values })
     }
 
-    /// The raw weights at a unit direction, one per key: linear over the triangle that the direction passes through.
+    /// The raw weights at a unit direction, one per key: linear over the triangle that the
+    /// direction passes through.
     pub(super) fn raw_into(&self, direction: DVec3, out: &mut [f64]) {
         let (triangle, shares) = self.locate(direction);
         out.fill(0.0);
@@ -72,28 +78,34 @@ impl Tessellated {
         }
     }
 
-    /// The triangle that a direction passes through, and the barycentric coordinates of where it does.
+    /// The triangle that a direction passes through, and the barycentric coordinates of where it
+    /// does.
     fn locate(&self, direction: DVec3) -> (usize, [f64; 3]) {
         // Vertices moved onto keys are a step or two away from where the regular mesh has them.
         let mut triangle = regular_triangle(direction, self.mesh.level);
         for _ in 0..64 {
             let areas = self.signed_areas(triangle, direction);
             let outermost = (0..3).min_by(|&a, &b| areas[a].total_cmp(&areas[b])).unwrap_or(0);
-            // Far more than the rounding of an area, so that no edge sends the walk back and forth, and far less than
-            // the area of a triangle.
+            // Far more than the rounding of an area, so that no edge sends the walk back and forth,
+            // and far less than the area of a triangle.
             if areas[outermost] >= -1e-14 {
                 return (triangle, shares(areas));
             }
             triangle = self.neighbors[triangle][outermost] as usize;
         }
-        let least = |t: usize| self.signed_areas(t, direction).into_iter().fold(f64::INFINITY, f64::min);
-        let best = (0..self.mesh.triangles.len()).max_by(|&a, &b| least(a).total_cmp(&least(b))).unwrap_or(0);
+        let least =
+            |t: usize| self.signed_areas(t, direction).into_iter().fold(f64::INFINITY, f64::min);
+        let best = (0..self.mesh.triangles.len())
+            .max_by(|&a, &b| least(a).total_cmp(&least(b)))
+            .unwrap_or(0);
         (best, shares(self.signed_areas(best, direction)))
     }
 
-    /// For each vertex, six times the volume of the direction with the opposite edge; all are positive inside.
+    /// For each vertex, six times the volume of the direction with the opposite edge; all are
+    /// positive inside.
     fn signed_areas(&self, triangle: usize, direction: DVec3) -> [f64; 3] {
-        let [a, b, c] = self.mesh.triangles[triangle].map(|vertex| self.mesh.positions[vertex as usize]);
+        let [a, b, c] =
+            self.mesh.triangles[triangle].map(|vertex| self.mesh.positions[vertex as usize]);
         [direction.dot(b.cross(c)), direction.dot(c.cross(a)), direction.dot(a.cross(b))]
     }
 }
@@ -118,8 +130,9 @@ fn pin(mesh: &Icosphere, centers: &[DVec3]) -> Option<Vec<u32>> {
     (sorted.len() == pins.len()).then_some(pins)
 }
 
-/// The values at all vertices that minimise the sum of squared jumps, with pin k held at the k-th unit vector: rows of
-/// `pins.len()` numbers. Normal equations, pinned values eliminated, sparse Cholesky.
+/// The values at all vertices that minimise the sum of squared jumps, with pin k held at the k-th
+/// unit vector: rows of `pins.len()` numbers. Normal equations, pinned values eliminated, sparse
+/// Cholesky.
 fn minimize(jumps: &[Jump], vertex_count: usize, pins: &[u32]) -> Option<Vec<f64>> {
     const PINNED: usize = usize::MAX;
     let mut key_of = vec![None; vertex_count];
@@ -127,14 +140,18 @@ fn minimize(jumps: &[Jump], vertex_count: usize, pins: &[u32]) -> Option<Vec<f64
         key_of[vertex as usize] = Some(key);
     }
     let mut unknowns = 0..;
-    let unknown: Vec<usize> =
-        key_of.iter().map(|key| if key.is_some() { PINNED } else { unknowns.next().unwrap_or(PINNED) }).collect();
+    let unknown: Vec<usize> = key_of
+        .iter()
+        .map(|key| if key.is_some() { PINNED } else { unknowns.next().unwrap_or(PINNED) })
+        .collect();
     let count = vertex_count - pins.len();
     let mut right = Mat::<f64>::zeros(count, pins.len());
     let mut entries = Vec::with_capacity(10 * jumps.len());
     for Jump { vertices, coefficients } in jumps {
         for (a, factor) in vertices.iter().zip(coefficients).map(|(&v, &c)| (v as usize, c)) {
-            for (b, product) in vertices.iter().zip(coefficients).map(|(&v, &c)| (v as usize, c * factor)) {
+            for (b, product) in
+                vertices.iter().zip(coefficients).map(|(&v, &c)| (v as usize, c * factor))
+            {
                 match (key_of[a], key_of[b]) {
                     (None, None) if unknown[a] >= unknown[b] => {
                         entries.push(Triplet::new(unknown[a], unknown[b], product));
@@ -151,7 +168,8 @@ fn minimize(jumps: &[Jump], vertex_count: usize, pins: &[u32]) -> Option<Vec<f64
         Some(pinned) => f64::from(u8::from(pinned == key)),
         None => solution[(unknown[vertex], key)],
     };
-    let values: Vec<f64> = (0..vertex_count * pins.len()).map(|at| value(at / pins.len(), at % pins.len())).collect();
+    let values: Vec<f64> =
+        (0..vertex_count * pins.len()).map(|at| value(at / pins.len(), at % pins.len())).collect();
     values.iter().all(|value| value.is_finite()).then_some(values)
 }
 
@@ -161,7 +179,8 @@ fn regular_triangle(direction: DVec3, level: u32) -> usize {
     let (positions, triangles) = &*BASE;
     let corners = |t: usize| triangles[t].map(|vertex| positions[vertex as usize]);
     let toward = |t: usize| corners(t).into_iter().sum::<DVec3>().dot(direction);
-    let mut triangle = (0..triangles.len()).max_by(|&s, &t| toward(s).total_cmp(&toward(t))).unwrap_or(0);
+    let mut triangle =
+        (0..triangles.len()).max_by(|&s, &t| toward(s).total_cmp(&toward(t))).unwrap_or(0);
     let [mut a, mut b, mut c] = corners(triangle);
     for _ in 0..level {
         let [ab, bc, ca] = [a + b, b + c, c + a].map(DVec3::normalize);
@@ -207,11 +226,13 @@ mod tests {
         // Vertices and the middles of edges, where more than one triangle will do.
         directions.extend(&solved.mesh.positions);
         let at = |vertex: u32| solved.mesh.positions[vertex as usize];
-        directions.extend(solved.mesh.triangles.iter().map(|&[a, b, _]| (at(a) + at(b)).normalize()));
+        directions
+            .extend(solved.mesh.triangles.iter().map(|&[a, b, _]| (at(a) + at(b)).normalize()));
         for direction in directions {
             let (triangle, shares) = solved.locate(direction);
             let corners = solved.mesh.triangles[triangle].map(at);
-            let met: DVec3 = corners.into_iter().zip(shares).map(|(corner, share)| share * corner).sum();
+            let met: DVec3 =
+                corners.into_iter().zip(shares).map(|(corner, share)| share * corner).sum();
             assert!((met.normalize() - direction).length() < 1e-12, "{direction}");
         }
     }
@@ -225,7 +246,9 @@ mod tests {
         let mut gradient = vec![0.0; solved.values.len()];
         for Jump { vertices, coefficients } in solved.mesh.jumps(false) {
             for key in 0..key_count {
-                let value = |n: usize| coefficients[n] * solved.values[vertices[n] as usize * key_count + key];
+                let value = |n: usize| {
+                    coefficients[n] * solved.values[vertices[n] as usize * key_count + key]
+                };
                 let jump: f64 = (0..4).map(value).sum();
                 for n in 0..4 {
                     gradient[vertices[n] as usize * key_count + key] += jump * coefficients[n];
@@ -233,7 +256,14 @@ mod tests {
             }
         }
         let pins: Vec<usize> = (0..key_count)
-            .map(|k| solved.mesh.positions.iter().position(|p| *p == centers[k]).expect("a vertex at every key"))
+            .map(|k| {
+                solved
+                    .mesh
+                    .positions
+                    .iter()
+                    .position(|p| *p == centers[k])
+                    .expect("a vertex at every key")
+            })
             .collect();
         let free = gradient.iter().enumerate().filter(|(at, _)| !pins.contains(&(at / key_count)));
         let largest = free.map(|(_, slope)| slope.abs()).fold(0.0, f64::max);

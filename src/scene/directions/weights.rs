@@ -10,7 +10,8 @@ use super::tessellated::{Tessellated, Tessellation};
 use crate::diag::Diagnostic;
 use crate::document::KeyScheme;
 
-/// The weights of keys as a function of direction. Made once for a set of keys, asked for every object and frame.
+/// The weights of keys as a function of direction. Made once for a set of keys, asked for every
+/// object and frame.
 ///
 /// ```
 /// use chiaro_compiler::document::KeyScheme;
@@ -34,7 +35,8 @@ pub struct KeyWeights {
 enum Space {
     /// All directions.
     Sphere,
-    /// The values of one to three drivers, brought into a cube of side 1 by (value - origin) * scale.
+    /// The values of one to three drivers, brought into a cube of side 1 by (value - origin) *
+    /// scale.
     Places { origin: DVec3, scale: DVec3 },
 }
 
@@ -51,10 +53,11 @@ enum Field {
 impl KeyWeights {
     /// Solves for the weights of keys at `directions` (of any length).
     ///
-    /// Keys closer than [`MERGE_ANGLE`](super::MERGE_ANGLE) share one weight equally, so that a duplicate changes
-    /// nothing. Keys without a direction, and keys past [`MAX_KEYS`](super::MAX_KEYS), have weight 0. All of these are
-    /// reported, as are keys closer than [`CLOSE_ANGLE`](super::CLOSE_ANGLE); a diagnostic's JSON path starts at the
-    /// list, `keys[3].direction`. Should a solve fail, that is reported and simpler weights stand in.
+    /// Keys closer than [`MERGE_ANGLE`](super::MERGE_ANGLE) share one weight equally, so that a
+    /// duplicate changes nothing. Keys without a direction, and keys past
+    /// [`MAX_KEYS`](super::MAX_KEYS), have weight 0. All of these are reported, as are keys closer
+    /// than [`CLOSE_ANGLE`](super::CLOSE_ANGLE); a diagnostic's JSON path starts at the list,
+    /// `keys[3].direction`. Should a solve fail, that is reported and simpler weights stand in.
     pub fn new(directions: &[DVec3], scheme: KeyScheme) -> (Self, Vec<Diagnostic>) {
         let (set, mut diagnostics) = KeySet::gather(directions);
         let field = match scheme {
@@ -66,26 +69,40 @@ impl KeyWeights {
         (Self { set, field, space: Space::Sphere }, diagnostics)
     }
 
-    /// Solves for the weights of keys at places: the values of one to three drivers, 0 where there are fewer.
+    /// Solves for the weights of keys at places: the values of one to three drivers, 0 where there
+    /// are fewer.
     ///
-    /// Each axis counts by how far the keys are apart along it, so that metres and radians go together. Raw weights are of
-    /// the kernel -|x - y|: of the sphere's in space, and along one axis straight lines from key to key, so that weights go
-    /// by a smoothstep from one to the next and stay beyond the outermost.
+    /// Each axis counts by how far the keys are apart along it, so that metres and radians go
+    /// together. Raw weights are of the kernel -|x - y|: of the sphere's in space, and along one
+    /// axis straight lines from key to key, so that weights go by a smoothstep from one to the next
+    /// and stay beyond the outermost.
     pub fn at_places(places: &[DVec3]) -> (Self, Vec<Diagnostic>) {
         let finite = || places.iter().copied().filter(|place| place.is_finite());
         let origin = finite().reduce(DVec3::min).unwrap_or(DVec3::ZERO);
         let extent = finite().reduce(DVec3::max).unwrap_or(DVec3::ZERO) - origin;
-        let scale = DVec3::from_array(extent.to_array().map(|x| if x > 0.0 { 1.0 / x } else { 0.0 }));
+        let scale =
+            DVec3::from_array(extent.to_array().map(|x| if x > 0.0 { 1.0 / x } else { 0.0 }));
         let scaled: Vec<DVec3> = places.iter().map(|place| (*place - origin) * scale).collect();
         let (set, mut diagnostics) = KeySet::gather_places(&scaled);
-        let field = if set.centers.len() < 2 { Field::Whole } else { closed(Kernel::Distance, &set, &mut diagnostics) };
+        let field = if set.centers.len() < 2 {
+            Field::Whole
+        } else {
+            closed(Kernel::Distance, &set, &mut diagnostics)
+        };
         (Self { set, field, space: Space::Places { origin, scale } }, diagnostics)
     }
 
     /// As [`KeyWeights::new`] with [`KeyScheme::Tessellated`], on a mesh of one's choice.
-    pub fn tessellated(directions: &[DVec3], tessellation: Tessellation) -> (Self, Vec<Diagnostic>) {
+    pub fn tessellated(
+        directions: &[DVec3],
+        tessellation: Tessellation,
+    ) -> (Self, Vec<Diagnostic>) {
         let (set, mut diagnostics) = KeySet::gather(directions);
-        let field = if set.centers.len() < 2 { Field::Whole } else { meshed(tessellation, &set, &mut diagnostics) };
+        let field = if set.centers.len() < 2 {
+            Field::Whole
+        } else {
+            meshed(tessellation, &set, &mut diagnostics)
+        };
         (Self { set, field, space: Space::Sphere }, diagnostics)
     }
 
@@ -99,7 +116,8 @@ impl KeyWeights {
         self.set.group_of.is_empty()
     }
 
-    /// Whether any key has a direction. If none has, all weights are 0 and a look's own values hold.
+    /// Whether any key has a direction. If none has, all weights are 0 and a look's own values
+    /// hold.
     pub fn has_weight(&self) -> bool {
         !self.set.centers.is_empty()
     }
@@ -111,10 +129,11 @@ impl KeyWeights {
         weights
     }
 
-    /// The weights, one per key: from 0 to 1, of sum 1, C1 in the direction, 1 at a key and 0 at the others.
+    /// The weights, one per key: from 0 to 1, of sum 1, C1 in the direction, 1 at a key and 0 at
+    /// the others.
     ///
-    /// The direction may be of any length. One that is zero or not finite, such as that to an eye at the object's
-    /// centre, favours no key: all weights are equal.
+    /// The direction may be of any length. One that is zero or not finite, such as that to an eye
+    /// at the object's centre, favours no key: all weights are equal.
     pub fn weights(&self, direction: DVec3) -> Vec<f64> {
         let mut weights = vec![0.0; self.len()];
         self.weights_into(direction, &mut weights);
@@ -156,7 +175,9 @@ impl KeyWeights {
             Space::Sphere => unit(direction),
             // Far beyond all keys weights do not change any more, and digits would be lost.
             Space::Places { origin, scale } => (!direction.is_nan())
-                .then(|| ((direction - origin) * scale).clamp(DVec3::splat(-1e6), DVec3::splat(1e6)))
+                .then(|| {
+                    ((direction - origin) * scale).clamp(DVec3::splat(-1e6), DVec3::splat(1e6))
+                })
                 .filter(|place| place.is_finite()),
         };
         let Some(direction) = place else {
@@ -171,8 +192,8 @@ impl KeyWeights {
         }
     }
 
-    /// Replaces the weights of groups by those of keys, in place: a group never comes after its keys, so going
-    /// backward no group's weight is overwritten before it is read.
+    /// Replaces the weights of groups by those of keys, in place: a group never comes after its
+    /// keys, so going backward no group's weight is overwritten before it is read.
     fn share_within_groups(&self, out: &mut [f64]) {
         for (key, &group) in self.set.group_of.iter().enumerate().rev() {
             out[key] = match group {
@@ -194,11 +215,9 @@ fn closed(kernel: Kernel, set: &KeySet, diagnostics: &mut Vec<Diagnostic>) -> Fi
         return Field::Closed(closed);
     }
     let problem = "the smooth weights of these direction keys cannot be computed";
-    diagnostics.push(
-        Diagnostic::warning("unsolvable-keys", problem)
-            .json_path("keys")
-            .hint("weights by distance stand in for them; move keys that are close to each other apart"),
-    );
+    diagnostics.push(Diagnostic::warning("unsolvable-keys", problem).json_path("keys").hint(
+        "weights by distance stand in for them; move keys that are close to each other apart",
+    ));
     Field::InverseDistance
 }
 
@@ -210,7 +229,8 @@ fn meshed(tessellation: Tessellation, set: &KeySet, diagnostics: &mut Vec<Diagno
             Field::Mesh(Box::new(mesh))
         }
         Err(why) => {
-            let problem = format!("the tessellation of level {level} is too coarse for these keys: {why}");
+            let problem =
+                format!("the tessellation of level {level} is too coarse for these keys: {why}");
             diagnostics.push(
                 Diagnostic::warning("tessellation-too-coarse", problem)
                     .json_path("keys")
@@ -230,5 +250,9 @@ fn coarse(level: u32, set: &KeySet) -> Option<Diagnostic> {
         "`keys[{a}]` and `keys[{b}]` are {degrees:.1} degrees apart, \
          and a tessellation of level {level} is accurate from {resolved:.0}"
     );
-    Some(Diagnostic::note("keys-near-mesh-size", problem).json_path("keys").hint("`appendix-b` has no such limit"))
+    Some(
+        Diagnostic::note("keys-near-mesh-size", problem)
+            .json_path("keys")
+            .hint("`appendix-b` has no such limit"),
+    )
 }

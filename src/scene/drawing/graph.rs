@@ -7,8 +7,8 @@ use std::sync::Arc;
 use super::palette::{self, Palette};
 use super::svg::{escaped, fitted, short, width, wrapped};
 use super::{
-    FRAME_MARGIN, FRAME_TITLE, NODE_WIDTH, NOTE_PADDING, ROW_HEIGHT, SOCKET, SocketShape, TEXT_SIZE, TITLE_HEIGHT,
-    node_height, row_center, wire_reach,
+    FRAME_MARGIN, FRAME_TITLE, NODE_WIDTH, NOTE_PADDING, ROW_HEIGHT, SOCKET, SocketShape,
+    TEXT_SIZE, TITLE_HEIGHT, node_height, row_center, wire_reach,
 };
 use crate::catalog::values::{Shown, shown};
 use crate::catalog::{Catalog, Kind};
@@ -24,7 +24,7 @@ const END_GAP: f32 = 70.0;
 const MAX_REROUTES: usize = 64;
 /// The height of a note's line.
 const LINE: f32 = 17.0;
-/// Where the types' colours are written in a drawing: a class a type.
+/// Where the types' colors are written in a drawing: a class a type.
 const TYPES: [(Type, &str); 10] = [
     (Type::Float, "tf"),
     (Type::Int, "ti"),
@@ -74,8 +74,8 @@ struct Drawing<'a> {
     wires: Vec<Joint>,
 }
 
-/// One of a look's graphs as an SVG that is dark or light as its reader's screen is; `group` is the kind whose graph
-/// it is, or `None` for the look's own.
+/// One of a look's graphs as an SVG that is dark or light as its reader's screen is; `group` is the
+/// kind whose graph it is, or `None` for the look's own.
 ///
 /// Lengths are points of the canvas. The catalog must know the look's groups ([`Catalog::sync`]).
 pub fn graph_svg(look: &Look, graph: &Graph, catalog: &Catalog, group: Option<&str>) -> String {
@@ -98,17 +98,25 @@ fn rect_of(node: &Node, kind: &Kind) -> Rect {
     [x, y, NODE_WIDTH, if node.collapsed { TITLE_HEIGHT } else { node_height(rows) }]
 }
 
-/// Pairs of nodes of a graph that lie on each other, wholly or in part, as it is drawn. The catalog must know the look's
-/// groups ([`Catalog::sync`]).
+/// Pairs of nodes of a graph that lie on each other, wholly or in part, as it is drawn. The catalog
+/// must know the look's groups ([`Catalog::sync`]).
 pub fn overlapping(graph: &Graph, catalog: &Catalog) -> Vec<[NodeId; 2]> {
     let missing = catalog.missing_in(graph);
     let kind = |id: &NodeId, node: &Node| missing.get(id).or_else(|| catalog.of(node)).cloned();
-    let placed = graph.nodes.iter().filter_map(|(id, node)| Some((id, rect_of(node, &*kind(id, node)?))));
+    let placed =
+        graph.nodes.iter().filter_map(|(id, node)| Some((id, rect_of(node, &*kind(id, node)?))));
     let placed: Vec<(&NodeId, Rect)> = placed.collect();
-    let overlap = |[x, y, w, h]: Rect, [u, v, wide, high]: Rect| x < u + wide && u < x + w && y < v + high && v < y + h;
-    let pairs =
-        placed.iter().enumerate().flat_map(|(index, one)| placed[..index].iter().map(move |other| (other, one)));
-    pairs.filter(|(one, other)| overlap(one.1, other.1)).map(|(one, other)| [one.0.clone(), other.0.clone()]).collect()
+    let overlap = |[x, y, w, h]: Rect, [u, v, wide, high]: Rect| {
+        x < u + wide && u < x + w && y < v + high && v < y + h
+    };
+    let pairs = placed
+        .iter()
+        .enumerate()
+        .flat_map(|(index, one)| placed[..index].iter().map(move |other| (other, one)));
+    pairs
+        .filter(|(one, other)| overlap(one.1, other.1))
+        .map(|(one, other)| [one.0.clone(), other.0.clone()])
+        .collect()
 }
 
 impl<'a> Drawing<'a> {
@@ -117,15 +125,21 @@ impl<'a> Drawing<'a> {
         let mut by_id: HashMap<NodeId, usize> = HashMap::new();
         let mut rows = Vec::new();
         for (id, node) in &graph.nodes {
-            let Some(kind) = missing.get(id).or_else(|| catalog.of(node)).cloned() else { continue };
+            let Some(kind) = missing.get(id).or_else(|| catalog.of(node)).cloned() else {
+                continue;
+            };
             let rect = rect_of(node, &kind);
-            let title = if node.name.is_empty() { kind.label.to_string() } else { node.name.clone() };
+            let title =
+                if node.name.is_empty() { kind.label.to_string() } else { node.name.clone() };
             by_id.insert(id.clone(), rows.len());
             let (node, wired) = (node.clone(), vec![false; kind.inputs.len()]);
             rows.push(Row { title, rect, wired, kind, node });
         }
-        for (index, kind) in group.and_then(|group| catalog.ends(group)).into_iter().flatten().enumerate() {
-            let [left, top, right, bottom] = bounds(rows.iter().map(|row| row.rect)).unwrap_or([0.0; 4]);
+        for (index, kind) in
+            group.and_then(|group| catalog.ends(group)).into_iter().flatten().enumerate()
+        {
+            let [left, top, right, bottom] =
+                bounds(rows.iter().map(|row| row.rect)).unwrap_or([0.0; 4]);
             let height = node_height(kind.inputs.len() + kind.outputs.len());
             let x = if index == 0 { left - END_GAP - NODE_WIDTH } else { right + END_GAP };
             by_id.insert(kind.id.as_str().into(), rows.len());
@@ -139,7 +153,10 @@ impl<'a> Drawing<'a> {
         }
         let mut wires = Vec::new();
         for wire in &graph.wires {
-            let (Some(&from), Some(&to)) = (by_id.get(&wire.from.node), by_id.get(&wire.to.node)) else { continue };
+            let (Some(&from), Some(&to)) = (by_id.get(&wire.from.node), by_id.get(&wire.to.node))
+            else {
+                continue;
+            };
             let output = rows[from].kind.output(wire.from.port.as_str());
             let input = rows[to].kind.input(wire.to.port.as_str());
             let (Some(output), Some(input)) = (output, input) else { continue };
@@ -168,8 +185,14 @@ impl<'a> Drawing<'a> {
         let mut rects: Vec<Rect> = self.rows.iter().map(|row| row.rect).collect();
         let index_of: HashMap<&NodeId, usize> = graph.nodes.keys().zip(0..).collect();
         for frame in graph.frames.values() {
-            let inside = frame.nodes.iter().filter_map(|id| index_of.get(id)).filter_map(|&index| self.rows.get(index));
-            let Some([left, top, right, bottom]) = bounds(inside.map(|row| row.rect)) else { continue };
+            let inside = frame
+                .nodes
+                .iter()
+                .filter_map(|id| index_of.get(id))
+                .filter_map(|&index| self.rows.get(index));
+            let Some([left, top, right, bottom]) = bounds(inside.map(|row| row.rect)) else {
+                continue;
+            };
             let top = top - FRAME_TITLE + 6.0;
             let m = FRAME_MARGIN;
             let rect = [left - m, top - m, right - left + 2.0 * m, bottom - top + 2.0 * m];
@@ -191,17 +214,24 @@ impl<'a> Drawing<'a> {
             let class = class_of(&self.type_of(wire.from));
             let points = [x0, y0, x0 + reach, y0, x1 - reach, y1, x1, y1].map(short);
             let [x0, y0, ax, ay, bx, by, x1, y1] = points;
-            let _ = writeln!(body, r#"<path class="w {class}" d="M{x0} {y0}C{ax} {ay} {bx} {by} {x1} {y1}"/>"#);
+            let _ = writeln!(
+                body,
+                r#"<path class="w {class}" d="M{x0} {y0}C{ax} {ay} {bx} {by} {x1} {y1}"/>"#
+            );
         }
         (0..self.rows.len()).for_each(|index| self.draw_node(&mut body, index));
-        let [left, top, right, bottom] = bounds(rects.into_iter()).unwrap_or([0.0, 0.0, NODE_WIDTH, TITLE_HEIGHT]);
+        let [left, top, right, bottom] =
+            bounds(rects.into_iter()).unwrap_or([0.0, 0.0, NODE_WIDTH, TITLE_HEIGHT]);
         let (x, y) = (left - MARGIN, top - MARGIN);
         let (w, h) = (right - left + 2.0 * MARGIN, bottom - top + 2.0 * MARGIN);
         let [x, y, w, h] = [x, y, w, h].map(short);
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{x} {y} {w} {h}\" width=\"{w}\" height=\"{h}\" \
-             font-family=\"system-ui, sans-serif\" font-size=\"{TEXT_SIZE}\">\n<style>\n{}</style>\n\
-             <rect class=\"g\" x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" rx=\"10\"/>\n{body}</svg>\n",
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{x} {y} {w} {h}\" width=\"{w}\" \
+             height=\"{h}\" \
+             font-family=\"system-ui, sans-serif\" \
+             font-size=\"{TEXT_SIZE}\">\n<style>\n{}</style>\n\
+             <rect class=\"g\" x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" \
+             rx=\"10\"/>\n{body}</svg>\n",
             style(),
         )
     }
@@ -212,8 +242,10 @@ impl<'a> Drawing<'a> {
         let class = category_class(&row.kind.category);
         let muted = if row.node.muted { r#" opacity="0.45""# } else { "" };
         let [left, top, wide, high] = [x, y, w, h].map(short);
-        let _ =
-            writeln!(body, r#"<g{muted}><rect class="n" x="{left}" y="{top}" width="{wide}" height="{high}" rx="6"/>"#);
+        let _ = writeln!(
+            body,
+            r#"<g{muted}><rect class="n" x="{left}" y="{top}" width="{wide}" height="{high}" rx="6"/>"#
+        );
         // Round above, and below too where there is nothing but the title.
         let foot = if row.node.collapsed { 6.0 } else { 0.0 };
         let down = short(TITLE_HEIGHT - 6.0 - foot);
@@ -226,18 +258,29 @@ impl<'a> Drawing<'a> {
             body,
             r#"<path class="{class}" d="M{start} {top}h{level}a6 6 0 0 1 6 6v{down}{corner}h-{last}{other}v-{lower}a6 6 0 0 1 6 -6z"/>"#
         );
-        text(body, "x", (x + 10.0, y + TITLE_HEIGHT / 2.0), &fitted(&row.title, TEXT_SIZE, w - 18.0), "");
+        text(
+            body,
+            "x",
+            (x + 10.0, y + TITLE_HEIGHT / 2.0),
+            &fitted(&row.title, TEXT_SIZE, w - 18.0),
+            "",
+        );
         if !row.node.collapsed {
             self.draw_rows(body, row);
         }
         let ends = |is_output: bool| {
             let ports = if is_output { &row.kind.outputs } else { &row.kind.inputs };
             let shown = if row.node.collapsed { 1 } else { usize::MAX };
-            let wirable = ports.iter().enumerate().filter(move |(_, port)| is_output || port.is_wirable());
+            let wirable =
+                ports.iter().enumerate().filter(move |(_, port)| is_output || port.is_wirable());
             wirable.take(shown).map(move |(port, _)| (port, is_output))
         };
         for (port, is_output) in ends(true).chain(ends(false)) {
-            let ty = if is_output { self.type_of((index, port)) } else { row.kind.inputs[port].ty.clone() };
+            let ty = if is_output {
+                self.type_of((index, port))
+            } else {
+                row.kind.inputs[port].ty.clone()
+            };
             socket(body, &ty, row.place(port, is_output));
         }
         body.push_str("</g>\n");
@@ -285,10 +328,12 @@ fn bounds(rects: impl Iterator<Item = Rect>) -> Option<[f32; 4]> {
 }
 
 fn text(body: &mut String, class: &str, (x, y): (f32, f32), text: &str, anchor: &str) {
-    let anchor = if anchor.is_empty() { String::new() } else { format!(r#" text-anchor="{anchor}""#) };
+    let anchor =
+        if anchor.is_empty() { String::new() } else { format!(r#" text-anchor="{anchor}""#) };
     // The middle of the small letters lies on the row's middle.
     let [x, y] = [x, y + 0.35 * TEXT_SIZE].map(short);
-    let _ = writeln!(body, r#"<text class="{class}" x="{x}" y="{y}"{anchor}>{}</text>"#, escaped(text));
+    let _ =
+        writeln!(body, r#"<text class="{class}" x="{x}" y="{y}"{anchor}>{}</text>"#, escaped(text));
 }
 
 fn socket(body: &mut String, ty: &Type, [x, y]: [f32; 2]) {
@@ -299,7 +344,8 @@ fn socket(body: &mut String, ty: &Type, [x, y]: [f32; 2]) {
         let _ = writeln!(body, r#"<circle class="k {class}" cx="{x}" cy="{y}" r="{SOCKET}"/>"#);
         return;
     }
-    let corner = |(dx, dy): &(f32, f32)| format!("{},{}", short(x + SOCKET * dx), short(y + SOCKET * dy));
+    let corner =
+        |(dx, dy): &(f32, f32)| format!("{},{}", short(x + SOCKET * dx), short(y + SOCKET * dy));
     let corners: Vec<String> = shape.outline().iter().map(corner).collect();
     let _ = writeln!(body, r#"<polygon class="k {class}" points="{}"/>"#, corners.join(" "));
 }
@@ -308,19 +354,28 @@ fn swatch(body: &mut String, (x, y): (f32, f32), color: [f64; 4]) {
     let [red, green, blue, alpha] = color.map(|x| x.clamp(0.0, 1.0));
     let hex = format!("#{:06x}", packed([red, green, blue]));
     let [left, top, high] = [x, y, ROW_HEIGHT - 7.0].map(short);
-    let _ = writeln!(body, r#"<rect class="c" x="{left}" y="{top}" width="28" height="{high}" rx="2" fill="{hex}"/>"#);
+    let _ = writeln!(
+        body,
+        r#"<rect class="c" x="{left}" y="{top}" width="28" height="{high}" rx="2" fill="{hex}"/>"#
+    );
     if alpha < 1.0 {
-        // Left half opaque, so that the hue of a transparent colour is seen.
+        // Left half opaque, so that the hue of a transparent color is seen.
         let middle = short(x + 14.0);
         let rect = format!(r#"x="{middle}" y="{top}" width="14" height="{high}""#);
-        let _ = writeln!(body, r#"<rect class="b" {rect}/><rect {rect} fill="{hex}" fill-opacity="{alpha:.2}"/>"#);
+        let _ = writeln!(
+            body,
+            r#"<rect class="b" {rect}/><rect {rect} fill="{hex}" fill-opacity="{alpha:.2}"/>"#
+        );
     }
 }
 
 fn draw_frame(body: &mut String, [x, y, w, h]: Rect, title: &str, color: &[f64]) {
     let fill = own_color(color);
     let [left, top, wide, high] = [x, y, w, h].map(short);
-    let _ = writeln!(body, r#"<rect class="f" x="{left}" y="{top}" width="{wide}" height="{high}" rx="8"{fill}/>"#);
+    let _ = writeln!(
+        body,
+        r#"<rect class="f" x="{left}" y="{top}" width="{wide}" height="{high}" rx="8"{fill}/>"#
+    );
     let title = if title.is_empty() { "Frame" } else { title };
     text(body, "x", (x + 10.0, y + FRAME_TITLE / 2.0), &fitted(title, TEXT_SIZE, w - 20.0), "");
 }
@@ -328,13 +383,22 @@ fn draw_frame(body: &mut String, [x, y, w, h]: Rect, title: &str, color: &[f64])
 fn draw_note(body: &mut String, [x, y, w, h]: Rect, lines: &[String], color: &[f64]) {
     let fill = own_color(color);
     let [left, top, wide, high] = [x, y, w, h].map(short);
-    let _ = writeln!(body, r#"<rect class="o" x="{left}" y="{top}" width="{wide}" height="{high}" rx="4"{fill}/>"#);
+    let _ = writeln!(
+        body,
+        r#"<rect class="o" x="{left}" y="{top}" width="{wide}" height="{high}" rx="4"{fill}/>"#
+    );
     for (index, line) in lines.iter().enumerate() {
-        text(body, "x", (x + NOTE_PADDING, y + NOTE_PADDING + LINE * (index as f32 + 0.5)), line, "");
+        text(
+            body,
+            "x",
+            (x + NOTE_PADDING, y + NOTE_PADDING + LINE * (index as f32 + 0.5)),
+            line,
+            "",
+        );
     }
 }
 
-/// A colour that an artist gave; nothing where the theme's stands.
+/// A color that an artist gave; nothing where the theme's stands.
 fn own_color(color: &[f64]) -> String {
     match <[f64; 3]>::try_from(color) {
         Ok(color) => format!(r#" style="fill:#{0:06x};stroke:#{0:06x}""#, packed(color)),
@@ -348,7 +412,10 @@ fn packed(color: [f64; 3]) -> u32 {
 
 fn class_of(ty: &Type) -> &'static str {
     let color = palette::DARK.of_type(ty);
-    TYPES.iter().find(|(known, _)| palette::DARK.of_type(known) == color).map_or("to", |(_, class)| class)
+    TYPES
+        .iter()
+        .find(|(known, _)| palette::DARK.of_type(known) == color)
+        .map_or("to", |(_, class)| class)
 }
 
 fn category_class(category: &str) -> String {
@@ -361,7 +428,11 @@ fn category_class(category: &str) -> String {
 fn style() -> String {
     let plain = "text{stroke:none}.w{fill:none;stroke-width:2.4}.k{stroke-width:1.5}.n{stroke-width:1}\
                  .f{fill-opacity:.2;stroke-opacity:.6}.o{fill-opacity:.12;stroke-opacity:.45}\n";
-    format!("{plain}{}@media (prefers-color-scheme:light){{\n{}}}\n", theme(&palette::DARK), theme(&palette::LIGHT))
+    format!(
+        "{plain}{}@media (prefers-color-scheme:light){{\n{}}}\n",
+        theme(&palette::DARK),
+        theme(&palette::LIGHT)
+    )
 }
 
 fn theme(palette: &Palette) -> String {
@@ -373,7 +444,10 @@ fn theme(palette: &Palette) -> String {
     );
     for (ty, class) in &TYPES {
         let color = palette.of_type(ty);
-        let _ = write!(css, ".{class}{{stroke:#{color:06x}}}.k.{class}{{fill:#{color:06x};stroke:#{node_edge:06x}}}");
+        let _ = write!(
+            css,
+            ".{class}{{stroke:#{color:06x}}}.k.{class}{{fill:#{color:06x};stroke:#{node_edge:06x}}}"
+        );
     }
     css.push('\n');
     for (index, color) in palette.categories().iter().enumerate() {
@@ -412,14 +486,21 @@ mod tests {
     fn no_nodes_of_an_example_lie_on_each_other() {
         let mut problems = Vec::new();
         for name in crate::examples::documents().filter(|name| !name.starts_with("scenes/")) {
-            let text = crate::examples::text(Path::new(&format!("{}{name}", crate::examples::PREFIX))).unwrap();
+            let text =
+                crate::examples::text(Path::new(&format!("{}{name}", crate::examples::PREFIX)))
+                    .unwrap();
             let look = Look::read(&text, name).value.unwrap();
             let mut catalog = Catalog::new(Library::built_in());
             catalog.sync(&look, Library::built_in());
-            let inner = look.definitions.iter().map(|(id, definition)| (id.to_string(), &definition.graph));
+            let inner =
+                look.definitions.iter().map(|(id, definition)| (id.to_string(), &definition.graph));
             for (graph_name, graph) in inner.chain([(String::new(), &look.graph)]) {
                 let found = overlapping(graph, &catalog);
-                problems.extend(found.iter().map(|[one, other]| format!("{name} {graph_name}: {one} and {other}")));
+                problems.extend(
+                    found
+                        .iter()
+                        .map(|[one, other]| format!("{name} {graph_name}: {one} and {other}")),
+                );
             }
         }
         assert!(problems.is_empty(), "{problems:#?}");
@@ -441,7 +522,10 @@ mod tests {
             r#"{"nodes": [{"id": "a", "kind": "nothing_such", "at": [1e300, -1e300]}, {"id": "b", "kind": "output"}],
                 "wires": [{"from": "a.out", "to": "b.color"}]}"#,
         );
-        assert!(svg.contains("nothing_such?") && !svg.contains("inf") && !svg.contains("NaN"), "{svg}");
+        assert!(
+            svg.contains("nothing_such?") && !svg.contains("inf") && !svg.contains("NaN"),
+            "{svg}"
+        );
     }
 
     #[test]
@@ -449,9 +533,18 @@ mod tests {
         let catalog = Catalog::new(Library::built_in());
         for kind in catalog.all().filter(|kind| kind.id != crate::catalog::CUSTOM_KIND) {
             let svg = node_svg(&kind.id, &catalog);
-            assert!(svg.contains(&escaped(&fitted(&kind.label, TEXT_SIZE, NODE_WIDTH - 18.0))), "{}", kind.id);
+            assert!(
+                svg.contains(&escaped(&fitted(&kind.label, TEXT_SIZE, NODE_WIDTH - 18.0))),
+                "{}",
+                kind.id
+            );
             let wirable = kind.inputs.iter().filter(|port| port.is_wirable()).count();
-            assert_eq!(svg.matches("class=\"k ").count(), kind.outputs.len() + wirable, "{}", kind.id);
+            assert_eq!(
+                svg.matches("class=\"k ").count(),
+                kind.outputs.len() + wirable,
+                "{}",
+                kind.id
+            );
         }
     }
 }

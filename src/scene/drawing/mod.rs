@@ -1,7 +1,7 @@
-//! Graphs as pictures: their measures, their colours, and SVG of them.
+//! Graphs as pictures: their measures, their colors, and SVG of them.
 //!
-//! The window's canvas takes the same measures and colours, so that a graph in a document or on a web page is the one
-//! that artists know.
+//! The window's canvas takes the same measures and colors, so that a graph in a document or on a
+//! web page is the one that artists know.
 
 mod graph;
 pub mod palette;
@@ -47,14 +47,14 @@ pub fn wire_reach(run: f32) -> f32 {
     (run.abs() * 0.5).clamp(30.0, 200.0)
 }
 
-/// How a socket is drawn, so that types are told apart without colour too.
+/// How a socket is drawn, so that types are told apart without color too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SocketShape {
     /// Numbers.
     Circle,
     /// Vectors.
     Diamond,
-    /// Colours and stacks.
+    /// Colors and stacks.
     Square,
     /// Angles.
     Triangle,
@@ -80,7 +80,8 @@ const CIRCLE: [(f32, f32); 12] = [
 const DIAMOND: [(f32, f32); 4] = [(0.0, 1.2), (1.2, 0.0), (0.0, -1.2), (-1.2, 0.0)];
 const SQUARE: [(f32, f32); 4] = [(0.88, 0.88), (0.88, -0.88), (-0.88, -0.88), (-0.88, 0.88)];
 const TRIANGLE: [(f32, f32); 3] = [(-0.9, -1.1), (1.2, 0.0), (-0.9, 1.1)];
-const HEXAGON: [(f32, f32); 6] = [(1.1, 0.0), (0.55, 0.95), (-0.55, 0.95), (-1.1, 0.0), (-0.55, -0.95), (0.55, -0.95)];
+const HEXAGON: [(f32, f32); 6] =
+    [(1.1, 0.0), (0.55, 0.95), (-0.55, 0.95), (-1.1, 0.0), (-0.55, -0.95), (0.55, -0.95)];
 
 impl SocketShape {
     /// The shape of a type's sockets.

@@ -1,8 +1,8 @@
-//! Colours of graphs, dark and light: 0xrrggbb, as they are shown.
+//! Colors of graphs, dark and light: 0xrrggbb, as they are shown.
 
 use crate::library::{CATEGORIES, Type};
 
-/// One set of colours.
+/// One set of colors.
 #[derive(Debug)]
 pub struct Palette {
     /// The ground.
@@ -11,15 +11,15 @@ pub struct Palette {
     pub node: u32,
     /// The edge of a node.
     pub node_edge: u32,
-    /// Around a colour, so that one like its ground is seen.
+    /// Around a color, so that one like its ground is seen.
     pub swatch_edge: u32,
     /// Plain text.
     pub text: u32,
     /// Text of less weight.
     pub dim: u32,
-    /// A frame that has no colour of its own.
+    /// A frame that has no color of its own.
     pub frame: u32,
-    /// A note that has no colour of its own.
+    /// A note that has no color of its own.
     pub note: u32,
     types: Types,
     /// In the order of [`CATEGORIES`]; what is none of them comes last.
@@ -41,7 +41,7 @@ struct Types {
 }
 
 impl Palette {
-    /// The colour of a type's sockets and wires.
+    /// The color of a type's sockets and wires.
     pub fn of_type(&self, ty: &Type) -> u32 {
         let types = &self.types;
         match ty {
@@ -58,19 +58,21 @@ impl Palette {
         }
     }
 
-    /// The colour of a category's titles.
+    /// The color of a category's titles.
     pub fn of_category(&self, category: &str) -> u32 {
-        let index = CATEGORIES.iter().position(|name| *name == category).unwrap_or(CATEGORIES.len());
+        let index =
+            CATEGORIES.iter().position(|name| *name == category).unwrap_or(CATEGORIES.len());
         self.categories[index]
     }
 
-    /// The colours of all types.
+    /// The colors of all types.
     pub fn types(&self) -> [u32; 10] {
-        let Types { float, int, bool, vector, color, composite, angle, light, curve, other } = self.types;
+        let Types { float, int, bool, vector, color, composite, angle, light, curve, other } =
+            self.types;
         [float, int, bool, vector, color, composite, angle, light, curve, other]
     }
 
-    /// The colours of all titles.
+    /// The colors of all titles.
     pub fn categories(&self) -> &[u32] {
         &self.categories
     }
@@ -99,8 +101,8 @@ pub static DARK: Palette = Palette {
         other: 0x968a7e,
     },
     categories: [
-        0x744c2c, 0x6e6032, 0x3e5c3e, 0x30585c, 0x684252, 0x424874, 0x444c5a, 0x5c4040, 0x6c5a4c, 0x5a4670, 0x46603a,
-        0x2f5a4c, 0x6a4a3a, 0x3c5468, 0x4a4a4e,
+        0x744c2c, 0x6e6032, 0x3e5c3e, 0x30585c, 0x684252, 0x424874, 0x444c5a, 0x5c4040, 0x6c5a4c,
+        0x5a4670, 0x46603a, 0x2f5a4c, 0x6a4a3a, 0x3c5468, 0x4a4a4e,
     ],
 };
 
@@ -127,7 +129,7 @@ pub static LIGHT: Palette = Palette {
         other: 0x857868,
     },
     categories: [
-        0xe9c3a0, 0xe4d79f, 0xbcd8b8, 0xb0d6d9, 0xe6c1cf, 0xc5caec, 0xc9d0da, 0xe3c4c2, 0xe4cfba, 0xd8c8e8, 0xcadcb4,
-        0xb4dccb, 0xe8cdb8, 0xbcd2e4, 0xd2cfca,
+        0xe9c3a0, 0xe4d79f, 0xbcd8b8, 0xb0d6d9, 0xe6c1cf, 0xc5caec, 0xc9d0da, 0xe3c4c2, 0xe4cfba,
+        0xd8c8e8, 0xcadcb4, 0xb4dccb, 0xe8cdb8, 0xbcd2e4, 0xd2cfca,
     ],
 };

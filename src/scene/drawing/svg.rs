@@ -3,7 +3,9 @@
 /// Text as XML and HTML hold it.
 pub fn escaped(text: &str) -> String {
     // What XML has no sign for would make the whole file unreadable.
-    let is_known = |c: char| matches!(c, '\n' | '\t') || !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}');
+    let is_known = |c: char| {
+        matches!(c, '\n' | '\t') || !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}')
+    };
     let known: String = text.chars().filter(|c| is_known(*c)).collect();
     known.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
@@ -15,7 +17,8 @@ pub(super) fn short(x: f32) -> String {
     if text == "-0" { "0".to_owned() } else { text }
 }
 
-/// About how wide a text is in a plain sans-serif face, in points; who looks at the picture has one that we do not know.
+/// About how wide a text is in a plain sans-serif face, in points; who looks at the picture has one
+/// that we do not know.
 pub(super) fn width(text: &str, size: f32) -> f32 {
     let share = |c: char| match c {
         'i' | 'j' | 'l' | '.' | ',' | ':' | ';' | '\'' | '|' | '!' => 0.28,

@@ -2,39 +2,45 @@
 //!
 //! # How to draw
 //!
-//! Run the `passes` in order, all at the size of the picture. A pass runs one of the `modules`; `languages` says in which
-//! files that module lies, what its entry points and bindings are called there, and where they are bound. For each
-//! binding, `feed` says what to put in:
+//! Run the `passes` in order, all at the size of the picture. A pass runs one of the `modules`;
+//! `languages` says in which files that module lies, what its entry points and bindings are called
+//! there, and where they are bound. For each binding, `feed` says what to put in:
 //!
-//! - `view`, `object`: uniforms with the members that are listed, each with its meaning. Positions are transformed by
-//!   `clip_from_world` and by nothing else: make it for the API's own clip space, which is given as the language's
-//!   `clip_space`.
+//! - `view`, `object`: uniforms with the members that are listed, each with its meaning. Positions
+//!   are transformed by `clip_from_world` and by nothing else: make it for the API's own clip
+//!   space, which is given as the language's `clip_space`.
 //! - `look`: the members that the module's `host` computes.
-//! - `image`, `sampler`: one of `images`, uploaded with its first row first, sampled as it says. The file that it names lies
-//!   beside the description; an HCBTF is an array of textures in a KTX2 file, bound as all of its layers.
+//! - `image`, `sampler`: one of `images`, uploaded with its first row first, sampled as it says.
+//!   The file that it names lies beside the description; an HCBTF is an array of textures in a KTX2
+//!   file, bound as all of its layers.
 //! - `pass`: what an earlier pass has drawn.
 //! - `inputs`: what the pass's `inputs` say, for a module that several passes run.
 //! - `curvature`: numbers of the view, each with its meaning.
 //!
-//! Uniforms are laid out as WGSL does: offsets are bytes from the start of the struct around; a `mat3x3f` is three columns
-//! of three numbers, each column on 16 bytes. GLSL's blocks say std140, where the same offsets hold.
+//! Uniforms are laid out as WGSL does: offsets are bytes from the start of the struct around; a
+//! `mat3x3f` is three columns of three numbers, each column on 16 bytes. GLSL's blocks say std140,
+//! where the same offsets hold.
 //!
 //! # How parameters become uniforms
 //!
-//! `host.steps` is a program without branches. A step gives a constant, a parameter, something of the surroundings, the
-//! result of a function, or a member of an earlier step's struct; `host.members` says which steps are written into the
-//! uniform. The functions are WGSL, in the file that `host.functions` names: call them in a compute shader, or port
-//! them (they are short, pure, and meant for double precision). Where nothing is ever set, a member's `default` will do.
+//! `host.steps` is a program without branches. A step gives a constant, a parameter, something of
+//! the surroundings, the result of a function, or a member of an earlier step's struct;
+//! `host.members` says which steps are written into the uniform. The functions are WGSL, in the
+//! file that `host.functions` names: call them in a compute shader, or port them (they are short,
+//! pure, and meant for double precision). Where nothing is ever set, a member's `default` will do.
 //!
-//! A surrounding that is a light's field is in the light's own frame turned into the world: the illumination frame (a
-//! rotation of the host's choice, the same for all lights in it), the world, or the camera. A parameter whose target is
-//! `lights.key.direction` sets that field before the steps run.
+//! A surrounding that is a light's field is in the light's own frame turned into the world: the
+//! illumination frame (a rotation of the host's choice, the same for all lights in it), the world,
+//! or the camera. A parameter whose target is `lights.key.direction` sets that field before the
+//! steps run.
 //!
-//! Where `direction_keys` go by a `wire`, `host.drivers` says which step computes it: run that step with the parameters as
-//! they are then, blend the set's values by it, and go on to the next set, in the order of `key_order`.
+//! Where `direction_keys` go by a `wire`, `host.drivers` says which step computes it: run that step
+//! with the parameters as they are then, blend the set's values by it, and go on to the next set,
+//! in the order of `key_order`.
 //!
-//! A parameter is given as the step's type: a number for a vector fills it, and a colour's alpha is 1 where it is not
-//! given. Curves and ramps are structs whose members the file of functions declares.
+//! A parameter is given as the step's type: a number for a vector fills it, and a color's alpha is
+//! 1 where it is not given. Curves and ramps are structs whose members the file of functions
+//! declares.
 //!
 //! # Versions
 //!
@@ -53,7 +59,9 @@ use crate::document::{ColorSpace, Look};
 use crate::library::Library;
 
 pub use super::exposed::{LightDescription, Parameter};
-pub use super::host::{ContextDescription, DriverDescription, HostDescription, MemberDescription, StepDescription};
+pub use super::host::{
+    ContextDescription, DriverDescription, HostDescription, MemberDescription, StepDescription,
+};
 pub use super::language::{
     ClipSpace, LanguageAttribute, LanguageBinding, LanguageEntryPoint, LanguageFile, LanguageModule,
 };
@@ -72,7 +80,8 @@ pub struct Description {
     pub chiaro: &'static str,
     /// The version of this form.
     pub format: u32,
-    /// What the numbers of the picture mean: as shown (sRGB-encoded), or linear light. Straight alpha.
+    /// What the numbers of the picture mean: as shown (sRGB-encoded), or linear light. Straight
+    /// alpha.
     pub color_space: ColorSpace,
     /// What to run, in order.
     pub passes: Vec<Pass>,
@@ -146,7 +155,8 @@ pub struct MeaningfulMember {
 pub struct LanguageDescription<'a> {
     /// What people call it.
     pub label: &'static str,
-    /// The program that accepts the golden outputs of Chiaro's own tests; none for what nobody has compiled.
+    /// The program that accepts the golden outputs of Chiaro's own tests; none for what nobody has
+    /// compiled.
     pub verified_by: Option<&'static str>,
     /// What the API expects.
     pub clip_space: ClipSpace,
@@ -166,7 +176,8 @@ pub(super) fn describe(
     written: &[(&'static Language, LanguageModule)],
 ) -> String {
     let parameters = exposed::parameters(look, library, typed, found);
-    let modules: Vec<_> = found.modules.iter().map(|module| describe_module(module, &parameters.index)).collect();
+    let modules: Vec<_> =
+        found.modules.iter().map(|module| describe_module(module, &parameters.index)).collect();
     let mut lights = exposed::lights(look, found);
     for light in &mut lights {
         light.members = members_of(light, &modules);
@@ -188,7 +199,10 @@ pub(super) fn describe(
     pretty(&json!(description))
 }
 
-fn describe_module(module: &ShaderModule, parameters: &std::collections::HashMap<ParamId, usize>) -> ModuleDescription {
+fn describe_module(
+    module: &ShaderModule,
+    parameters: &std::collections::HashMap<ParamId, usize>,
+) -> ModuleDescription {
     let binding = |(bound, feed): (&Bound, &Feed)| BindingDescription {
         name: bound.name.clone(),
         kind: bound.kind,
@@ -208,23 +222,34 @@ fn describe_module(module: &ShaderModule, parameters: &std::collections::HashMap
 
 fn meaningful(member: &Member, feed: &Feed) -> MeaningfulMember {
     let meaning = match (feed, member.name.as_str()) {
-        (Feed::View, "clip_from_world") => "projection times view matrix, for the API's own clip space",
-        (Feed::View, "camera_from_world") => "view matrix; camera axes: x right, y up, z toward the viewer",
+        (Feed::View, "clip_from_world") => {
+            "projection times view matrix, for the API's own clip space"
+        }
+        (Feed::View, "camera_from_world") => {
+            "view matrix; camera axes: x right, y up, z toward the viewer"
+        }
         (Feed::View, "eye") => {
-            "the eye in world space and 1; for parallel projection the direction toward the viewer and 0"
+            "the eye in world space and 1; for parallel projection the direction toward the viewer \
+             and 0"
         }
         (Feed::View, "screen") => {
-            "1, 1, 0, 0 where the API's `first_row` is top; 1, -1, 0 and the picture's height in pixels where it is bottom"
+            "1, 1, 0, 0 where the API's `first_row` is top; 1, -1, 0 and the picture's height in \
+             pixels where it is bottom"
         }
         (Feed::Object, "world_from_object") => "model matrix",
-        (Feed::Object, "world_from_normal") => "inverse transpose of the model matrix's upper left 3x3, for normals",
+        (Feed::Object, "world_from_normal") => {
+            "inverse transpose of the model matrix's upper left 3x3, for normals"
+        }
         (Feed::Object, "id") => "counts objects from 0",
         (Feed::Curvature, "pixel") => {
-            "a pixel's size in scene units: at depth 1 for perspective, at every depth for parallel projection"
+            "a pixel's size in scene units: at depth 1 for perspective, at every depth for \
+             parallel projection"
         }
         (Feed::Curvature, "perspective") => "1 for perspective, 0 for parallel projection",
         (Feed::Curvature, "viewport_height") => "in pixels",
-        (Feed::Curvature, "rows_up") => "1 where the API's `first_row` is bottom, 0 where it is top",
+        (Feed::Curvature, "rows_up") => {
+            "1 where the API's `first_row` is bottom, 0 where it is top"
+        }
         (Feed::Curvature, "samples") => "samples a pixel of the picture",
         _ => "",
     };
@@ -244,7 +269,10 @@ fn members_of(light: &LightDescription, modules: &[ModuleDescription]) -> Vec<St
 fn languages(written: &[(&'static Language, LanguageModule)]) -> Map<String, Value> {
     let mut found = Map::new();
     for (language, _) in written {
-        let of_language = written.iter().filter(|(other, _)| other.slug == language.slug).map(|(_, module)| module);
+        let of_language = written
+            .iter()
+            .filter(|(other, _)| other.slug == language.slug)
+            .map(|(_, module)| module);
         let described = LanguageDescription {
             label: language.label,
             verified_by: language.verified_by,

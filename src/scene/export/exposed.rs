@@ -41,8 +41,8 @@ pub struct Parameter {
     /// The words of a choice.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub options: Vec<String>,
-    /// Whether setting it changes the picture. What is not live was decided when the shader was made (choices), or
-    /// reaches nothing.
+    /// Whether setting it changes the picture. What is not live was decided when the shader was
+    /// made (choices), or reaches nothing.
     pub live: bool,
     /// Whether keys move it.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
@@ -71,18 +71,36 @@ pub(super) struct Parameters {
 }
 
 /// What is exposed in the artist's order, then what only keys move.
-pub(super) fn parameters(look: &Look, library: &Library, typed: &TypedGraph, modules: &Modules) -> Parameters {
-    let steps = || modules.modules.iter().filter_map(|module| module.host()).flat_map(|host| &host.source.steps);
-    let live: BTreeSet<ParamId> =
-        steps().filter_map(|step| if let HostStep::Param { id, .. } = step { Some(*id) } else { None }).collect();
-    let live_lights: BTreeSet<&LightId> =
-        steps().filter_map(|step| if let HostStep::Context(_, light) = step { light.as_ref() } else { None }).collect();
+pub(super) fn parameters(
+    look: &Look,
+    library: &Library,
+    typed: &TypedGraph,
+    modules: &Modules,
+) -> Parameters {
+    let steps = || {
+        modules
+            .modules
+            .iter()
+            .filter_map(|module| module.host())
+            .flat_map(|host| &host.source.steps)
+    };
+    let live: BTreeSet<ParamId> = steps()
+        .filter_map(|step| if let HostStep::Param { id, .. } = step { Some(*id) } else { None })
+        .collect();
+    let live_lights: BTreeSet<&LightId> = steps()
+        .filter_map(
+            |step| if let HostStep::Context(_, light) = step { light.as_ref() } else { None },
+        )
+        .collect();
     let mut found = Parameters { list: Vec::new(), index: HashMap::new() };
     let keyed = |target: &Target| typed.keyed.contains(target);
     for exposed in &look.exposed {
         let mut parameter = match &exposed.target {
             Target::Input { node, port } => {
-                let id = typed.params.iter().position(|param| param.path == *node && param.port == *port);
+                let id = typed
+                    .params
+                    .iter()
+                    .position(|param| param.path == *node && param.port == *port);
                 let Some(id) = id else { continue };
                 found.index.entry(id).or_insert(found.list.len());
                 Parameter { live: live.contains(&id), ..input(look, library, typed, id) }
@@ -101,8 +119,15 @@ pub(super) fn parameters(look: &Look, library: &Library, typed: &TypedGraph, mod
     for id in live {
         if let std::collections::hash_map::Entry::Vacant(entry) = found.index.entry(id) {
             entry.insert(found.list.len());
-            let target = Target::Input { node: typed.params[id].path.clone(), port: typed.params[id].port.clone() };
-            found.list.push(Parameter { live: true, keyed: keyed(&target), ..input(look, library, typed, id) });
+            let target = Target::Input {
+                node: typed.params[id].path.clone(),
+                port: typed.params[id].port.clone(),
+            };
+            found.list.push(Parameter {
+                live: true,
+                keyed: keyed(&target),
+                ..input(look, library, typed, id)
+            });
         }
     }
     found
@@ -111,13 +136,16 @@ pub(super) fn parameters(look: &Look, library: &Library, typed: &TypedGraph, mod
 /// What the library says about an input, or the group around it where that says more.
 fn input<'a>(look: &Look, library: &Library, typed: &'a TypedGraph, id: ParamId) -> Parameter {
     let param = &typed.params[id];
-    let mut parameter = Parameter { target: format!("{}.{}", param.path, param.port), ..Parameter::default() };
+    let mut parameter =
+        Parameter { target: format!("{}.{}", param.path, param.port), ..Parameter::default() };
     let reads = |node: &'a TypedNode| {
         let found = node.inputs.iter().position(|input| {
             matches!(input.as_ref().map(|input| &input.source), Some(TypedSource::Param(found, _)) if *found == id)
         });
         // Choices and other settings are no inputs any more.
-        found.or_else(|| node.def.input(param.port.as_str()).filter(|_| node.path == param.path)).map(|at| (node, at))
+        found
+            .or_else(|| node.def.input(param.port.as_str()).filter(|_| node.path == param.path))
+            .map(|at| (node, at))
     };
     if let Some((node, at)) = typed.nodes.iter().find_map(reads) {
         let Input { label, help, ty, min, max, unit, options, .. } = &node.def.inputs[at];
@@ -196,7 +224,13 @@ pub(super) fn lights(look: &Look, modules: &Modules) -> Vec<LightDescription> {
     let describe = |(id, light): (&LightId, &Light)| {
         let fields = fields.get(id)?.clone();
         let label = if light.name.is_empty() { id.to_string() } else { light.name.clone() };
-        Some(LightDescription { id: id.clone(), label, values: light.clone(), fields, members: Vec::new() })
+        Some(LightDescription {
+            id: id.clone(),
+            label,
+            values: light.clone(),
+            fields,
+            members: Vec::new(),
+        })
     };
     look.lights.iter().filter_map(describe).collect()
 }

@@ -8,8 +8,8 @@ use super::File;
 use crate::diag::Diagnostic;
 use crate::document::{OutputKind, Outputs, read_text};
 
-/// The first file in `folder` that an export must not write over: what the export reads, or what no export has written.
-/// `None` where nothing is in the way.
+/// The first file in `folder` that an export must not write over: what the export reads, or what no
+/// export has written. `None` where nothing is in the way.
 pub fn in_the_way(files: &[File], folder: &Path, outputs: &Outputs) -> Option<PathBuf> {
     check(files, folder, outputs).err().and_then(|problem| problem.place.file).map(PathBuf::from)
 }
@@ -20,7 +20,9 @@ pub fn in_the_way(files: &[File], folder: &Path, outputs: &Outputs) -> Option<Pa
 /// As [`Outputs::check`], for the first that may not.
 fn check(files: &[File], folder: &Path, outputs: &Outputs) -> Result<(), Diagnostic> {
     let earlier = Earlier::of(files, folder);
-    files.iter().try_for_each(|file| earlier.with_kind(file, |kind| outputs.check(&folder.join(&file.name), kind)))
+    files.iter().try_for_each(|file| {
+        earlier.with_kind(file, |kind| outputs.check(&folder.join(&file.name), kind))
+    })
 }
 
 /// What the descriptions of an earlier export in a folder say.
@@ -28,12 +30,13 @@ struct Earlier(Vec<String>);
 
 impl Earlier {
     fn of(files: &[File], folder: &Path) -> Self {
-        let descriptions = files.iter().map(|file| folder.join(&file.name)).filter(|path| is_description(path));
+        let descriptions =
+            files.iter().map(|file| folder.join(&file.name)).filter(|path| is_description(path));
         Self(descriptions.filter_map(|path| read_text(&path).ok()).collect())
     }
 
-    /// Hands on what a file is. An earlier one is known by the comment that it begins with; what has no comments, by the
-    /// description that names it.
+    /// Hands on what a file is. An earlier one is known by the comment that it begins with; what
+    /// has no comments, by the description that names it.
     fn with_kind<T>(&self, file: &File, then: impl FnOnce(OutputKind<'_>) -> T) -> T {
         let quoted = serde_json::Value::from(file.name.as_str()).to_string();
         let is_description_file = file.name.ends_with(".json");
@@ -58,23 +61,34 @@ fn is_description(path: &Path) -> bool {
 
 fn describes(text: &[u8]) -> bool {
     let Ok(Value::Object(members)) = serde_json::from_slice(text) else { return false };
-    ["chiaro", "format", "passes", "modules", "languages"].iter().all(|name| members.contains_key(*name))
+    ["chiaro", "format", "passes", "modules", "languages"]
+        .iter()
+        .all(|name| members.contains_key(*name))
 }
 
-/// Writes every file into a folder, which is made where there is none; or none, where one of them would take the place of
-/// what somebody made. All come at once, the description last. Returns where they are, in the order of `files`.
+/// Writes every file into a folder, which is made where there is none; or none, where one of them
+/// would take the place of what somebody made. All come at once, the description last. Returns
+/// where they are, in the order of `files`.
 ///
 /// # Errors
 /// What is in the way, or why a file cannot be written.
-pub fn write(files: &[File], folder: &Path, outputs: &mut Outputs) -> Result<Vec<PathBuf>, Vec<Diagnostic>> {
+pub fn write(
+    files: &[File],
+    folder: &Path,
+    outputs: &mut Outputs,
+) -> Result<Vec<PathBuf>, Vec<Diagnostic>> {
     if let Err(error) = std::fs::create_dir_all(folder) {
-        let problem = Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
-        return Err(vec![problem.in_file(folder.display().to_string()).hint("choose another folder")]);
+        let problem =
+            Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
+        return Err(vec![
+            problem.in_file(folder.display().to_string()).hint("choose another folder"),
+        ]);
     }
     let one = |problem: Diagnostic| vec![problem];
     check(files, folder, outputs).map_err(one)?;
     let earlier = Earlier::of(files, folder);
-    let (last, first): (Vec<_>, Vec<_>) = files.iter().partition(|file| file.name.ends_with(".json"));
+    let (last, first): (Vec<_>, Vec<_>) =
+        files.iter().partition(|file| file.name.ends_with(".json"));
     for file in first.into_iter().chain(last) {
         let path = folder.join(&file.name);
         earlier.with_kind(file, |kind| outputs.add(&path, kind, &file.bytes)).map_err(one)?;
@@ -90,13 +104,19 @@ mod tests {
     #[test]
     fn nobodys_document_is_written_over() {
         let folder = tempfile::tempdir().unwrap();
-        let description =
-            r#"{"look": "Rim", "chiaro": "1", "format": 1, "passes": [], "modules": [], "languages": {}}"#;
-        let files = [File::text("rim.wgsl".into(), SHADER.into()), File::text("rim.json".into(), description.into())];
+        let description = r#"{"look": "Rim", "chiaro": "1", "format": 1, "passes": [], "modules": [], "languages": {}}"#;
+        let files = [
+            File::text("rim.wgsl".into(), SHADER.into()),
+            File::text("rim.json".into(), description.into()),
+        ];
         let inner = folder.path().join("made/too");
         for _ in 0..2 {
             let written = write(&files, &inner, &mut Outputs::new(false)).unwrap();
-            assert_eq!(written, [inner.join("rim.wgsl"), inner.join("rim.json")], "an export may be repeated");
+            assert_eq!(
+                written,
+                [inner.join("rim.wgsl"), inner.join("rim.json")],
+                "an export may be repeated"
+            );
         }
         let path = folder.path().join("rim.json");
         for text in ["{\"nodes\": []}", "not JSON", "[]", "null"] {
@@ -106,7 +126,11 @@ mod tests {
             let problems = write(&files, folder.path(), &mut own).unwrap_err();
             assert_eq!(problems[0].code, "would-overwrite");
             let nobodys = &mut Outputs::new(false);
-            assert_eq!(write(&files, folder.path(), nobodys).unwrap_err().len(), 1, "whoever's it is");
+            assert_eq!(
+                write(&files, folder.path(), nobodys).unwrap_err().len(),
+                1,
+                "whoever's it is"
+            );
             assert_eq!(std::fs::read_to_string(&path).unwrap(), text);
             assert!(!folder.path().join("rim.wgsl").exists(), "all or nothing");
         }
@@ -117,8 +141,7 @@ mod tests {
     #[test]
     fn a_shader_that_somebody_wrote_is_not_written_over() {
         let folder = tempfile::tempdir().unwrap();
-        let description =
-            r#"{"chiaro": "1", "format": 1, "passes": [], "modules": [{"file": "rim.spv"}], "languages": {}}"#;
+        let description = r#"{"chiaro": "1", "format": 1, "passes": [], "modules": [{"file": "rim.spv"}], "languages": {}}"#;
         let files = [
             File::text("rim.wgsl".into(), SHADER.into()),
             File { name: "rim.spv".into(), bytes: vec![3, 2, 35, 7] },
@@ -135,7 +158,8 @@ mod tests {
             std::fs::remove_file(path(name)).unwrap();
         }
         write(&files, folder.path(), &mut Outputs::new(false)).unwrap();
-        // Another version of Chiaro writes another text, and other words of SPIR-V: the description names them.
+        // Another version of Chiaro writes another text, and other words of SPIR-V: the description
+        // names them.
         std::fs::write(path("rim.wgsl"), "// Rim: made by Chiaro 0.0.9, WGSL.\n").unwrap();
         std::fs::write(path("rim.spv"), [3, 2, 35, 8]).unwrap();
         write(&files, folder.path(), &mut Outputs::new(false)).unwrap();

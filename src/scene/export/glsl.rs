@@ -1,7 +1,8 @@
 //! What the versions of GLSL share: a file for each stage.
 //!
-//! naga names interface blocks, varyings and attributes by numbers; here they get the names of the WGSL source back,
-//! the same in both stages, so that a uniform block is one block of the linked program.
+//! naga names interface blocks, varyings and attributes by numbers; here they get the names of the
+//! WGSL source back, the same in both stages, so that a uniform block is one block of the linked
+//! program.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,7 +14,8 @@ use serde_json::json;
 use super::File;
 use super::header::list;
 use super::language::{
-    LanguageAttribute, LanguageBinding, LanguageEntryPoint, LanguageFile, LanguageModule, Request, Written,
+    LanguageAttribute, LanguageBinding, LanguageEntryPoint, LanguageFile, LanguageModule, Request,
+    Written,
 };
 use super::modules::ShaderModule;
 use super::reflect::{self, Bound, Kind};
@@ -30,18 +32,29 @@ struct StageText {
 }
 
 /// Writes a module; `suffix` stands between the stem and the extension.
-pub(super) fn write(request: &Request<'_>, version: Version, suffix: &str) -> Result<Written, String> {
+pub(super) fn write(
+    request: &Request<'_>,
+    version: Version,
+    suffix: &str,
+) -> Result<Written, String> {
     let module = request.module;
     let slots = slots(&module.bindings);
     let binding_map = slots.iter().map(|(bound, slot)| (resource(bound), *slot)).collect();
     // Positions stay as the host's matrix gives them.
-    let options =
-        glsl::Options { version, writer_flags: glsl::WriterFlags::empty(), binding_map, ..glsl::Options::default() };
-    let stages = module.valid().module.entry_points.iter().map(|point| stage_text(module, point, &options));
+    let options = glsl::Options {
+        version,
+        writer_flags: glsl::WriterFlags::empty(),
+        binding_map,
+        ..glsl::Options::default()
+    };
+    let stages =
+        module.valid().module.entry_points.iter().map(|point| stage_text(module, point, &options));
     let stages: Vec<StageText> = stages.collect::<Result<_, _>>()?;
     let names = Names::choose(module, &stages);
-    let mut described = LanguageModule { module: module.name.to_owned(), ..LanguageModule::default() };
-    described.bindings = bindings(module, &names, &stages, &slots, version.supports_explicit_locations());
+    let mut described =
+        LanguageModule { module: module.name.to_owned(), ..LanguageModule::default() };
+    described.bindings =
+        bindings(module, &names, &stages, &slots, version.supports_explicit_locations());
     described.attributes = names.attributes.clone();
     let mut files = Vec::new();
     for stage in &stages {
@@ -50,34 +63,47 @@ pub(super) fn write(request: &Request<'_>, version: Version, suffix: &str) -> Re
         let stage_name = reflect::stage_name(stage.stage);
         let point = LanguageEntryPoint { stage: stage_name, name: "main".to_owned() };
         described.files.push(LanguageFile { file: file.clone(), entry_points: vec![point] });
-        let header = request.header(&format!("The {stage_name} shader. "), &binds(&described.bindings, &slots));
+        let header = request
+            .header(&format!("The {stage_name} shader. "), &binds(&described.bindings, &slots));
         files.push(File::text(file, after_version(&text, &header)));
     }
     Ok(Written { files, described })
 }
 
-fn stage_text(module: &ShaderModule, point: &naga::EntryPoint, options: &glsl::Options) -> Result<StageText, String> {
+fn stage_text(
+    module: &ShaderModule,
+    point: &naga::EntryPoint,
+    options: &glsl::Options,
+) -> Result<StageText, String> {
     let valid = one_stage(module, point)?;
-    let pipeline =
-        glsl::PipelineOptions { shader_stage: point.stage, entry_point: point.name.clone(), multiview: None };
+    let pipeline = glsl::PipelineOptions {
+        shader_stage: point.stage,
+        entry_point: point.name.clone(),
+        multiview: None,
+    };
     let mut text = String::new();
     let policies = BoundsCheckPolicies::default();
-    let mut writer = glsl::Writer::new(&mut text, &valid.module, &valid.info, options, &pipeline, policies)
-        .map_err(|error| error.to_string())?;
+    let mut writer =
+        glsl::Writer::new(&mut text, &valid.module, &valid.info, options, &pipeline, policies)
+            .map_err(|error| error.to_string())?;
     let info = writer.write().map_err(|error| error.to_string())?;
-    let place = |handle: naga::Handle<naga::GlobalVariable>| valid.module.global_variables[handle].binding;
+    let place =
+        |handle: naga::Handle<naga::GlobalVariable>| valid.module.global_variables[handle].binding;
     let mut blocks = BTreeMap::new();
     for (handle, name) in info.uniforms {
         blocks.extend(place(handle).map(|place| (place, name)));
     }
     let mut textures = BTreeMap::new();
     for (name, found) in info.texture_mapping {
-        textures.extend(place(found.texture).map(|place_of| (place_of, (name, found.sampler.and_then(place)))));
+        textures.extend(
+            place(found.texture).map(|place_of| (place_of, (name, found.sampler.and_then(place)))),
+        );
     }
     Ok(StageText { stage: point.stage, text, blocks, textures })
 }
 
-/// The module with one entry point and what that needs; naga would write every function into both files.
+/// The module with one entry point and what that needs; naga would write every function into both
+/// files.
 fn one_stage(module: &ShaderModule, point: &naga::EntryPoint) -> Result<Valid, String> {
     let mut naga_module = module.valid().module.clone();
     naga_module.entry_points.retain(|other| other.name == point.name);
@@ -85,7 +111,8 @@ fn one_stage(module: &ShaderModule, point: &naga::EntryPoint) -> Result<Valid, S
     validate(naga_module).map_err(|error| error.to_string())
 }
 
-/// A number for each buffer and for each texture, counted apart: OpenGL's binding points and texture units.
+/// A number for each buffer and for each texture, counted apart: OpenGL's binding points and
+/// texture units.
 fn slots(bindings: &[Bound]) -> Vec<(&Bound, u8)> {
     let mut counts: BTreeMap<bool, u8> = BTreeMap::new();
     let mut slots = Vec::new();
@@ -121,7 +148,8 @@ impl Names {
         let mut names = Choice { of: BTreeMap::new(), taken };
         for stage in stages {
             for (place, block) in &stage.blocks {
-                if let Some(bound) = module.bindings.iter().find(|bound| resource(bound) == *place) {
+                if let Some(bound) = module.bindings.iter().find(|bound| resource(bound) == *place)
+                {
                     names.give(block, &format!("{}Block", bound.ty));
                 }
             }
@@ -136,11 +164,17 @@ impl Names {
         }
         let mut attributes = Vec::new();
         for attribute in module.entry_points.iter().flat_map(|point| &point.attributes) {
-            let name = names.give(&format!("_p2vs_location{}", attribute.location), &format!("a_{}", attribute.name));
+            let name = names.give(
+                &format!("_p2vs_location{}", attribute.location),
+                &format!("a_{}", attribute.name),
+            );
             attributes.push(LanguageAttribute { attribute: attribute.name.clone(), name });
         }
         for varying in reflect::varyings(&module.valid().module) {
-            names.give(&format!("_vs2fs_location{}", varying.location), &format!("v_{}", varying.name));
+            names.give(
+                &format!("_vs2fs_location{}", varying.location),
+                &format!("v_{}", varying.name),
+            );
         }
         for output in module.entry_points.iter().flat_map(|point| &point.outputs) {
             let name = if output.name.is_empty() { "color" } else { &output.name };
@@ -156,7 +190,8 @@ struct Choice {
 }
 
 impl Choice {
-    /// The name for what naga calls `old`; two of naga's names for one thing of the source get the same one.
+    /// The name for what naga calls `old`; two of naga's names for one thing of the source get the
+    /// same one.
     fn give(&mut self, old: &str, wanted: &str) -> String {
         let mut name = wanted.to_owned();
         while self.taken.contains(&name) {
@@ -206,7 +241,10 @@ fn binds(bindings: &[LanguageBinding], slots: &[(&Bound, u8)]) -> Vec<String> {
             bound.is_some_and(|(bound, _)| (bound.kind == Kind::Texture) == is_texture)
         });
         let text = of_kind.map(|binding| {
-            let slot = slots.iter().find(|(bound, _)| bound.name == binding.binding).map_or(0, |(_, slot)| *slot);
+            let slot = slots
+                .iter()
+                .find(|(bound, _)| bound.name == binding.binding)
+                .map_or(0, |(_, slot)| *slot);
             format!("{} {slot}", binding.name)
         });
         text.collect::<Vec<_>>()

@@ -13,6 +13,7 @@ pub(super) const LANGUAGE: Language = Language {
     texts: stages!("450"),
     verified_by: Some("glslangValidator"),
     clip_space: ClipSpace::OPENGL,
-    note: "For OpenGL 4.5, not for Vulkan: bindings have no sets, and depth runs from -1 to 1. For Vulkan export spirv.",
+    note: "For OpenGL 4.5, not for Vulkan: bindings have no sets, and depth runs from -1 to 1. For \
+           Vulkan export spirv.",
     write: |request| glsl::write(request, Version::Desktop(450), "450"),
 };

@@ -13,6 +13,9 @@ pub(super) const LANGUAGE: Language = Language {
     texts: stages!("es300"),
     verified_by: Some("glslangValidator"),
     clip_space: ClipSpace::OPENGL,
-    note: "Bind blocks and samplers by name: glUniformBlockBinding, glUniform1i. Passes that draw normals and curvature need EXT_color_buffer_float.",
-    write: |request| glsl::write(request, Version::Embedded { version: 300, is_webgl: false }, "es300"),
+    note: "Bind blocks and samplers by name: glUniformBlockBinding, glUniform1i. Passes that draw \
+           normals and curvature need EXT_color_buffer_float.",
+    write: |request| {
+        glsl::write(request, Version::Embedded { version: 300, is_webgl: false }, "es300")
+    },
 };

@@ -3,7 +3,8 @@
 use super::language::Request;
 
 impl Request<'_> {
-    /// Who made this and what to bind; `part` says which part of the module it is, `binds` what to bind, a line each.
+    /// Who made this and what to bind; `part` says which part of the module it is, `binds` what to
+    /// bind, a line each.
     pub(super) fn header(&self, part: &str, binds: &[String]) -> String {
         let language = self.language;
         let version = env!("CARGO_PKG_VERSION");
@@ -14,7 +15,8 @@ impl Request<'_> {
         lines.extend(binds.iter().filter(|line| !line.is_empty()).cloned());
         lines.push(format!("{} says what to put there and how to draw.", self.description));
         if language.verified_by.is_none() {
-            lines.push(format!("UNVERIFIED: no compiler of {} has seen this file.", language.label));
+            lines
+                .push(format!("UNVERIFIED: no compiler of {} has seen this file.", language.label));
         }
         comment(&lines)
     }
@@ -25,9 +27,11 @@ pub(super) fn comment(lines: &[String]) -> String {
     lines.iter().map(|line| format!("// {line}\n")).collect()
 }
 
-/// A name of any content, fit for a line of a comment. A backslash at the end of a line would join the next one to it.
+/// A name of any content, fit for a line of a comment. A backslash at the end of a line would join
+/// the next one to it.
 pub(super) fn title(name: &str) -> String {
-    let name: String = name.chars().map(|c| if c.is_control() || c == '\\' { ' ' } else { c }).collect();
+    let name: String =
+        name.chars().map(|c| if c.is_control() || c == '\\' { ' ' } else { c }).collect();
     let name = name.trim();
     if name.is_empty() { "A look".to_owned() } else { name.to_owned() }
 }

@@ -1,7 +1,7 @@
 //! HLSL, shader model 5.1, for Direct3D 12: one file with both entry points.
 //!
-//! naga reaches samplers through a heap of 2048 of them, as wgpu binds them. Here each gets a register of its own
-//! instead, so that the file fits any engine.
+//! naga reaches samplers through a heap of 2048 of them, as wgpu binds them. Here each gets a
+//! register of its own instead, so that the file fits any engine.
 
 use naga::back::hlsl;
 use serde_json::json;
@@ -9,7 +9,8 @@ use serde_json::json;
 use super::File;
 use super::header::list;
 use super::language::{
-    ClipSpace, Language, LanguageBinding, LanguageEntryPoint, LanguageFile, LanguageModule, Request, TextFile, Written,
+    ClipSpace, Language, LanguageBinding, LanguageEntryPoint, LanguageFile, LanguageModule,
+    Request, TextFile, Written,
 };
 use super::modules::ShaderModule;
 use super::reflect::{Bound, Kind};
@@ -22,7 +23,9 @@ pub(super) const LANGUAGE: Language = Language {
     texts: &[TextFile { ending: ".hlsl", content: "shader" }],
     verified_by: None,
     clip_space: ClipSpace::WEBGPU,
-    note: "Unverified: written by naga, seen by no HLSL compiler. Attributes have the semantic LOC followed by their location. Matrices are declared row_major, each row holding a column of the uniform's bytes.",
+    note: "Unverified: written by naga, seen by no HLSL compiler. Attributes have the semantic LOC \
+           followed by their location. Matrices are declared row_major, each row holding a column \
+           of the uniform's bytes.",
     write,
 };
 
@@ -37,13 +40,19 @@ fn write(request: &Request<'_>) -> Result<Written, String> {
         options.binding_map.insert(resource, target);
         // The heap's index, which is taken out again, has a register after the textures.
         let index = hlsl::BindTarget { register: textures, ..hlsl::BindTarget::default() };
-        options.sampler_buffer_binding_map.insert(hlsl::SamplerIndexBufferKey { group: bound.group }, index);
+        options
+            .sampler_buffer_binding_map
+            .insert(hlsl::SamplerIndexBufferKey { group: bound.group }, index);
     }
     let (text, points) = naga_text(module, &options)?;
     let text = own_samplers(&text)?;
     let place = |(bound, letter, register): &(&Bound, char, u32)| {
         let at = [("register", json!(format!("{letter}{register}"))), ("space", json!(0))];
-        LanguageBinding::new(&bound.name, name_at(&text, &format!("register({letter}{register})")), &at)
+        LanguageBinding::new(
+            &bound.name,
+            name_at(&text, &format!("register({letter}{register})")),
+            &at,
+        )
     };
     let bindings: Vec<_> = registers.iter().map(place).collect();
     let names: Vec<_> = bindings
@@ -83,7 +92,10 @@ fn registers(bindings: &[Bound]) -> Vec<(&Bound, char, u32)> {
         .collect()
 }
 
-fn naga_text(module: &ShaderModule, options: &hlsl::Options) -> Result<(String, Vec<LanguageEntryPoint>), String> {
+fn naga_text(
+    module: &ShaderModule,
+    options: &hlsl::Options,
+) -> Result<(String, Vec<LanguageEntryPoint>), String> {
     let valid = module.valid();
     let mut text = String::new();
     let pipeline = hlsl::PipelineOptions::default();
@@ -91,7 +103,10 @@ fn naga_text(module: &ShaderModule, options: &hlsl::Options) -> Result<(String, 
     let info = writer.write(&valid.module, &valid.info, None).map_err(|error| error.to_string())?;
     let mut points = Vec::new();
     for (point, name) in module.entry_points.iter().zip(info.entry_point_names) {
-        points.push(LanguageEntryPoint { stage: point.stage, name: name.map_err(|error| error.to_string())? });
+        points.push(LanguageEntryPoint {
+            stage: point.stage,
+            name: name.map_err(|error| error.to_string())?,
+        });
     }
     Ok((text, points))
 }
@@ -111,7 +126,9 @@ fn own_samplers(text: &str) -> Result<String, String> {
             Some((name, index.split_once('[')?.1.split_once(']')?.0))
         });
         match sampler {
-            Some((name, register)) => result.push_str(&format!("SamplerState {name} : register(s{register});")),
+            Some((name, register)) => {
+                result.push_str(&format!("SamplerState {name} : register(s{register});"))
+            }
             None => result.push_str(line),
         }
         result.push('\n');

@@ -14,8 +14,8 @@ use crate::ids::LightId;
 use crate::interp;
 use crate::library::{Context, LightField};
 
-/// What computes the members of a module's `Look` uniform: run the steps in order, each from the values of earlier
-/// ones, then write each member's step into the uniform at the member's offset.
+/// What computes the members of a module's `Look` uniform: run the steps in order, each from the
+/// values of earlier ones, then write each member's step into the uniform at the member's offset.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct HostDescription {
     /// The WGSL file with the functions that steps call; none where no step calls any.
@@ -31,7 +31,8 @@ pub struct HostDescription {
     /// The wires that drive direction keys.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub drivers: Vec<DriverDescription>,
-    /// Where wires drive them, the sets of direction keys in the order in which they take effect, by index.
+    /// Where wires drive them, the sets of direction keys in the order in which they take effect,
+    /// by index.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub key_order: Vec<usize>,
 }
@@ -57,7 +58,8 @@ pub struct ContextDescription {
     pub meaning: &'static str,
 }
 
-/// One step. Vectors, matrices (column after column), arrays and structs (in the order of their members) are lists.
+/// One step. Vectors, matrices (column after column), arrays and structs (in the order of their
+/// members) are lists.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "op", rename_all = "snake_case")]
 pub enum StepDescription {
@@ -70,7 +72,8 @@ pub enum StepDescription {
     Parameter {
         /// Its index in `parameters`.
         parameter: usize,
-        /// What it is taken as; the same parameter may be a float in one step and a colour in another.
+        /// What it is taken as; the same parameter may be a float in one step and a color in
+        /// another.
         #[serde(rename = "type")]
         ty: String,
         /// The parameter's default as that type, ready for use.
@@ -128,9 +131,12 @@ pub struct MemberDescription {
     pub default: Option<Value>,
 }
 
-/// Describes a host; `parameters` gives each live value's index in the description. `None` where the module reads no
-/// such value.
-pub(super) fn describe(host: &Host, parameters: &HashMap<ParamId, usize>) -> Option<HostDescription> {
+/// Describes a host; `parameters` gives each live value's index in the description. `None` where
+/// the module reads no such value.
+pub(super) fn describe(
+    host: &Host,
+    parameters: &HashMap<ParamId, usize>,
+) -> Option<HostDescription> {
     let program = &host.shader.host;
     if program.members.is_empty() && program.drivers.is_empty() {
         return None;
@@ -187,7 +193,9 @@ fn describe_step(step: &HostStep, parameters: &HashMap<ParamId, usize>) -> StepD
             ty: ty.to_string(),
             value: value(default),
         },
-        HostStep::Context(context, light) => StepDescription::Context { context: context.word(), light: light.clone() },
+        HostStep::Context(context, light) => {
+            StepDescription::Context { context: context.word(), light: light.clone() }
+        }
         HostStep::Call { function, arguments } => {
             StepDescription::Call { function: function.clone(), arguments: arguments.clone() }
         }
@@ -223,7 +231,8 @@ impl MemberDescription {
 /// The members with every parameter at its default.
 fn defaults(host: &Host) -> Vec<interp::Value> {
     let lights: IndexMap<LightId, LightValues> =
-        [(LightId::new(""), LightValues::new(&Light::default(), DQuat::IDENTITY, DMat3::IDENTITY))].into();
+        [(LightId::new(""), LightValues::new(&Light::default(), DQuat::IDENTITY, DMat3::IDENTITY))]
+            .into();
     let inputs = HostInputs {
         params: &HashMap::new(),
         lights: &lights,
@@ -244,9 +253,13 @@ pub(super) fn value(value: &interp::Value) -> Value {
         interp::Value::I32(i) => json!(i),
         interp::Value::U32(u) => json!(u),
         interp::Value::Float(x) => json!(x),
-        interp::Value::Vector(scalars) => scalars.iter().map(|scalar| self::value(&(*scalar).into())).collect(),
+        interp::Value::Vector(scalars) => {
+            scalars.iter().map(|scalar| self::value(&(*scalar).into())).collect()
+        }
         interp::Value::Matrix { components, .. } => components.iter().map(|x| json!(x)).collect(),
-        interp::Value::Array(parts) | interp::Value::Struct(parts) => parts.iter().map(self::value).collect(),
+        interp::Value::Array(parts) | interp::Value::Struct(parts) => {
+            parts.iter().map(self::value).collect()
+        }
     }
 }
 
@@ -270,20 +283,27 @@ fn rounded(value: Value) -> Value {
 /// What a surrounding is.
 fn meaning(context: Context) -> &'static str {
     match context {
-        Context::CameraFromWorld => "rotation from world to camera axes: x right, y up, z toward the viewer",
+        Context::CameraFromWorld => {
+            "rotation from world to camera axes: x right, y up, z toward the viewer"
+        }
         Context::ObjectId => "counts objects from 0",
         Context::Time => "seconds",
         Context::Frame => "frames since the start of the time range",
         Context::Viewport => "width and height in pixels",
         Context::Light(LightField::Direction) => "unit, toward a directional light, world space",
-        Context::Light(LightField::OwnDirection) => "unit, toward a directional light, in the light's own frame",
+        Context::Light(LightField::OwnDirection) => {
+            "unit, toward a directional light, in the light's own frame"
+        }
         Context::Light(LightField::Position) => "world space",
         Context::Light(LightField::Aim) => "unit, the way a spot light shines, world space",
-        Context::Light(LightField::OwnFromWorld) => "rotation from world space to the light's own frame",
-        Context::Light(LightField::Color) => "straight RGB in the look's colour space",
+        Context::Light(LightField::OwnFromWorld) => {
+            "rotation from world space to the light's own frame"
+        }
+        Context::Light(LightField::Color) => "straight RGB in the look's color space",
         Context::Light(LightField::Intensity) => "0 or more",
         Context::Light(LightField::Cone) => {
-            "cosines of a spot light's inner and outer half-angles; the inner at most the outer angle"
+            "cosines of a spot light's inner and outer half-angles; the inner at most the outer \
+             angle"
         }
         Context::Light(LightField::Fading) => "half distance and range; 0 for none",
         // Of fragment rate, and so never asked for by a step.

@@ -21,7 +21,8 @@ pub struct Language {
     /// The files of a look that are text, for who copies one of them; none where the window copies
     /// it in another way.
     pub texts: &'static [TextFile],
-    /// The program, none of ours, that accepts every golden output; `None` where there is none, and files say so.
+    /// The program, none of ours, that accepts every golden output; `None` where there is none, and
+    /// files say so.
     pub verified_by: Option<&'static str>,
     /// What its API expects of positions.
     pub clip_space: ClipSpace,
@@ -43,15 +44,21 @@ pub struct TextFile {
 macro_rules! stages {
     ($version:literal) => {
         &[
-            $crate::export::language::TextFile { ending: concat!(".", $version, ".frag"), content: "fragment shader" },
-            $crate::export::language::TextFile { ending: concat!(".", $version, ".vert"), content: "vertex shader" },
+            $crate::export::language::TextFile {
+                ending: concat!(".", $version, ".frag"),
+                content: "fragment shader",
+            },
+            $crate::export::language::TextFile {
+                ending: concat!(".", $version, ".vert"),
+                content: "vertex shader",
+            },
         ]
     };
 }
 pub(super) use stages;
 
-/// What an API expects of the positions that a vertex shader gives, and how it counts the rows of images. Exported
-/// shaders convert nothing: `clip_from_world` is the host's.
+/// What an API expects of the positions that a vertex shader gives, and how it counts the rows of
+/// images. Exported shaders convert nothing: `clip_from_world` is the host's.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ClipSpace {
     /// Which way y points in clip space: `up` or `down` the picture.
@@ -131,7 +138,8 @@ pub struct LanguageBinding {
     pub sampler: Option<String>,
     /// What it is called here, to the API where that asks for names.
     pub name: String,
-    /// Where it is, in the API's words: `{"group": 0, "binding": 1}`, `{"unit": 0}`, `{"register": "b0"}`.
+    /// Where it is, in the API's words: `{"group": 0, "binding": 1}`, `{"unit": 0}`, `{"register":
+    /// "b0"}`.
     pub at: Map<String, Value>,
 }
 
@@ -153,13 +161,28 @@ pub struct LanguageAttribute {
 
 impl Language {
     /// Writes one module.
-    pub(super) fn write(&'static self, module: &ShaderModule, title: &str, stem: &str) -> Result<Written, Diagnostic> {
-        let of_module = if module.is_draw() { stem.to_owned() } else { format!("{stem}.{}", module.name) };
-        let request = Request { language: self, module, title, stem: of_module, description: format!("{stem}.json") };
+    pub(super) fn write(
+        &'static self,
+        module: &ShaderModule,
+        title: &str,
+        stem: &str,
+    ) -> Result<Written, Diagnostic> {
+        let of_module =
+            if module.is_draw() { stem.to_owned() } else { format!("{stem}.{}", module.name) };
+        let request = Request {
+            language: self,
+            module,
+            title,
+            stem: of_module,
+            description: format!("{stem}.json"),
+        };
         (self.write)(&request).map_err(|reason| {
             Diagnostic::error(
                 "export-failed",
-                format!("the module `{}` cannot be written as {}: {reason}", module.name, self.label),
+                format!(
+                    "the module `{}` cannot be written as {}: {reason}",
+                    module.name, self.label
+                ),
             )
             .hint("another language may take it; where it should, please report the look")
         })
@@ -168,7 +191,9 @@ impl Language {
 
 /// The entry points as the back ends of most languages name them: by their own names.
 pub(super) fn entry_points(module: &ShaderModule) -> Vec<LanguageEntryPoint> {
-    let point =
-        |point: &super::reflect::EntryPoint| LanguageEntryPoint { stage: point.stage, name: point.name.clone() };
+    let point = |point: &super::reflect::EntryPoint| LanguageEntryPoint {
+        stage: point.stage,
+        name: point.name.clone(),
+    };
     module.entry_points.iter().map(point).collect()
 }

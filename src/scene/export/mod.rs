@@ -1,12 +1,13 @@
 //! Looks as files for other programs.
 //!
-//! [`export`] compiles a look with its exposed parameters alive, adds the passes that it needs, has each language write
-//! every module, and describes it all in one JSON file: what to bind, what to feed, in which order to draw, and how
-//! the parameters that an artist sets become the numbers that the shader reads. [`description`] documents that file.
+//! [`export`] compiles a look with its exposed parameters alive, adds the passes that it needs, has
+//! each language write every module, and describes it all in one JSON file: what to bind, what to
+//! feed, in which order to draw, and how the parameters that an artist sets become the numbers that
+//! the shader reads. [`description`] documents that file.
 //!
-//! A language is one file here and one line in [`LANGUAGES`]; naga's back ends write the text. Positions in clip space
-//! are left exactly as `view.clip_from_world` gives them in every language, so that a host uses the projection
-//! matrices of its own API.
+//! A language is one file here and one line in [`LANGUAGES`]; naga's back ends write the text.
+//! Positions in clip space are left exactly as `view.clip_from_world` gives them in every language,
+//! so that a host uses the projection matrices of its own API.
 
 pub mod description;
 mod exposed;
@@ -61,7 +62,9 @@ pub fn language(slug: &str) -> Option<&'static Language> {
 ///
 /// # Errors
 /// A problem for each slug that names none.
-pub fn languages<'a>(slugs: impl IntoIterator<Item = &'a str>) -> Result<Vec<&'static Language>, Vec<Diagnostic>> {
+pub fn languages<'a>(
+    slugs: impl IntoIterator<Item = &'a str>,
+) -> Result<Vec<&'static Language>, Vec<Diagnostic>> {
     let known = LANGUAGES.map(|language| language.slug);
     let mut found: Vec<&'static Language> = Vec::new();
     let mut problems = Vec::new();
@@ -70,7 +73,8 @@ pub fn languages<'a>(slugs: impl IntoIterator<Item = &'a str>) -> Result<Vec<&'s
             (ALL, _) => found.extend(LANGUAGES),
             (_, Some(language)) => found.push(language),
             (slug, None) => {
-                let problem = Diagnostic::error("unknown-language", format!("there is no language `{slug}`"));
+                let problem =
+                    Diagnostic::error("unknown-language", format!("there is no language `{slug}`"));
                 let hint = format!("the languages are {}, or {ALL}", known.join(", "));
                 problems.push(problem.suggest(slug, known).hint(hint));
             }
@@ -87,10 +91,15 @@ pub fn languages<'a>(slugs: impl IntoIterator<Item = &'a str>) -> Result<Vec<&'s
 
 /// What is told of languages whose files no compiler here has seen; `None` where there are none.
 pub fn unverified(languages: &[&'static Language]) -> Option<String> {
-    let labels: Vec<&str> =
-        languages.iter().filter(|language| language.verified_by.is_none()).map(|language| language.label).collect();
+    let labels: Vec<&str> = languages
+        .iter()
+        .filter(|language| language.verified_by.is_none())
+        .map(|language| language.label)
+        .collect();
     let plural = if labels.len() == 1 { "is" } else { "are" };
-    let told = || format!("{} {plural} unverified: no compiler here has seen the files", labels.join(" and "));
+    let told = || {
+        format!("{} {plural} unverified: no compiler here has seen the files", labels.join(" and "))
+    };
     (!labels.is_empty()).then(told)
 }
 
@@ -118,8 +127,9 @@ pub struct Export {
     pub warnings: Vec<Diagnostic>,
 }
 
-/// Exports `look` in `languages` as files whose names begin with `stem`, such as `rim` for `rim.frag`. The images and
-/// HCBTFs that it reads, whose paths are relative to `folder`, are carried along; one that cannot be read is a warning.
+/// Exports `look` in `languages` as files whose names begin with `stem`, such as `rim` for
+/// `rim.frag`. The images and HCBTFs that it reads, whose paths are relative to `folder`, are
+/// carried along; one that cannot be read is a warning.
 ///
 /// # Errors
 /// Everything that is wrong with the look, or what a language cannot express.

@@ -6,7 +6,8 @@ use super::File;
 use super::header;
 use super::reflect::{self, Bound, EntryPoint, Kind};
 use crate::compile::{
-    BindingKind, CompiledShader, HostSource, ImageShape, ImageUse, Live, Options, Stage, TypedGraph, compile_typed,
+    BindingKind, CompiledShader, HostSource, ImageShape, ImageUse, Live, Options, Stage,
+    TypedGraph, compile_typed,
 };
 use crate::diag::Diagnostic;
 use crate::library::{Context, SMOOTH_LEVELS};
@@ -83,7 +84,8 @@ pub struct Pass {
     pub name: &'static str,
     /// The module that it runs.
     pub module: &'static str,
-    /// `meshes`: every mesh, depth-tested. `screen`: one triangle over the whole target, made from the vertex index.
+    /// `meshes`: every mesh, depth-tested. `screen`: one triangle over the whole target, made from
+    /// the vertex index.
     pub draws: &'static str,
     /// The textures that it reads from earlier passes.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -108,7 +110,7 @@ pub struct PassInput {
 pub struct Target {
     /// Its name.
     pub name: &'static str,
-    /// A WebGPU format; `any` for the host's own colour target.
+    /// A WebGPU format; `any` for the host's own color target.
     pub format: &'static str,
     /// What it is cleared to.
     pub clear: [f64; 4],
@@ -126,8 +128,8 @@ const COLOR_TARGET: Target = Target { name: "color", format: "any", clear: [0.0;
 pub struct Image {
     /// The file, relative to the look's document.
     pub path: String,
-    /// The file beside this description that carries it: an image as it is, or the texture of an HCBTF as KTX2; none where
-    /// it could not be read.
+    /// The file beside this description that carries it: an image as it is, or the texture of an
+    /// HCBTF as KTX2; none where it could not be read.
     pub file: Option<String>,
     /// `image`: a flat texture. `hcbtf`: an array of flat textures, as they lie in the KTX2 file.
     pub kind: &'static str,
@@ -135,7 +137,8 @@ pub struct Image {
     pub wrap: String,
     /// `linear` or `nearest`.
     pub filter: String,
-    /// `color`, decoded into the look's colour space, or `data`, taken as it is. An HCBTF's shader decodes by itself.
+    /// `color`, decoded into the look's color space, or `data`, taken as it is. An HCBTF's shader
+    /// decodes by itself.
     pub encoding: String,
     /// How the look uses it.
     #[serde(skip)]
@@ -202,8 +205,9 @@ impl ShaderModule {
 
     fn fixed(name: &'static str, purpose: &'static str) -> Result<Self, Vec<Diagnostic>> {
         let linked = wgsl::pass(name)?;
-        let valid = wgsl::parse(&linked.text)
-            .map_err(|error| vec![Diagnostic::error("internal-invalid-wgsl", format!("{name}: {error}"))])?;
+        let valid = wgsl::parse(&linked.text).map_err(|error| {
+            vec![Diagnostic::error("internal-invalid-wgsl", format!("{name}: {error}"))]
+        })?;
         let bindings = reflect::bindings(&valid.module);
         let feeds = bindings.iter().map(|bound| match bound.kind {
             Kind::Texture => Feed::Inputs,
@@ -211,7 +215,14 @@ impl ShaderModule {
         });
         let feeds = feeds.collect();
         let entry_points = reflect::entry_points(&valid.module);
-        Ok(Self { name, purpose, entry_points, bindings, feeds, code: Code::Fixed(linked.text, Box::new(valid)) })
+        Ok(Self {
+            name,
+            purpose,
+            entry_points,
+            bindings,
+            feeds,
+            code: Code::Fixed(linked.text, Box::new(valid)),
+        })
     }
 }
 
@@ -231,7 +242,9 @@ fn feed(shader: &CompiledShader, bound: &Bound, images: &mut Vec<Image>) -> Feed
             used: used.clone(),
         };
         // Which node read it first does not matter.
-        let same = |known: &Image| known.used == ImageUse { node: known.used.node.clone(), ..used.clone() };
+        let same = |known: &Image| {
+            known.used == ImageUse { node: known.used.node.clone(), ..used.clone() }
+        };
         images.iter().position(same).unwrap_or_else(|| {
             images.push(image);
             images.len() - 1
@@ -242,15 +255,26 @@ fn feed(shader: &CompiledShader, bound: &Bound, images: &mut Vec<Image>) -> Feed
         Some(BindingKind::View) => Feed::View,
         Some(BindingKind::Object) => Feed::Object,
         Some(BindingKind::Look) => Feed::Look,
-        Some(BindingKind::Image(index) | BindingKind::Hcbtf(index)) => Feed::Image { image: image(*index) },
+        Some(BindingKind::Image(index) | BindingKind::Hcbtf(index)) => {
+            Feed::Image { image: image(*index) }
+        }
         Some(BindingKind::Sampler(index)) => Feed::Sampler { image: image(*index) },
         Some(BindingKind::Curvature) => Feed::Pass { pass: "curvature", output: "curvature" },
-        Some(BindingKind::CurvatureSparse) => Feed::Pass { pass: "curvature_sparse", output: "curvature" },
-        Some(BindingKind::CurvatureDetailSparse) => Feed::Pass { pass: "detail_curvature_sparse", output: "curvature" },
-        Some(BindingKind::CurvatureDetail) => Feed::Pass { pass: "detail_curvature", output: "curvature" },
-        Some(BindingKind::CurvatureTensor) => Feed::Pass { pass: "curvature_tensor", output: "curvature" },
+        Some(BindingKind::CurvatureSparse) => {
+            Feed::Pass { pass: "curvature_sparse", output: "curvature" }
+        }
+        Some(BindingKind::CurvatureDetailSparse) => {
+            Feed::Pass { pass: "detail_curvature_sparse", output: "curvature" }
+        }
+        Some(BindingKind::CurvatureDetail) => {
+            Feed::Pass { pass: "detail_curvature", output: "curvature" }
+        }
+        Some(BindingKind::CurvatureTensor) => {
+            Feed::Pass { pass: "curvature_tensor", output: "curvature" }
+        }
         Some(BindingKind::SmoothNormal(level)) => {
-            let pass = OVER_NORMALS.iter().find(|pass| pass.context == Context::SmoothNormal(*level));
+            let pass =
+                OVER_NORMALS.iter().find(|pass| pass.context == Context::SmoothNormal(*level));
             pass.map_or(Feed::Inputs, |pass| Feed::Pass { pass: pass.pass, output: "normal" })
         }
         // Neither is in a module that draws meshes.
@@ -272,7 +296,12 @@ struct OverNormals {
 }
 
 impl OverNormals {
-    const fn of(context: Context, pass: &'static str, module: &'static str, normals: &'static str) -> Self {
+    const fn of(
+        context: Context,
+        pass: &'static str,
+        module: &'static str,
+        normals: &'static str,
+    ) -> Self {
         Self { context, pass, module, normals, before: None }
     }
 
@@ -283,7 +312,9 @@ impl OverNormals {
     /// Whether a look reads it, or what is made from it.
     fn is_wanted(&self, reads: &dyn Fn(Context) -> bool) -> bool {
         match self.context {
-            Context::SmoothNormal(level) => (level..=SMOOTH_LEVELS).any(|level| reads(Context::SmoothNormal(level))),
+            Context::SmoothNormal(level) => {
+                (level..=SMOOTH_LEVELS).any(|level| reads(Context::SmoothNormal(level)))
+            }
             context => reads(context),
         }
     }
@@ -301,7 +332,12 @@ const OVER_NORMALS: [OverNormals; 9] = [
     OverNormals::of(Context::Kappa, "curvature", "curvature", "normals"),
     OverNormals::of(Context::KappaSparse, "curvature_sparse", "curvature_sparse", "normals"),
     OverNormals::of(Context::KappaDetail, "detail_curvature", "curvature", "detail_normals"),
-    OverNormals::of(Context::KappaDetailSparse, "detail_curvature_sparse", "curvature_sparse", "detail_normals"),
+    OverNormals::of(
+        Context::KappaDetailSparse,
+        "detail_curvature_sparse",
+        "curvature_sparse",
+        "detail_normals",
+    ),
     OverNormals::of(Context::Tensor, "curvature_tensor", "curvature_tensor", "normals"),
     OverNormals::smooth(1, "smooth_normals_1", None),
     OverNormals::smooth(2, "smooth_normals_2", Some("smooth_normals_1")),
@@ -328,19 +364,32 @@ pub(super) fn compile(typed: &TypedGraph, stem: &str) -> Result<Modules, Vec<Dia
     };
     let draw = stage(Stage::Draw)?;
     let reads = |context| draw.needs.context(context);
-    let over_normals = OVER_NORMALS.iter().filter(|pass| pass.is_wanted(&reads)).copied().collect::<Vec<_>>();
+    let over_normals =
+        OVER_NORMALS.iter().filter(|pass| pass.is_wanted(&reads)).copied().collect::<Vec<_>>();
     let wants = |normals| over_normals.iter().any(|pass| pass.normals == normals);
     let mut found = Modules { title: header::title(&typed.name), ..Modules::default() };
     if wants("normals") {
         let purpose = "Draws normals and depth, for the curvature pass.";
         let normals = stage(Stage::Normals)?;
-        found.modules.push(ShaderModule::of_look("normals", purpose, normals, stem, &mut found.images));
+        found.modules.push(ShaderModule::of_look(
+            "normals",
+            purpose,
+            normals,
+            stem,
+            &mut found.images,
+        ));
         found.passes.push(Pass::meshes("normals", &NORMAL_TARGETS));
     }
     if wants("detail_normals") {
         let purpose = "Draws detail normals and depth, for the curvature pass.";
         let normals = stage(Stage::DetailNormals)?;
-        found.modules.push(ShaderModule::of_look("detail_normals", purpose, normals, stem, &mut found.images));
+        found.modules.push(ShaderModule::of_look(
+            "detail_normals",
+            purpose,
+            normals,
+            stem,
+            &mut found.images,
+        ));
         found.passes.push(Pass::meshes("detail_normals", &NORMAL_TARGETS));
     }
     found.add_over_normals(&over_normals)?;
@@ -352,7 +401,9 @@ pub(super) fn compile(typed: &TypedGraph, stem: &str) -> Result<Modules, Vec<Dia
         &mut found.images,
     );
     let inputs = draw.bindings.iter().zip(&draw.feeds).filter_map(|(bound, feed)| match feed {
-        Feed::Pass { pass, output } => Some(PassInput { binding: bound.name.clone(), pass, output }),
+        Feed::Pass { pass, output } => {
+            Some(PassInput { binding: bound.name.clone(), pass, output })
+        }
         _ => None,
     });
     found.passes.push(Pass { inputs: inputs.collect(), ..Pass::meshes(DRAW, &[COLOR_TARGET]) });
@@ -402,8 +453,12 @@ impl Modules {
             let host = module.host()?;
             let lines = [
                 format!("{}: made by Chiaro {}, WGSL.", self.title, env!("CARGO_PKG_VERSION")),
-                format!("What turns parameters and lights into the `Look` uniform of the module `{}`,", module.name),
-                "called before drawing by the steps of `host` in the JSON file. Run it or port it.".to_owned(),
+                format!(
+                    "What turns parameters and lights into the `Look` uniform of the module `{}`,",
+                    module.name
+                ),
+                "called before drawing by the steps of `host` in the JSON file. Run it or port it."
+                    .to_owned(),
             ];
             Some(File::text(host.file.clone()?, header::comment(&lines) + "\n" + &host.source.wgsl))
         };

@@ -6,7 +6,8 @@ use serde_json::json;
 use super::File;
 use super::header::list;
 use super::language::{
-    ClipSpace, Language, LanguageBinding, LanguageEntryPoint, LanguageFile, LanguageModule, Request, TextFile, Written,
+    ClipSpace, Language, LanguageBinding, LanguageEntryPoint, LanguageFile, LanguageModule,
+    Request, TextFile, Written,
 };
 use super::modules::ShaderModule;
 use super::reflect::{Bound, Kind};
@@ -19,7 +20,9 @@ pub(super) const LANGUAGE: Language = Language {
     texts: &[TextFile { ending: ".metal", content: "shader" }],
     verified_by: None,
     clip_space: ClipSpace::WEBGPU,
-    note: "Unverified: written by naga, seen by no Metal compiler. Attributes are [[attribute(location)]] of the stage input; give vertex buffers indices after those of the uniform buffers.",
+    note: "Unverified: written by naga, seen by no Metal compiler. Attributes are \
+           [[attribute(location)]] of the stage input; give vertex buffers indices after those of \
+           the uniform buffers.",
     write,
 };
 
@@ -30,20 +33,32 @@ fn write(request: &Request<'_>) -> Result<Written, String> {
     for (bound, _, slot) in &slots {
         let target = match bound.kind {
             Kind::Texture => msl::BindTarget { texture: Some(*slot), ..msl::BindTarget::default() },
-            Kind::Sampler => {
-                msl::BindTarget { sampler: Some(msl::BindSamplerTarget::Resource(*slot)), ..msl::BindTarget::default() }
+            Kind::Sampler => msl::BindTarget {
+                sampler: Some(msl::BindSamplerTarget::Resource(*slot)),
+                ..msl::BindTarget::default()
+            },
+            Kind::Uniform | Kind::Storage => {
+                msl::BindTarget { buffer: Some(*slot), ..msl::BindTarget::default() }
             }
-            Kind::Uniform | Kind::Storage => msl::BindTarget { buffer: Some(*slot), ..msl::BindTarget::default() },
         };
-        resources.resources.insert(naga::ResourceBinding { group: bound.group, binding: bound.binding }, target);
+        resources
+            .resources
+            .insert(naga::ResourceBinding { group: bound.group, binding: bound.binding }, target);
     }
     let (text, points) = naga_text(module, &resources)?;
     let place = |(bound, kind, slot): &(&Bound, &'static str, u8)| {
-        LanguageBinding::new(&bound.name, name_at(&text, &format!("[[{kind}({slot})]]")), &[(*kind, json!(slot))])
+        LanguageBinding::new(
+            &bound.name,
+            name_at(&text, &format!("[[{kind}({slot})]]")),
+            &[(*kind, json!(slot))],
+        )
     };
     let bindings: Vec<_> = slots.iter().map(place).collect();
-    let names: Vec<_> =
-        bindings.iter().zip(&slots).map(|(b, (_, kind, slot))| format!("{} {kind}({slot})", b.name)).collect();
+    let names: Vec<_> = bindings
+        .iter()
+        .zip(&slots)
+        .map(|(b, (_, kind, slot))| format!("{} {kind}({slot})", b.name))
+        .collect();
     let header = request.header("", &[list("Arguments of both functions", &names)]);
     let file = format!("{}.metal", request.stem);
     let described = LanguageModule {
@@ -76,15 +91,23 @@ fn naga_text(
     resources: &msl::EntryPointResources,
 ) -> Result<(String, Vec<LanguageEntryPoint>), String> {
     let valid = module.valid();
-    let mut options = msl::Options { lang_version: (2, 0), fake_missing_bindings: false, ..msl::Options::default() };
+    let mut options = msl::Options {
+        lang_version: (2, 0),
+        fake_missing_bindings: false,
+        ..msl::Options::default()
+    };
     for point in &module.entry_points {
         options.per_entry_point_map.insert(point.name.clone(), resources.clone());
     }
     let pipeline = msl::PipelineOptions::default();
-    let (text, info) = msl::write_string(&valid.module, &valid.info, &options, &pipeline).map_err(|e| e.to_string())?;
+    let (text, info) = msl::write_string(&valid.module, &valid.info, &options, &pipeline)
+        .map_err(|e| e.to_string())?;
     let mut points = Vec::new();
     for (point, name) in module.entry_points.iter().zip(info.entry_point_names) {
-        points.push(LanguageEntryPoint { stage: point.stage, name: name.map_err(|error| error.to_string())? });
+        points.push(LanguageEntryPoint {
+            stage: point.stage,
+            name: name.map_err(|error| error.to_string())?,
+        });
     }
     Ok((text, points))
 }

@@ -26,7 +26,9 @@ fn write(value: &Value, indent: usize, used: usize, out: &mut String) {
     out.push_str(if is_list { "[\n" } else { "{\n" });
     let entries: Vec<(String, &Value)> = match value {
         Value::Array(items) => items.iter().map(|item| (String::new(), item)).collect(),
-        Value::Object(fields) => fields.iter().map(|(key, field)| (format!("{}: ", quoted(key)), field)).collect(),
+        Value::Object(fields) => {
+            fields.iter().map(|(key, field)| (format!("{}: ", quoted(key)), field)).collect()
+        }
         _ => Vec::new(),
     };
     for (index, (key, entry)) in entries.iter().enumerate() {
@@ -46,9 +48,12 @@ fn quoted(text: &str) -> String {
 /// On one line, with a space after each comma and colon.
 fn spaced(value: &Value) -> String {
     match value {
-        Value::Array(items) => format!("[{}]", items.iter().map(spaced).collect::<Vec<_>>().join(", ")),
+        Value::Array(items) => {
+            format!("[{}]", items.iter().map(spaced).collect::<Vec<_>>().join(", "))
+        }
         Value::Object(fields) => {
-            let field = |(key, value): (&String, &Value)| format!("{}: {}", quoted(key), spaced(value));
+            let field =
+                |(key, value): (&String, &Value)| format!("{}: {}", quoted(key), spaced(value));
             format!("{{{}}}", fields.iter().map(field).collect::<Vec<_>>().join(", "))
         }
         // Whole numbers without a point, as people write them.
@@ -70,7 +75,10 @@ mod tests {
     fn what_fits_stands_on_a_line() {
         let value = json!({"a": [1, 2.5], "b": {"c": vec!["word"; 30]}});
         let text = pretty(&value);
-        assert!(text.starts_with("{\n  \"a\": [1, 2.5],\n  \"b\": {\n    \"c\": [\n      \"word\",\n"), "{text}");
+        assert!(
+            text.starts_with("{\n  \"a\": [1, 2.5],\n  \"b\": {\n    \"c\": [\n      \"word\",\n"),
+            "{text}"
+        );
         assert!(text.lines().all(|line| line.len() <= WIDTH));
         assert_eq!(serde_json::from_str::<Value>(&text).unwrap(), value);
         assert_eq!(pretty(&json!([])), "[]\n");

@@ -90,7 +90,8 @@ pub struct Member {
     pub offset: u32,
     /// Bytes.
     pub size: u32,
-    /// Bytes from one column of a matrix or one element of an array to the next; 0 for anything else.
+    /// Bytes from one column of a matrix or one element of an array to the next; 0 for anything
+    /// else.
     #[serde(skip_serializing_if = "is_zero")]
     pub stride: u32,
     /// The members of a struct, or of an array's elements.
@@ -105,15 +106,24 @@ fn is_zero(number: &u32) -> bool {
 /// The entry points, vertex before fragment.
 pub(super) fn entry_points(module: &Module) -> Vec<EntryPoint> {
     let point = |point: &naga::EntryPoint| {
-        let arguments = point.function.arguments.iter().map(|a| (a.name.clone(), a.ty, a.binding.as_ref()));
+        let arguments =
+            point.function.arguments.iter().map(|a| (a.name.clone(), a.ty, a.binding.as_ref()));
         let inputs: Vec<Located> =
             arguments.flat_map(|(name, ty, binding)| located(module, name, ty, binding)).collect();
-        let outputs = point.function.result.iter().flat_map(|r| located(module, None, r.ty, r.binding.as_ref()));
+        let outputs = point
+            .function
+            .result
+            .iter()
+            .flat_map(|r| located(module, None, r.ty, r.binding.as_ref()));
         let is_vertex = point.stage == ShaderStage::Vertex;
         EntryPoint {
             name: point.name.clone(),
             stage: stage_name(point.stage),
-            attributes: if is_vertex { inputs.into_iter().map(attribute).collect() } else { Vec::new() },
+            attributes: if is_vertex {
+                inputs.into_iter().map(attribute).collect()
+            } else {
+                Vec::new()
+            },
             outputs: if is_vertex { Vec::new() } else { outputs.collect() },
         }
     };
@@ -133,7 +143,9 @@ fn attribute(found: Located) -> Attribute {
     let semantic = match found.name.as_str() {
         "position" => "position in object space",
         "normal" => "unit normal in object space",
-        "tangent" => "unit tangent along u in object space; w is 1, or -1 where the bitangent is mirrored",
+        "tangent" => {
+            "unit tangent along u in object space; w is 1, or -1 where the bitangent is mirrored"
+        }
         "uv" => "texture coordinates, v up",
         "color" => "straight RGBA; white where the mesh has none",
         _ => "",
@@ -149,7 +161,11 @@ fn located(
     binding: Option<&naga::Binding>,
 ) -> Vec<Located> {
     if let Some(naga::Binding::Location { location, .. }) = binding {
-        return vec![Located { location: *location, name: name.unwrap_or_default(), ty: type_name(module, ty) }];
+        return vec![Located {
+            location: *location,
+            name: name.unwrap_or_default(),
+            ty: type_name(module, ty),
+        }];
     }
     let TypeInner::Struct { members, .. } = &module.types[ty].inner else { return Vec::new() };
     let of_member = |member: &naga::StructMember| match &member.binding {
@@ -188,7 +204,8 @@ fn bound(module: &Module, variable: &naga::GlobalVariable) -> Option<Bound> {
         TypeInner::Struct { members, .. } => members.iter().map(|m| member(module, m)).collect(),
         _ => Vec::new(),
     };
-    let size = if kind == Kind::Uniform { inner.size(module.to_ctx()).next_multiple_of(16) } else { 0 };
+    let size =
+        if kind == Kind::Uniform { inner.size(module.to_ctx()).next_multiple_of(16) } else { 0 };
     let (group, binding) = (at.group, at.binding);
     let (name, ty) = (variable.name.clone().unwrap_or_default(), type_name(module, variable.ty));
     Some(Bound { group, binding, name, kind, ty, size, members })
@@ -198,13 +215,17 @@ fn bound(module: &Module, variable: &naga::GlobalVariable) -> Option<Bound> {
 fn member(module: &Module, found: &naga::StructMember) -> Member {
     let inner = &module.types[found.ty].inner;
     let (stride, element) = match inner {
-        TypeInner::Matrix { rows, .. } => (if *rows == naga::VectorSize::Bi { 8 } else { 16 }, None),
+        TypeInner::Matrix { rows, .. } => {
+            (if *rows == naga::VectorSize::Bi { 8 } else { 16 }, None)
+        }
         TypeInner::Array { base, stride, .. } => (*stride, Some(*base)),
         TypeInner::Struct { .. } => (0, Some(found.ty)),
         _ => (0, None),
     };
     let members = match element.map(|element| &module.types[element].inner) {
-        Some(TypeInner::Struct { members, .. }) => members.iter().map(|inside| member(module, inside)).collect(),
+        Some(TypeInner::Struct { members, .. }) => {
+            members.iter().map(|inside| member(module, inside)).collect()
+        }
         _ => Vec::new(),
     };
     Member {
@@ -227,7 +248,9 @@ fn type_name(module: &Module, ty: naga::Handle<naga::Type>) -> String {
             format!("mat{}x{}{}", *columns as u32, *rows as u32, suffix(*scalar))
         }
         TypeInner::Array { base, size, .. } => match size {
-            naga::ArraySize::Constant(count) => format!("array<{}, {count}>", type_name(module, *base)),
+            naga::ArraySize::Constant(count) => {
+                format!("array<{}, {count}>", type_name(module, *base))
+            }
             _ => format!("array<{}>", type_name(module, *base)),
         },
         TypeInner::Image { class: ImageClass::Depth { .. }, .. } => "texture_depth_2d".to_owned(),

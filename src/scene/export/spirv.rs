@@ -5,7 +5,8 @@ use serde_json::json;
 
 use super::File;
 use super::language::{
-    ClipSpace, Language, LanguageBinding, LanguageFile, LanguageModule, Request, Written, entry_points,
+    ClipSpace, Language, LanguageBinding, LanguageFile, LanguageModule, Request, Written,
+    entry_points,
 };
 
 pub(super) const LANGUAGE: Language = Language {
@@ -31,18 +32,29 @@ pub fn spirv_words(valid: &crate::wgsl::Valid) -> Result<Vec<u32>, String> {
 
 fn write(request: &Request<'_>) -> Result<Written, String> {
     let module = request.module;
-    let mut options = spv::Options { lang_version: (1, 3), fake_missing_bindings: false, ..spv::Options::default() };
+    let mut options = spv::Options {
+        lang_version: (1, 3),
+        fake_missing_bindings: false,
+        ..spv::Options::default()
+    };
     // Names stay in, whatever this is built as; positions stay as the host's matrix gives them.
     options.flags = spv::WriterFlags::DEBUG;
     let mut bindings = Vec::new();
     for bound in &module.bindings {
-        let target = spv::BindingInfo { descriptor_set: bound.group, binding: bound.binding, binding_array_size: None };
-        options.binding_map.insert(naga::ResourceBinding { group: bound.group, binding: bound.binding }, target);
+        let target = spv::BindingInfo {
+            descriptor_set: bound.group,
+            binding: bound.binding,
+            binding_array_size: None,
+        };
+        options
+            .binding_map
+            .insert(naga::ResourceBinding { group: bound.group, binding: bound.binding }, target);
         let at = [("set", json!(bound.group)), ("binding", json!(bound.binding))];
         bindings.push(LanguageBinding::new(&bound.name, &bound.name, &at));
     }
     let valid = module.valid();
-    let words = spv::write_vec(&valid.module, &valid.info, &options, None).map_err(|error| error.to_string())?;
+    let words = spv::write_vec(&valid.module, &valid.info, &options, None)
+        .map_err(|error| error.to_string())?;
     let bytes = words.into_iter().flat_map(u32::to_le_bytes).collect();
     let file = format!("{}.spv", request.stem);
     let described = LanguageModule {

@@ -10,9 +10,14 @@ use crate::diag::Diagnostic;
 use crate::frame::{Assets, image_bytes};
 use crate::hcbtf::{LayerOptions, Layers, ktx2};
 
-/// Reads every image, relative to `folder`, names the file that carries it, and returns those files with what could not
-/// be read. An image goes as it is; an HCBTF goes as the texture that the shader looks up.
-pub(super) fn carried(images: &mut [Image], stem: &str, folder: &Path) -> (Vec<File>, Vec<Diagnostic>) {
+/// Reads every image, relative to `folder`, names the file that carries it, and returns those files
+/// with what could not be read. An image goes as it is; an HCBTF goes as the texture that the
+/// shader looks up.
+pub(super) fn carried(
+    images: &mut [Image],
+    stem: &str,
+    folder: &Path,
+) -> (Vec<File>, Vec<Diagnostic>) {
     let mut assets = Assets::default();
     let mut files: Vec<File> = Vec::new();
     let mut problems = Vec::new();
@@ -20,12 +25,14 @@ pub(super) fn carried(images: &mut [Image], stem: &str, folder: &Path) -> (Vec<F
     for image in images.iter_mut().filter(|image| !image.path.is_empty()) {
         let (bytes, ending) = match image.used.shape {
             ImageShape::Flat => {
-                let ending =
-                    Path::new(&image.path).extension().map_or("png".to_owned(), |it| it.to_string_lossy().into());
+                let ending = Path::new(&image.path)
+                    .extension()
+                    .map_or("png".to_owned(), |it| it.to_string_lossy().into());
                 (image_bytes(folder, &image.path).map_err(|problem| vec![problem]), ending)
             }
             ImageShape::Hcbtf { has_levels, storage } => {
-                let options = LayerOptions { has_levels, is_decoded: image.used.is_decoded, storage };
+                let options =
+                    LayerOptions { has_levels, is_decoded: image.used.is_decoded, storage };
                 let baked = assets.hcbtf(folder, &image.path, options).map(|(image, _)| {
                     let (coding, bytes) = (image.coding, image.bytes.clone());
                     let layers = Layers { size: image.size, count: image.layers, coding, bytes };
@@ -37,7 +44,8 @@ pub(super) fn carried(images: &mut [Image], stem: &str, folder: &Path) -> (Vec<F
         match bytes {
             // The same file, sampled in two ways, is carried once.
             Ok(bytes) => {
-                let known = files.iter().find(|file| file.bytes == bytes).map(|file| file.name.clone());
+                let known =
+                    files.iter().find(|file| file.bytes == bytes).map(|file| file.name.clone());
                 image.file = known.or_else(|| {
                     let name = name(stem, &image.path, &ending, &mut taken);
                     files.push(File { name: name.clone(), bytes });
@@ -65,7 +73,11 @@ fn name(stem: &str, path: &str, ending: &str, taken: &mut HashSet<String>) -> St
 }
 
 fn left_out(problem: &Diagnostic, image: &Image) -> Diagnostic {
-    let problem =
-        Diagnostic::warning("not-carried", format!("`{}` is not carried along: {}", image.path, problem.message));
-    problem.node(image.used.node.clone()).hint("the shader is whole; put the file there and export again")
+    let problem = Diagnostic::warning(
+        "not-carried",
+        format!("`{}` is not carried along: {}", image.path, problem.message),
+    );
+    problem
+        .node(image.used.node.clone())
+        .hint("the shader is whole; put the file there and export again")
 }

@@ -5,7 +5,8 @@ use serde_json::json;
 use super::File;
 use super::header::list;
 use super::language::{
-    ClipSpace, Language, LanguageBinding, LanguageFile, LanguageModule, Request, Written, entry_points,
+    ClipSpace, Language, LanguageBinding, LanguageFile, LanguageModule, Request, Written,
+    entry_points,
 };
 
 pub(super) const LANGUAGE: Language = Language {
@@ -31,7 +32,8 @@ fn write(request: &Request<'_>) -> Result<Written, String> {
             LanguageBinding::new(&bound.name, &bound.name, &at)
         })
         .collect();
-    let names: Vec<_> = module.bindings.iter().map(|bound| format!("{} {}", bound.name, bound.binding)).collect();
+    let names: Vec<_> =
+        module.bindings.iter().map(|bound| format!("{} {}", bound.name, bound.binding)).collect();
     let header = request.header("", &[list("Bindings of group 0", &names)]);
     let file = format!("{}.wgsl", request.stem);
     let described = LanguageModule {

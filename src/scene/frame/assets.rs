@@ -96,7 +96,8 @@ impl Overlay {
     /// Whether a look that names `path` means it.
     fn is(&self, path: &Path) -> bool {
         let real = |path: &Path| path.canonicalize().ok();
-        let is_it = |own: &Path| own == path || real(path).is_some_and(|found| Some(found) == real(own));
+        let is_it =
+            |own: &Path| own == path || real(path).is_some_and(|found| Some(found) == real(own));
         path.ends_with(UNSAVED_HCBTF) || self.path.as_deref().is_some_and(is_it)
     }
 
@@ -119,7 +120,8 @@ impl Overlay {
         hasher.finish()
     }
 
-    /// Brings what was baked of the overlay before up to date, where few texels are others now. Returns whether it did.
+    /// Brings what was baked of the overlay before up to date, where few texels are others now.
+    /// Returns whether it did.
     fn rebake(&self, before: &Self, image: &mut Arc<Image>, options: LayerOptions) -> bool {
         let grid = self.hcbtf.grid;
         if grid != before.hcbtf.grid {
@@ -163,7 +165,8 @@ const DRAFT: Directions = Directions { theta: 3, phi: 4 };
 /// Where more than one texel of so many is another, all are baked anew.
 const REBAKED: u64 = 8;
 
-/// Regions of a layer that overlap become one around them: all samples of a view lie in the same one, light by light.
+/// Regions of a layer that overlap become one around them: all samples of a view lie in the same
+/// one, light by light.
 fn together(regions: impl Iterator<Item = Region>) -> Vec<Region> {
     let mut layers: BTreeMap<u32, Vec<Region>> = BTreeMap::new();
     for region in regions {
@@ -177,8 +180,10 @@ fn together(regions: impl Iterator<Item = Region>) -> Vec<Region> {
 }
 
 fn overlap(one: &Region, other: &Region) -> bool {
-    (0..2)
-        .all(|axis| one.at[axis] < other.at[axis] + other.size[axis] && other.at[axis] < one.at[axis] + one.size[axis])
+    (0..2).all(|axis| {
+        one.at[axis] < other.at[axis] + other.size[axis]
+            && other.at[axis] < one.at[axis] + one.size[axis]
+    })
 }
 
 fn around(one: &Region, other: &Region) -> Region {
@@ -203,11 +208,16 @@ pub struct Assets {
 }
 
 impl Assets {
-    /// The mesh that `name` means, a path relative to `folder` or `shape:` and an own shape, with what was odd in it.
+    /// The mesh that `name` means, a path relative to `folder` or `shape:` and an own shape, with
+    /// what was odd in it.
     ///
     /// # Errors
     /// Why it cannot be used.
-    pub fn mesh(&mut self, folder: &Path, name: &str) -> Result<(Arc<Mesh>, Vec<Diagnostic>), Vec<Diagnostic>> {
+    pub fn mesh(
+        &mut self,
+        folder: &Path,
+        name: &str,
+    ) -> Result<(Arc<Mesh>, Vec<Diagnostic>), Vec<Diagnostic>> {
         if let Some(shape) = name.strip_prefix(SHAPE_PREFIX) {
             return Ok((self.shape(shape)?, Vec::new()));
         }
@@ -219,13 +229,15 @@ impl Assets {
         }
         let imported = geometry::load(&path)?;
         let value = Arc::new(imported.mesh);
-        self.meshes.insert(key, Kept { stamp, value: value.clone(), notes: imported.notes.clone() });
+        self.meshes
+            .insert(key, Kept { stamp, value: value.clone(), notes: imported.notes.clone() });
         Ok((value, imported.notes))
     }
 
     /// Every file that was read: meshes, images and HCBTFs.
     pub fn files(&self) -> impl Iterator<Item = &Path> {
-        let meshes = self.meshes.keys().filter(|name| !name.starts_with(SHAPE_PREFIX)).map(Path::new);
+        let meshes =
+            self.meshes.keys().filter(|name| !name.starts_with(SHAPE_PREFIX)).map(Path::new);
         let images = self.images.keys().map(PathBuf::as_path);
         meshes.chain(images).chain(self.hcbtfs.keys().map(|(path, _)| path.as_path()))
     }
@@ -238,8 +250,11 @@ impl Assets {
         let Some(mesh) = geometry::shape(name) else {
             let known = geometry::SHAPES.iter().map(|shape| shape.name);
             let names: Vec<&str> = known.clone().collect();
-            let problem = Diagnostic::error("unknown-shape", format!("there is no own shape `{name}`"));
-            return Err(vec![problem.suggest(name, known).hint(format!("the shapes are {}", names.join(", ")))]);
+            let problem =
+                Diagnostic::error("unknown-shape", format!("there is no own shape `{name}`"));
+            return Err(vec![
+                problem.suggest(name, known).hint(format!("the shapes are {}", names.join(", "))),
+            ]);
         };
         let value = Arc::new(mesh);
         self.meshes.insert(key, Kept { stamp: None, value: value.clone(), notes: Vec::new() });
@@ -261,7 +276,8 @@ impl Assets {
         Ok(value)
     }
 
-    /// Shows an HCBTF as it is being painted wherever its file is named, from now on; with `None` files are as they are.
+    /// Shows an HCBTF as it is being painted wherever its file is named, from now on; with `None`
+    /// files are as they are.
     pub fn overlay(&mut self, overlay: Option<Overlay>) {
         if overlay.is_none() {
             self.baked.clear();
@@ -269,18 +285,23 @@ impl Assets {
         self.overlay = overlay;
     }
 
-    /// Fills HCBTFs of which nothing is painted for few lights and views alone, from now on: small pictures show no more, and
-    /// drawing strokes or reliefs takes as much less time.
+    /// Fills HCBTFs of which nothing is painted for few lights and views alone, from now on: small
+    /// pictures show no more, and drawing strokes or reliefs takes as much less time.
     pub fn draft(&mut self) {
         self.drafts = true;
     }
 
-    /// Lets somebody watch, and stop, the filling of HCBTFs from now on; each begins the progress anew.
+    /// Lets somebody watch, and stop, the filling of HCBTFs from now on; each begins the progress
+    /// anew.
     pub fn watch(&mut self, progress: Option<Arc<Progress>>) {
         self.progress = progress;
     }
 
-    fn overlaid(&mut self, path: &Path, options: LayerOptions) -> Option<Result<Arc<Image>, Diagnostic>> {
+    fn overlaid(
+        &mut self,
+        path: &Path,
+        options: LayerOptions,
+    ) -> Option<Result<Arc<Image>, Diagnostic>> {
         let overlay = self.overlay.as_ref().filter(|overlay| overlay.is(path))?;
         if let Some((before, image)) = self.baked.get_mut(&options)
             && (before.version == overlay.version || overlay.rebake(before, image, options))
@@ -296,7 +317,8 @@ impl Assets {
         Some(image)
     }
 
-    /// The texture of the HCBTF at `path`, relative to `folder`, filled by its rules, with what was odd in the file.
+    /// The texture of the HCBTF at `path`, relative to `folder`, filled by its rules, with what was
+    /// odd in the file.
     ///
     /// # Errors
     /// Why it cannot be used; the caller adds who names it.
@@ -320,8 +342,8 @@ impl Assets {
             hcbtf.grid = drafted(hcbtf.grid);
         }
         let progress = self.progress.clone().unwrap_or_default();
-        let value =
-            bake(&hcbtf, options, &progress).map_err(|problem| vec![problem.in_file(key.0.display().to_string())])?;
+        let value = bake(&hcbtf, options, &progress)
+            .map_err(|problem| vec![problem.in_file(key.0.display().to_string())])?;
         let value = Arc::new(value);
         self.hcbtfs.insert(key, Kept { stamp, value: value.clone(), notes: notes.clone() });
         Ok((value, notes))
@@ -338,8 +360,10 @@ pub(super) fn plain_hcbtf(color: [u8; 4]) -> Image {
 
 /// A grid with few directions.
 fn drafted(grid: Grid) -> Grid {
-    let few =
-        |Directions { theta, phi }: Directions| Directions { theta: theta.min(DRAFT.theta), phi: phi.min(DRAFT.phi) };
+    let few = |Directions { theta, phi }: Directions| Directions {
+        theta: theta.min(DRAFT.theta),
+        phi: phi.min(DRAFT.phi),
+    };
     Grid { light: few(grid.light), view: few(grid.view), ..grid }
 }
 
@@ -376,8 +400,8 @@ fn bytes_of(path: &Path) -> Result<Vec<u8>, Diagnostic> {
 }
 
 fn read_image(path: &Path) -> Result<Image, Diagnostic> {
-    let bytes =
-        bytes_of(path).map_err(|problem| problem.hint("paths of images are relative to the look's own file"))?;
+    let bytes = bytes_of(path)
+        .map_err(|problem| problem.hint("paths of images are relative to the look's own file"))?;
     let name = path.display();
     let problem = |message: String| {
         Diagnostic::error("missing-asset", message)
@@ -391,7 +415,9 @@ fn read_image(path: &Path) -> Result<Image, Diagnostic> {
     limits.max_image_height = Some(MAX_IMAGE_SIDE);
     limits.max_alloc = Some(MAX_IMAGE_BYTES);
     reader.limits(limits);
-    let decoded = reader.decode().map_err(|error| problem(format!("the image `{name}` cannot be decoded: {error}")))?;
+    let decoded = reader
+        .decode()
+        .map_err(|error| problem(format!("the image `{name}` cannot be decoded: {error}")))?;
     let rgba = decoded.into_rgba8();
     Ok(Image::flat([rgba.width(), rgba.height()], rgba.into_raw()))
 }
@@ -428,7 +454,8 @@ mod tests {
         assert!(one.bytes != two.bytes, "who draws with the old one keeps it");
         let erased = overlay(3, &[(second, [50, 0, 0, 255])]);
         assert_eq!(baked(&erased).bytes, erased.bake(LayerOptions::default()).unwrap().bytes);
-        let all: Vec<_> = erased.hcbtf.grid.addresses().map(|address| (address, [7, 7, 7, 255])).collect();
+        let all: Vec<_> =
+            erased.hcbtf.grid.addresses().map(|address| (address, [7, 7, 7, 255])).collect();
         assert_eq!(baked(&overlay(4, &all)).change, None, "all of it is baked at once");
     }
 
@@ -449,8 +476,14 @@ mod tests {
             let (hcbtf, filled) = (Arc::new(hcbtf.clone()), Some(Arc::new(filled.clone())));
             let overlay = Overlay { path: None, version, hcbtf, filled };
             assets.overlay(Some(overlay.clone()));
-            let image = assets.hcbtf(Path::new("nowhere"), UNSAVED_HCBTF, LayerOptions::default()).unwrap().0;
-            assert!(image.rgba() == overlay.bake(LayerOptions::default()).unwrap().rgba(), "version {version}");
+            let image = assets
+                .hcbtf(Path::new("nowhere"), UNSAVED_HCBTF, LayerOptions::default())
+                .unwrap()
+                .0;
+            assert!(
+                image.rgba() == overlay.bake(LayerOptions::default()).unwrap().rgba(),
+                "version {version}"
+            );
             image
         };
         let first = baked(1, &hcbtf, &filled);
@@ -464,7 +497,8 @@ mod tests {
         let [done, all] = progress.steps();
         assert!(done == all && all <= 2 * grid.sample_count() + 16, "{all}");
         let second = baked(2, &stroked, &again);
-        let others = grid.addresses().filter(|at| again.tile(*at) != filled.tile(*at)).count() as u64;
+        let others =
+            grid.addresses().filter(|at| again.tile(*at) != filled.tile(*at)).count() as u64;
         assert!(others > grid.sample_count() / 2, "the rule spreads it: {others}");
         let change = second.change.as_ref().unwrap();
         assert_eq!(change.from, first.hash);

@@ -5,10 +5,11 @@ use glam::{DMat3, DMat4, DVec3, DVec4};
 use crate::compile::Uniform;
 use crate::document::{Camera, Projection};
 
-/// The near plane of a view with perspective, as a share of the far one: nearer costs depth, which is an f32, its steps far
-/// away.
+/// The near plane of a view with perspective, as a share of the far one: nearer costs depth, which
+/// is an f32, its steps far away.
 const NEAREST: f64 = 1e-3;
-/// The same where a surface is as near: beyond, the f32 of a vertex shader cannot tell on which side of the eye it lies.
+/// The same where a surface is as near: beyond, the f32 of a vertex shader cannot tell on which
+/// side of the eye it lies.
 const LEAST_NEAREST: f64 = 1e-6;
 
 /// A camera resolved for one picture.
@@ -26,7 +27,8 @@ pub struct View {
     pub is_perspective: bool,
     /// Pixels.
     pub viewport: [u32; 2],
-    /// The height of the picture in scene units: at depth 1 for perspective, at every depth for parallel projection.
+    /// The height of the picture in scene units: at depth 1 for perspective, at every depth for
+    /// parallel projection.
     pub view_height: f64,
 }
 
@@ -38,12 +40,16 @@ impl View {
         let up = DVec3::from(camera.up);
         // An up vector along the line of sight leaves the roll open; any other axis settles it.
         let fallback = if backward.y.abs() < 0.9 { DVec3::Y } else { DVec3::Z };
-        let right = up.cross(backward).try_normalize().unwrap_or_else(|| fallback.cross(backward).normalize());
+        let right = up
+            .cross(backward)
+            .try_normalize()
+            .unwrap_or_else(|| fallback.cross(backward).normalize());
         let up = backward.cross(right);
         let rotation = DMat3::from_cols(right, up, backward).transpose();
         let camera_from_world = DMat4::from_mat3(rotation) * DMat4::from_translation(-eye);
         let aspect = f64::from(viewport[0].max(1)) / f64::from(viewport[1].max(1));
-        // Everything in the scene lies between these two planes; a little more, so that nothing is cut.
+        // Everything in the scene lies between these two planes; a little more, so that nothing is
+        // cut.
         let distance = backward.dot(eye - center);
         let reach = radius.max(1e-6) * 1.01;
         let far = (distance + reach).max(1e-3);
@@ -51,10 +57,15 @@ impl View {
         let (projection, is_perspective, view_height) = match camera.projection {
             Projection::Perspective => {
                 let near = (distance - reach).max(far * NEAREST);
-                // Documents keep this range; whoever makes a camera otherwise gets the nearest that can be drawn.
+                // Documents keep this range; whoever makes a camera otherwise gets the nearest that
+                // can be drawn.
                 let fov = camera.fov.clamp(Camera::FOV[0], Camera::FOV[1]);
                 let fov = widened(fov, widening);
-                (perspective(fov, aspect, near, far.max(near * 1.001)), true, 2.0 * (0.5 * fov).tan())
+                (
+                    perspective(fov, aspect, near, far.max(near * 1.001)),
+                    true,
+                    2.0 * (0.5 * fov).tan(),
+                )
             }
             Projection::Orthographic => {
                 let half = 0.5 * camera.height.max(1e-6) * widening;
@@ -63,19 +74,31 @@ impl View {
             }
         };
         let clip_from_world = projection * camera_from_world;
-        Self { clip_from_world, camera_from_world, eye, backward, is_perspective, viewport, view_height }
+        Self {
+            clip_from_world,
+            camera_from_world,
+            eye,
+            backward,
+            is_perspective,
+            viewport,
+            view_height,
+        }
     }
 
-    /// How far from the eye a surface must be to be whole, in scene units: what is nearer may lie before the near plane,
-    /// in a corner of the picture first. 0 without perspective, where nothing does.
+    /// How far from the eye a surface must be to be whole, in scene units: what is nearer may lie
+    /// before the near plane, in a corner of the picture first. 0 without perspective, where
+    /// nothing does.
     pub(super) fn least_distance(&self) -> f64 {
         if self.is_perspective { self.distance(0.0) / self.corner_cosine() } else { 0.0 }
     }
 
-    /// The same with the near plane before a surface that is so near the eye, in scene units. What is far away has a
-    /// coarser depth then, so the plane stays where it is as long as nothing is cut.
+    /// The same with the near plane before a surface that is so near the eye, in scene units. What
+    /// is far away has a coarser depth then, so the plane stays where it is as long as nothing is
+    /// cut.
     pub(super) fn with_surface_at(self, distance: Option<f64>) -> Self {
-        let Some(distance) = distance.filter(|distance| *distance < self.least_distance()) else { return self };
+        let Some(distance) = distance.filter(|distance| *distance < self.least_distance()) else {
+            return self;
+        };
         let (near, far) = (self.distance(0.0), self.distance(1.0));
         let near = (0.5 * distance * self.corner_cosine()).clamp(far * LEAST_NEAREST, near);
         let [width, height] = self.viewport.map(|side| f64::from(side.max(1)));
@@ -91,7 +114,8 @@ impl View {
         1.0 / (1.0 + half * half * (1.0 + (width / height).powi(2))).sqrt()
     }
 
-    /// The size of a pixel in scene units: at depth 1 for perspective, at every depth for parallel projection.
+    /// The size of a pixel in scene units: at depth 1 for perspective, at every depth for parallel
+    /// projection.
     pub fn pixel_size(&self) -> f64 {
         self.view_height / f64::from(self.viewport[1].max(1))
     }
@@ -101,10 +125,13 @@ impl View {
         self.pixel_size() * if self.is_perspective { distance.abs() } else { 1.0 }
     }
 
-    /// The distance in front of the eye, in scene units along the line of sight, that clip space has as `depth`.
+    /// The distance in front of the eye, in scene units along the line of sight, that clip space
+    /// has as `depth`.
     pub fn distance(&self, depth: f64) -> f64 {
         // Along the line of sight both z and w of clip space are linear in the distance.
-        let clip = |distance: f64| self.clip_from_world * (self.eye - self.backward * distance).extend(1.0);
+        let clip = |distance: f64| {
+            self.clip_from_world * (self.eye - self.backward * distance).extend(1.0)
+        };
         let (at_0, at_1) = (clip(0.0), clip(1.0));
         let slope = at_1 - at_0;
         (at_0.z - depth * at_0.w) / (depth * slope.w - slope.z)
@@ -117,7 +144,11 @@ impl View {
 
     /// Unit, from `point` toward the viewer, world space.
     pub fn toward_viewer(&self, point: DVec3) -> DVec3 {
-        if self.is_perspective { (self.eye - point).try_normalize().unwrap_or(self.backward) } else { self.backward }
+        if self.is_perspective {
+            (self.eye - point).try_normalize().unwrap_or(self.backward)
+        } else {
+            self.backward
+        }
     }
 
     /// How many pixels away the curvature pass looks.
@@ -125,8 +156,8 @@ impl View {
         3 * (f64::from(self.viewport[1]) / 800.0).round().max(1.0) as usize
     }
 
-    /// Every number of the curvature passes' uniform, in order, for images whose first row is at the top, before a
-    /// picture of so many samples a pixel.
+    /// Every number of the curvature passes' uniform, in order, for images whose first row is at
+    /// the top, before a picture of so many samples a pixel.
     pub fn curvature_numbers(&self, samples: u32) -> [f64; 5] {
         let is_perspective = f64::from(u8::from(self.is_perspective));
         [self.pixel_size(), is_perspective, f64::from(self.viewport[1]), 0.0, f64::from(samples)]
@@ -139,7 +170,8 @@ impl View {
 
     /// Every number of the shader's `View` uniform, in order.
     pub fn uniform_numbers(&self) -> Vec<f64> {
-        let eye = if self.is_perspective { self.eye.extend(1.0) } else { self.backward.extend(0.0) };
+        let eye =
+            if self.is_perspective { self.eye.extend(1.0) } else { self.backward.extend(0.0) };
         let mut numbers = self.clip_from_world.to_cols_array().to_vec();
         numbers.extend(self.camera_from_world.to_cols_array());
         numbers.extend(eye.to_array());
@@ -149,12 +181,14 @@ impl View {
     }
 }
 
-/// A vertical field of view in radians, so many times as high at every depth, as far as a camera can see.
+/// A vertical field of view in radians, so many times as high at every depth, as far as a camera
+/// can see.
 pub fn widened(fov: f64, widening: f64) -> f64 {
     (2.0 * ((0.5 * fov).tan() * widening).atan()).min(Camera::FOV[1])
 }
 
-/// Clip from camera axes with the vertical field of view `fov` in radians; depth 0 at `near`, 1 at `far`.
+/// Clip from camera axes with the vertical field of view `fov` in radians; depth 0 at `near`, 1 at
+/// `far`.
 fn perspective(fov: f64, aspect: f64, near: f64, far: f64) -> DMat4 {
     let scale = 1.0 / (0.5 * fov).tan();
     let depth = far / (near - far);
@@ -166,7 +200,8 @@ fn perspective(fov: f64, aspect: f64, near: f64, far: f64) -> DMat4 {
     )
 }
 
-/// Clip from camera axes for a box of half a width and half a height; depth 0 at `near`, 1 at `far`.
+/// Clip from camera axes for a box of half a width and half a height; depth 0 at `near`, 1 at
+/// `far`.
 fn orthographic(half_width: f64, half_height: f64, near: f64, far: f64) -> DMat4 {
     let depth = 1.0 / (near - far);
     DMat4::from_cols(
@@ -181,7 +216,8 @@ fn orthographic(half_width: f64, half_height: f64, near: f64, far: f64) -> DMat4
 pub(super) fn object_uniform(world_from_object: DMat4, id: f64, cutoff: f64) -> Uniform {
     let linear = DMat3::from_mat4(world_from_object);
     // A flattened object has no inverse; its normals then turn as directions do.
-    let normals = if linear.determinant().abs() > 1e-12 { linear.inverse().transpose() } else { linear };
+    let normals =
+        if linear.determinant().abs() > 1e-12 { linear.inverse().transpose() } else { linear };
     let mut numbers = world_from_object.to_cols_array().to_vec();
     let mut padded = numbers.clone();
     for column in normals.to_cols_array_2d() {
@@ -204,7 +240,10 @@ mod tests {
             let camera = Camera { eye: [3.0, 2.0, 4.0], projection, ..Camera::default() };
             let view = View::new(&camera, [200, 100], DVec3::ZERO, 1.0);
             let middle = view.clip_from_world.project_point3(DVec3::ZERO);
-            assert!(middle.truncate().length() < 1e-12 && middle.z > 0.0 && middle.z < 1.0, "{middle}");
+            assert!(
+                middle.truncate().length() < 1e-12 && middle.z > 0.0 && middle.z < 1.0,
+                "{middle}"
+            );
             let above = view.clip_from_world.project_point3(DVec3::Y * 0.5);
             assert!(above.y > 0.1 && above.x.abs() < 1e-12);
             assert!((view.rotation() * view.backward - DVec3::Z).length() < 1e-12);
@@ -222,7 +261,10 @@ mod tests {
             };
             let (x, y) = side(&camera, [300, 200]);
             let (square_x, square_y) = side(&camera, [200, 200]);
-            assert!((square_x - x).abs() < 1e-12 && (square_y - y / 1.5).abs() < 1e-12, "{square_x} {square_y}");
+            assert!(
+                (square_x - x).abs() < 1e-12 && (square_y - y / 1.5).abs() < 1e-12,
+                "{square_x} {square_y}"
+            );
             // A wider one shows more beside it, as it does of any camera.
             let any = Camera { aspect: 0.0, ..camera };
             assert_eq!(side(&camera, [400, 200]), side(&any, [400, 200]));
@@ -251,8 +293,12 @@ mod tests {
         assert_eq!(view.with_surface_at(Some(2.0 * view.least_distance())), view);
         for distance in [1e-3, 1e-5, 0.0] {
             let moved = view.with_surface_at(Some(distance));
-            let [was, is] = [view, moved].map(|view| view.clip_from_world * DVec4::new(0.3, -0.2, 0.9, 1.0));
-            assert!((was.x - is.x).abs().max((was.y - is.y).abs()) < 1e-12 && was.w == is.w, "{was} {is}");
+            let [was, is] =
+                [view, moved].map(|view| view.clip_from_world * DVec4::new(0.3, -0.2, 0.9, 1.0));
+            assert!(
+                (was.x - is.x).abs().max((was.y - is.y).abs()) < 1e-12 && was.w == is.w,
+                "{was} {is}"
+            );
             assert!((moved.distance(1.0) - view.distance(1.0)).abs() < 1e-6);
             assert!(moved.distance(0.0) < distance.max(2.1e-6), "{distance}");
         }

@@ -1,4 +1,5 @@
-//! What a picture is made from, as bytes: for those who keep what was drawn or proved by a hash of it.
+//! What a picture is made from, as bytes: for those who keep what was drawn or proved by a hash of
+//! it.
 
 use super::assets::Image;
 use super::plan::{Draw, FramePlan};
@@ -10,8 +11,8 @@ use crate::wgsl;
 type Sink<'a> = &'a mut dyn FnMut(&[u8]);
 
 impl FramePlan {
-    /// Hands over everything that decides on the picture, modules, numbers, meshes and images, always in the same order.
-    /// Plans that hand over the same make the same picture on one device.
+    /// Hands over everything that decides on the picture, modules, numbers, meshes and images,
+    /// always in the same order. Plans that hand over the same make the same picture on one device.
     pub fn content(&self, sink: Sink<'_>) {
         sink(format!("{:?} {} {:?}", self.size, self.samples, self.backdrop).as_bytes());
         sink(&self.view.uniform_bytes());

@@ -13,7 +13,8 @@ use crate::wgsl::{self, Operations, Valid};
 /// What an effect costs; of what is dropped, what it would cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct EffectCost {
-    /// Operations at each fragment that it is drawn at, counted in naga's IR (see [`Operations`]); 0 for what has none.
+    /// Operations at each fragment that it is drawn at, counted in naga's IR (see [`Operations`]);
+    /// 0 for what has none.
     pub operations: u64,
     /// Bytes of memory that it holds.
     pub bytes: u64,
@@ -37,10 +38,11 @@ impl EffectCost {
 impl std::fmt::Display for EffectCost {
     /// `12.3 ms, 214 operations, 7.5 MiB`: what there is of it.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let milliseconds = self
-            .milliseconds
-            .map(|ms| format!("{} ms", if ms < 9.95 { format!("{ms:.2}") } else { format!("{ms:.0}") }));
-        let operations = (self.operations > 0).then(|| figures::count(self.operations, "operation"));
+        let milliseconds = self.milliseconds.map(|ms| {
+            format!("{} ms", if ms < 9.95 { format!("{ms:.2}") } else { format!("{ms:.0}") })
+        });
+        let operations =
+            (self.operations > 0).then(|| figures::count(self.operations, "operation"));
         let bytes = (self.bytes > 0).then(|| figures::bytes(self.bytes));
         let parts: Vec<String> = [milliseconds, operations, bytes].into_iter().flatten().collect();
         f.write_str(if parts.is_empty() { "nothing" } else { "" })?;
@@ -59,12 +61,15 @@ impl PassKind {
             // Normals, distance and a depth buffer, written.
             Self::Normals | Self::DetailNormals => (NORMAL + 2 * NUMBER, NORMAL + 2 * NUMBER),
             // Normals and distances read, curvature written, and read again by the look.
-            Self::Curvature | Self::SparseCurvature | Self::DetailCurvature | Self::SparseDetailCurvature => {
-                (NUMBER, NORMAL + NUMBER + 2 * NUMBER)
-            }
+            Self::Curvature
+            | Self::SparseCurvature
+            | Self::DetailCurvature
+            | Self::SparseDetailCurvature => (NUMBER, NORMAL + NUMBER + 2 * NUMBER),
             // The same with four numbers each.
             Self::CurvatureTensor | Self::SmoothNormals(_) => (NORMAL, 3 * NORMAL + NUMBER),
-            Self::Look if samples > 1 => (COLOR + samples * (COLOR + NUMBER), COLOR + 2 * samples * (COLOR + NUMBER)),
+            Self::Look if samples > 1 => {
+                (COLOR + samples * (COLOR + NUMBER), COLOR + 2 * samples * (COLOR + NUMBER))
+            }
             Self::Look => (COLOR + NUMBER, COLOR + NUMBER),
         }
     }
@@ -89,7 +94,12 @@ pub(super) fn of_passes(kinds: &[&PassKind], options: &PlanOptions) -> EffectCos
 /// The operations at each fragment of the modules that a pass runs; the most, where objects differ.
 pub(super) fn pass_operations(kind: &PassKind, draws: &[Draw]) -> u64 {
     let most = |of: &dyn Fn(&Draw) -> Option<&Arc<CompiledShader>>| {
-        draws.iter().filter_map(of).map(|shader| module_operations(&shader.valid)).max().unwrap_or_default()
+        draws
+            .iter()
+            .filter_map(of)
+            .map(|shader| module_operations(&shader.valid))
+            .max()
+            .unwrap_or_default()
     };
     match kind {
         PassKind::Look => most(&|draw| Some(&draw.look)),
@@ -113,7 +123,8 @@ fn module_operations(valid: &Valid) -> u64 {
 pub(super) fn shader_operations(shader: &CompiledShader) -> (u64, BTreeMap<String, u64>) {
     let module = &shader.valid.module;
     let operations = Operations::of(module);
-    let mut counted: BTreeMap<String, u64> = shader.spans.nodes().map(|path| (path.to_string(), 0)).collect();
+    let mut counted: BTreeMap<String, u64> =
+        shader.spans.nodes().map(|path| (path.to_string(), 0)).collect();
     operations.for_each(module, |span, operations| {
         if let Some(path) = shader.spans.node_at(span.start) {
             *counted.entry(path.to_string()).or_default() += operations;

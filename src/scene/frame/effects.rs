@@ -1,4 +1,5 @@
-//! Everything that a picture may cost, each with its state, the reason and the proof: what `chiaro explain` prints.
+//! Everything that a picture may cost, each with its state, the reason and the proof: what `chiaro
+//! explain` prints.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
@@ -75,10 +76,25 @@ impl Effect {
     fn runs(what: impl Into<String>, kind: EffectKind, reason: impl Into<String>) -> Self {
         let (what, reason) = (what.into(), reason.into());
         let cost = EffectCost::default();
-        Self { what, kind, state: EffectState::Runs, cost, reason, proof: None, look: None, node: None, pass: None }
+        Self {
+            what,
+            kind,
+            state: EffectState::Runs,
+            cost,
+            reason,
+            proof: None,
+            look: None,
+            node: None,
+            pass: None,
+        }
     }
 
-    fn dropped(what: impl Into<String>, kind: EffectKind, reason: impl Into<String>, proof: Proof) -> Self {
+    fn dropped(
+        what: impl Into<String>,
+        kind: EffectKind,
+        reason: impl Into<String>,
+        proof: Proof,
+    ) -> Self {
         Self { state: EffectState::Dropped, proof: Some(proof), ..Self::runs(what, kind, reason) }
     }
 
@@ -91,8 +107,8 @@ impl Effect {
     }
 }
 
-/// Every effect of a plan. `done` is the input hash of each pass whose result a renderer still holds, so that what would
-/// not run again shows as cached.
+/// Every effect of a plan. `done` is the input hash of each pass whose result a renderer still
+/// holds, so that what would not run again shows as cached.
 pub fn effects(plan: &FramePlan, done: &HashMap<PassKind, u64>) -> Vec<Effect> {
     let mut effects: Vec<Effect> = Vec::new();
     let pixels = u64::from(plan.size[0]) * u64::from(plan.size[1]);
@@ -108,16 +124,23 @@ pub fn effects(plan: &FramePlan, done: &HashMap<PassKind, u64>) -> Vec<Effect> {
         effects.push(effect);
     }
     for dropped in &plan.dropped {
-        let mut effect = Effect::dropped(&dropped.what, dropped.kind, &dropped.why, dropped.proof).costs(dropped.cost);
+        let mut effect = Effect::dropped(&dropped.what, dropped.kind, &dropped.why, dropped.proof)
+            .costs(dropped.cost);
         effect.look.clone_from(&dropped.look);
         effects.push(effect);
     }
     let mut seen = HashSet::new();
     for draw in &plan.draws {
         if seen.insert(draw.object.clone()) {
-            let reason = format!("some of it may be seen: {} triangles", draw.mesh.indices.len() / 3);
-            let cost = EffectCost::bytes(4 * draw.mesh.indices.len() as u64 + draw.object_uniform.bytes.len() as u64);
-            effects.push(Effect::runs(format!("object `{}`", draw.object), EffectKind::Object, reason).costs(cost));
+            let reason =
+                format!("some of it may be seen: {} triangles", draw.mesh.indices.len() / 3);
+            let cost = EffectCost::bytes(
+                4 * draw.mesh.indices.len() as u64 + draw.object_uniform.bytes.len() as u64,
+            );
+            effects.push(
+                Effect::runs(format!("object `{}`", draw.object), EffectKind::Object, reason)
+                    .costs(cost),
+            );
         }
     }
     let mut looks: Vec<(&Arc<CompiledShader>, &Draw)> = Vec::new();
@@ -137,8 +160,11 @@ fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
     let mut push = |effect: Effect| effects.push(effect.of(name));
     let modules = 1 + draw.normals.len();
     let what = if name.is_empty() { "a look" } else { name };
-    let reason =
-        format!("object `{}` wears it; it is compiled to {modules} {}", draw.object, plural(modules, "module"));
+    let reason = format!(
+        "object `{}` wears it; it is compiled to {modules} {}",
+        draw.object,
+        plural(modules, "module")
+    );
     let (operations, of_nodes) = shader_operations(shader);
     let cost = EffectCost::operations(operations);
     push(Effect::runs(what, EffectKind::Look, reason).costs(cost));
@@ -149,7 +175,8 @@ fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
         let cost = EffectCost::bytes(attribute_bytes(attribute) * draw.mesh.positions.len() as u64);
         push(match read.get(&attribute) {
             Some(stage) => {
-                Effect::runs(what, EffectKind::Attribute, format!("the {stage} module reads it")).costs(cost)
+                Effect::runs(what, EffectKind::Attribute, format!("the {stage} module reads it"))
+                    .costs(cost)
             }
             None => {
                 let reason = "no live node reads it, so that it is neither uploaded nor bound";
@@ -159,7 +186,9 @@ fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
     }
     let is_bound = |index: usize| {
         let modules = std::iter::once(shader).chain(draw.normals.values().map(|module| &**module));
-        modules.flat_map(|module| &module.bindings).any(|binding| binding.kind == BindingKind::Image(index))
+        modules
+            .flat_map(|module| &module.bindings)
+            .any(|binding| binding.kind == BindingKind::Image(index))
     };
     for (index, image) in shader.named_images.iter().enumerate() {
         let what = if image.path.is_empty() { "an image that is not chosen" } else { &image.path };
@@ -168,7 +197,10 @@ fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
             let reason = format!("`{}` reads it", image.node);
             Effect::runs(what, EffectKind::Texture, reason).costs(EffectCost::bytes(read))
         } else {
-            let reason = format!("nothing that is seen reads `{}`, so that it is not even loaded", image.node);
+            let reason = format!(
+                "nothing that is seen reads `{}`, so that it is not even loaded",
+                image.node
+            );
             Effect::dropped(what, EffectKind::Texture, reason, Proof::Unreachable)
         };
         effect.node = Some(image.node.to_string());
@@ -177,7 +209,8 @@ fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
     let bytes = u64::from(shader.host.size);
     push(if bytes > 0 {
         let reason = "values that are known before the fragment";
-        Effect::runs("uniforms of the look", EffectKind::Uniforms, reason).costs(EffectCost::bytes(bytes))
+        Effect::runs("uniforms of the look", EffectKind::Uniforms, reason)
+            .costs(EffectCost::bytes(bytes))
     } else {
         let reason = "everything is known when the look is compiled, or at each fragment";
         Effect::dropped("uniforms of the look", EffectKind::Uniforms, reason, Proof::Constant)
@@ -190,8 +223,13 @@ fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
     }
     for removal in &shader.removed {
         let path = removal.path.to_string();
-        let effect = Effect::dropped(format!("node `{path}`"), EffectKind::Node, &removal.reason, removal.proof)
-            .costs(EffectCost::operations(removal.operations));
+        let effect = Effect::dropped(
+            format!("node `{path}`"),
+            EffectKind::Node,
+            &removal.reason,
+            removal.proof,
+        )
+        .costs(EffectCost::operations(removal.operations));
         push(Effect { node: Some(path), ..effect });
     }
 }
@@ -201,7 +239,11 @@ fn push_lights(push: &mut impl FnMut(Effect), shader: &CompiledShader) {
     let has_uniforms = shader.host.members.iter().any(|member| member.ty == Type::Light);
     let layout = StructLayout::of(&shader.valid.module, "Light").filter(|_| has_uniforms);
     let cost = EffectCost::bytes(layout.map_or(0, |layout| u64::from(layout.size)));
-    let reason = if has_uniforms { "its uniforms are read at each fragment" } else { "uniforms are computed from it" };
+    let reason = if has_uniforms {
+        "its uniforms are read at each fragment"
+    } else {
+        "uniforms are computed from it"
+    };
     let mut seen = HashSet::new();
     for light in shader.host.lights().filter(|light| seen.insert(*light)) {
         push(Effect::runs(format!("light `{light}`"), EffectKind::Light, reason).costs(cost));

@@ -9,14 +9,14 @@ use crate::wgsl::depth_of_entry_points;
 
 /// The most operations that follow from one another in a shader that is handed to a driver.
 ///
-/// Software Vulkan compiles machine code on threads of its own, which have 8 MiB of stack. A chain of
-/// 5,000 nodes, every fourth of them a sine, has 67,485 such operations, takes between 2 and 3 MiB
-/// there, and 40 s; one of 6,000 mixes has 132,010 and takes less than 2 MiB.
+/// Software Vulkan compiles machine code on threads of its own, which have 8 MiB of stack. A chain
+/// of 5,000 nodes, every fourth of them a sine, has 67,485 such operations, takes between 2 and 3
+/// MiB there, and 40 s; one of 6,000 mixes has 132,010 and takes less than 2 MiB.
 pub const MAX_DEPTH: u64 = 160_000;
 
 /// Bytes of stack for each operation that follows from another, above the 150 that Mesa's software
-/// Vulkan takes (22.3, x86-64; 67,485 operations of a mixed chain took 3.3 MiB, 20,000 of a chain of
-/// nothing but differences and absolute values 3 MiB).
+/// Vulkan takes (22.3, x86-64; 67,485 operations of a mixed chain took 3.3 MiB, 20,000 of a chain
+/// of nothing but differences and absolute values 3 MiB).
 const STACK_PER_OPERATION: usize = 256;
 
 /// What to do about a shader that is too deep.

@@ -1,8 +1,9 @@
-//! From a scene at a time to a frame plan: which passes run, on which modules, with which values, and why.
+//! From a scene at a time to a frame plan: which passes run, on which modules, with which values,
+//! and why.
 //!
-//! [`open`] finds everything that a look or a scene names; [`Planner::plan`] makes a [`FramePlan`] of it, which a
-//! renderer executes without knowing what a look is. A pass is in the plan only while a live node of a visible object
-//! needs it; what is left out is listed with the reason.
+//! [`open`] finds everything that a look or a scene names; [`Planner::plan`] makes a [`FramePlan`]
+//! of it, which a renderer executes without knowing what a look is. A pass is in the plan only
+//! while a live node of a visible object needs it; what is left out is listed with the reason.
 
 mod assets;
 mod camera;
@@ -22,27 +23,30 @@ mod uvs;
 mod values;
 mod visibility;
 
-/// What a plan holds that the compiler made; who executes plans needs no more of the compiler than this.
+/// What a plan holds that the compiler made; who executes plans needs no more of the compiler than
+/// this.
 pub use crate::compile::{
     Attribute, BindingKind, CompiledShader, ImageShape, ImageUse, SAMPLES_PER_ROW, Stage, Uniform,
 };
-pub use assets::{Assets, Change, Image, MAX_IMAGE_SIDE, Overlay, SHAPE_PREFIX, UNSAVED_HCBTF, image_bytes};
+pub use assets::{
+    Assets, Change, Image, MAX_IMAGE_SIDE, Overlay, SHAPE_PREFIX, UNSAVED_HCBTF, image_bytes,
+};
 pub use camera::{View, widened};
 pub use cost::{EffectCost, attribute_bytes};
 pub use effects::{Effect, EffectKind, EffectState, effects};
 pub use handover::stack_of;
 pub use handover::{MAX_DEPTH, SHORTEN, too_deep};
 pub use keys::{
-    KeyedValues, Moment, ObjectValues, ParamTable, Rig, Wires, at_time, driver_value, is_direction, light_field,
-    set_light_field, structural_look,
+    KeyedValues, Moment, ObjectValues, ParamTable, Rig, Wires, at_time, driver_value, is_direction,
+    light_field, set_light_field, structural_look,
 };
 pub use picture::Picture;
 pub use place::{Misplaced, place_camera, turn_lights};
 pub use plan::{Draw, Dropped, FramePlan, LookShaders, Pass, PassKind, PlanOptions, Planner};
 pub use samples::{EvalBatch, EvalSample, Evaluable, LightOverride, eval_batches};
 pub use setup::{
-    ANY_MATERIAL, DEFAULT_MESH, Setup, SetupLook, SetupObject, Wardrobe, default_setup, look_of, object_matrix, open,
-    place_objects, scene_setup,
+    ANY_MATERIAL, DEFAULT_MESH, Setup, SetupLook, SetupObject, Wardrobe, default_setup, look_of,
+    object_matrix, open, place_objects, scene_setup,
 };
 pub use tiles::{MAX_TILE_SAMPLES, TileView, moving_light, tile_assets};
 pub use uvs::missing_uvs;

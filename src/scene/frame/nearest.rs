@@ -1,7 +1,7 @@
 //! How near the eye is to a surface, so that the near plane cuts nothing that would be seen.
 //!
-//! Only an eye within the box of an object, or next to it, has a surface before the plane; for all others the boxes say so,
-//! and no triangle is looked at.
+//! Only an eye within the box of an object, or next to it, has a surface before the plane; for all
+//! others the boxes say so, and no triangle is looked at.
 
 use glam::{DMat4, DVec3, Vec3};
 use rayon::prelude::*;
@@ -10,29 +10,39 @@ use super::setup::SetupObject;
 use super::visibility::Placed;
 use crate::geometry::{Bounds, Mesh};
 
-/// The distance from `eye` to the nearest triangle that wears a look, in scene units; `None` where it is `reach` or more.
-pub(super) fn nearest_surface(objects: &[SetupObject], placed: &[Placed], eye: DVec3, reach: f64) -> Option<f64> {
+/// The distance from `eye` to the nearest triangle that wears a look, in scene units; `None` where
+/// it is `reach` or more.
+pub(super) fn nearest_surface(
+    objects: &[SetupObject],
+    placed: &[Placed],
+    eye: DVec3,
+    reach: f64,
+) -> Option<f64> {
     if reach <= 0.0 {
         return None;
     }
-    let is_near =
-        |(object, placed): &(&SetupObject, &Placed)| reaches(object.world_from_object, &placed.bounds, eye, reach);
+    let is_near = |(object, placed): &(&SetupObject, &Placed)| {
+        reaches(object.world_from_object, &placed.bounds, eye, reach)
+    };
     let near = objects.iter().zip(placed).filter(is_near);
     let distances = near.flat_map(|(object, _)| {
         let worn = object.mesh.parts.iter().zip(&object.looks).filter(|(_, look)| look.is_some());
         worn.map(|(part, _)| {
-            let indices = &object.mesh.indices[part.indices.start as usize..part.indices.end as usize];
+            let indices =
+                &object.mesh.indices[part.indices.start as usize..part.indices.end as usize];
             nearest_triangle(&object.mesh, indices, object.world_from_object, eye)
         })
     });
     distances.min_by(f64::total_cmp).filter(|distance| *distance < reach)
 }
 
-/// Whether the box around an object's box, along the axes of the world, comes within `reach` of the eye.
+/// Whether the box around an object's box, along the axes of the world, comes within `reach` of the
+/// eye.
 fn reaches(world_from_object: DMat4, bounds: &Bounds, eye: DVec3, reach: f64) -> bool {
     let half = 0.5 * bounds.size();
     let center = world_from_object.transform_point3(bounds.center());
-    let [x, y, z] = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| world_from_object.transform_vector3(axis * half).abs());
+    let [x, y, z] = [DVec3::X, DVec3::Y, DVec3::Z]
+        .map(|axis| world_from_object.transform_vector3(axis * half).abs());
     ((eye - center).abs() - (x + y + z)).max_element() < reach
 }
 
@@ -55,8 +65,9 @@ fn squared_distance(point: DVec3, [a, b, c]: [DVec3; 3]) -> f64 {
     let normal = ab.cross(ac);
     let offset = point - a;
     // The signs of the areas to each side of the point's foot on the plane.
-    let is_inside =
-        [(a, b), (b, c), (c, a)].into_iter().all(|(from, to)| (to - from).cross(point - from).dot(normal) >= 0.0);
+    let is_inside = [(a, b), (b, c), (c, a)]
+        .into_iter()
+        .all(|(from, to)| (to - from).cross(point - from).dot(normal) >= 0.0);
     let squared = if is_inside && normal.length_squared() > 0.0 {
         offset.dot(normal).powi(2) / normal.length_squared()
     } else {

@@ -27,8 +27,9 @@ impl Picture {
         let encoder = image::codecs::png::PngEncoder::new(&mut bytes);
         let [width, height] = self.size;
         let kind = image::ExtendedColorType::Rgba8;
-        image::ImageEncoder::write_image(encoder, &self.to_rgba8(), width, height, kind)
-            .map_err(|error| Diagnostic::error("png", format!("the picture cannot be encoded: {error}")))?;
+        image::ImageEncoder::write_image(encoder, &self.to_rgba8(), width, height, kind).map_err(
+            |error| Diagnostic::error("png", format!("the picture cannot be encoded: {error}")),
+        )?;
         Ok(bytes)
     }
 

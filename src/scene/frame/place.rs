@@ -13,15 +13,16 @@ pub struct Misplaced {
     pub wanted: &'static str,
 }
 
-/// Places a camera: `eye=X,Y,Z`, `target=X,Y,Z`, `up=X,Y,Z`, `orbit=YAW,PITCH` and `fov=DEGREES` in degrees, `distance=D` and
-/// `ortho=HEIGHT` in scene units; joined by `;`, taken in order.
+/// Places a camera: `eye=X,Y,Z`, `target=X,Y,Z`, `up=X,Y,Z`, `orbit=YAW,PITCH` and `fov=DEGREES` in
+/// degrees, `distance=D` and `ortho=HEIGHT` in scene units; joined by `;`, taken in order.
 ///
 /// # Errors
 /// What is not written so, and an eye in its target.
 pub fn place_camera(camera: &mut Camera, text: &str) -> Result<(), Misplaced> {
     let bad = |part: &str| Misplaced {
         found: part.to_owned(),
-        wanted: "eye=X,Y,Z, target=X,Y,Z, up=X,Y,Z, orbit=YAW,PITCH, distance=D, ortho=HEIGHT or fov=DEGREES \
+        wanted: "eye=X,Y,Z, target=X,Y,Z, up=X,Y,Z, orbit=YAW,PITCH, distance=D, ortho=HEIGHT or \
+                 fov=DEGREES \
                  from 0.06 to 179.4, joined by `;`",
     };
     for part in text.split(';').map(str::trim).filter(|part| !part.is_empty()) {
@@ -34,7 +35,8 @@ pub fn place_camera(camera: &mut Camera, text: &str) -> Result<(), Misplaced> {
             ("target", &[x, y, z]) => camera.target = [x, y, z],
             ("up", &[x, y, z]) => camera.up = [x, y, z],
             ("orbit", &[yaw, pitch]) => {
-                let turn = DQuat::from_rotation_y(yaw.to_radians()) * DQuat::from_rotation_x(-pitch.to_radians());
+                let turn = DQuat::from_rotation_y(yaw.to_radians())
+                    * DQuat::from_rotation_x(-pitch.to_radians());
                 camera.eye = (target + turn * DVec3::Z * offset.length()).to_array();
                 // From straight above, too, the picture has an up.
                 camera.up = (turn * DVec3::Y).to_array();
@@ -54,14 +56,17 @@ pub fn place_camera(camera: &mut Camera, text: &str) -> Result<(), Misplaced> {
             _ => return Err(bad(part)),
         }
     }
-    if DVec3::from(camera.target).distance(camera.eye.into()) < 1e-9 || DVec3::from(camera.up).length() < 1e-9 {
+    if DVec3::from(camera.target).distance(camera.eye.into()) < 1e-9
+        || DVec3::from(camera.up).length() < 1e-9
+    {
         let wanted = "an eye away from the target, and an `up` of any length but 0";
         return Err(Misplaced { found: text.to_owned(), wanted });
     }
     Ok(())
 }
 
-/// Turns a scene's illumination frame, and every light in it: degrees around the vertical axis, or `YAW,PITCH`.
+/// Turns a scene's illumination frame, and every light in it: degrees around the vertical axis, or
+/// `YAW,PITCH`.
 ///
 /// # Errors
 /// What is no angle or two.
@@ -91,7 +96,10 @@ mod tests {
             let mut camera = Camera::default();
             let text = format!("fov={degrees}");
             let wrong = place_camera(&mut camera, &text).unwrap_err();
-            assert!(wrong.found == text && wrong.wanted.contains("from 0.06 to 179.4"), "{wrong:?}");
+            assert!(
+                wrong.found == text && wrong.wanted.contains("from 0.06 to 179.4"),
+                "{wrong:?}"
+            );
         }
         for degrees in [0.06, 30.0, 179.4_f64] {
             let mut camera = Camera::default();

@@ -19,7 +19,9 @@ use super::setup::{Setup, SetupLook, SetupObject};
 use super::uvs::{self, Lack};
 use super::values::live_for_values;
 use super::visibility::{Cull, KnownBounds, Placed, dark_lights, fields, hidden};
-use crate::compile::{CompiledShader, HostInputs, ImageShape, Live, Options, Param, Proof, Stage, Uniform, compile};
+use crate::compile::{
+    CompiledShader, HostInputs, ImageShape, Live, Options, Param, Proof, Stage, Uniform, compile,
+};
 use crate::diag::Diagnostic;
 use crate::document::{Driver, Graph, KeyDirection, Light, Look, Value};
 use crate::geometry::Mesh;
@@ -173,7 +175,9 @@ impl Draw {
     pub fn images_of(&self, stage: Stage) -> &[Arc<Image>] {
         match stage {
             Stage::Draw | Stage::Eval => &self.images,
-            Stage::Normals | Stage::DetailNormals => self.normals_images.get(&stage).map_or(&[], Vec::as_slice),
+            Stage::Normals | Stage::DetailNormals => {
+                self.normals_images.get(&stage).map_or(&[], Vec::as_slice)
+            }
         }
     }
 }
@@ -223,7 +227,8 @@ pub struct LookShaders {
 /// Fields of lights that are 0, with the reasons.
 type Dark = Vec<((LightId, LightField), &'static str)>;
 
-/// What an object's look was compiled as, by the object's number and the look's: the key, and which lights are dark.
+/// What an object's look was compiled as, by the object's number and the look's: the key, and which
+/// lights are dark.
 type Keys = HashMap<(usize, usize), (u64, BTreeSet<(LightId, LightField)>)>;
 
 /// How a look is wanted by an object.
@@ -259,8 +264,9 @@ impl Planner {
         Self { assets, ..Self::default() }
     }
 
-    /// A planner for the reference: what it compiles is as the looks are written, with nothing folded or removed. Its
-    /// plans are to be asked for with [`Live::All`], so that every value comes in f64.
+    /// A planner for the reference: what it compiles is as the looks are written, with nothing
+    /// folded or removed. Its plans are to be asked for with [`Live::All`], so that every value
+    /// comes in f64.
     pub fn for_truth(assets: Assets) -> Self {
         Self { assets, unspecialized: true, cull: Cull::Objects, ..Self::default() }
     }
@@ -271,22 +277,26 @@ impl Planner {
         Self { cull, ..self }
     }
 
-    /// Gives a look's module that was compiled elsewhere (on another thread, say), for the next plans of this look. The
-    /// same module again takes on the look's keys.
+    /// Gives a look's module that was compiled elsewhere (on another thread, say), for the next
+    /// plans of this look. The same module again takes on the look's keys.
     pub fn provide(&mut self, look: &Look, live: &Live, draw: Arc<CompiledShader>) {
         let key = look_key(look, live, false, &BTreeSet::new());
         // Keys change without the module: what was made beside it serves on.
-        let known = self.shaders.values_mut().find(|shaders| Arc::ptr_eq(&shaders.draw, &draw)).map(|shaders| {
-            let rig = shaders.rig.renewed(look);
-            LookShaders { rig, ..shaders.clone() }
-        });
+        let known =
+            self.shaders.values_mut().find(|shaders| Arc::ptr_eq(&shaders.draw, &draw)).map(
+                |shaders| {
+                    let rig = shaders.rig.renewed(look);
+                    LookShaders { rig, ..shaders.clone() }
+                },
+            );
         let shaders = known.unwrap_or_else(|| {
             let (rig, problems) = Rig::new(look);
             self.warnings = problems;
             let tables = HashMap::from([(Stage::Draw, ParamTable::new(&draw.params))]);
             LookShaders { draw, normals: HashMap::new(), rig, tables }
         });
-        // One look is being edited at a time: what was compiled for its earlier states goes, the other looks stay.
+        // One look is being edited at a time: what was compiled for its earlier states goes, the
+        // other looks stay.
         self.shaders.retain(|key, _| self.used.contains(key));
         self.shaders.insert(key, shaders);
     }
@@ -306,7 +316,12 @@ impl Planner {
         let placed = self.bounds.place(&setup.objects);
         let (center, radius) = bounds(&placed);
         let view = View::new(&setup.scene.camera, options.size, center, radius);
-        let view = view.with_surface_at(nearest_surface(&setup.objects, &placed, view.eye, view.least_distance()));
+        let view = view.with_surface_at(nearest_surface(
+            &setup.objects,
+            &placed,
+            view.eye,
+            view.least_distance(),
+        ));
         let mut dropped = Vec::new();
         let seen = self.seen(setup, &placed, &view, &mut dropped);
         let mut problems = Vec::new();
@@ -342,18 +357,31 @@ impl Planner {
         let needs = |context: Context, what: &str| {
             seen.iter().find_map(|(number, object)| {
                 let mut looks = object.looks.iter().flatten();
-                let reads = |look: usize| self.shaders[&keys[&(*number, look)].0].draw.needs.context(context);
+                let reads = |look: usize| {
+                    self.shaders[&keys[&(*number, look)].0].draw.needs.context(context)
+                };
                 let name = &setup.looks[*looks.find(|&&look| reads(look))?].look.name;
                 Some(format!("object `{}` wears {}, which reads {what}", object.id, quoted(name)))
             })
         };
         let wanted = WantedCurvature::all(&needs);
         let is_wanted = |wanted: &&WantedCurvature| !wanted.passes.is_empty();
-        let stages: Vec<_> = wanted.iter().filter(is_wanted).map(|w| (w.normals.clone(), w.stage)).collect();
+        let stages: Vec<_> =
+            wanted.iter().filter(is_wanted).map(|w| (w.normals.clone(), w.stage)).collect();
         let mut draws = Vec::new();
         for &(number, object) in &seen {
             let center = placed[number].center;
-            match self.draws(setup, object, (number, center), &keys, library, &lives, &stages, &view, options) {
+            match self.draws(
+                setup,
+                object,
+                (number, center),
+                &keys,
+                library,
+                &lives,
+                &stages,
+                &view,
+                options,
+            ) {
                 Ok(found) => draws.extend(found),
                 Err(found) => problems.extend(found),
             }
@@ -399,8 +427,15 @@ impl Planner {
         seen
     }
 
-    /// Tells of objects whose looks read UVs, or the tangents along them, that their meshes do not have.
-    fn warn_of_uvs(&mut self, setup: &Setup, seen: &[(usize, &SetupObject)], keys: &Keys, library: &Library) {
+    /// Tells of objects whose looks read UVs, or the tangents along them, that their meshes do not
+    /// have.
+    fn warn_of_uvs(
+        &mut self,
+        setup: &Setup,
+        seen: &[(usize, &SetupObject)],
+        keys: &Keys,
+        library: &Library,
+    ) {
         self.uv_readers.retain(|key, _| self.used.contains(key));
         for &(number, object) in seen.iter().filter(|(_, object)| !object.mesh.has_uvs) {
             for &index in object.looks.iter().flatten().collect::<BTreeSet<_>>() {
@@ -408,7 +443,10 @@ impl Planner {
                 let Some((key, _)) = keys.get(&(number, index)) else { continue };
                 let Some(LookShaders { draw, .. }) = self.shaders.get(key) else { continue };
                 let Some(lack) = Lack::of(draw) else { continue };
-                let readers = self.uv_readers.entry(*key).or_insert_with(|| uvs::readers(look, draw, lack, library));
+                let readers = self
+                    .uv_readers
+                    .entry(*key)
+                    .or_insert_with(|| uvs::readers(look, draw, lack, library));
                 let problem = uvs::without_uvs(object, look, lack, readers);
                 if !self.warnings.contains(&problem) {
                     self.warnings.push(problem);
@@ -432,12 +470,16 @@ impl Planner {
                 } else {
                     format!("there is no object `{id}` in the scene")
                 };
-                let ids = setup.objects.iter().map(|object| &object.id).filter(|other| *other != own);
+                let ids =
+                    setup.objects.iter().map(|object| &object.id).filter(|other| *other != own);
                 let known: Vec<String> = ids.take(8).map(|id| format!("`{id}`")).collect();
                 let hint = if known.is_empty() {
                     "add another object to the scene, or let something else decide".to_owned()
                 } else {
-                    format!("other objects are {}; until then it counts as far away", known.join(", "))
+                    format!(
+                        "other objects are {}; until then it counts as far away",
+                        known.join(", ")
+                    )
                 };
                 let mut problem = Diagnostic::warning("unknown-object", message)
                     .json_path(format!("direction_keys[{index}].by"))
@@ -511,7 +553,8 @@ impl Planner {
                     let cutout = has_cutout(object, look);
                     let (dark, live, stage) = (dark.clone(), lives[look].clone(), *stage);
                     let unspecialized = self.unspecialized;
-                    let wanted = Options { live, stage, cutout, dark, unspecialized, ..Options::default() };
+                    let wanted =
+                        Options { live, stage, cutout, dark, unspecialized, ..Options::default() };
                     let compiled = Arc::new(compile(&shown, library, &wanted)?);
                     shaders.tables.insert(stage, ParamTable::new(&compiled.params));
                     shaders.normals.insert(stage, compiled);
@@ -558,7 +601,8 @@ impl Planner {
                     frame: moment.frame,
                     object_id: moment.object_id,
                 };
-                look_uniforms.insert(stage, shader.host.uniform(&inputs).map_err(|problem| vec![problem])?);
+                look_uniforms
+                    .insert(stage, shader.host.uniform(&inputs).map_err(|problem| vec![problem])?);
             }
             let drawn = images(&mut self.assets, &shaders.draw, &setup.looks[look])?;
             let mut normals_images = HashMap::new();
@@ -572,7 +616,10 @@ impl Planner {
                 indices: part.indices.clone(),
                 look_name: shown.name.clone(),
                 look: shaders.draw.clone(),
-                normals: stages.iter().map(|(kind, stage)| (kind.clone(), shaders.normals[stage].clone())).collect(),
+                normals: stages
+                    .iter()
+                    .map(|(kind, stage)| (kind.clone(), shaders.normals[stage].clone()))
+                    .collect(),
                 object_uniform: object_uniform(
                     object.world_from_object,
                     number as f64,
@@ -582,7 +629,8 @@ impl Planner {
                 decided,
                 images: drawn,
                 normals_images,
-                // From within, a solid is seen from behind, and so it is through what a look cuts away.
+                // From within, a solid is seen from behind, and so it is through what a look cuts
+                // away.
                 two_sided: part.two_sided || cuts || view.eye.distance(center) < object.radius(),
                 is_mirrored: object.world_from_object.determinant() < 0.0,
                 distance: view.backward.dot(view.eye - center),
@@ -595,7 +643,10 @@ impl Planner {
 /// How alive each look is to be: those whose objects set values by name are seen to change.
 fn lives(setup: &Setup, live: &Live) -> Vec<Live> {
     let sets_values = |look: usize| {
-        setup.objects.iter().any(|object| !object.values.is_empty() && object.looks.contains(&Some(look)))
+        setup
+            .objects
+            .iter()
+            .any(|object| !object.values.is_empty() && object.looks.contains(&Some(look)))
     };
     let asked = |look: usize| match setup.edited {
         Some(edited) if edited != look => &Live::Keyed,
@@ -604,8 +655,8 @@ fn lives(setup: &Setup, live: &Live) -> Vec<Live> {
     (0..setup.looks.len()).map(|look| live_for_values(asked(look), sets_values(look))).collect()
 }
 
-/// Lights in place of those that a look was compiled with: the scene's, and of a look that is being edited its own as they
-/// are now.
+/// Lights in place of those that a look was compiled with: the scene's, and of a look that is being
+/// edited its own as they are now.
 fn lights(setup: &Setup, look: usize) -> Cow<'_, IndexMap<LightId, Light>> {
     if setup.edited != Some(look) {
         return Cow::Borrowed(&setup.scene.lights);
@@ -651,7 +702,8 @@ fn push_equal_looks(dropped: &mut Vec<Dropped>, setup: &Setup, keys: &Keys) {
             let name = &setup.looks[look].look.name;
             dropped.push(Dropped {
                 what: quoted(name),
-                why: "another look says the same: both are compiled once and share their pipelines".to_owned(),
+                why: "another look says the same: both are compiled once and share their pipelines"
+                    .to_owned(),
                 kind: EffectKind::Look,
                 proof: Proof::Equal,
                 look: Some(name.clone()),
@@ -682,9 +734,12 @@ pub(super) fn images(
                 return plain([255; 4]);
             }
             let read = match image.shape {
-                ImageShape::Flat => assets.image(&setup.folder, &image.path).map_err(|problem| vec![problem]),
+                ImageShape::Flat => {
+                    assets.image(&setup.folder, &image.path).map_err(|problem| vec![problem])
+                }
                 ImageShape::Hcbtf { has_levels, storage } => {
-                    let options = LayerOptions { has_levels, is_decoded: image.is_decoded, storage };
+                    let options =
+                        LayerOptions { has_levels, is_decoded: image.is_decoded, storage };
                     assets.hcbtf(&setup.folder, &image.path, options).map(|(image, _)| image)
                 }
             };
@@ -700,7 +755,12 @@ pub(super) fn images(
 
 /// Whether a part of the object that wears this look is cut out by alpha.
 fn has_cutout(object: &SetupObject, look: usize) -> bool {
-    object.mesh.parts.iter().zip(&object.looks).any(|(part, worn)| *worn == Some(look) && part.alpha_cutoff.is_some())
+    object
+        .mesh
+        .parts
+        .iter()
+        .zip(&object.looks)
+        .any(|(part, worn)| *worn == Some(look) && part.alpha_cutoff.is_some())
 }
 
 fn quoted(name: &str) -> String {
@@ -749,7 +809,7 @@ fn hash_graph(graph: &Graph, hasher: &mut DefaultHasher) {
     for (id, node) in &graph.nodes {
         (id, &node.kind, &node.name, node.tier).hash(hasher);
         for (port, value) in &node.values {
-            // Words decide what is compiled; hex colours are colours.
+            // Words decide what is compiled; hex colors are colors.
             if let (Value::Text(text), None) = (value, value.color()) {
                 (port, text).hash(hasher);
             }
@@ -759,13 +819,17 @@ fn hash_graph(graph: &Graph, hasher: &mut DefaultHasher) {
     graph.frames.iter().for_each(|(id, frame)| (id, &frame.title, &frame.nodes).hash(hasher));
 }
 
-/// The parameters with what the document says now: a live module was compiled from an earlier state of its values.
+/// The parameters with what the document says now: a live module was compiled from an earlier state
+/// of its values.
 fn current_params(look: &Look, params: &[Param]) -> Vec<Param> {
     params
         .iter()
         .map(|param| {
-            let now = look.find(&param.path).and_then(|inner| inner.node.values.get(&param.port).cloned());
-            let value = now.or_else(|| param.default.clone()).map(|value| value.in_space(look.color_space));
+            let now = look
+                .find(&param.path)
+                .and_then(|inner| inner.node.values.get(&param.port).cloned());
+            let value =
+                now.or_else(|| param.default.clone()).map(|value| value.in_space(look.color_space));
             let value = value.or_else(|| param.value.clone());
             Param { value, ..param.clone() }
         })
@@ -785,7 +849,8 @@ struct WantedCurvature {
 }
 
 impl WantedCurvature {
-    /// What `needs` has a reader for. Looks of different tiers may want it in different ways, side by side.
+    /// What `needs` has a reader for. Looks of different tiers may want it in different ways, side
+    /// by side.
     fn all(needs: &dyn Fn(Context, &str) -> Option<String>) -> [Self; 2] {
         let wide = |context| needs(context, "curvature");
         let sparse = |context| needs(context, "curvature from four neighbours, its cheaper tier");
@@ -794,7 +859,8 @@ impl WantedCurvature {
         };
         // Each level is made from the one before it, whether a look reads that or not.
         let smooth = |level| {
-            let mut read = (level..=SMOOTH_LEVELS).map(|level| needs(Context::SmoothNormal(level), "smoothed normals"));
+            let mut read = (level..=SMOOTH_LEVELS)
+                .map(|level| needs(Context::SmoothNormal(level), "smoothed normals"));
             (PassKind::SmoothNormals(level), read.find_map(|reason| reason))
         };
         let by_direction = needs(Context::Tensor, "curvature by direction");
@@ -845,7 +911,11 @@ fn passes(
             continue;
         };
         let input_hash = hash_of(draws, view, options, Some((&wanted.normals, wanted.stage)));
-        let what = if matches!(first, PassKind::SmoothNormals(_)) { "smoother ones are" } else { "curvature is" };
+        let what = if matches!(first, PassKind::SmoothNormals(_)) {
+            "smoother ones are"
+        } else {
+            "curvature is"
+        };
         let why = format!("{what} computed from them: {reason}");
         passes.push(Pass { kind: wanted.normals.clone(), reason: why, input_hash });
         passes.extend(wanted.passes.iter().map(|(kind, reason)| Pass {
@@ -863,7 +933,12 @@ fn passes(
     passes
 }
 
-fn hash_of(draws: &[Draw], view: &View, options: &PlanOptions, normals: Option<(&PassKind, Stage)>) -> u64 {
+fn hash_of(
+    draws: &[Draw],
+    view: &View,
+    options: &PlanOptions,
+    normals: Option<(&PassKind, Stage)>,
+) -> u64 {
     let mut hasher = DefaultHasher::new();
     (options.size, options.samples, view.uniform_bytes()).hash(&mut hasher);
     for draw in draws {
@@ -871,7 +946,8 @@ fn hash_of(draws: &[Draw], view: &View, options: &PlanOptions, normals: Option<(
             Some((kind, stage)) => (&draw.normals[kind], stage),
             None => (&draw.look, Stage::Draw),
         };
-        (Arc::as_ptr(&draw.mesh) as usize, &draw.indices, &shader.wgsl, &draw.object_uniform.bytes).hash(&mut hasher);
+        (Arc::as_ptr(&draw.mesh) as usize, &draw.indices, &shader.wgsl, &draw.object_uniform.bytes)
+            .hash(&mut hasher);
         (&draw.look_uniforms[&stage].bytes, draw.two_sided, draw.is_mirrored).hash(&mut hasher);
         draw.images_of(stage).iter().for_each(|image| image.hash.hash(&mut hasher));
     }

@@ -1,4 +1,5 @@
-//! Surface samples for `chiaro eval`: each is an object of its own, with its view, its lights and its camera.
+//! Surface samples for `chiaro eval`: each is an object of its own, with its view, its lights and
+//! its camera.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -12,8 +13,8 @@ use super::plan::images;
 use super::setup::SetupLook;
 use super::values::{check_exposed_value, live_for_values};
 use crate::compile::{
-    CompiledShader, HostInputs, LightValues, Options, Stage, StructLayout, TypedGraph, Uniform, check, compile,
-    push_numbers,
+    CompiledShader, HostInputs, LightValues, Options, Stage, StructLayout, TypedGraph, Uniform,
+    check, compile, push_numbers,
 };
 use crate::diag::Diagnostic;
 use crate::document::{Light, LightKind, Look, Value, Values};
@@ -34,7 +35,8 @@ pub struct LightOverride {
     pub intensity: Option<f64>,
 }
 
-/// A point of a surface with all that a look may ask of it. Vectors are in world space, unit or not.
+/// A point of a surface with all that a look may ask of it. Vectors are in world space, unit or
+/// not.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EvalSample {
     /// The surface's normal.
@@ -53,10 +55,11 @@ pub struct EvalSample {
     pub uv: DVec2,
     /// Curvature in 1/viewport-height, convex positive.
     pub kappa: f64,
-    /// The place in the picture from its upper left corner, y down. A sample's picture is one pixel high.
+    /// The place in the picture from its upper left corner, y down. A sample's picture is one pixel
+    /// high.
     pub pixel: DVec2,
-    /// Where the object's origin is seen from the picture's middle, y down, and how large a unit of the scene is there; in
-    /// picture heights.
+    /// Where the object's origin is seen from the picture's middle, y down, and how large a unit of
+    /// the scene is there; in picture heights.
     pub anchor: DVec3,
     /// How large a unit of the scene is seen here, in picture heights.
     pub magnification: f64,
@@ -134,7 +137,11 @@ impl<'a> Evaluable<'a> {
     ///
     /// # Errors
     /// Everything that is wrong with the look, and images that cannot be read.
-    pub fn new(setup: &'a SetupLook, library: &Library, assets: &mut Assets) -> Result<Self, Vec<Diagnostic>> {
+    pub fn new(
+        setup: &'a SetupLook,
+        library: &Library,
+        assets: &mut Assets,
+    ) -> Result<Self, Vec<Diagnostic>> {
         let look = structural_look(&setup.look, 0.0, &Values::new());
         let shader = compile(&look, library, &Options { stage: Stage::Eval, ..Options::default() });
         let shader = shader.map_err(|mut problems| {
@@ -160,19 +167,30 @@ impl<'a> Evaluable<'a> {
     ///
     /// # Errors
     /// Values that cannot be packed.
-    pub fn pack<'s>(&self, samples: impl ExactSizeIterator<Item = &'s EvalSample>) -> Result<Uniform, Diagnostic> {
+    pub fn pack<'s>(
+        &self,
+        samples: impl ExactSizeIterator<Item = &'s EvalSample>,
+    ) -> Result<Uniform, Diagnostic> {
         let packer = Packer::new(&self.shader);
-        let mut packed = Uniform { bytes: vec![0; packer.stride * samples.len()], numbers: Vec::new() };
+        let mut packed =
+            Uniform { bytes: vec![0; packer.stride * samples.len()], numbers: Vec::new() };
         for (place, sample) in samples.enumerate() {
             let at = place * packer.stride;
-            packer.pack(sample, &self.setup.look.lights, &self.rig, &self.table, at, &mut packed)?;
+            packer.pack(
+                sample,
+                &self.setup.look.lights,
+                &self.rig,
+                &self.table,
+                at,
+                &mut packed,
+            )?;
         }
         Ok(packed)
     }
 }
 
-/// Packs samples for the GPU. Samples whose values change what is compiled (a choice's word) go into batches of their
-/// own.
+/// Packs samples for the GPU. Samples whose values change what is compiled (a choice's word) go
+/// into batches of their own.
 ///
 /// # Errors
 /// Everything that is wrong with the look, and values or lights that the look does not have.
@@ -200,28 +218,50 @@ pub fn eval_batches(
     for indices in group(setup, samples).into_values() {
         let first = &samples[indices[0]];
         let look = structural_look(&setup.look, first.time, &first.values);
-        let options = Options { stage: Stage::Eval, live: live_for_values(&options.live, any_set), ..options.clone() };
+        let options = Options {
+            stage: Stage::Eval,
+            live: live_for_values(&options.live, any_set),
+            ..options.clone()
+        };
         let is_set = matches!(look, Cow::Owned(_));
         let shader = compile(&look, library, &options).map_err(|problems| {
-            let told =
-                |problem: Diagnostic| problem.hint(format!("this is with the values of sample [{}]", indices[0]));
-            located(problems.into_iter().map(|problem| if is_set { told(problem) } else { problem }).collect())
+            let told = |problem: Diagnostic| {
+                problem.hint(format!("this is with the values of sample [{}]", indices[0]))
+            };
+            located(
+                problems
+                    .into_iter()
+                    .map(|problem| if is_set { told(problem) } else { problem })
+                    .collect(),
+            )
         })?;
         let made = Evaluable::of(setup, &look, Arc::new(shader), assets)?;
-        let packed = made.pack(indices.iter().map(|&index| &samples[index])).map_err(|problem| vec![problem])?;
-        batches.push(EvalBatch { shader: made.shader, indices, samples: packed, images: made.images });
+        let packed = made
+            .pack(indices.iter().map(|&index| &samples[index]))
+            .map_err(|problem| vec![problem])?;
+        batches.push(EvalBatch {
+            shader: made.shader,
+            indices,
+            samples: packed,
+            images: made.images,
+        });
     }
     Ok(batches)
 }
 
 /// Samples by the words that they set.
 fn group(setup: &SetupLook, samples: &[EvalSample]) -> IndexMap<String, Vec<usize>> {
-    let has_words =
-        setup.look.time_keys.iter().any(|track| track.keys.iter().any(|k| matches!(k.value, Value::Text(_))));
+    let has_words = setup
+        .look
+        .time_keys
+        .iter()
+        .any(|track| track.keys.iter().any(|k| matches!(k.value, Value::Text(_))));
     let mut groups: IndexMap<String, Vec<usize>> = IndexMap::new();
     for (index, sample) in samples.iter().enumerate() {
-        let words =
-            sample.values.iter().filter(|(_, value)| matches!(value, Value::Text(_)) && value.color().is_none());
+        let words = sample
+            .values
+            .iter()
+            .filter(|(_, value)| matches!(value, Value::Text(_)) && value.color().is_none());
         let mut key: String = words.map(|(name, value)| format!("{name}={value:?};")).collect();
         if has_words {
             key += &structural_look(&setup.look, sample.time, &sample.values).to_text();
@@ -233,12 +273,16 @@ fn group(setup: &SetupLook, samples: &[EvalSample]) -> IndexMap<String, Vec<usiz
 
 fn check_samples(setup: &SetupLook, samples: &[EvalSample]) -> Vec<Diagnostic> {
     let mut problems = Vec::new();
-    let exposed: Vec<&str> = setup.look.exposed.iter().map(|exposed| exposed.name.as_str()).collect();
+    let exposed: Vec<&str> =
+        setup.look.exposed.iter().map(|exposed| exposed.name.as_str()).collect();
     for (index, sample) in samples.iter().enumerate() {
         for name in sample.values.keys().filter(|name| !exposed.contains(&name.as_str())) {
-            let problem = Diagnostic::error("unknown-parameter", format!("the look exposes no parameter `{name}`"))
-                .json_path(format!("[{index}].values.{name}"))
-                .suggest(name.as_str(), exposed.iter().copied());
+            let problem = Diagnostic::error(
+                "unknown-parameter",
+                format!("the look exposes no parameter `{name}`"),
+            )
+            .json_path(format!("[{index}].values.{name}"))
+            .suggest(name.as_str(), exposed.iter().copied());
             problems.push(if exposed.is_empty() {
                 problem.hint(r#"expose it in the look: "exposed": [{"name": "width", "target": "rim.cutoff"}]"#)
             } else {
@@ -269,7 +313,9 @@ fn check_values(look: &Look, typed: &TypedGraph, samples: &[EvalSample]) -> Vec<
     for (index, sample) in samples.iter().enumerate() {
         for (name, value) in &sample.values {
             let problem = check_exposed_value(look, typed, name.as_str(), value);
-            problems.extend(problem.map(|problem| problem.json_path(format!("[{index}].values.{name}"))));
+            problems.extend(
+                problem.map(|problem| problem.json_path(format!("[{index}].values.{name}"))),
+            );
         }
     }
     problems
@@ -288,7 +334,12 @@ impl<'a> Packer<'a> {
         let sample = StructLayout::of(module, "Sample").unwrap_or_default();
         let at = |name: &str| sample.member(name).map(|member| member.0);
         let surface = at("surface").zip(StructLayout::of(module, "Surface"));
-        Self { shader, surface, look_at: at("look").unwrap_or(0), stride: sample.size.next_multiple_of(16) as usize }
+        Self {
+            shader,
+            surface,
+            look_at: at("look").unwrap_or(0),
+            stride: sample.size.next_multiple_of(16) as usize,
+        }
     }
 
     fn pack(
@@ -304,10 +355,13 @@ impl<'a> Packer<'a> {
         if let Some((offset, layout)) = &self.surface {
             for (name, member, layout) in &layout.members {
                 let contexts = &self.shader.needs.contexts;
-                let Some(context) = contexts.iter().find(|context| context.word() == name) else { continue };
+                let Some(context) = contexts.iter().find(|context| context.word() == name) else {
+                    continue;
+                };
                 let at = at + (*offset + member) as usize;
                 if context.is_curvature() {
-                    // As it is: whether a look stands infinite curvature, or none at all, is worth asking.
+                    // As it is: whether a look stands infinite curvature, or none at all, is worth
+                    // asking.
                     packed.bytes[at..at + 4].copy_from_slice(&(sample.kappa as f32).to_le_bytes());
                     packed.numbers.push(sample.kappa);
                 } else {
@@ -333,7 +387,8 @@ impl<'a> Packer<'a> {
             frame: (sample.time * 24.0).round(),
             object_id: 0.0,
         };
-        let mut values = rig.evaluate(&self.shader.params, table, Wires::of(self.shader), &moment)?;
+        let mut values =
+            rig.evaluate(&self.shader.params, table, Wires::of(self.shader), &moment)?;
         place_lights(sample, &mut values.lights);
         let inputs = HostInputs {
             params: &values.params,
@@ -373,8 +428,8 @@ fn sample_lights(sample: &EvalSample, own: &IndexMap<LightId, Light>) -> IndexMa
     lights
 }
 
-/// A directional light that a sample gives a position shines from there; a point or spot light that it gives a
-/// direction stands one unit away in that direction.
+/// A directional light that a sample gives a position shines from there; a point or spot light that
+/// it gives a direction stands one unit away in that direction.
 fn place_lights(sample: &EvalSample, lights: &mut IndexMap<LightId, LightValues>) {
     for (id, set) in &sample.lights {
         let Some(light) = lights.get_mut(id) else { continue };
@@ -439,7 +494,9 @@ impl<'a> SurfaceValues<'a> {
             Context::Depth => interp::Value::Float(-(sample.camera * sample.position).z),
             curvature if curvature.is_curvature() => interp::Value::Float(sample.kappa),
             // No neighbours: as curved in every direction, and smooth already.
-            Context::Tensor | Context::TensorFast => vec3(DVec3::new(sample.kappa, 0.0, sample.kappa)),
+            Context::Tensor | Context::TensorFast => {
+                vec3(DVec3::new(sample.kappa, 0.0, sample.kappa))
+            }
             Context::SmoothNormal(_) => vec3(self.normal),
             // Known before the fragment, and so computed by the host program.
             _ => interp::Value::Float(0.0),

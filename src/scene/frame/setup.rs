@@ -36,7 +36,8 @@ pub struct SetupObject {
     pub mesh: Arc<Mesh>,
     /// Where it stands.
     pub world_from_object: DMat4,
-    /// For each part of the mesh, its look by index; `None` where the object has no look for that material.
+    /// For each part of the mesh, its look by index; `None` where the object has no look for that
+    /// material.
     pub looks: Vec<Option<usize>>,
     /// Values of exposed parameters.
     pub values: Values,
@@ -67,8 +68,8 @@ pub struct Setup {
     pub looks: Vec<SetupLook>,
     /// Visible objects.
     pub objects: Vec<SetupObject>,
-    /// The look that is being edited, if one is: its lights are taken as they are now, and the others are compiled with
-    /// their values folded, however alive this one is asked for.
+    /// The look that is being edited, if one is: its lights are taken as they are now, and the
+    /// others are compiled with their values folded, however alive this one is asked for.
     pub edited: Option<usize>,
 }
 
@@ -89,7 +90,8 @@ impl Setup {
 }
 
 impl Setup {
-    /// Turns the camera around its target: radians to the right around its up direction, then radians up.
+    /// Turns the camera around its target: radians to the right around its up direction, then
+    /// radians up.
     pub fn turn_camera(&mut self, [yaw, pitch]: [f64; 2]) {
         let camera = &mut self.scene.camera;
         let target = DVec3::from(camera.target);
@@ -101,7 +103,8 @@ impl Setup {
         camera.up = (turn * up).to_array();
     }
 
-    /// Turns the illumination frame, and every light in it: radians around the vertical axis, then radians up.
+    /// Turns the illumination frame, and every light in it: radians around the vertical axis, then
+    /// radians up.
     pub fn turn_lights(&mut self, [yaw, pitch]: [f64; 2]) {
         let turn = DQuat::from_rotation_y(yaw) * DQuat::from_rotation_x(-pitch);
         let turned = turn * DQuat::from_array(self.scene.illumination);
@@ -116,16 +119,23 @@ fn turn_within(object: &SetupObject, turn: DMat4) -> DMat4 {
     DMat4::from_translation(middle) * turn * DMat4::from_translation(-middle)
 }
 
-/// Opens a look or a scene. A look opened alone is worn by `mesh` (a path, or `shape:` and a name) in the default scene.
+/// Opens a look or a scene. A look opened alone is worn by `mesh` (a path, or `shape:` and a name)
+/// in the default scene.
 ///
 /// # Errors
 /// Everything that is wrong with it and with what it names.
-pub fn open(path: &Path, mesh: Option<&str>, assets: &mut Assets) -> Result<(Setup, Vec<Diagnostic>), Vec<Diagnostic>> {
+pub fn open(
+    path: &Path,
+    mesh: Option<&str>,
+    assets: &mut Assets,
+) -> Result<(Setup, Vec<Diagnostic>), Vec<Diagnostic>> {
     let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
     match Document::load(path) {
         Document::Look(loaded) => {
             let mut problems = loaded.diagnostics.clone();
-            let Some(look) = loaded.value.clone().filter(|_| !has_errors(&problems)) else { return Err(problems) };
+            let Some(look) = loaded.value.clone().filter(|_| !has_errors(&problems)) else {
+                return Err(problems);
+            };
             let look = SetupLook { look, source: loaded.source.clone().into(), folder };
             let (setup, found) = default_setup(look, mesh.unwrap_or(DEFAULT_MESH), assets)
                 .map_err(|more| [problems.clone(), more].concat())?;
@@ -134,7 +144,9 @@ pub fn open(path: &Path, mesh: Option<&str>, assets: &mut Assets) -> Result<(Set
         }
         Document::Scene(loaded) => {
             let mut problems = loaded.diagnostics.clone();
-            let Some(scene) = loaded.value.clone().filter(|_| !has_errors(&problems)) else { return Err(problems) };
+            let Some(scene) = loaded.value.clone().filter(|_| !has_errors(&problems)) else {
+                return Err(problems);
+            };
             let setup = scene_setup(scene, &folder, &loaded.source, mesh, assets, &mut problems);
             if has_errors(&problems) { Err(problems) } else { Ok((setup, problems)) }
         }
@@ -144,7 +156,8 @@ pub fn open(path: &Path, mesh: Option<&str>, assets: &mut Assets) -> Result<(Set
 /// What a look opened alone is shown on.
 pub const DEFAULT_MESH: &str = "shape:creature";
 
-/// The default scene with one object that wears `look`. Paths of meshes are relative to the working folder.
+/// The default scene with one object that wears `look`. Paths of meshes are relative to the working
+/// folder.
 ///
 /// # Errors
 /// Why the mesh cannot be used.
@@ -156,7 +169,13 @@ pub fn default_setup(
     let (mesh, notes) = assets.mesh(Path::new(""), mesh)?;
     let world_from_object = object_matrix(&Transform::default(), &mesh);
     let looks = vec![Some(0); mesh.parts.len()];
-    let object = SetupObject { id: ObjectId::new("object"), mesh, world_from_object, looks, values: Values::new() };
+    let object = SetupObject {
+        id: ObjectId::new("object"),
+        mesh,
+        world_from_object,
+        looks,
+        values: Values::new(),
+    };
     Ok((Setup { looks: vec![look], objects: vec![object], ..Setup::default() }, notes))
 }
 
@@ -164,12 +183,17 @@ pub fn default_setup(
 pub fn object_matrix(transform: &Transform, mesh: &Mesh) -> DMat4 {
     let fit = if transform.fit { mesh.fit().matrix() } else { DMat4::IDENTITY };
     let rotation = DQuat::from_array(transform.rotate);
-    let rotation = if rotation.length_squared() > 1e-18 { rotation.normalize() } else { DQuat::IDENTITY };
-    DMat4::from_scale_rotation_translation(transform.scale.into(), rotation, transform.translate.into()) * fit
+    let rotation =
+        if rotation.length_squared() > 1e-18 { rotation.normalize() } else { DQuat::IDENTITY };
+    DMat4::from_scale_rotation_translation(
+        transform.scale.into(),
+        rotation,
+        transform.translate.into(),
+    ) * fit
 }
 
-/// Finds what a scene that was read names: meshes relative to `folder` (`mesh` in place of all of them) and looks. What
-/// is wrong goes to `problems`; what could not be found is left out.
+/// Finds what a scene that was read names: meshes relative to `folder` (`mesh` in place of all of
+/// them) and looks. What is wrong goes to `problems`; what could not be found is left out.
 pub fn scene_setup(
     scene: Scene,
     folder: &Path,
@@ -189,13 +213,13 @@ pub trait Wardrobe {
     /// Whether there is a look of this name, be it a broken one.
     fn has(&self, name: &str) -> bool;
 
-    /// The number of a look among those of the setup; `None` where it cannot be used. What is wrong with it goes to
-    /// `problems`.
+    /// The number of a look among those of the setup; `None` where it cannot be used. What is wrong
+    /// with it goes to `problems`.
     fn find(&mut self, name: &str, problems: &mut Vec<Diagnostic>) -> Option<usize>;
 }
 
-/// Puts the visible objects of a scene where they stand, with their meshes, relative to `folder`, and their looks. What is
-/// wrong goes to `problems`; what could not be found is left out.
+/// Puts the visible objects of a scene where they stand, with their meshes, relative to `folder`,
+/// and their looks. What is wrong goes to `problems`; what could not be found is left out.
 pub fn place_objects(
     scene: &Scene,
     folder: &Path,
@@ -224,11 +248,19 @@ pub fn place_objects(
             Err(found) => {
                 // What was given in place of the scene's meshes has no place in the scene.
                 let place = mesh.is_none().then(|| path_of("mesh"));
-                problems.extend(found.into_iter().map(|problem| of_object(id, problem, place.as_deref(), source)));
+                problems.extend(
+                    found
+                        .into_iter()
+                        .map(|problem| of_object(id, problem, place.as_deref(), source)),
+                );
                 continue;
             }
         };
-        let worn = mesh.parts.iter().map(|part| looks.find(look_of(object, &part.material)?, problems)).collect();
+        let worn = mesh
+            .parts
+            .iter()
+            .map(|part| looks.find(look_of(object, &part.material)?, problems))
+            .collect();
         objects.push(SetupObject {
             id: id.clone(),
             world_from_object: object_matrix(&object.transform, &mesh),
@@ -236,7 +268,14 @@ pub fn place_objects(
             looks: worn,
             values: object.values.clone(),
         });
-        material_problems(id, object, &objects[objects.len() - 1].mesh, &path_of("looks"), source, problems);
+        material_problems(
+            id,
+            object,
+            &objects[objects.len() - 1].mesh,
+            &path_of("looks"),
+            source,
+            problems,
+        );
     }
     objects
 }
@@ -246,8 +285,14 @@ pub fn look_of<'o>(object: &'o Object, material: &str) -> Option<&'o str> {
     object.looks.get(material).or_else(|| object.looks.get(ANY_MATERIAL)).map(String::as_str)
 }
 
-/// A problem with an object's mesh. Where there is no such mesh, its place is where the scene names it.
-fn of_object(id: &ObjectId, mut problem: Diagnostic, json_path: Option<&str>, source: &SourceMap) -> Diagnostic {
+/// A problem with an object's mesh. Where there is no such mesh, its place is where the scene names
+/// it.
+fn of_object(
+    id: &ObjectId,
+    mut problem: Diagnostic,
+    json_path: Option<&str>,
+    source: &SourceMap,
+) -> Diagnostic {
     problem.message = format!("object `{id}`: {}", problem.message);
     let Some(json_path) = json_path else { return problem };
     if problem.code == "mesh-read"
@@ -291,16 +336,26 @@ fn material_problems(
     problems: &mut Vec<Diagnostic>,
 ) {
     let materials = || mesh.parts.iter().map(|part| part.material.as_str());
-    let has_look = |material: &str| object.looks.contains_key(material) || object.looks.contains_key(ANY_MATERIAL);
+    let has_look = |material: &str| {
+        object.looks.contains_key(material) || object.looks.contains_key(ANY_MATERIAL)
+    };
     if !materials().any(has_look) {
-        let mut problem = Diagnostic::warning("no-look", format!("object `{id}` wears no look, so it is not drawn"))
-            .json_path(json_path)
-            .hint("give it one, as in \"looks\": \"look.json\"");
+        let mut problem = Diagnostic::warning(
+            "no-look",
+            format!("object `{id}` wears no look, so it is not drawn"),
+        )
+        .json_path(json_path)
+        .hint("give it one, as in \"looks\": \"look.json\"");
         source.locate(&mut problem);
         problems.push(problem);
     }
-    for name in object.looks.keys().filter(|name| *name != ANY_MATERIAL && !materials().any(|m| m == name.as_str())) {
-        let message = format!("object `{id}` has a look for the material `{name}`, which its mesh has not");
+    for name in object
+        .looks
+        .keys()
+        .filter(|name| *name != ANY_MATERIAL && !materials().any(|m| m == name.as_str()))
+    {
+        let message =
+            format!("object `{id}` has a look for the material `{name}`, which its mesh has not");
         let mut problem = Diagnostic::warning("unknown-material", message)
             .json_path(json_path)
             .suggest(name, materials())
@@ -339,7 +394,10 @@ impl Wardrobe for LookFiles<'_> {
         problems.extend(loaded.diagnostics.iter().cloned());
         let look = loaded.value.clone()?;
         let own_folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
-        self.found.push((path, SetupLook { look, source: loaded.source.clone().into(), folder: own_folder }));
+        self.found.push((
+            path,
+            SetupLook { look, source: loaded.source.clone().into(), folder: own_folder },
+        ));
         Some(self.found.len() - 1)
     }
 }

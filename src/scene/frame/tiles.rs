@@ -1,4 +1,5 @@
-//! A look on a flat tile, as every eye of a grid sees it under every light: the samples to evaluate for an HCBTF of it.
+//! A look on a flat tile, as every eye of a grid sees it under every light: the samples to evaluate
+//! for an HCBTF of it.
 
 use std::sync::Arc;
 
@@ -22,27 +23,37 @@ pub fn moving_light(setup: &SetupLook, name: Option<&str>) -> Result<LightId, Di
     let lights = &setup.look.lights;
     let is_moving = |kind: LightKind| kind == LightKind::Directional;
     match name {
-        None => lights.iter().find(|(_, light)| is_moving(light.kind)).map(|(id, _)| id.clone()).ok_or_else(|| {
-            let problem =
-                Diagnostic::error("no-light", "the look has no directional light that could go around the tile");
-            problem.hint("add one to its lights")
-        }),
+        None => lights
+            .iter()
+            .find(|(_, light)| is_moving(light.kind))
+            .map(|(id, _)| id.clone())
+            .ok_or_else(|| {
+                let problem = Diagnostic::error(
+                    "no-light",
+                    "the look has no directional light that could go around the tile",
+                );
+                problem.hint("add one to its lights")
+            }),
         Some(name) => match lights.iter().find(|(id, _)| id.as_str() == name) {
             Some((id, light)) if is_moving(light.kind) => Ok(id.clone()),
             Some(_) => {
-                let problem = Diagnostic::error("bad-argument", format!("the light `{name}` is not directional"));
+                let problem = Diagnostic::error(
+                    "bad-argument",
+                    format!("the light `{name}` is not directional"),
+                );
                 Err(problem.hint("the grid knows directions alone"))
             }
             None => {
-                let problem = Diagnostic::error("bad-argument", format!("the look has no light `{name}`"));
+                let problem =
+                    Diagnostic::error("bad-argument", format!("the look has no light `{name}`"));
                 Err(problem.suggest(name, lights.keys().map(AsRef::as_ref)))
             }
         },
     }
 }
 
-/// Reads and fills whatever a look names, once for all views of a tile. `progress` counts how far its HCBTFs are filled, one
-/// after the other.
+/// Reads and fills whatever a look names, once for all views of a tile. `progress` counts how far
+/// its HCBTFs are filled, one after the other.
 ///
 /// # Errors
 /// Everything that is wrong with the look, and where it is stopped.
@@ -54,7 +65,10 @@ pub fn tile_assets(
     progress: &Arc<Progress>,
 ) -> Result<Assets, Vec<Diagnostic>> {
     if !setup.look.lights.contains_key(light) {
-        return Err(vec![Diagnostic::error("unknown-light", format!("the look has no light `{light}`"))]);
+        return Err(vec![Diagnostic::error(
+            "unknown-light",
+            format!("the look has no light `{light}`"),
+        )]);
     }
     assets.watch(Some(progress.clone()));
     Evaluable::new(setup, library, &mut assets)?;
@@ -65,9 +79,9 @@ pub fn tile_assets(
 /// The most samples of a texel.
 pub const MAX_TILE_SAMPLES: u32 = 64;
 
-/// A tile as one eye sees it under one light. It lies at z = 0 with its middle at the origin, as wide as 1, u along x and v
-/// along y; the camera is far away, its right and up turned from u and v as the view is from the normal. Other lights than
-/// the one that goes around stay where they are.
+/// A tile as one eye sees it under one light. It lies at z = 0 with its middle at the origin, as
+/// wide as 1, u along x and v along y; the camera is far away, its right and up turned from u and v
+/// as the view is from the normal. Other lights than the one that goes around stay where they are.
 #[derive(Clone, Debug)]
 pub struct TileView {
     size: [u32; 2],
@@ -83,7 +97,8 @@ impl TileView {
         let camera = DMat3::from_cols(turn * DVec3::X, turn * DVec3::Y, toward_eye).transpose();
         let space = setup.look.lights.get(light).map(|light| light.space).unwrap_or_default();
         let toward_light = grid.light.vector(address.light);
-        let direction = if space == LightSpace::Camera { camera * toward_light } else { toward_light };
+        let direction =
+            if space == LightSpace::Camera { camera * toward_light } else { toward_light };
         let moved = LightOverride { direction: Some(direction), ..LightOverride::default() };
         let common = EvalSample {
             normal: DVec3::Z,
@@ -96,9 +111,10 @@ impl TileView {
         Self { size: grid.size, common }
     }
 
-    /// One of `count` samples of a texel, both counted from 0, texels by rows from the top. `count` is a power of 2, up to
-    /// [`MAX_TILE_SAMPLES`]: each column and each row of the `count` that a texel is cut into has one sample, in its middle; 1
-    /// is the middle of the texel, 4 are the samples of a pixel on GPUs.
+    /// One of `count` samples of a texel, both counted from 0, texels by rows from the top. `count`
+    /// is a power of 2, up to [`MAX_TILE_SAMPLES`]: each column and each row of the `count` that a
+    /// texel is cut into has one sample, in its middle; 1 is the middle of the texel, 4 are the
+    /// samples of a pixel on GPUs.
     pub fn sample(&self, texel: usize, index: u32, count: u32) -> EvalSample {
         let [width, height] = self.size;
         let [x, y] = [texel as u32 % width, texel as u32 / width];
@@ -106,12 +122,16 @@ impl TileView {
         let u = (f64::from(x) + right) / f64::from(width);
         let uv = DVec2::new(u, 1.0 - (f64::from(y) + down) / f64::from(height));
         let aspect = f64::from(height) / f64::from(width);
-        EvalSample { position: DVec3::new(uv.x - 0.5, (uv.y - 0.5) * aspect, 0.0), uv, ..self.common.clone() }
+        EvalSample {
+            position: DVec3::new(uv.x - 0.5, (uv.y - 0.5) * aspect, 0.0),
+            uv,
+            ..self.common.clone()
+        }
     }
 }
 
-/// Where in a texel a sample is, 0 to 1 from the upper left: Hammersley's points, their rows exchanged by halves so that
-/// four of them are turned and not on a diagonal.
+/// Where in a texel a sample is, 0 to 1 from the upper left: Hammersley's points, their rows
+/// exchanged by halves so that four of them are turned and not on a diagonal.
 fn within(index: u32, count: u32) -> [f64; 2] {
     let bits = count.trailing_zeros();
     let reversed = if bits == 0 { 0 } else { index.reverse_bits() >> (u32::BITS - bits) };
@@ -126,7 +146,8 @@ mod tests {
     fn samples_lie_in_rows_and_columns_of_their_own() {
         assert_eq!(within(0, 1), [0.5; 2]);
         // In sixteenths, as Direct3D and Vulkan have them.
-        let four: Vec<[f64; 2]> = (0..4).map(|index| within(index, 4).map(|at| 16.0 * at)).collect();
+        let four: Vec<[f64; 2]> =
+            (0..4).map(|index| within(index, 4).map(|at| 16.0 * at)).collect();
         assert_eq!(four, [[2.0, 10.0], [6.0, 2.0], [10.0, 14.0], [14.0, 6.0]]);
         for count in [2, 8, 16, 32, MAX_TILE_SAMPLES] {
             for axis in 0..2 {

@@ -23,7 +23,8 @@ pub(super) enum Lack {
 impl Lack {
     /// What a shader lacks on such a mesh; of both the graver.
     pub(super) fn of(shader: &CompiledShader) -> Option<Self> {
-        let reads = |lack: &Self| lack.contexts().iter().any(|context| shader.needs.context(*context));
+        let reads =
+            |lack: &Self| lack.contexts().iter().any(|context| shader.needs.context(*context));
         [Self::Uvs, Self::Tangents].into_iter().find(reads)
     }
 
@@ -35,8 +36,9 @@ impl Lack {
     }
 }
 
-/// A warning for each object whose look reads UVs that its mesh does not have, and a note where it reads tangents alone,
-/// whether or not the object is in sight. Looks that cannot be compiled are passed over.
+/// A warning for each object whose look reads UVs that its mesh does not have, and a note where it
+/// reads tangents alone, whether or not the object is in sight. Looks that cannot be compiled are
+/// passed over.
 pub fn missing_uvs(setup: &Setup, library: &Library) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for object in setup.objects.iter().filter(|object| !object.mesh.has_uvs) {
@@ -59,26 +61,40 @@ fn worn(object: &SetupObject) -> Vec<usize> {
     worn
 }
 
-/// What is told of an object whose mesh has no UVs, where these nodes of its look read what it lacks.
-pub(super) fn without_uvs(object: &SetupObject, look: &SetupLook, lack: Lack, readers: &[NodePath]) -> Diagnostic {
-    let named: Vec<String> = readers.iter().take(MOST_NAMED).map(|path| format!("`{path}`")).collect();
+/// What is told of an object whose mesh has no UVs, where these nodes of its look read what it
+/// lacks.
+pub(super) fn without_uvs(
+    object: &SetupObject,
+    look: &SetupLook,
+    lack: Lack,
+    readers: &[NodePath],
+) -> Diagnostic {
+    let named: Vec<String> =
+        readers.iter().take(MOST_NAMED).map(|path| format!("`{path}`")).collect();
     let more = readers.len() - named.len();
-    let named = if more > 0 { format!("{} and {more} more", named.join(", ")) } else { named.join(", ") };
+    let named =
+        if more > 0 { format!("{} and {more} more", named.join(", ")) } else { named.join(", ") };
     let by = if named.is_empty() { String::new() } else { format!(", by {named}") };
     let subject = subject(object);
     let problem = match lack {
         Lack::Uvs => {
-            let message = format!("{subject} has no UVs, which its look reads{by}: they are 0 all over it");
+            let message =
+                format!("{subject} has no UVs, which its look reads{by}: they are 0 all over it");
             Diagnostic::warning("no-uvs", message).hint(
-                "unwrap the mesh in a modelling program, wire other coordinates into the node's UV, or show the look on a \
+                "unwrap the mesh in a modelling program, wire other coordinates into the node's \
+                 UV, or show the look on a \
                  shape that has UVs (`shape:sphere`)",
             )
         }
         Lack::Tangents => {
-            let message =
-                format!("{subject} has no UVs, along which its look's tangents would run{by}: they lie level");
-            Diagnostic::note("level-tangents", message)
-                .hint("for strokes or highlights that follow the form, unwrap the mesh in a modelling program")
+            let message = format!(
+                "{subject} has no UVs, along which its look's tangents would run{by}: they lie \
+                 level"
+            );
+            Diagnostic::note("level-tangents", message).hint(
+                "for strokes or highlights that follow the form, unwrap the mesh in a \
+                       modelling program",
+            )
         }
     };
     let mut problem = match readers.first() {
@@ -95,7 +111,12 @@ fn subject(object: &SetupObject) -> String {
 }
 
 /// The nodes in a look's module that read what a mesh lacks.
-pub(super) fn readers(look: &SetupLook, shader: &CompiledShader, lack: Lack, library: &Library) -> Vec<NodePath> {
+pub(super) fn readers(
+    look: &SetupLook,
+    shader: &CompiledShader,
+    lack: Lack,
+    library: &Library,
+) -> Vec<NodePath> {
     let Ok((typed, _)) = check(&look.look, library, None) else { return Vec::new() };
     let emitted: HashSet<&NodePath> = shader.spans.nodes().collect();
     let is_reader = |node: &&crate::compile::TypedNode| {

@@ -1,8 +1,8 @@
 //! What cannot be seen, and lights that nobody sees: left out before any look is compiled.
 //!
-//! Every test is conservative. An object is off-screen where the eight corners of its mesh's box lie beyond one and the
-//! same side of the view; a light is dark for an object where it is out or black, or where the sphere around the object
-//! lies beyond its range or outside of its cone.
+//! Every test is conservative. An object is off-screen where the eight corners of its mesh's box
+//! lie beyond one and the same side of the view; a light is dark for an object where it is out or
+//! black, or where the sphere around the object lies beyond its range or outside of its cone.
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::{Arc, Weak};
@@ -65,7 +65,11 @@ impl KnownBounds {
 }
 
 /// Why nothing of an object is seen; `None` where something may be.
-pub(super) fn hidden(object: &SetupObject, placed: &Placed, view: &View) -> Option<(Proof, &'static str)> {
+pub(super) fn hidden(
+    object: &SetupObject,
+    placed: &Placed,
+    view: &View,
+) -> Option<(Proof, &'static str)> {
     if object.looks.iter().all(Option::is_none) {
         return Some((Proof::NoLook, "no part of it wears a look"));
     }
@@ -89,7 +93,8 @@ fn is_line(matrix: DMat4) -> bool {
 fn is_outside(world_from_object: DMat4, bounds: &Bounds, view: &View) -> bool {
     let clip_from_object = view.clip_from_world * world_from_object;
     let corners: [DVec4; 8] = std::array::from_fn(|index| {
-        let pick = |axis: usize| if index >> axis & 1 == 0 { bounds.min[axis] } else { bounds.max[axis] };
+        let pick =
+            |axis: usize| if index >> axis & 1 == 0 { bounds.min[axis] } else { bounds.max[axis] };
         clip_from_object * DVec4::new(pick(0), pick(1), pick(2), 1.0)
     });
     if corners.iter().any(|corner| !corner.is_finite()) {
@@ -97,7 +102,9 @@ fn is_outside(world_from_object: DMat4, bounds: &Bounds, view: &View) -> bool {
     }
     // How far beyond each side; the shader computes in f32, so that "just beyond" is not beyond.
     let beyond = |side: fn(DVec4) -> f64| {
-        corners.iter().all(|&corner| side(corner) > 1e-4 * (corner.w.abs() + corner.truncate().length()) + 1e-12)
+        corners.iter().all(|&corner| {
+            side(corner) > 1e-4 * (corner.w.abs() + corner.truncate().length()) + 1e-12
+        })
     };
     beyond(|c| c.x - c.w)
         || beyond(|c| -c.x - c.w)
@@ -107,8 +114,8 @@ fn is_outside(world_from_object: DMat4, bounds: &Bounds, view: &View) -> bool {
         || beyond(|c| -c.z)
 }
 
-/// Fields of a look's lights that are 0 for an object, each with the reason. Lights that keys or exposed parameters move
-/// are never dark.
+/// Fields of a look's lights that are 0 for an object, each with the reason. Lights that keys or
+/// exposed parameters move are never dark.
 pub(super) fn dark_lights(
     setup: &Setup,
     look: &Look,
@@ -134,7 +141,10 @@ pub(super) fn dark_lights(
 fn moved_lights(look: &Look) -> HashSet<&LightId> {
     let timed = look.time_keys.iter().map(|track| &track.target);
     let exposed = look.exposed.iter().map(|exposed| &exposed.target);
-    let keyed = look.direction_keys.iter().flat_map(|keys| keys.keys.iter().flat_map(|key| key.values.keys()));
+    let keyed = look
+        .direction_keys
+        .iter()
+        .flat_map(|keys| keys.keys.iter().flat_map(|key| key.values.keys()));
     let lights = timed.chain(exposed).chain(keyed).filter_map(|target| match target {
         Target::Light { light, .. } => Some(light),
         Target::Input { .. } => None,
@@ -169,6 +179,8 @@ fn why_dark(light: &LightValues, placed: &Placed) -> Option<&'static str> {
 }
 
 /// The fields alone.
-pub(super) fn fields(dark: &[((LightId, LightField), &'static str)]) -> BTreeSet<(LightId, LightField)> {
+pub(super) fn fields(
+    dark: &[((LightId, LightField), &'static str)],
+) -> BTreeSet<(LightId, LightField)> {
     dark.iter().map(|(field, _)| field.clone()).collect()
 }

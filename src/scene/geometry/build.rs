@@ -19,8 +19,8 @@ pub(super) struct Made {
     pub normals: usize,
 }
 
-/// Builds the mesh: drops triangles without area, makes normals, joins corners, makes tangents, sorts by material.
-/// The mesh has no triangles where all of them are degenerate.
+/// Builds the mesh: drops triangles without area, makes normals, joins corners, makes tangents,
+/// sorts by material. The mesh has no triangles where all of them are degenerate.
 pub(super) fn build(mut soup: Soup, crease_angle: f64) -> (Mesh, Made) {
     let welded = weld(&soup.points);
     let degenerate = drop_degenerate(&mut soup, &welded);
@@ -60,7 +60,8 @@ fn drop_degenerate(soup: &mut Soup, welded: &[u32]) -> usize {
         .map(|t| {
             let [a, b, c] = t.map(|corner| welded[corner.point as usize]);
             let [pa, pb, pc] = [a, b, c].map(|p| place(&soup.points, p));
-            let longest = pa.distance_squared(pb).max(pb.distance_squared(pc)).max(pc.distance_squared(pa));
+            let longest =
+                pa.distance_squared(pb).max(pb.distance_squared(pc)).max(pc.distance_squared(pa));
             a != b && b != c && c != a && (pb - pa).cross(pc - pa).length() > 1e-12 * longest
         })
         .collect();
@@ -71,16 +72,21 @@ fn drop_degenerate(soup: &mut Soup, welded: &[u32]) -> usize {
     keep.len() - soup.triangles.len()
 }
 
-/// Of a solid only the outside is drawn: at its outlines a GPU may take a sliver for a back, and would light it from the
-/// wrong side.
+/// Of a solid only the outside is drawn: at its outlines a GPU may take a sliver for a back, and
+/// would light it from the wrong side.
 fn settle_sides(soup: &mut Soup, welded: &[u32]) {
     if soup.materials.iter().all(|material| material.two_sided.is_some()) {
         return;
     }
-    let triangles: Vec<[u32; 3]> =
-        soup.triangles.iter().map(|corners| corners.map(|corner| welded[corner.point as usize])).collect();
+    let triangles: Vec<[u32; 3]> = soup
+        .triangles
+        .iter()
+        .map(|corners| corners.map(|corner| welded[corner.point as usize]))
+        .collect();
     let is_solid = is_solid(&triangles, |point| place(&soup.points, point));
-    soup.materials.iter_mut().for_each(|material| material.two_sided = material.two_sided.or(Some(!is_solid)));
+    soup.materials
+        .iter_mut()
+        .for_each(|material| material.two_sided = material.two_sided.or(Some(!is_solid)));
 }
 
 /// The triangles in the order of their materials' first use, otherwise as in the file.
@@ -98,7 +104,8 @@ fn by_material(soup: &Soup) -> Vec<u32> {
     order
 }
 
-/// Counts triangle `t`, about to be appended to the mesh's indices, into the last part or into a new one.
+/// Counts triangle `t`, about to be appended to the mesh's indices, into the last part or into a
+/// new one.
 fn extend_parts(mesh: &mut Mesh, soup: &Soup, t: usize) {
     let material = &soup.materials[soup.material_of[t] as usize];
     let end = mesh.indices.len() as u32;
@@ -158,8 +165,8 @@ impl<'a> Joiner<'a> {
         [self.same_normal[corner.normal as usize], uv]
     }
 
-    /// Gives every corner a vertex. Corners whose UVs say nothing of a tangent take whatever vertex their neighbours
-    /// have, so those come last.
+    /// Gives every corner a vertex. Corners whose UVs say nothing of a tangent take whatever vertex
+    /// their neighbours have, so those come last.
     fn join(&mut self, order: &[u32], made: &CornerTangents) {
         let has_bare = made.of_corner.iter().flatten().any(|&tangent| tangent == NONE);
         for is_bare in [false, true] {

@@ -4,11 +4,13 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-/// Whether every edge joins exactly two triangles that run along it in opposite directions, and every connected piece
-/// has its front outside. `triangles` index `point`s that are welded where they are equal.
+/// Whether every edge joins exactly two triangles that run along it in opposite directions, and
+/// every connected piece has its front outside. `triangles` index `point`s that are welded where
+/// they are equal.
 pub(super) fn is_solid(triangles: &[[u32; 3]], point: impl Fn(u32) -> DVec3) -> bool {
     // By edge: the triangle on each side of it, by direction.
-    let mut edges: HashMap<(u32, u32), [Option<u32>; 2]> = HashMap::with_capacity(triangles.len() * 3 / 2);
+    let mut edges: HashMap<(u32, u32), [Option<u32>; 2]> =
+        HashMap::with_capacity(triangles.len() * 3 / 2);
     for (index, corners) in triangles.iter().enumerate() {
         for corner in 0..3 {
             let (from, to) = (corners[corner], corners[(corner + 1) % 3]);
@@ -46,7 +48,8 @@ fn root(pieces: &mut [u32], mut at: u32) -> u32 {
 mod tests {
     use super::*;
 
-    const POINTS: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    const POINTS: [[f64; 3]; 4] =
+        [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     const TETRAHEDRON: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
 
     /// The points again and again, each time farther along x.

@@ -16,22 +16,23 @@ pub struct Mesh {
     pub positions: Vec<[f32; 3]>,
     /// Object space, unit length.
     pub normals: Vec<[f32; 3]>,
-    /// Object space: `xyz` of unit length, orthogonal to the normal, along growing u; the bitangent, along growing v, is
-    /// `w * cross(normal, tangent)` with `w` of 1 or -1. Without UVs a frame that depends on the normal alone, level
-    /// with the ground (y up).
+    /// Object space: `xyz` of unit length, orthogonal to the normal, along growing u; the
+    /// bitangent, along growing v, is `w * cross(normal, tangent)` with `w` of 1 or -1. Without UVs
+    /// a frame that depends on the normal alone, level with the ground (y up).
     pub tangents: Vec<[f32; 4]>,
-    /// u to the right and v up, (0, 0) at the lower left corner of the image; zeros where the file has none.
+    /// u to the right and v up, (0, 0) at the lower left corner of the image; zeros where the file
+    /// has none.
     pub uvs: Vec<[f32; 2]>,
     /// Straight RGBA, display-referred (sRGB curve), 0 to 1; white where the file has none.
     pub colors: Vec<[f32; 4]>,
     /// Three per triangle.
     pub indices: Vec<u32>,
-    /// Runs of triangles of one material each, in the order in which the file first uses them; together all of
-    /// [`Mesh::indices`].
+    /// Runs of triangles of one material each, in the order in which the file first uses them;
+    /// together all of [`Mesh::indices`].
     pub parts: Vec<Part>,
     /// Whether the file (or the shape) brings UVs.
     pub has_uvs: bool,
-    /// Whether the file brings vertex colours.
+    /// Whether the file brings vertex colors.
     pub has_colors: bool,
     /// Whether every corner's normal comes from the file; otherwise some were made.
     pub has_normals: bool,
@@ -74,7 +75,10 @@ impl Bounds {
         });
         let (min, max) = (min.as_dvec3(), max.as_dvec3());
         let center = (min + max) / 2.0;
-        let farthest = positions.iter().map(|p| Vec3::from(*p).as_dvec3().distance_squared(center)).fold(0.0, f64::max);
+        let farthest = positions
+            .iter()
+            .map(|p| Vec3::from(*p).as_dvec3().distance_squared(center))
+            .fold(0.0, f64::max);
         Self { min, max, radius: farthest.sqrt() }
     }
 
@@ -116,7 +120,8 @@ impl Mesh {
         Bounds::of(&self.positions)
     }
 
-    /// What brings the mesh's bounding sphere to the origin and to radius 1; a single point is only moved.
+    /// What brings the mesh's bounding sphere to the origin and to radius 1; a single point is only
+    /// moved.
     pub fn fit(&self) -> Fit {
         let bounds = self.bounds();
         let scale = if bounds.radius > 0.0 { 1.0 / bounds.radius } else { 1.0 };
@@ -130,10 +135,16 @@ mod tests {
 
     #[test]
     fn a_fitted_mesh_touches_the_unit_sphere() {
-        let mesh = Mesh { positions: vec![[1.0, 2.0, 3.0], [5.0, 2.0, 3.0], [1.0, 2.0, 6.0]], ..Mesh::default() };
+        let mesh = Mesh {
+            positions: vec![[1.0, 2.0, 3.0], [5.0, 2.0, 3.0], [1.0, 2.0, 6.0]],
+            ..Mesh::default()
+        };
         let matrix = mesh.fit().matrix();
-        let lengths: Vec<f64> =
-            mesh.positions.iter().map(|p| matrix.transform_point3(Vec3::from(*p).as_dvec3()).length()).collect();
+        let lengths: Vec<f64> = mesh
+            .positions
+            .iter()
+            .map(|p| matrix.transform_point3(Vec3::from(*p).as_dvec3()).length())
+            .collect();
         assert!(lengths.iter().all(|l| (l - 1.0).abs() < 1e-12), "{lengths:?}");
         assert_eq!(mesh.bounds().size(), DVec3::new(4.0, 0.0, 3.0));
         assert_eq!(Mesh::default().fit().scale, 1.0);

@@ -1,9 +1,10 @@
 //! Meshes: import, normals, tangents, own shapes.
 //!
-//! A file's bytes become a `soup::Soup` (points and corners as the file has them: `import/`, one reader a format);
-//! `build` turns the soup into a [`Mesh`] that a GPU can draw: degenerate triangles dropped, missing normals made
-//! (`normals`), corners joined to vertices, tangents made or kept (`tangents`), triangles sorted by material.
-//! The own shapes (`shapes`) go the same way from formulas.
+//! A file's bytes become a `soup::Soup` (points and corners as the file has them: `import/`, one
+//! reader a format); `build` turns the soup into a [`Mesh`] that a GPU can draw: degenerate
+//! triangles dropped, missing normals made (`normals`), corners joined to vertices, tangents made
+//! or kept (`tangents`), triangles sorted by material. The own shapes (`shapes`) go the same way
+//! from formulas.
 
 mod build;
 mod closed;
@@ -15,7 +16,9 @@ mod soup;
 mod tangents;
 mod triangulate;
 
-pub use import::{Imported, MAX_FILE_BYTES, MAX_TRIANGLES, MAX_VERTICES, Siblings, import, load, no_siblings};
+pub use import::{
+    Imported, MAX_FILE_BYTES, MAX_TRIANGLES, MAX_VERTICES, Siblings, import, load, no_siblings,
+};
 pub use mesh::{Bounds, DEFAULT_MATERIAL, Fit, Mesh, Part};
 pub use normals::CREASE_ANGLE;
 pub use shapes::{SHAPES, Shape, shape};

@@ -1,14 +1,17 @@
 //! Normals for files that have none.
 //!
-//! The normal of a corner is the mean of the normals of the triangles around its point, each weighted by its angle
-//! there (so that how a polygon was cut into triangles makes no difference), over the *sector* that the corner lies in:
-//! triangles are in one sector when one gets from one to the other through edges that bend by at most
-//! [`CREASE_ANGLE`]. So one threshold serves both kinds of mesh. A machine's edge is a chain of sharp edges; at every
-//! point on it two of them end, the sectors on either side are apart, and the crease stays. A scan's noise makes single
-//! sharp edges that end nowhere; one gets around them through their neighbours, and the surface stays smooth.
+//! The normal of a corner is the mean of the normals of the triangles around its point, each
+//! weighted by its angle there (so that how a polygon was cut into triangles makes no difference),
+//! over the *sector* that the corner lies in: triangles are in one sector when one gets from one to
+//! the other through edges that bend by at most [`CREASE_ANGLE`]. So one threshold serves both
+//! kinds of mesh. A machine's edge is a chain of sharp edges; at every point on it two of them end,
+//! the sectors on either side are apart, and the crease stays. A scan's noise makes single sharp
+//! edges that end nowhere; one gets around them through their neighbours, and the surface stays
+//! smooth.
 //!
-//! Points are welded where their coordinates are equal, so a file that repeats points (STL always does, others along
-//! UV seams) is shaded as smoothly as one that does not. Edges may join any number of triangles.
+//! Points are welded where their coordinates are equal, so a file that repeats points (STL always
+//! does, others along UV seams) is shaded as smoothly as one that does not. Edges may join any
+//! number of triangles.
 
 use std::collections::HashMap;
 
@@ -16,14 +19,14 @@ use glam::DVec3;
 
 use super::soup::{NONE, Soup};
 
-/// Edges that bend by more than this, in radians, separate smooth regions where normals are made. 60 degrees lies above
-/// what a sphere of 8 segments (45) or an icosahedron (41.8) has, and below a box's edges (90). Measured: at 60 degrees
-/// at most 1.8% of a scan's points are split (a bust with all its damage; a hare 0.2%), at 45 degrees 4.2%, at 35
-/// degrees 8%.
+/// Edges that bend by more than this, in radians, separate smooth regions where normals are made.
+/// 60 degrees lies above what a sphere of 8 segments (45) or an icosahedron (41.8) has, and below a
+/// box's edges (90). Measured: at 60 degrees at most 1.8% of a scan's points are split (a bust with
+/// all its damage; a hare 0.2%), at 45 degrees 4.2%, at 35 degrees 8%.
 pub const CREASE_ANGLE: f64 = std::f64::consts::FRAC_PI_3;
 
-/// At an edge of more triangles than this only neighbours in the list are compared, so that a fan of a million
-/// triangles around one edge takes no quadratic time.
+/// At an edge of more triangles than this only neighbours in the list are compared, so that a fan
+/// of a million triangles around one edge takes no quadratic time.
 const MAX_COMPARED: usize = 16;
 
 /// For each point the first point that lies at the same place (-0 and 0 are the same).
@@ -47,8 +50,9 @@ pub(super) fn corner_angle(at: DVec3, b: DVec3, c: DVec3) -> f64 {
     f64::atan2(u.cross(v).length(), u.dot(v))
 }
 
-/// Gives every corner that names no normal, or one of length 0, a made one; appends those to `soup.normals`.
-/// `welded` is what [`weld`] gives; triangles must not be degenerate. Returns how many corners were given one.
+/// Gives every corner that names no normal, or one of length 0, a made one; appends those to
+/// `soup.normals`. `welded` is what [`weld`] gives; triangles must not be degenerate. Returns how
+/// many corners were given one.
 pub(super) fn make_missing(soup: &mut Soup, welded: &[u32], crease_angle: f64) -> usize {
     for corner in soup.triangles.iter_mut().flatten() {
         if corner.normal != NONE && soup.normals[corner.normal as usize] == [0.0; 3] {
@@ -59,7 +63,8 @@ pub(super) fn make_missing(soup: &mut Soup, welded: &[u32], crease_angle: f64) -
     if missing == 0 {
         return 0;
     }
-    let faces: Vec<DVec3> = soup.triangles.iter().map(|t| face_normal(&soup.points, t.map(|c| c.point))).collect();
+    let faces: Vec<DVec3> =
+        soup.triangles.iter().map(|t| face_normal(&soup.points, t.map(|c| c.point))).collect();
     let mut sectors = Sectors::new(soup.triangles.len() * 3);
     join_over_edges(soup, welded, &faces, crease_angle, &mut sectors);
 
@@ -89,14 +94,21 @@ pub(super) fn make_missing(soup: &mut Soup, welded: &[u32], crease_angle: f64) -
     missing
 }
 
-/// The unit normal of a triangle that is not degenerate, counter-clockwise seen from where it points.
+/// The unit normal of a triangle that is not degenerate, counter-clockwise seen from where it
+/// points.
 fn face_normal(points: &[[f32; 3]], [a, b, c]: [u32; 3]) -> DVec3 {
     let [a, b, c] = [a, b, c].map(|p| place(points, p));
     (b - a).cross(c - a).normalize_or_zero()
 }
 
 /// Joins the corners on either side of every edge that bends by at most `crease_angle`.
-fn join_over_edges(soup: &Soup, welded: &[u32], faces: &[DVec3], crease_angle: f64, sectors: &mut Sectors) {
+fn join_over_edges(
+    soup: &Soup,
+    welded: &[u32],
+    faces: &[DVec3],
+    crease_angle: f64,
+    sectors: &mut Sectors,
+) {
     // (lower point, upper point, corner at the lower point, corner at the upper point)
     let mut edges: Vec<[u32; 4]> = Vec::with_capacity(soup.triangles.len() * 3);
     for (t, corners) in soup.triangles.iter().enumerate() {

@@ -1,5 +1,6 @@
-//! What a file says, before it becomes a [`super::Mesh`]: points, and triangles whose corners name a point, a normal
-//! and a UV separately, as OBJ does. Every other format is a special case of that.
+//! What a file says, before it becomes a [`super::Mesh`]: points, and triangles whose corners name
+//! a point, a normal and a UV separately, as OBJ does. Every other format is a special case of
+//! that.
 
 use std::collections::HashMap;
 
@@ -26,7 +27,8 @@ pub(super) struct Corner {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Material {
     pub name: String,
-    /// Whether both sides are drawn; `None` where nobody says, and only solids have no inside to be seen.
+    /// Whether both sides are drawn; `None` where nobody says, and only solids have no inside to be
+    /// seen.
     pub two_sided: Option<bool>,
     pub alpha_cutoff: Option<f32>,
 }
@@ -70,11 +72,15 @@ impl Soup {
         self.same_material(Material::named(name))
     }
 
-    /// The index of the same material, added if there is none. A file may have as many as triangles.
+    /// The index of the same material, added if there is none. A file may have as many as
+    /// triangles.
     pub(super) fn same_material(&mut self, material: Material) -> u32 {
         let cutoff = material.alpha_cutoff.map(f32::to_bits);
         let next = self.materials.len() as u32;
-        let index = *self.known_materials.entry((material.name.clone(), material.two_sided, cutoff)).or_insert(next);
+        let index = *self
+            .known_materials
+            .entry((material.name.clone(), material.two_sided, cutoff))
+            .or_insert(next);
         if index == next {
             self.materials.push(material);
         }
@@ -82,7 +88,8 @@ impl Soup {
     }
 }
 
-/// The polygon being read; its lists are kept from one to the next, so that nothing is allocated for each.
+/// The polygon being read; its lists are kept from one to the next, so that nothing is allocated
+/// for each.
 #[derive(Default)]
 pub(super) struct Polygon {
     pub(super) corners: Vec<Corner>,

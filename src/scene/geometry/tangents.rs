@@ -55,7 +55,8 @@ pub(super) fn of_corners(soup: &Soup, vertex_of: impl Fn(&Corner) -> [u32; 3]) -
     drop(known);
     let faces = triangles.iter().map(|&t| Face::new(soup, t)).collect();
     let mut space = TangentSpace { soup, triangles: &triangles, vertices: &vertices, faces };
-    let mut result = CornerTangents { of_corner: vec![[NONE; 3]; soup.triangles.len()], ..Default::default() };
+    let mut result =
+        CornerTangents { of_corner: vec![[NONE; 3]; soup.triangles.len()], ..Default::default() };
     let mut known = HashMap::new();
     space.visit_groups(&neighbors(&vertices), &mut |corner, tangent| {
         let (triangle, k) = (triangles[corner / 3], corner % 3);
@@ -112,7 +113,12 @@ impl Face {
         let [[u1, v1], [u2, v2]] = [1, 2].map(|k| [0, 1].map(|i| uv[k][i] - uv[0][i]));
         let area = u1 * v2 - v1 * u2;
         let (along_u, along_v) = (edge1 * v2 - edge2 * v1, edge1 * -u2 + edge2 * u1);
-        let mut face = Self { along_u: Vec3::ZERO, along_v: Vec3::ZERO, is_preserving: area > 0.0, joins_any: true };
+        let mut face = Self {
+            along_u: Vec3::ZERO,
+            along_v: Vec3::ZERO,
+            is_preserving: area > 0.0,
+            joins_any: true,
+        };
         if area.abs() > f32::MIN_POSITIVE {
             let sign = if face.is_preserving { 1.0 } else { -1.0 };
             face.along_u = unit(along_u) * sign;
@@ -139,7 +145,8 @@ fn neighbors(vertices: &[[u32; 3]]) -> Vec<u32> {
     edges.sort_unstable();
     let mut neighbors = vec![NONE; edges.len()];
     for run in edges.chunk_by(|a, b| a[..2] == b[..2]) {
-        let is_upward = |corner: u32| vertices[corner as usize / 3][corner as usize % 3] == run[0][0];
+        let is_upward =
+            |corner: u32| vertices[corner as usize / 3][corner as usize % 3] == run[0][0];
         // Those that wait for one of the other direction: all of them run the same way.
         let mut first_waiting = 0;
         let mut waiting: Vec<u32> = Vec::new();
@@ -194,7 +201,9 @@ impl TangentSpace<'_> {
             while let Some(triangle) = open.pop() {
                 let triangle = triangle as usize;
                 let vertex = self.vertices[start / 3][start % 3];
-                let Some(k) = self.vertices[triangle].iter().position(|&v| v == vertex) else { continue };
+                let Some(k) = self.vertices[triangle].iter().position(|&v| v == vertex) else {
+                    continue;
+                };
                 let corner = triangle * 3 + k;
                 if has_group[corner] {
                     continue;
@@ -209,7 +218,12 @@ impl TangentSpace<'_> {
                 }
                 has_group[corner] = true;
                 group.push(corner);
-                open.extend([(k + 2) % 3, k].map(|edge| neighbors[triangle * 3 + edge]).iter().filter(|n| **n != NONE));
+                open.extend(
+                    [(k + 2) % 3, k]
+                        .map(|edge| neighbors[triangle * 3 + edge])
+                        .iter()
+                        .filter(|n| **n != NONE),
+                );
             }
             group.sort_unstable();
             self.give_tangents(&group, face.is_preserving, give);
@@ -219,7 +233,8 @@ impl TangentSpace<'_> {
     /// The tangents of a group's corners.
     fn give_tangents(&self, group: &[usize], is_preserving: bool, give: Give<'_>) {
         let normal = self.normal(group[0]);
-        let members: Vec<Member> = group.iter().map(|&corner| self.member(corner, normal)).collect();
+        let members: Vec<Member> =
+            group.iter().map(|&corner| self.member(corner, normal)).collect();
         let sign = if is_preserving { 1.0 } else { -1.0 };
         let mut give_sum = |corner: usize, sum: Vec3| {
             if let Some(tangent) = upright(unit(sum), normal) {
@@ -236,7 +251,8 @@ impl TangentSpace<'_> {
                 let is_not_opposite = || (0..2).all(|i| dot(own.along[i], other.along[i]) > -1.0);
                 own.joins_any || other.joins_any || own.corner == other.corner || is_not_opposite()
             };
-            let sum = members.iter().filter(agrees).fold(Vec3::ZERO, |sum, member| sum + member.weighted);
+            let sum =
+                members.iter().filter(agrees).fold(Vec3::ZERO, |sum, member| sum + member.weighted);
             give_sum(own.corner, sum);
         }
     }
@@ -300,5 +316,9 @@ pub(super) fn orthogonal(normal: Vec3, wish: Vec3, w: f32) -> [f32; 4] {
 /// who looks at the surface; along x where the normal is y.
 fn level(normal: DVec3) -> DVec3 {
     let right = DVec3::Y.cross(normal);
-    if right.length_squared() > 1e-10 { right.normalize() } else { DVec3::X.reject_from(normal).normalize() }
+    if right.length_squared() > 1e-10 {
+        right.normalize()
+    } else {
+        DVec3::X.reject_from(normal).normalize()
+    }
 }

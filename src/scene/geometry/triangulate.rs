@@ -1,20 +1,27 @@
-//! Polygons into triangles: by the better diagonal for quads, a fan for convex polygons, ear clipping for the others.
+//! Polygons into triangles: by the better diagonal for quads, a fan for convex polygons, ear
+//! clipping for the others.
 
 use glam::{DVec2, DVec3};
 
-/// Ear clipping tests at most this many points for each corner; a polygon that needs more (thousands of corners, most
-/// of them reflex) gets a fan for what is left, so that no file takes quadratic time.
+/// Ear clipping tests at most this many points for each corner; a polygon that needs more
+/// (thousands of corners, most of them reflex) gets a fan for what is left, so that no file takes
+/// quadratic time.
 const TESTS_PER_CORNER: usize = 256;
 
-/// Cuts a polygon into `n - 2` triangles, given as indices into `points`, wound as the polygon is. Never fails: a
-/// polygon that crosses itself still gives that many triangles. Fewer than 3 points give none.
+/// Cuts a polygon into `n - 2` triangles, given as indices into `points`, wound as the polygon is.
+/// Never fails: a polygon that crosses itself still gives that many triangles. Fewer than 3 points
+/// give none.
 pub(super) fn triangulate(points: &[DVec3], triangles: &mut Vec<[u32; 3]>) {
     match points.len() {
         0..=2 => {}
         3 => triangles.push([0, 1, 2]),
         _ => {
             let flat = flatten(points);
-            if points.len() == 4 { quad(points, &flat, triangles) } else { polygon(&flat, triangles) }
+            if points.len() == 4 {
+                quad(points, &flat, triangles)
+            } else {
+                polygon(&flat, triangles)
+            }
         }
     }
 }
@@ -22,8 +29,9 @@ pub(super) fn triangulate(points: &[DVec3], triangles: &mut Vec<[u32; 3]>) {
 /// Projects along the polygon's mean normal (Newell's method), so that it runs counter-clockwise.
 fn flatten(points: &[DVec3]) -> Vec<DVec2> {
     let origin = points[0];
-    let normal =
-        (0..points.len()).map(|i| (points[i] - origin).cross(points[(i + 1) % points.len()] - origin)).sum::<DVec3>();
+    let normal = (0..points.len())
+        .map(|i| (points[i] - origin).cross(points[(i + 1) % points.len()] - origin))
+        .sum::<DVec3>();
     let normal = normal.try_normalize().unwrap_or(DVec3::Z);
     let (x, y) = normal.any_orthonormal_pair();
     points.iter().map(|&p| DVec2::new((p - origin).dot(x), (p - origin).dot(y))).collect()
@@ -73,7 +81,8 @@ fn polygon(flat: &[DVec2], triangles: &mut Vec<[u32; 3]>) {
         ring.remove(at % n);
         refused = 0;
         let n = ring.len();
-        // Only the neighbours' angles have changed. Going on behind the ear spreads the triangles around.
+        // Only the neighbours' angles have changed. Going on behind the ear spreads the triangles
+        // around.
         for i in [(at + n - 1) % n, at % n] {
             let now_reflex = turn(corner(&ring, i)) <= 0.0;
             reflex.retain(|&r| r != ring[i]);
@@ -84,7 +93,8 @@ fn polygon(flat: &[DVec2], triangles: &mut Vec<[u32; 3]>) {
         reflex.retain(|&r| r != ear[1]);
         at = (at + 1) % n;
     }
-    triangles.extend((1..ring.len() - 1).map(|i| [ring[0], ring[i], ring[i + 1]].map(|i| i as u32)));
+    triangles
+        .extend((1..ring.len() - 1).map(|i| [ring[0], ring[i], ring[i + 1]].map(|i| i as u32)));
 }
 
 /// Whether the corner turns left and no reflex corner lies in its triangle.
@@ -94,7 +104,12 @@ fn is_ear(flat: &[DVec2], [a, b, c]: [usize; 3], reflex: &[usize]) -> bool {
         && reflex.iter().filter(|r| ![a, b, c].contains(r)).all(|&r| {
             let p = flat[r];
             // A point that coincides with a corner (a bridge to a hole) does not block.
-            p == pa || p == pb || p == pc || area(pa, pb, p) < 0.0 || area(pb, pc, p) < 0.0 || area(pc, pa, p) < 0.0
+            p == pa
+                || p == pb
+                || p == pc
+                || area(pa, pb, p) < 0.0
+                || area(pb, pc, p) < 0.0
+                || area(pc, pa, p) < 0.0
         })
 }
 
@@ -110,7 +125,8 @@ mod tests {
         let mut triangles = Vec::new();
         triangulate(&points3, &mut triangles);
         let flat = |i: u32| DVec2::from(points[i as usize]);
-        let areas = triangles.iter().map(|t| area(flat(t[0]), flat(t[1]), flat(t[2])) / 2.0).collect();
+        let areas =
+            triangles.iter().map(|t| area(flat(t[0]), flat(t[1]), flat(t[2])) / 2.0).collect();
         (triangles, areas)
     }
 
@@ -121,7 +137,18 @@ mod tests {
 
     #[test]
     fn concave_polygons_are_covered_once() {
-        let comb = [[0., 0.], [6., 0.], [6., 4.], [5., 4.], [5., 1.], [4., 1.], [4., 4.], [3., 4.], [3., 1.], [0., 1.]];
+        let comb = [
+            [0., 0.],
+            [6., 0.],
+            [6., 4.],
+            [5., 4.],
+            [5., 1.],
+            [4., 1.],
+            [4., 4.],
+            [3., 4.],
+            [3., 1.],
+            [0., 1.],
+        ];
         let arrow = [[0., 0.], [2., 1.], [0., 2.], [1., 1.]];
         let dart = [[2., 1.], [0., 2.], [1., 1.], [0., 0.]];
         for polygon in [&comb[..], &arrow, &dart] {
@@ -146,7 +173,8 @@ mod tests {
 
     #[test]
     fn a_big_zigzag_ends() {
-        let zigzag: Vec<[f64; 2]> = (0..20_000).map(|i| [f64::from(i), f64::from(i % 2) * 1e4]).collect();
+        let zigzag: Vec<[f64; 2]> =
+            (0..20_000).map(|i| [f64::from(i), f64::from(i % 2) * 1e4]).collect();
         assert_eq!(cut(&zigzag).0.len(), zigzag.len() - 2);
     }
 

@@ -1,7 +1,8 @@
 //! Zip files from strangers, read with a bound, and our own, written the same every time.
 //!
-//! The crate `zip` takes memory for as many entries as a file says it has, so what a file says is looked at before: each
-//! place that could be a directory of the archive is held against [`MAX_ENTRIES`].
+//! The crate `zip` takes memory for as many entries as a file says it has, so what a file says is
+//! looked at before: each place that could be a directory of the archive is held against
+//! [`MAX_ENTRIES`].
 
 use std::io::{Cursor, Read as _, Write as _};
 
@@ -13,8 +14,8 @@ use crate::diag::Diagnostic;
 
 /// More entries than this are refused: a plain zip has no more.
 const MAX_ENTRIES: u64 = 65_535;
-/// Everything that is unpacked from one archive, in bytes. Entries can share their packed bytes, so the size of the file
-/// bounds nothing.
+/// Everything that is unpacked from one archive, in bytes. Entries can share their packed bytes, so
+/// the size of the file bounds nothing.
 const MAX_UNPACKED: u64 = 2 << 30;
 /// Ends of directories in one file. One is usual; comments can hold some that only look like it.
 const MAX_ENDS: usize = 64;
@@ -32,7 +33,8 @@ impl<'a> Archive<'a> {
     /// Reads the directory.
     pub(super) fn open(bytes: &'a [u8]) -> Result<Self, Diagnostic> {
         if bytes.is_empty() {
-            return Err(Diagnostic::error("empty-file", "the file is empty").hint("save it again, or take a backup"));
+            return Err(Diagnostic::error("empty-file", "the file is empty")
+                .hint("save it again, or take a backup"));
         }
         if !bytes.starts_with(b"PK") {
             let message = "this is no HCBTF: it does not begin as a zip file does";
@@ -83,7 +85,10 @@ impl<'a> Archive<'a> {
         }
         let mut bytes = Vec::new();
         // One byte beyond the bound tells that there is more.
-        entry.take(bound + 1).read_to_end(&mut bytes).map_err(|error| unreadable(name, &ZipError::Io(error)))?;
+        entry
+            .take(bound + 1)
+            .read_to_end(&mut bytes)
+            .map_err(|error| unreadable(name, &ZipError::Io(error)))?;
         self.left -= (bytes.len() as u64).min(self.left);
         if bytes.len() as u64 > bound { Err(too_large()) } else { Ok(bytes) }
     }
@@ -96,15 +101,23 @@ fn check_claims(bytes: &[u8]) -> Result<(), Diagnostic> {
         Err(Diagnostic::error("too-many", message)
             .hint("this was not written by Chiaro: pack the files anew, as a plain zip"))
     };
-    let number = |at: usize| bytes.get(at..)?.first_chunk::<8>().map(|bytes| u64::from_le_bytes(*bytes));
+    let number =
+        |at: usize| bytes.get(at..)?.first_chunk::<8>().map(|bytes| u64::from_le_bytes(*bytes));
     let mut ends = 0;
-    for at in bytes.windows(4).enumerate().filter(|(_, four)| four.starts_with(b"PK")).map(|(at, _)| at) {
+    for at in
+        bytes.windows(4).enumerate().filter(|(_, four)| four.starts_with(b"PK")).map(|(at, _)| at)
+    {
         if bytes[at..].starts_with(END) {
             ends += 1;
         } else if bytes[at..].starts_with(LARGE_END) {
-            // Two counts of entries: on this disk, and in all. What is beyond the file's length was written by chance.
+            // Two counts of entries: on this disk, and in all. What is beyond the file's length was
+            // written by chance.
             let counts = [number(at + 24), number(at + 32)];
-            if counts.into_iter().flatten().any(|count| count > MAX_ENTRIES && count <= bytes.len() as u64) {
+            if counts
+                .into_iter()
+                .flatten()
+                .any(|count| count > MAX_ENTRIES && count <= bytes.len() as u64)
+            {
                 return too_many(&format!("than {MAX_ENTRIES} entries"));
             }
         }
@@ -115,18 +128,22 @@ fn check_claims(bytes: &[u8]) -> Result<(), Diagnostic> {
 /// What is wrong with an archive as a whole.
 fn broken(error: &ZipError) -> Diagnostic {
     let message = format!("the zip file cannot be read: {}", reason(error));
-    Diagnostic::error("hcbtf-archive", message).hint("it may be cut off: copy or save it again, or take a backup")
+    Diagnostic::error("hcbtf-archive", message)
+        .hint("it may be cut off: copy or save it again, or take a backup")
 }
 
 /// Why one entry cannot be read.
 fn unreadable(name: &str, error: &ZipError) -> Diagnostic {
     let hint = match error {
         ZipError::FileNotFound => "put the file back, or take it out of `painted` in manifest.json",
-        ZipError::CompressionMethodNotSupported(_) => "pack it with the method Deflate, or without compression",
+        ZipError::CompressionMethodNotSupported(_) => {
+            "pack it with the method Deflate, or without compression"
+        }
         ZipError::UnsupportedArchive(_) => "pack it as a plain zip: no password, one part",
         _ => "the file is damaged: pack the entry again, or take a backup",
     };
-    Diagnostic::error("hcbtf-entry", format!("`{name}` cannot be read: {}", reason(error))).hint(hint)
+    Diagnostic::error("hcbtf-entry", format!("`{name}` cannot be read: {}", reason(error)))
+        .hint(hint)
 }
 
 fn reason(error: &ZipError) -> String {
@@ -138,7 +155,8 @@ fn reason(error: &ZipError) -> String {
     }
 }
 
-/// Writes entries in the order given, with the time that zip files begin at and the same attributes everywhere.
+/// Writes entries in the order given, with the time that zip files begin at and the same attributes
+/// everywhere.
 pub(super) struct Writer(ZipWriter<Cursor<Vec<u8>>>);
 
 impl Writer {
@@ -156,7 +174,12 @@ impl Writer {
         self.entry(name, bytes, CompressionMethod::Stored)
     }
 
-    fn entry(&mut self, name: &str, bytes: &[u8], method: CompressionMethod) -> Result<(), ZipError> {
+    fn entry(
+        &mut self,
+        name: &str,
+        bytes: &[u8],
+        method: CompressionMethod,
+    ) -> Result<(), ZipError> {
         let options = SimpleFileOptions::default()
             .compression_method(method)
             .last_modified_time(DateTime::default())

@@ -1,15 +1,20 @@
-//! The texture of an HCBTF in compressed blocks (BC7): a byte a texel, with a small loss, where a device has them.
+//! The texture of an HCBTF in compressed blocks (BC7): a byte a texel, with a small loss, where a
+//! device has them.
 //!
-//! The texture is one long row of blocks of four by four texels, folded into rows of [`SIDE`] and layers of as many rows;
-//! the last layer comes first, as that is where a texture tells its grid. In it lie, one after the other:
+//! The texture is one long row of blocks of four by four texels, folded into rows of [`SIDE`] and
+//! layers of as many rows; the last layer comes first, as that is where a texture tells its grid.
+//! In it lie, one after the other:
 //!
 //! - two blocks that tell the grid, in their first texel each;
-//! - for each sample, view after view, the number of the block where its tile begins, in the first texel;
-//! - the tiles that differ, for each its levels, the largest first, each row after row of blocks. (x, y) is innermost: a
-//!   block has texels of one tile alone, and what lies beyond the tile's edge repeats the last texel before it.
+//! - for each sample, view after view, the number of the block where its tile begins, in the first
+//!   texel;
+//! - the tiles that differ, for each its levels, the largest first, each row after row of blocks.
+//!   (x, y) is innermost: a block has texels of one tile alone, and what lies beyond the tile's
+//!   edge repeats the last texel before it.
 //!
-//! A number is a texel's four bytes, the lowest first. Decoding BC7 is the same to the bit everywhere, and a block of one
-//! colour can have any: so numbers and flat paint come back as they were.
+//! A number is a texel's four bytes, the lowest first. Decoding BC7 is the same to the bit
+//! everywhere, and a block of one color can have any: so numbers and flat paint come back as they
+//! were.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -18,7 +23,9 @@ use std::sync::Arc;
 use block_compression::decode::decode_block_bc7;
 use block_compression::encode::compress_rgba8;
 use block_compression::{BC7Settings, CompressionVariant};
-use rayon::iter::{IndexedParallelIterator as _, IntoParallelRefIterator as _, ParallelIterator as _};
+use rayon::iter::{
+    IndexedParallelIterator as _, IntoParallelRefIterator as _, ParallelIterator as _,
+};
 use rayon::slice::ParallelSliceMut as _;
 
 use super::Progress;
@@ -28,7 +35,8 @@ use super::layers::{Layers, TOLD, direction_index, paint};
 use super::levels::{level_sizes, levels_of};
 use crate::document::{Address, Grid, Hcbtf, Tile};
 
-/// Blocks of a row, and rows of a layer where there are several. `shaders/lib/hcbtf.wgsl` knows its logarithm.
+/// Blocks of a row, and rows of a layer where there are several. `shaders/lib/hcbtf.wgsl` knows its
+/// logarithm.
 const SIDE: usize = 512;
 /// Texels along a block.
 const EDGE: usize = 4;
@@ -100,7 +108,11 @@ fn folded(blocks: u64) -> [u64; 3] {
 }
 
 impl Plan {
-    pub(super) fn new<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Tile>>, has_levels: bool) -> Self {
+    pub(super) fn new<'a>(
+        grid: &Grid,
+        tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
+        has_levels: bool,
+    ) -> Self {
         let (samples, tiles) = distinct(grid, tile);
         Self { samples, tiles, sizes: sizes(grid, has_levels) }
     }
@@ -122,7 +134,8 @@ impl Plan {
                 return Err(NotFilled::Stopped);
             }
             let smaller = if self.sizes.len() > 1 { levels_of(tile) } else { Vec::new() };
-            let blocks: Vec<u8> = std::iter::once(&**tile).chain(&smaller).flat_map(encoded).collect();
+            let blocks: Vec<u8> =
+                std::iter::once(&**tile).chain(&smaller).flat_map(encoded).collect();
             progress.add(1);
             Ok(blocks)
         };
@@ -140,7 +153,12 @@ impl Plan {
             1 => bytes,
             _ => bytes.chunks_exact(layer).rev().collect::<Vec<_>>().concat(),
         };
-        Ok(Layers { size: [width as u32, height as u32], count: count as u32, coding: Coding::Bc7, bytes })
+        Ok(Layers {
+            size: [width as u32, height as u32],
+            count: count as u32,
+            coding: Coding::Bc7,
+            bytes,
+        })
     }
 }
 
@@ -169,15 +187,16 @@ fn block(texels: &[u8; TEXELS]) -> [u8; BLOCK] {
     }
     let is_opaque = colors.iter().all(|color| color[3] == u8::MAX);
     // The slower ones take four times as long and are off by a tenth less.
-    let settings = if is_opaque { BC7Settings::opaque_very_fast() } else { BC7Settings::alpha_fast() };
+    let settings =
+        if is_opaque { BC7Settings::opaque_very_fast() } else { BC7Settings::alpha_fast() };
     let mut out = [0; BLOCK];
     let edge = EDGE as u32;
     compress_rgba8(CompressionVariant::BC7(settings), texels, &mut out, edge, edge, 4 * edge);
     if is_opaque { opaque(out) } else { out }
 }
 
-/// A block of opaque paint that is opaque: the encoder may round alpha to 254 in mode 6, where all channels of an end have
-/// the same last bit. Colours are off by 1 at most for it.
+/// A block of opaque paint that is opaque: the encoder may round alpha to 254 in mode 6, where all
+/// channels of an end have the same last bit. Colors are off by 1 at most for it.
 fn opaque(block: [u8; BLOCK]) -> [u8; BLOCK] {
     const ENDS_OF_ALPHA: u128 = 0x3fff << 49;
     const LAST_BITS: u128 = 3 << 63;
@@ -187,8 +206,9 @@ fn opaque(block: [u8; BLOCK]) -> [u8; BLOCK] {
     }
 }
 
-/// A block whose sixteen texels have one colour, whichever: mode 5, with every texel a third between two ends of seven
-/// bits, of which there are some for each of the 256 numbers; alpha has eight bits.
+/// A block whose sixteen texels have one color, whichever: mode 5, with every texel a third
+/// between two ends of seven bits, of which there are some for each of the 256 numbers; alpha has
+/// eight bits.
 fn of_one_color(color: [u8; 4]) -> [u8; BLOCK] {
     let mut bits: u128 = 1 << 5;
     let mut at = 8;
@@ -218,7 +238,9 @@ fn ends(wanted: u8) -> [u8; 2] {
     let whole = |end: u8| u32::from(end << 1 | end >> 6);
     let around = || (near.saturating_sub(1)..=near.saturating_add(1)).filter(|end| *end < 128);
     let pairs = around().flat_map(|low| around().map(move |high| [low, high]));
-    let is_right = |[low, high]: &[u8; 2]| (43 * whole(*low) + 21 * whole(*high) + 32) >> 6 == u32::from(wanted);
+    let is_right = |[low, high]: &[u8; 2]| {
+        (43 * whole(*low) + 21 * whole(*high) + 32) >> 6 == u32::from(wanted)
+    };
     pairs.into_iter().find(is_right).unwrap_or([near, near])
 }
 
@@ -227,7 +249,11 @@ pub(super) fn told(layer: &[u8]) -> Option<[u8; 8]> {
     let mut told = [0; 8];
     for (index, told) in told.as_chunks_mut::<4>().0.iter_mut().enumerate() {
         let mut texels = [0; TEXELS];
-        decode_block_bc7(layer.get(BLOCK * index..)?.first_chunk::<BLOCK>()?, &mut texels, 4 * EDGE);
+        decode_block_bc7(
+            layer.get(BLOCK * index..)?.first_chunk::<BLOCK>()?,
+            &mut texels,
+            4 * EDGE,
+        );
         *told = *texels.first_chunk()?;
     }
     Some(told)
@@ -241,7 +267,9 @@ fn decoded(size: [u32; 2], bytes: &[u8]) -> Vec<u8> {
     if across > 0 {
         let rows = rgba.par_chunks_exact_mut(EDGE * stride).enumerate();
         rows.for_each(|(row, texels)| {
-            for (index, block) in bytes[BLOCK * across * row..][..BLOCK * across].chunks_exact(BLOCK).enumerate() {
+            for (index, block) in
+                bytes[BLOCK * across * row..][..BLOCK * across].chunks_exact(BLOCK).enumerate()
+            {
                 decode_block_bc7(block, &mut texels[4 * EDGE * index..], stride);
             }
         });
@@ -249,7 +277,8 @@ fn decoded(size: [u32; 2], bytes: &[u8]) -> Vec<u8> {
     rgba
 }
 
-/// The HCBTF in such a texture, as it is after its loss; `None` where it does not hold what it tells of.
+/// The HCBTF in such a texture, as it is after its loss; `None` where it does not hold what it
+/// tells of.
 pub(super) fn read(grid: &Grid, layers: &Layers, has_levels: bool) -> Option<Hcbtf> {
     let samples = grid.view.count() as u64 * grid.light.count() as u64;
     let count = layers.bytes.len() / BLOCK;
@@ -259,7 +288,8 @@ pub(super) fn read(grid: &Grid, layers: &Layers, has_levels: bool) -> Option<Hcb
     let of_layer = count / layers.count.max(1) as usize;
     let texels = |index: usize| {
         let layer = (layers.count as usize).checked_sub(index.checked_div(of_layer)? + 1)?;
-        let block = layers.bytes.get(BLOCK * (layer * of_layer + index % of_layer)..)?.get(..BLOCK)?;
+        let block =
+            layers.bytes.get(BLOCK * (layer * of_layer + index % of_layer)..)?.get(..BLOCK)?;
         let mut texels = [0; TEXELS];
         decode_block_bc7(block, &mut texels, 4 * EDGE);
         Some(texels)
@@ -284,7 +314,8 @@ pub(super) fn read(grid: &Grid, layers: &Layers, has_levels: bool) -> Option<Hcb
                 let [left, top] = [index % across * EDGE, index / across * EDGE];
                 for (row, texels) in texels.chunks_exact(4 * EDGE).enumerate().take(height - top) {
                     let wide = 4 * EDGE.min(width - left);
-                    rgba[4 * ((top + row) * width + left)..][..wide].copy_from_slice(&texels[..wide]);
+                    rgba[4 * ((top + row) * width + left)..][..wide]
+                        .copy_from_slice(&texels[..wide]);
                 }
             }
             entry.insert(Arc::new(Tile::new(grid.size, rgba)?));
@@ -294,7 +325,8 @@ pub(super) fn read(grid: &Grid, layers: &Layers, has_levels: bool) -> Option<Hcb
     Some(hcbtf)
 }
 
-/// How far texels are from what was painted, of 255, as seen over black: what is transparent has no colour.
+/// How far texels are from what was painted, of 255, as seen over black: what is transparent has no
+/// color.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Loss {
     /// The root of the mean of squares, over all channels of all tiles that differ.
@@ -303,14 +335,23 @@ pub struct Loss {
     pub largest: f64,
 }
 
-/// What a texture lost of the tiles that it was made of; nothing, where it has no blocks. Smaller levels are not looked at.
-pub fn loss<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Tile>>, layers: &Layers) -> Loss {
-    let Some(shown) = (layers.coding == Coding::Bc7).then(|| super::from_layers(layers).ok()).flatten() else {
+/// What a texture lost of the tiles that it was made of; nothing, where it has no blocks. Smaller
+/// levels are not looked at.
+pub fn loss<'a>(
+    grid: &Grid,
+    tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
+    layers: &Layers,
+) -> Loss {
+    let Some(shown) =
+        (layers.coding == Coding::Bc7).then(|| super::from_layers(layers).ok()).flatten()
+    else {
         return Loss::default();
     };
     let pairs: HashMap<*const Tile, (&Tile, Option<&Arc<Tile>>)> = grid
         .addresses()
-        .filter_map(|address| tile(address).map(|tile| (Arc::as_ptr(tile), (&**tile, shown.painted(address)))))
+        .filter_map(|address| {
+            tile(address).map(|tile| (Arc::as_ptr(tile), (&**tile, shown.painted(address))))
+        })
         .collect();
     let mut sum = 0.0;
     let mut count = 0;
@@ -321,7 +362,10 @@ pub fn loss<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Tile>>, la
     };
     for (painted, shown) in pairs.into_values() {
         for (index, painted) in painted.bytes().as_chunks().0.iter().enumerate() {
-            let shown = shown.and_then(|shown| shown.bytes().as_chunks().0.get(index)).copied().unwrap_or_default();
+            let shown = shown
+                .and_then(|shown| shown.bytes().as_chunks().0.get(index))
+                .copied()
+                .unwrap_or_default();
             for (painted, shown) in over_black(*painted).into_iter().zip(over_black(shown)) {
                 let off = (painted - shown).abs();
                 sum += off * off;
@@ -343,7 +387,8 @@ mod tests {
         Grid { size, light: Directions { theta: 2, phi: 3 }, view: Directions { theta: 3, phi: 4 } }
     }
 
-    const OPTIONS: LayerOptions = LayerOptions { has_levels: true, is_decoded: false, storage: Storage::Blocks };
+    const OPTIONS: LayerOptions =
+        LayerOptions { has_levels: true, is_decoded: false, storage: Storage::Blocks };
 
     #[test]
     fn a_block_of_one_color_has_any_color() {
@@ -355,15 +400,18 @@ mod tests {
         }
     }
 
-    /// Of any colours, whichever mode they are put down in.
+    /// Of any colors, whichever mode they are put down in.
     #[test]
     fn opaque_paint_stays_opaque() {
         let mut random = 7_u64;
         for spread in [2, 5, 12, 40, 120, 255] {
             for _ in 0..300 {
                 let mut texels = [u8::MAX; TEXELS];
-                for (index, byte) in texels.iter_mut().enumerate().filter(|(index, _)| index % 4 < 3) {
-                    random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(index as u64);
+                for (index, byte) in
+                    texels.iter_mut().enumerate().filter(|(index, _)| index % 4 < 3)
+                {
+                    random =
+                        random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(index as u64);
                     *byte = ((random >> 33) % spread) as u8;
                 }
                 let mut shown = [0; TEXELS];
@@ -373,7 +421,8 @@ mod tests {
         }
     }
 
-    /// Smooth paint, whose blocks say nearly what it is; of odd sizes and of sizes that are whole blocks.
+    /// Smooth paint, whose blocks say nearly what it is; of odd sizes and of sizes that are whole
+    /// blocks.
     #[test]
     fn what_is_stored_is_nearly_read() {
         for size in [[8, 8], [5, 3], [1, 1], [13, 6]] {
@@ -381,22 +430,42 @@ mod tests {
             let tile = |seed: u32| {
                 let texel = |at: u32| {
                     let [x, y] = [at % size[0], at / size[0]];
-                    [(90 + 7 * x + seed) as u8, (200 - 9 * y) as u8, (40 + 4 * x + 5 * y) as u8, 255]
+                    [
+                        (90 + 7 * x + seed) as u8,
+                        (200 - 9 * y) as u8,
+                        (40 + 4 * x + 5 * y) as u8,
+                        255,
+                    ]
                 };
-                Arc::new(Tile::new(size, (0..grid.texels() as u32).flat_map(texel).collect()).unwrap())
+                Arc::new(
+                    Tile::new(size, (0..grid.texels() as u32).flat_map(texel).collect()).unwrap(),
+                )
             };
             let tiles: Vec<Arc<Tile>> = (0..5).map(tile).collect();
-            let of = |address: Address| tiles.get((address.view.phi + address.light.theta) as usize);
+            let of =
+                |address: Address| tiles.get((address.view.phi + address.light.theta) as usize);
             let made = stored(&grid, of, OPTIONS, &Progress::new()).unwrap();
-            assert_eq!(made.bytes.len() as u64, Plan::new(&grid, of, true).size().iter().product::<u64>());
+            assert_eq!(
+                made.bytes.len() as u64,
+                Plan::new(&grid, of, true).size().iter().product::<u64>()
+            );
             let back = from_layers(&ktx2::read(&ktx2::write(&made), "a.ktx2").unwrap()).unwrap();
             let mut largest = 0;
             for address in grid.addresses() {
                 let (painted, shown) = (of(address).unwrap(), back.painted(address).unwrap());
-                let off = painted.bytes().iter().zip(shown.bytes()).map(|(a, b)| a.abs_diff(*b)).max().unwrap();
+                let off = painted
+                    .bytes()
+                    .iter()
+                    .zip(shown.bytes())
+                    .map(|(a, b)| a.abs_diff(*b))
+                    .max()
+                    .unwrap();
                 assert!(off <= 6, "{size:?} {address}: {off:?}");
                 largest = largest.max(off);
-                assert!(shown.bytes().chunks(4).all(|texel| texel[3] == 255), "{size:?} {address}: it stays opaque");
+                assert!(
+                    shown.bytes().chunks(4).all(|texel| texel[3] == 255),
+                    "{size:?} {address}: it stays opaque"
+                );
             }
             let loss = loss(&grid, of, &made);
             assert_eq!(loss.largest, f64::from(largest));
@@ -434,7 +503,8 @@ mod tests {
     #[test]
     fn encoding_is_counted_and_can_be_stopped() {
         let grid = grid([6, 6]);
-        let tiles = [Arc::new(Tile::filled(grid.size, [1; 4])), Arc::new(Tile::filled(grid.size, [2; 4]))];
+        let tiles =
+            [Arc::new(Tile::filled(grid.size, [1; 4])), Arc::new(Tile::filled(grid.size, [2; 4]))];
         let of = |address: Address| tiles.get(usize::from(address.view.theta > 0));
         let progress = Progress::new();
         stored(&grid, of, OPTIONS, &progress).unwrap();

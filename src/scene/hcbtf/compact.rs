@@ -1,14 +1,16 @@
-//! The texture of an HCBTF with as little memory as it can do with, and without loss: every tile that differs once, with
-//! (x, y) innermost, and as indices into a palette where that is smaller.
+//! The texture of an HCBTF with as little memory as it can do with, and without loss: every tile
+//! that differs once, with (x, y) innermost, and as indices into a palette where that is smaller.
 //!
-//! The texture is one long row of words, a texel each, folded into rows of [`SIDE`] and layers of as many rows; the last
-//! layer comes first, as that is where a texture tells its grid. In it lie, one after the other:
+//! The texture is one long row of words, a texel each, folded into rows of [`SIDE`] and layers of
+//! as many rows; the last layer comes first, as that is where a texture tells its grid. In it lie,
+//! one after the other:
 //!
 //! - two words that tell the grid, as in every texture (`layers.rs`);
 //! - for each sample, view after view, where the record of its tile begins;
-//! - the records: for each level of a tile, where its texels begin and where its palette does, or 0 for none;
-//! - the palettes, a colour a word, which many tiles share;
-//! - the texels of each level, row after row: a colour a word, or four indices.
+//! - the records: for each level of a tile, where its texels begin and where its palette does, or 0
+//!   for none;
+//! - the palettes, a color a word, which many tiles share;
+//! - the texels of each level, row after row: a color a word, or four indices.
 //!
 //! A number is a word's four bytes, the lowest first. Levels that are equal lie there once, too.
 
@@ -24,9 +26,10 @@ use super::layers::{Layers, TOLD, direction, direction_index, paint};
 use super::levels::{level_sizes, levels_of};
 use crate::document::{Address, Grid, Hcbtf, Tile};
 
-/// Words of a row, and rows of a layer where there are several. `shaders/lib/hcbtf.wgsl` knows its logarithm.
+/// Words of a row, and rows of a layer where there are several. `shaders/lib/hcbtf.wgsl` knows its
+/// logarithm.
 pub(super) const SIDE: usize = 2048;
-/// Colours that an index of a byte tells apart.
+/// Colors that an index of a byte tells apart.
 const MOST_COLORS: usize = 256;
 /// As many of the newest palettes are tried before a new one is begun.
 const TRIED: usize = 8;
@@ -55,7 +58,11 @@ impl Piece {
 }
 
 /// Texels of a layer and the number of layers, without making them.
-pub(super) fn size<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Tile>>, has_levels: bool) -> [u64; 3] {
+pub(super) fn size<'a>(
+    grid: &Grid,
+    tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
+    has_levels: bool,
+) -> [u64; 3] {
     Plan::new(grid, tile, has_levels).size()
 }
 
@@ -65,7 +72,11 @@ pub(super) fn most(grid: &Grid, has_levels: bool) -> [u64; 3] {
     let texels = level_sizes(grid).take(count).map(|size| u64::from(size[0]) * u64::from(size[1]));
     let tile = texels.fold(0, |words, texels| words + 2 + texels);
     let samples = grid.view.count() as u64 * grid.light.count() as u64;
-    folded((TOLD as u64).saturating_add(samples).saturating_add(grid.sample_count().saturating_mul(tile)))
+    folded(
+        (TOLD as u64)
+            .saturating_add(samples)
+            .saturating_add(grid.sample_count().saturating_mul(tile)),
+    )
 }
 
 /// Words as the width and height of layers, and their number.
@@ -75,9 +86,12 @@ fn folded(words: u64) -> [u64; 3] {
     [words.min(side), rows.min(side), rows.div_ceil(side)]
 }
 
-/// For each sample, view after view, which of the tiles that differ it has; and those. A sample without a tile is
-/// transparent black.
-pub(super) fn distinct<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Tile>>) -> (Vec<u32>, Vec<Arc<Tile>>) {
+/// For each sample, view after view, which of the tiles that differ it has; and those. A sample
+/// without a tile is transparent black.
+pub(super) fn distinct<'a>(
+    grid: &Grid,
+    tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
+) -> (Vec<u32>, Vec<Arc<Tile>>) {
     let empty = Arc::new(Tile::filled(grid.size, [0; 4]));
     let mut known: HashMap<*const Tile, u32> = HashMap::new();
     let mut tiles: Vec<Arc<Tile>> = Vec::new();
@@ -99,18 +113,26 @@ pub(super) fn distinct<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc
 }
 
 impl Plan {
-    pub(super) fn new<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Tile>>, has_levels: bool) -> Self {
+    pub(super) fn new<'a>(
+        grid: &Grid,
+        tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
+        has_levels: bool,
+    ) -> Self {
         let (samples, tiles) = distinct(grid, tile);
         let count = if has_levels { level_sizes(grid).count() } else { 1 };
         let smaller = |tile: &Arc<Tile>| if has_levels { levels_of(tile) } else { Vec::new() };
         let smaller: Vec<Vec<Tile>> = tiles.par_iter().map(smaller).collect();
-        let levels_of_one =
-            |(tile, smaller): (Arc<Tile>, Vec<Tile>)| std::iter::once(tile).chain(smaller.into_iter().map(Arc::new));
+        let levels_of_one = |(tile, smaller): (Arc<Tile>, Vec<Tile>)| {
+            std::iter::once(tile).chain(smaller.into_iter().map(Arc::new))
+        };
         let all = tiles.into_iter().zip(smaller).flat_map(levels_of_one);
         let (pieces, place) = shared(all.collect());
         let levels = place.chunks(count).map(<[u32]>::to_vec).collect();
         let mut palettes = Palettes::default();
-        let pieces = pieces.into_iter().map(|texels| Piece { palette: palettes.of(&texels), texels }).collect();
+        let pieces = pieces
+            .into_iter()
+            .map(|texels| Piece { palette: palettes.of(&texels), texels })
+            .collect();
         Self { samples, levels, pieces, palettes: palettes.all }
     }
 
@@ -164,7 +186,9 @@ impl Plan {
         for piece in &self.pieces {
             match piece.palette {
                 Some(palette) => {
-                    let index = |color: &[u8; 4]| self.palettes[palette].get_index_of(color).unwrap_or(0) as u8;
+                    let index = |color: &[u8; 4]| {
+                        self.palettes[palette].get_index_of(color).unwrap_or(0) as u8
+                    };
                     bytes.extend(colors(&piece.texels).map(index));
                     bytes.resize(bytes.len().next_multiple_of(4), 0);
                 }
@@ -177,7 +201,12 @@ impl Plan {
             1 => bytes,
             _ => bytes.chunks_exact(layer).rev().collect::<Vec<_>>().concat(),
         };
-        Layers { size: [width as u32, height as u32], count: count as u32, coding: Coding::Rgba8, bytes: rgba }
+        Layers {
+            size: [width as u32, height as u32],
+            count: count as u32,
+            coding: Coding::Rgba8,
+            bytes: rgba,
+        }
     }
 }
 
@@ -188,7 +217,7 @@ struct Palettes {
 }
 
 impl Palettes {
-    /// The palette that a piece is put down with; `None` where its own colours take less room.
+    /// The palette that a piece is put down with; `None` where its own colors take less room.
     fn of(&mut self, texels: &Tile) -> Option<usize> {
         let mut own = IndexSet::new();
         for color in colors(texels) {
@@ -219,8 +248,8 @@ fn colors(tile: &Tile) -> impl Iterator<Item = &[u8; 4]> {
     tile.bytes().as_chunks().0.iter()
 }
 
-/// The HCBTF in a compact texture's words, without those that tell the grid; `None` where it does not hold what it
-/// tells of, or tells of more than there may be.
+/// The HCBTF in a compact texture's words, without those that tell the grid; `None` where it does
+/// not hold what it tells of, or tells of more than there may be.
 pub(super) fn read(grid: &Grid, words: &[u8]) -> Option<Hcbtf> {
     let samples = grid.view.count() as u64 * grid.light.count() as u64;
     if samples > MAX_SAMPLES || samples >= words.len() as u64 / 4 {
@@ -257,18 +286,30 @@ mod tests {
     use crate::document::{Directions, Storage};
     use crate::hcbtf::{LayerOptions, Progress, from_layers, ktx2, stored};
 
-    /// Five large tiles of many colours, one of two colours for all that is left: more than one layer.
+    /// Five large tiles of many colors, one of two colors for all that is left: more than one
+    /// layer.
     #[test]
     fn what_is_stored_is_read() {
-        let grid =
-            Grid { size: [1024, 836], light: Directions { theta: 2, phi: 4 }, view: Directions { theta: 2, phi: 2 } };
-        let tile = |seed: u32, colors: u32| {
-            let texel = |at: u32| (((at ^ seed).wrapping_mul(0x9e37_79b1) % colors) | 0xff00_0000).to_le_bytes();
-            Arc::new(Tile::new(grid.size, (0..grid.texels() as u32).flat_map(texel).collect()).unwrap())
+        let grid = Grid {
+            size: [1024, 836],
+            light: Directions { theta: 2, phi: 4 },
+            view: Directions { theta: 2, phi: 2 },
         };
-        let tiles: Vec<Arc<Tile>> = (0..5).map(|seed| tile(seed, 70_000)).chain([tile(9, 2)]).collect();
-        let all: HashMap<Address, &Arc<Tile>> =
-            grid.addresses().enumerate().map(|(index, address)| (address, &tiles[index.min(5)])).collect();
+        let tile = |seed: u32, colors: u32| {
+            let texel = |at: u32| {
+                (((at ^ seed).wrapping_mul(0x9e37_79b1) % colors) | 0xff00_0000).to_le_bytes()
+            };
+            Arc::new(
+                Tile::new(grid.size, (0..grid.texels() as u32).flat_map(texel).collect()).unwrap(),
+            )
+        };
+        let tiles: Vec<Arc<Tile>> =
+            (0..5).map(|seed| tile(seed, 70_000)).chain([tile(9, 2)]).collect();
+        let all: HashMap<Address, &Arc<Tile>> = grid
+            .addresses()
+            .enumerate()
+            .map(|(index, address)| (address, &tiles[index.min(5)]))
+            .collect();
         let of = |address: Address| all.get(&address).copied();
         let options = LayerOptions { storage: Storage::Compact, ..LayerOptions::default() };
         let made = stored(&grid, of, options, &Progress::new()).unwrap();
@@ -280,15 +321,21 @@ mod tests {
         assert!(grid.addresses().all(|address| back.painted(address) == of(address)));
     }
 
-    /// Tiles of few colours take a quarter, and the words that say which.
+    /// Tiles of few colors take a quarter, and the words that say which.
     #[test]
     fn tiles_of_few_colors_share_a_palette() {
         let directions = Directions { theta: 3, phi: 8 };
         let grid = Grid { size: [32, 32], light: directions, view: directions };
         let tiles: Vec<Arc<Tile>> = (0..grid.sample_count() as u32)
             .map(|seed| {
-                let texel =
-                    |at: u32| [(at.wrapping_mul(seed + 7) >> 3) as u8 & 0xc0, (at % 40) as u8, seed as u8 & 1, 255];
+                let texel = |at: u32| {
+                    [
+                        (at.wrapping_mul(seed + 7) >> 3) as u8 & 0xc0,
+                        (at % 40) as u8,
+                        seed as u8 & 1,
+                        255,
+                    ]
+                };
                 Arc::new(Tile::new(grid.size, (0..1024).flat_map(texel).collect()).unwrap())
             })
             .collect();

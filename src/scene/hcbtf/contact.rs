@@ -1,7 +1,9 @@
-//! Contact sheets: all samples side by side in one picture, to be looked at or painted on in any program.
+//! Contact sheets: all samples side by side in one picture, to be looked at or painted on in any
+//! program.
 //!
-//! Views go across and lights go down, each in the order of [`Directions::distinct`](crate::document::Directions::distinct):
-//! the normal first and once, then ring by ring. Between tiles there may be a gap, which is transparent and not read.
+//! Views go across and lights go down, each in the order of
+//! [`Directions::distinct`](crate::document::Directions::distinct): the normal first and once, then
+//! ring by ring. Between tiles there may be a gap, which is transparent and not read.
 
 use super::fill::{Filled, Which};
 use super::picture::{Picture, decode, reduced};
@@ -25,16 +27,25 @@ pub fn size(grid: &Grid, gap: u32) -> Result<[u32; 2], String> {
     let side = |count: u64, tile: u32| count * u64::from(tile + gap) - u64::from(gap);
     let width = side(grid.view.distinct_count(), grid.size[0]);
     let height = side(grid.light.distinct_count(), grid.size[1]);
-    match (u32::try_from(width), u32::try_from(height), width.saturating_mul(height).saturating_mul(4)) {
+    match (
+        u32::try_from(width),
+        u32::try_from(height),
+        width.saturating_mul(height).saturating_mul(4),
+    ) {
         (Ok(width), Ok(height), ..=MAX_PAINTED_BYTES) => Ok([width, height]),
-        _ => Err(format!("{width} x {height} texels take more than {} MiB", MAX_PAINTED_BYTES >> 20)),
+        _ => {
+            Err(format!("{width} x {height} texels take more than {} MiB", MAX_PAINTED_BYTES >> 20))
+        }
     }
 }
 
 /// Where a sample's tile begins.
 fn place(grid: &Grid, address: Address, gap: u32) -> [usize; 2] {
     let step = |index: u64, tile: u32| index as usize * (tile + gap) as usize;
-    [step(grid.view.index(address.view), grid.size[0]), step(grid.light.index(address.light), grid.size[1])]
+    [
+        step(grid.view.index(address.view), grid.size[0]),
+        step(grid.light.index(address.light), grid.size[1]),
+    ]
 }
 
 /// The contact sheet of a filled HCBTF, with `gap` texels between tiles.
@@ -44,7 +55,8 @@ fn place(grid: &Grid, address: Address, gap: u32) -> [usize; 2] {
 pub fn export(filled: &Filled, gap: u32, which: Which) -> Result<Picture, Box<Diagnostic>> {
     let grid = filled.grid();
     let size = size(&grid, gap).map_err(|why| {
-        let problem = Diagnostic::error("too-large", format!("the contact sheet cannot be made: {why}"));
+        let problem =
+            Diagnostic::error("too-large", format!("the contact sheet cannot be made: {why}"));
         Box::new(problem.hint("take a coarser grid or a narrower gap"))
     })?;
     let mut picture = Picture::transparent(size, "contact sheet")?;
@@ -56,11 +68,12 @@ pub fn export(filled: &Filled, gap: u32, which: Which) -> Result<Picture, Box<Di
     Ok(picture)
 }
 
-/// An HCBTF from a PNG of its contact sheet; `name` is what diagnostics call the file. Tiles that are transparent black all
-/// over are left empty. `progress` counts samples.
+/// An HCBTF from a PNG of its contact sheet; `name` is what diagnostics call the file. Tiles that
+/// are transparent black all over are left empty. `progress` counts samples.
 ///
 /// # Errors
-/// Where it is no PNG, or not of the size that the grid and the gap ask for, and where it is stopped.
+/// Where it is no PNG, or not of the size that the grid and the gap ask for, and where it is
+/// stopped.
 pub fn read(
     png: &[u8],
     grid: Grid,
@@ -89,9 +102,13 @@ pub fn read(
             Some(hcbtf)
         }
         Err(why) => {
-            let problem = Diagnostic::error("hcbtf-contact", format!("the contact sheet cannot be used: {why}"));
-            report
-                .add(problem.hint("name the grid and the gap that it was made with (--grid 32x32,6x10,6x10 --gap 2)"));
+            let problem = Diagnostic::error(
+                "hcbtf-contact",
+                format!("the contact sheet cannot be used: {why}"),
+            );
+            report.add(problem.hint(
+                "name the grid and the gap that it was made with (--grid 32x32,6x10,6x10 --gap 2)",
+            ));
             None
         }
     };
@@ -118,20 +135,27 @@ mod tests {
 
     #[test]
     fn samples_lie_by_view_and_light_and_come_back() {
-        let grid = Grid { size: [3, 2], light: Directions { theta: 2, phi: 3 }, view: Directions { theta: 3, phi: 2 } };
+        let grid = Grid {
+            size: [3, 2],
+            light: Directions { theta: 2, phi: 3 },
+            view: Directions { theta: 3, phi: 2 },
+        };
         let tile = |address: Address| {
             let n = grid.index(address).unwrap() as u8;
-            painted(grid.size, (0..24).map(|byte| n.wrapping_mul(7).wrapping_add(byte)).collect()).unwrap()
+            painted(grid.size, (0..24).map(|byte| n.wrapping_mul(7).wrapping_add(byte)).collect())
+                .unwrap()
         };
         let mut hcbtf = Hcbtf::new(grid);
-        hcbtf.painted = grid.addresses().step_by(3).map(|address| (address, tile(address))).collect();
+        hcbtf.painted =
+            grid.addresses().step_by(3).map(|address| (address, tile(address))).collect();
         let progress = Progress::new();
         for gap in [0, 1, 5] {
             let filled = fill(&hcbtf, &progress).unwrap();
             let picture = export(&filled, gap, Which::All).unwrap();
             // 5 views across, 4 lights down.
             assert_eq!(picture.size, [5 * 3 + 4 * gap, 4 * 2 + 3 * gap]);
-            let back = read(&picture.to_png().unwrap(), grid, gap, "c.png", &Progress::new()).unwrap();
+            let back =
+                read(&picture.to_png().unwrap(), grid, gap, "c.png", &Progress::new()).unwrap();
             assert_eq!(back.0.painted, hcbtf.painted, "gap {gap}");
             assert!(back.1.is_empty());
         }
@@ -141,7 +165,8 @@ mod tests {
         let address = Address::new([1, 1], [0, 0]);
         let expected = hcbtf.painted(address).map_or([0; 4], |tile| tile.texel(0, 0));
         assert_eq!(picture.texel(0, 2 * (2 + 2)), expected);
-        let problems = read(&picture.to_png().unwrap(), grid, 1, "c.png", &Progress::new()).unwrap_err();
+        let problems =
+            read(&picture.to_png().unwrap(), grid, 1, "c.png", &Progress::new()).unwrap_err();
         assert!(problems[0].to_string().contains("c.png: error[hcbtf-contact]"), "{problems:?}");
         assert!(size(&grid, MAX_GAP + 1).is_err());
     }

@@ -1,5 +1,5 @@
-//! What an `.hcbtf` file shows of itself before it is opened: its thumbnail, how finely it is divided, and how much of it is
-//! painted. No sample is read.
+//! What an `.hcbtf` file shows of itself before it is opened: its thumbnail, how finely it is
+//! divided, and how much of it is painted. No sample is read.
 
 use std::path::Path;
 
@@ -26,7 +26,8 @@ pub struct Cover {
     pub picture: Option<Picture>,
 }
 
-/// The cover of the `.hcbtf` file at `path`; `None` where it is none, is damaged, or is larger than 64 MiB.
+/// The cover of the `.hcbtf` file at `path`; `None` where it is none, is damaged, or is larger than
+/// 64 MiB.
 pub fn cover(path: &Path) -> Option<Cover> {
     if std::fs::metadata(path).is_ok_and(|file| file.len() > MOST_BYTES) {
         return None;
@@ -38,7 +39,8 @@ pub fn cover(path: &Path) -> Option<Cover> {
     let manifest = manifest::parse(&text, &mut report).filter(|_| !report.has_errors())?;
     let most = u64::from(MOST_SIDE) * u64::from(MOST_SIDE) * 4 + MAX_PNG_EXTRAS;
     let png = archive.has(THUMBNAIL).then(|| archive.read(THUMBNAIL, most).ok()).flatten();
-    let accept = |size: [u32; 2]| match size.into_iter().all(|side| (1..=MOST_SIDE).contains(&side)) {
+    let accept = |size: [u32; 2]| match size.into_iter().all(|side| (1..=MOST_SIDE).contains(&side))
+    {
         true => Ok(()),
         false => Err("it is no thumbnail".to_owned()),
     };
@@ -60,7 +62,9 @@ mod tests {
         let directions = Directions { theta: 2, phi: 3 };
         let grid = Grid { size: [6, 3], light: directions, view: directions };
         let mut hcbtf = Hcbtf::new(grid);
-        hcbtf.painted.insert(Address::default(), Arc::new(Tile::filled(grid.size, [9, 80, 200, 255])));
+        hcbtf
+            .painted
+            .insert(Address::default(), Arc::new(Tile::filled(grid.size, [9, 80, 200, 255])));
         let bytes = write(&hcbtf).unwrap();
         let path = folder.path().join("a.hcbtf");
         std::fs::write(&path, &bytes).unwrap();

@@ -1,4 +1,5 @@
-//! HCBTFs in the forms of other programs: what the command line and the window import and export is the same.
+//! HCBTFs in the forms of other programs: what the command line and the window import and export is
+//! the same.
 
 use std::path::{Path, PathBuf};
 
@@ -27,7 +28,8 @@ impl Form {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::Folder, Self::Contact, Self::Sheet, Self::Ktx2];
 
-    /// What a path is taken for where nobody says: a folder for a folder, a KTX2 file for a texture, all else for a sheet.
+    /// What a path is taken for where nobody says: a folder for a folder, a KTX2 file for a
+    /// texture, all else for a sheet.
     pub fn guessed(path: &Path) -> Self {
         let is_ktx2 = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("ktx2"));
         match is_ktx2 {
@@ -38,12 +40,14 @@ impl Form {
     }
 }
 
-/// The grid with as many texels a tile as the pictures at `from` have, with `gap` texels between tiles on a contact sheet.
-/// A folder that Chiaro wrote tells all of its grid. Where nothing can be told it is as it was, and importing tells what is
-/// wrong.
+/// The grid with as many texels a tile as the pictures at `from` have, with `gap` texels between
+/// tiles on a contact sheet. A folder that Chiaro wrote tells all of its grid. Where nothing can be
+/// told it is as it was, and importing tells what is wrong.
 pub fn fitted(from: &Path, form: Form, grid: Grid, gap: u32) -> Grid {
-    let size_of = |path: &Path| image::image_dimensions(path).ok().map(|(width, height)| [width, height]);
-    let per = |side: u32, count: u64| u32::try_from(u64::from(side) / count.max(1)).unwrap_or(u32::MAX);
+    let size_of =
+        |path: &Path| image::image_dimensions(path).ok().map(|(width, height)| [width, height]);
+    let per =
+        |side: u32, count: u64| u32::try_from(u64::from(side) / count.max(1)).unwrap_or(u32::MAX);
     let (light, view) = (grid.light, grid.view);
     if let Some(told) = Some(from).filter(|_| form == Form::Folder).and_then(folder::told_grid) {
         return told;
@@ -65,7 +69,8 @@ pub fn fitted(from: &Path, form: Form, grid: Grid, gap: u32) -> Grid {
     fitted.filter(|grid| grid.check().is_ok()).unwrap_or(grid)
 }
 
-/// Whether what is there tells its grid, its rules and whether it repeats: a folder that Chiaro wrote.
+/// Whether what is there tells its grid, its rules and whether it repeats: a folder that Chiaro
+/// wrote.
 pub fn tells_all(from: &Path, form: Form) -> bool {
     form == Form::Folder && folder::told_grid(from).is_some()
 }
@@ -73,11 +78,14 @@ pub fn tells_all(from: &Path, form: Form) -> bool {
 /// The PNG of a folder that comes first by its name.
 fn first_image(folder: &Path) -> Option<PathBuf> {
     let files = std::fs::read_dir(folder).ok()?.flatten().map(|entry| entry.path());
-    files.filter(|path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"))).min()
+    files
+        .filter(|path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png")))
+        .min()
 }
 
-/// An HCBTF of what other programs made, with what was odd about it. `gap` is between the tiles of a contact sheet, in
-/// texels. A KTX2 file and a folder that Chiaro wrote tell their grid themselves. `progress` counts samples.
+/// An HCBTF of what other programs made, with what was odd about it. `gap` is between the tiles of
+/// a contact sheet, in texels. A KTX2 file and a folder that Chiaro wrote tell their grid
+/// themselves. `progress` counts samples.
 ///
 /// # Errors
 /// Everything that keeps the files from being used, and where it is stopped.
@@ -120,8 +128,9 @@ pub struct Manner {
     pub storage: Storage,
 }
 
-/// Writes what is filled in a form to `path`: a file, or a folder, which is made where there is none. `progress` counts the
-/// images of a folder, and the tiles that are compressed. Returns what there is to say about it.
+/// Writes what is filled in a form to `path`: a file, or a folder, which is made where there is
+/// none. `progress` counts the images of a folder, and the tiles that are compressed. Returns what
+/// there is to say about it.
 ///
 /// # Errors
 /// Where it would be too large, cannot be written, or is stopped.
@@ -143,7 +152,8 @@ pub fn export(
     Ok(None)
 }
 
-/// What an export in this form would replace, or lie beside: the file, or what a folder holds of an earlier export.
+/// What an export in this form would replace, or lie beside: the file, or what a folder holds of an
+/// earlier export.
 pub fn in_the_way(form: Form, path: &Path) -> Vec<PathBuf> {
     match form {
         Form::Folder => folder::exported(path),
@@ -153,7 +163,10 @@ pub fn in_the_way(form: Form, path: &Path) -> Vec<PathBuf> {
 }
 
 /// A problem that comes alone.
-#[expect(clippy::boxed_local, reason = "it is handed to map_err, of results whose errors are boxed")]
+#[expect(
+    clippy::boxed_local,
+    reason = "it is handed to map_err, of results whose errors are boxed"
+)]
 fn alone(problem: Box<Diagnostic>) -> Vec<Diagnostic> {
     vec![*problem]
 }
@@ -169,7 +182,8 @@ fn export_texture(
     let texture = stored(&grid, tile, options, progress).map_err(|problem| vec![problem])?;
     write_atomic(path, &ktx2::write(&texture)).map_err(alone)?;
     let [width, height] = texture.size;
-    let (layers, size) = (count(u64::from(texture.count), "layer"), bytes(texture.bytes.len() as u64));
+    let (layers, size) =
+        (count(u64::from(texture.count), "layer"), bytes(texture.bytes.len() as u64));
     let mut said = format!("{width} x {height} texels, {layers}, {size}");
     if storage == Storage::Blocks {
         let Loss { rms, largest } = loss(&grid, tile, &texture);
@@ -178,11 +192,17 @@ fn export_texture(
     Ok(said)
 }
 
-/// All of a folder comes at once, its listing last, and what it holds of an earlier export goes: none of those images are
-/// taken for those of this one.
-fn export_folder(filled: &Filled, which: Which, path: &Path, progress: &Progress) -> Result<String, Vec<Diagnostic>> {
+/// All of a folder comes at once, its listing last, and what it holds of an earlier export goes:
+/// none of those images are taken for those of this one.
+fn export_folder(
+    filled: &Filled,
+    which: Which,
+    path: &Path,
+    progress: &Progress,
+) -> Result<String, Vec<Diagnostic>> {
     if let Err(error) = std::fs::create_dir_all(path) {
-        let problem = Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
+        let problem =
+            Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
         return Err(vec![problem.in_file(path.display().to_string()).hint("choose another one")]);
     }
     let (name, listing) = folder::listing(filled, which).map_err(alone)?;
@@ -223,12 +243,16 @@ mod tests {
         }
         let filled = fill(&hcbtf, &Progress::new()).unwrap();
         let folder = tempfile::tempdir().unwrap();
-        for (form, name) in
-            [(Form::Sheet, "a.png"), (Form::Contact, "b.png"), (Form::Folder, "images"), (Form::Ktx2, "c.ktx2")]
-        {
+        for (form, name) in [
+            (Form::Sheet, "a.png"),
+            (Form::Contact, "b.png"),
+            (Form::Folder, "images"),
+            (Form::Ktx2, "c.ktx2"),
+        ] {
             let path = folder.path().join(name);
             let gap = if form == Form::Contact { 2 } else { 0 };
-            export(&filled, form, Manner { gap, ..Manner::default() }, &path, &Progress::new()).unwrap();
+            export(&filled, form, Manner { gap, ..Manner::default() }, &path, &Progress::new())
+                .unwrap();
             let unknown = Grid { size: [1, 1], ..grid };
             let found = fitted(&path, form, unknown, gap);
             assert_eq!(found.size, if form == Form::Ktx2 { [1, 1] } else { grid.size }, "{form:?}");
@@ -237,7 +261,11 @@ mod tests {
             assert_eq!(progress.share(), 1.0, "{form:?}");
             let stopped = Progress::new();
             stopped.stop();
-            assert_eq!(import(&path, form, found, gap, &stopped).unwrap_err()[0].code, "stopped", "{form:?}");
+            assert_eq!(
+                import(&path, form, found, gap, &stopped).unwrap_err()[0].code,
+                "stopped",
+                "{form:?}"
+            );
             assert!(notes.is_empty() && back.painted == hcbtf.painted, "{form:?}");
             assert_eq!(back.painted(Address::default()), hcbtf.painted(Address::default()));
         }

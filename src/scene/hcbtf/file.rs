@@ -1,7 +1,7 @@
 //! The `.hcbtf` file: a zip with [`manifest`], a PNG for each painted sample, and a thumbnail.
 //!
-//! Only what is painted lies in it, and the rules; what the rules fill is derived again, so a file stays small and a rule
-//! can be changed years later.
+//! Only what is painted lies in it, and the rules; what the rules fill is derived again, so a file
+//! stays small and a rule can be changed years later.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::Path;
@@ -10,7 +10,9 @@ use std::sync::Arc;
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
 use super::archive::{Archive, Writer};
-use super::manifest::{self, Listed, MAX_MANIFEST_BYTES, Manifest, NAME, SAMPLES, THUMBNAIL, sample_name};
+use super::manifest::{
+    self, Listed, MAX_MANIFEST_BYTES, Manifest, NAME, SAMPLES, THUMBNAIL, sample_name,
+};
 use super::picture::{MAX_PNG_EXTRAS, decode, encode, reduced};
 use super::report::Report;
 use super::{MAX_FILE_BYTES, MAX_PAINTED, MAX_PAINTED_BYTES, MAX_RULES};
@@ -30,8 +32,8 @@ pub fn load(path: &Path) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
     read(&bytes, &path.display().to_string())
 }
 
-/// The bytes of a file of at most [`MAX_FILE_BYTES`]: an HCBTF, a sheet, or a sample; or those of an
-/// [example](crate::examples).
+/// The bytes of a file of at most [`MAX_FILE_BYTES`]: an HCBTF, a sheet, or a sample; or those of
+/// an [example](crate::examples).
 ///
 /// # Errors
 /// Why it cannot be read, with its name.
@@ -45,18 +47,22 @@ pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Box<Diagnostic>> {
             fail("too-large", message, "take a coarser grid, or fill by rules what is painted now")
         }
         error => {
-            let hint =
-                if path.exists() { "name a file that you may read" } else { "check the spelling and the folder" };
+            let hint = if path.exists() {
+                "name a file that you may read"
+            } else {
+                "check the spelling and the folder"
+            };
             fail("cannot-read", format!("cannot read the file: {error}"), hint)
         }
     })
 }
 
-/// Reads an `.hcbtf` file, with warnings about what is odd in it. `name` is what diagnostics call the file.
+/// Reads an `.hcbtf` file, with warnings about what is odd in it. `name` is what diagnostics call
+/// the file.
 ///
 /// # Errors
-/// Everything that keeps the file from being used, up to a bound: nothing of it is taken then, since saving it would lose
-/// the rest.
+/// Everything that keeps the file from being used, up to a bound: nothing of it is taken then,
+/// since saving it would lose the rest.
 pub fn read(bytes: &[u8], name: &str) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
     let mut report = Report::new(name);
     let hcbtf = read_into(bytes, &mut report);
@@ -65,13 +71,21 @@ pub fn read(bytes: &[u8], name: &str) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Di
 
 fn read_into(bytes: &[u8], report: &mut Report) -> Option<Hcbtf> {
     if bytes.len() as u64 > MAX_FILE_BYTES {
-        report.add(Diagnostic::error("too-large", format!("the file is larger than {} MiB", MAX_FILE_BYTES >> 20)));
+        report.add(Diagnostic::error(
+            "too-large",
+            format!("the file is larger than {} MiB", MAX_FILE_BYTES >> 20),
+        ));
         return None;
     }
     let mut archive = told(Archive::open(bytes), report)?;
     if !archive.has(NAME) {
-        let problem = Diagnostic::error("hcbtf-manifest", format!("the zip file holds no `{NAME}`, so it is no HCBTF"));
-        report.add(problem.hint(format!("`{NAME}` lies at the top of the zip, not in a folder of it")));
+        let problem = Diagnostic::error(
+            "hcbtf-manifest",
+            format!("the zip file holds no `{NAME}`, so it is no HCBTF"),
+        );
+        report.add(
+            problem.hint(format!("`{NAME}` lies at the top of the zip, not in a folder of it")),
+        );
         return None;
     }
     let text = told(archive.read(NAME, MAX_MANIFEST_BYTES), report)?;
@@ -97,7 +111,8 @@ fn told<T>(result: Result<T, Diagnostic>, report: &mut Report) -> Option<T> {
 fn too_much(bytes: u64) -> Diagnostic {
     let (bytes, most) = (bytes >> 20, MAX_PAINTED_BYTES >> 20);
     let message = format!("the painted samples take {bytes} MiB; at most {most} MiB can be");
-    Diagnostic::error("too-large", message).hint("take a coarser grid, or fill by rules what is painted now")
+    Diagnostic::error("too-large", message)
+        .hint("take a coarser grid, or fill by rules what is painted now")
 }
 
 /// Tells of PNGs that the manifest does not name: somebody put them there and expects to see them.
@@ -107,9 +122,12 @@ fn told_of_strays(archive: &Archive<'_>, painted: &[Listed], report: &mut Report
         report.add(Diagnostic::warning("hcbtf-archive", message).hint("remove one of them"));
     }
     let named: HashSet<&str> = painted.iter().map(|listed| listed.file.as_str()).collect();
-    let is_stray = |name: &String| name.starts_with(SAMPLES) && !name.ends_with('/') && !named.contains(name.as_str());
+    let is_stray = |name: &String| {
+        name.starts_with(SAMPLES) && !name.ends_with('/') && !named.contains(name.as_str())
+    };
     for name in archive.names().filter(is_stray) {
-        let message = format!("`{name}` is not listed in `{NAME}`; it is not used, and saving loses it");
+        let message =
+            format!("`{name}` is not listed in `{NAME}`; it is not used, and saving loses it");
         let hint = "add it to `painted`, or import it with `chiaro hcbtf import`";
         report.add(Diagnostic::warning("hcbtf-stray", message).hint(hint));
     }
@@ -127,12 +145,14 @@ fn samples(
     for Listed { address, file } in painted {
         if let Some((_, other)) = samples.get(&address) {
             let message = format!("`{other}` and `{file}` are both the sample at {address}");
-            let hint = "at the normal there is one sample, whatever the step around it: remove one from `painted`";
+            let hint = "at the normal there is one sample, whatever the step around it: remove one \
+                        from `painted`";
             report.add(Diagnostic::error("duplicate-sample", message).hint(hint));
             continue;
         }
         // A file may be named twice; it is unpacked, and told of, once.
-        let tile = tiles.entry(file.clone()).or_insert_with(|| sample(archive, &file, size, report));
+        let tile =
+            tiles.entry(file.clone()).or_insert_with(|| sample(archive, &file, size, report));
         if let Some(tile) = tile {
             samples.insert(address, (tile.clone(), file));
         }
@@ -140,7 +160,12 @@ fn samples(
     samples.into_iter().map(|(address, (tile, _))| (address, tile)).collect()
 }
 
-fn sample(archive: &mut Archive<'_>, file: &str, size: [u32; 2], report: &mut Report) -> Option<Arc<Tile>> {
+fn sample(
+    archive: &mut Archive<'_>,
+    file: &str,
+    size: [u32; 2],
+    report: &mut Report,
+) -> Option<Arc<Tile>> {
     let most = u64::from(size[0]) * u64::from(size[1]) * 8 + MAX_PNG_EXTRAS;
     let png = told(archive.read(file, most), report)?;
     let tile = tile(&png, size, &format!("`{file}`"), report);
@@ -150,7 +175,12 @@ fn sample(archive: &mut Archive<'_>, file: &str, size: [u32; 2], report: &mut Re
 /// A sample's texels from its PNG; `what` is what the report calls it.
 pub(super) fn tile(png: &[u8], size: [u32; 2], what: &str, report: &mut Report) -> Option<Tile> {
     let accept = |[width, height]: [u32; 2]| {
-        let message = || format!("it has {width} x {height} texels; the grid's tiles have {} x {}", size[0], size[1]);
+        let message = || {
+            format!(
+                "it has {width} x {height} texels; the grid's tiles have {} x {}",
+                size[0], size[1]
+            )
+        };
         if [width, height] == size { Ok(()) } else { Err(message()) }
     };
     match decode(png, accept) {
@@ -161,7 +191,8 @@ pub(super) fn tile(png: &[u8], size: [u32; 2], what: &str, report: &mut Report) 
             Tile::new(decoded.picture.size, decoded.picture.rgba)
         }
         Err(why) => {
-            let problem = Diagnostic::error("hcbtf-sample", format!("{what} cannot be used: {why}"));
+            let problem =
+                Diagnostic::error("hcbtf-sample", format!("{what} cannot be used: {why}"));
             report.add(problem.hint("export the sample again as a PNG of the tile's size"));
             None
         }
@@ -177,8 +208,11 @@ pub(super) fn idle_rules(hcbtf: &Hcbtf, report: &mut Report) {
             _ => Vec::new(),
         };
         if let Some(from) = needed.into_iter().find(|from| hcbtf.painted(*from).is_none()) {
-            let message = format!("this rule takes the sample at {from}, which is not painted, so it fills nothing");
-            let problem = Diagnostic::warning("hcbtf-idle-rule", message).json_path(format!("rules[{index}]"));
+            let message = format!(
+                "this rule takes the sample at {from}, which is not painted, so it fills nothing"
+            );
+            let problem = Diagnostic::warning("hcbtf-idle-rule", message)
+                .json_path(format!("rules[{index}]"));
             report.add(problem.hint("paint the sample, or let the rule take another"));
         }
     }
@@ -187,21 +221,31 @@ pub(super) fn idle_rules(hcbtf: &Hcbtf, report: &mut Report) {
 /// The bytes of the file: equal for equal HCBTFs, on every machine.
 ///
 /// # Errors
-/// What keeps it from being read again, as a tile of another size or more than the bounds of this module.
+/// What keeps it from being read again, as a tile of another size or more than the bounds of this
+/// module.
 pub fn write(hcbtf: &Hcbtf) -> Result<Vec<u8>, Box<Diagnostic>> {
     check(hcbtf)?;
-    let cannot =
-        |why: String| Box::new(Diagnostic::error("cannot-write", format!("the HCBTF cannot be packed: {why}")));
+    let cannot = |why: String| {
+        Box::new(Diagnostic::error("cannot-write", format!("the HCBTF cannot be packed: {why}")))
+    };
     let text = manifest::text(hcbtf).map_err(|error| cannot(error.to_string()))?;
     let painted: Vec<(&Address, &Arc<Tile>)> = hcbtf.painted.iter().collect();
-    let pngs =
-        painted.into_par_iter().map(|(address, tile)| Ok((sample_name(*address), encode(tile.size(), tile.bytes())?)));
+    let pngs = painted
+        .into_par_iter()
+        .map(|(address, tile)| Ok((sample_name(*address), encode(tile.size(), tile.bytes())?)));
     let pngs: Vec<(String, Vec<u8>)> = pngs.collect::<Result<_, String>>().map_err(cannot)?;
-    let thumbnail = thumbnail(hcbtf).map(|tile| encode(tile.size(), tile.bytes())).transpose().map_err(cannot)?;
+    let thumbnail = thumbnail(hcbtf)
+        .map(|tile| encode(tile.size(), tile.bytes()))
+        .transpose()
+        .map_err(cannot)?;
     pack(&text, thumbnail.as_deref(), &pngs).map_err(|error| cannot(error.to_string()))
 }
 
-fn pack(text: &str, thumbnail: Option<&[u8]>, pngs: &[(String, Vec<u8>)]) -> Result<Vec<u8>, zip::result::ZipError> {
+fn pack(
+    text: &str,
+    thumbnail: Option<&[u8]>,
+    pngs: &[(String, Vec<u8>)],
+) -> Result<Vec<u8>, zip::result::ZipError> {
     let mut writer = Writer::new();
     writer.text(NAME, text)?;
     if let Some(png) = thumbnail {
@@ -217,14 +261,19 @@ fn pack(text: &str, thumbnail: Option<&[u8]>, pngs: &[(String, Vec<u8>)]) -> Res
 fn check(hcbtf: &Hcbtf) -> Result<(), Box<Diagnostic>> {
     let fail = |code, message: String| Err(Box::new(Diagnostic::error(code, message)));
     hcbtf.grid.check().or_else(|why| fail("hcbtf-grid", why))?;
-    for (name, count, most) in [("samples", hcbtf.painted.len(), MAX_PAINTED), ("rules", hcbtf.rules.len(), MAX_RULES)]
+    for (name, count, most) in
+        [("samples", hcbtf.painted.len(), MAX_PAINTED), ("rules", hcbtf.rules.len(), MAX_RULES)]
     {
         if count > most {
-            return fail("too-many", format!("there are {count} {name}; a file holds at most {most}"));
+            return fail(
+                "too-many",
+                format!("there are {count} {name}; a file holds at most {most}"),
+            );
         }
     }
     for (index, rule) in hcbtf.rules.iter().enumerate() {
-        rule.check(&hcbtf.grid).or_else(|why| fail("hcbtf-rule", format!("rule {index}, {}: {why}", rule.word())))?;
+        rule.check(&hcbtf.grid)
+            .or_else(|why| fail("hcbtf-rule", format!("rule {index}, {}: {why}", rule.word())))?;
     }
     for (address, tile) in &hcbtf.painted {
         if !hcbtf.grid.contains(*address) || address.canonical() != *address {
@@ -234,7 +283,9 @@ fn check(hcbtf: &Hcbtf) -> Result<(), Box<Diagnostic>> {
             let ([width, height], [w, h]) = (tile.size(), hcbtf.grid.size);
             return fail(
                 "hcbtf-sample",
-                format!("the sample at {address} is {width} x {height}, the grid's tiles {w} x {h}"),
+                format!(
+                    "the sample at {address} is {width} x {height}, the grid's tiles {w} x {h}"
+                ),
             );
         }
     }
@@ -245,7 +296,8 @@ fn check(hcbtf: &Hcbtf) -> Result<(), Box<Diagnostic>> {
 /// The sample that is seen and lit most nearly along the normal, made smaller where it is large.
 fn thumbnail(hcbtf: &Hcbtf) -> Option<Tile> {
     let nearest = |address: &Address| (address.view.theta + address.light.theta, *address);
-    let tile = hcbtf.painted.iter().min_by_key(|(address, _)| nearest(address)).map(|(_, tile)| tile)?;
+    let tile =
+        hcbtf.painted.iter().min_by_key(|(address, _)| nearest(address)).map(|(_, tile)| tile)?;
     let longer = tile.size()[0].max(tile.size()[1]);
     let factor = longer.div_ceil(THUMBNAIL_SIDE).max(1);
     Some(shrunk(tile, factor))

@@ -1,11 +1,12 @@
 //! A folder of images, one a sample.
 //!
-//! A name says where the sample belongs: `l2.3_v1.4.png` is seen with the light at ring 2, step 3, and the view at ring 1,
-//! step 4. Or files are numbered (`brick-0001.png`), in the order of [`Grid::addresses`]: the views one after the other, and
-//! for each all lights. Numbers begin at 0 where one of them is 0, and at 1 otherwise.
+//! A name says where the sample belongs: `l2.3_v1.4.png` is seen with the light at ring 2, step 3,
+//! and the view at ring 1, step 4. Or files are numbered (`brick-0001.png`), in the order of
+//! [`Grid::addresses`]: the views one after the other, and for each all lights. Numbers begin at 0
+//! where one of them is 0, and at 1 otherwise.
 //!
-//! Folders that Chiaro wrote have `hcbtf.json` beside the images, which tells the grid and the rest; of
-//! others somebody must say what grid they are of.
+//! Folders that Chiaro wrote have `hcbtf.json` beside the images, which tells the grid and the
+//! rest; of others somebody must say what grid they are of.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -32,7 +33,8 @@ pub fn parse_name(name: &str) -> Option<Address> {
     let (light, view) = stem(name)?.strip_prefix('l')?.split_once("_v")?;
     let direction = |text: &str| {
         let (theta, phi) = text.split_once('.')?;
-        let number = |text: &str| if text.starts_with('+') { None } else { text.parse::<u32>().ok() };
+        let number =
+            |text: &str| if text.starts_with('+') { None } else { text.parse::<u32>().ok() };
         Some(Direction { theta: number(theta)?, phi: number(phi)? })
     };
     Some(Address { light: direction(light)?, view: direction(view)? })
@@ -51,20 +53,32 @@ fn number(name: &str) -> Option<u64> {
     stem.get(digits..)?.parse().ok()
 }
 
-/// Reads a folder; other files than PNGs and `hcbtf.json`, and folders in it, are left alone. Where there is an `hcbtf.json`,
-/// the grid is the one that it tells, whatever `grid` says.
+/// Reads a folder; other files than PNGs and `hcbtf.json`, and folders in it, are left alone. Where
+/// there is an `hcbtf.json`, the grid is the one that it tells, whatever `grid` says.
 ///
 /// # Errors
 /// As [`import`], and where the folder cannot be read.
-pub fn load(folder: &Path, grid: Grid, progress: &Progress) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+pub fn load(
+    folder: &Path,
+    grid: Grid,
+    progress: &Progress,
+) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
     let name = folder.display().to_string();
     let entries = std::fs::read_dir(folder).map_err(|error| {
-        let problem = Diagnostic::error("cannot-read", format!("the folder cannot be read: {error}"));
+        let problem =
+            Diagnostic::error("cannot-read", format!("the folder cannot be read: {error}"));
         vec![problem.in_file(name.as_str()).hint("check the spelling, and whether you may read it")]
     })?;
     let files = entries.flatten().filter(|entry| entry.path().is_file());
-    let names: Vec<String> = files.filter_map(|entry| entry.file_name().into_string().ok()).collect();
-    import(names, &|file| read_bytes(&folder.join(file)).map_err(|problem| problem.message), grid, &name, progress)
+    let names: Vec<String> =
+        files.filter_map(|entry| entry.file_name().into_string().ok()).collect();
+    import(
+        names,
+        &|file| read_bytes(&folder.join(file)).map_err(|problem| problem.message),
+        grid,
+        &name,
+        progress,
+    )
 }
 
 /// The grid that the `hcbtf.json` of a folder tells, where there is one.
@@ -76,15 +90,16 @@ pub(super) fn told_grid(folder: &Path) -> Option<Grid> {
 /// What an `hcbtf.json` says.
 fn listed(bytes: &[u8], report: &mut Report) -> Option<Listing> {
     if bytes.len() as u64 > listing::MAX_BYTES {
-        let message = format!("`{}` is larger than {} MiB", listing::NAME, listing::MAX_BYTES >> 20);
+        let message =
+            format!("`{}` is larger than {} MiB", listing::NAME, listing::MAX_BYTES >> 20);
         report.add(Diagnostic::error("too-large", message).hint("export the folder again"));
         return None;
     }
     listing::parse(bytes, report)
 }
 
-/// An HCBTF from images, of which `read` gives the bytes by name; `folder` is what diagnostics call them together.
-/// `progress` counts them.
+/// An HCBTF from images, of which `read` gives the bytes by name; `folder` is what diagnostics call
+/// them together. `progress` counts them.
 ///
 /// # Errors
 /// Everything that keeps them from being used, up to a bound, and where it is stopped.
@@ -169,31 +184,51 @@ fn check_count(painted: usize, grid: &Grid, report: &mut Report) -> Option<()> {
     None
 }
 
-/// What there is to say of images that seem to be of another grid: numbered ones that are not as many as its samples, and
-/// named ones that are all of a smaller grid.
+/// What there is to say of images that seem to be of another grid: numbered ones that are not as
+/// many as its samples, and named ones that are all of a smaller grid.
 fn other_grid(placed: &BTreeMap<Address, &str>, grid: &Grid) -> Option<Diagnostic> {
     let found = placed.len() as u64;
     let told = |grid: &Grid| {
         let directions = |of: Directions| format!("{}x{}", of.theta, of.phi);
-        format!("{}x{},{},{}", grid.size[0], grid.size[1], directions(grid.light), directions(grid.view))
+        format!(
+            "{}x{},{},{}",
+            grid.size[0],
+            grid.size[1],
+            directions(grid.light),
+            directions(grid.view)
+        )
     };
     let problem = |message: String, grid: &str| {
-        let hint = format!("name the grid that they were made with, on the command line as `--grid {grid}`");
+        let hint = format!(
+            "name the grid that they were made with, on the command line as `--grid {grid}`"
+        );
         Some(Diagnostic::warning("hcbtf-other-grid", message).hint(hint))
     };
     if !placed.values().any(|name| parse_name(name).is_some()) {
         let (images, samples) = (count(found, "numbered image"), grid.sample_count());
-        let message = format!("there are {images}, and the grid {} has {samples} samples", told(grid));
+        let message =
+            format!("there are {images}, and the grid {} has {samples} samples", told(grid));
         return if found == samples { None } else { problem(message, &told(&Grid::THESIS)) };
     }
     let spanned = |of: fn(&Address) -> Direction| {
-        let most = |angle: fn(Direction) -> u32| placed.keys().map(|address| angle(of(address))).max().unwrap_or(0) + 1;
-        Directions { theta: most(|direction| direction.theta), phi: most(|direction| direction.phi) }
+        let most = |angle: fn(Direction) -> u32| {
+            placed.keys().map(|address| angle(of(address))).max().unwrap_or(0) + 1
+        };
+        Directions {
+            theta: most(|direction| direction.theta),
+            phi: most(|direction| direction.phi),
+        }
     };
-    let smaller = Grid { light: spanned(|address| address.light), view: spanned(|address| address.view), ..*grid };
+    let smaller = Grid {
+        light: spanned(|address| address.light),
+        view: spanned(|address| address.view),
+        ..*grid
+    };
     // A few that happen to be all of a tiny grid are no hint.
     let is_whole = |of: Directions| of.theta == 1 || of.phi >= 3;
-    let is_smaller = smaller.sample_count() < grid.sample_count() && smaller.sample_count() == found && found > 1;
+    let is_smaller = smaller.sample_count() < grid.sample_count()
+        && smaller.sample_count() == found
+        && found > 1;
     if !is_smaller || !is_whole(smaller.light) || !is_whole(smaller.view) {
         return None;
     }
@@ -206,22 +241,35 @@ fn other_grid(placed: &BTreeMap<Address, &str>, grid: &Grid) -> Option<Diagnosti
 }
 
 /// Which file holds which sample.
-fn placed<'a>(names: &'a [String], grid: &Grid, report: &mut Report) -> Option<BTreeMap<Address, &'a str>> {
+fn placed<'a>(
+    names: &'a [String],
+    grid: &Grid,
+    report: &mut Report,
+) -> Option<BTreeMap<Address, &'a str>> {
     let hint = "name images like `l2.3_v1.4.png`, or number them";
-    let named: Vec<(&str, Option<Address>)> = names.iter().map(|name| (name.as_str(), parse_name(name))).collect();
-    let found: Vec<(&str, Option<Address>)> = if named.iter().any(|(_, address)| address.is_some()) {
+    let named: Vec<(&str, Option<Address>)> =
+        names.iter().map(|name| (name.as_str(), parse_name(name))).collect();
+    let found: Vec<(&str, Option<Address>)> = if named.iter().any(|(_, address)| address.is_some())
+    {
         named
     } else {
         let numbers: Vec<Option<u64>> = names.iter().map(|name| number(name)).collect();
         let first = u64::from(!numbers.contains(&Some(0)));
         let counts = usize::try_from(grid.sample_count()).unwrap_or(usize::MAX);
         // Only as far as is asked for: a grid can have billions of samples.
-        let largest =
-            numbers.iter().flatten().max().map_or(0, |largest| (largest.saturating_add(1) - first).min(counts as u64));
-        let addresses: Vec<Address> = grid.addresses().take((largest as usize).min(MAX_PAINTED)).collect();
+        let largest = numbers
+            .iter()
+            .flatten()
+            .max()
+            .map_or(0, |largest| (largest.saturating_add(1) - first).min(counts as u64));
+        let addresses: Vec<Address> =
+            grid.addresses().take((largest as usize).min(MAX_PAINTED)).collect();
         let address = |number: &u64| addresses.get(usize::try_from(number - first).ok()?).copied();
-        let outside = Address { light: Direction { theta: u32::MAX, phi: 0 }, ..Address::default() };
-        let numbered = numbers.iter().map(|number| number.as_ref().map(|number| address(number).unwrap_or(outside)));
+        let outside =
+            Address { light: Direction { theta: u32::MAX, phi: 0 }, ..Address::default() };
+        let numbered = numbers
+            .iter()
+            .map(|number| number.as_ref().map(|number| address(number).unwrap_or(outside)));
         names.iter().map(String::as_str).zip(numbered).collect()
     };
     let mut placed: BTreeMap<Address, &str> = BTreeMap::new();
@@ -232,16 +280,22 @@ fn placed<'a>(names: &'a [String], grid: &Grid, report: &mut Report) -> Option<B
             continue;
         };
         if !grid.contains(address) {
-            let message = format!("`{name}` is outside the grid, which has {} samples", grid.sample_count());
-            report.add(Diagnostic::error("out-of-range", message).hint("name the grid that the images were made with"));
+            let message =
+                format!("`{name}` is outside the grid, which has {} samples", grid.sample_count());
+            report.add(
+                Diagnostic::error("out-of-range", message)
+                    .hint("name the grid that the images were made with"),
+            );
         } else if let Some(other) = placed.insert(address.canonical(), name) {
-            let message = format!("`{other}` and `{name}` are both the sample at {}", address.canonical());
+            let message =
+                format!("`{other}` and `{name}` are both the sample at {}", address.canonical());
             let hint = "at the normal there is one sample, whatever the step around it: remove one";
             report.add(Diagnostic::error("duplicate-sample", message).hint(hint));
         }
     }
     if placed.is_empty() && !report.has_errors() {
-        report.add(Diagnostic::error("hcbtf-folder", "there is no sample in this folder").hint(hint));
+        report
+            .add(Diagnostic::error("hcbtf-folder", "there is no sample in this folder").hint(hint));
     }
     Some(placed)
 }
@@ -263,17 +317,23 @@ pub(super) fn exported(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
     let is_ours = |name: &str| name == listing::NAME || parse_name(name).is_some();
     let ours = entries.flatten().filter(|entry| entry.file_name().to_str().is_some_and(is_ours));
-    let mut paths: Vec<PathBuf> = ours.map(|entry| entry.path()).filter(|path| path.is_file()).collect();
+    let mut paths: Vec<PathBuf> =
+        ours.map(|entry| entry.path()).filter(|path| path.is_file()).collect();
     paths.sort();
     paths
 }
 
 /// The name and the PNG of each sample, made one at a time.
-pub fn export(filled: &Filled, which: Which) -> impl Iterator<Item = Result<(String, Vec<u8>), Box<Diagnostic>>> {
+pub fn export(
+    filled: &Filled,
+    which: Which,
+) -> impl Iterator<Item = Result<(String, Vec<u8>), Box<Diagnostic>>> {
     let taken = filled.iter().filter(move |(_, _, provenance)| which.has(provenance));
     taken.map(|(address, tile, _)| {
         let png = encode(tile.size(), tile.bytes());
-        let cannot = |why| Box::new(Diagnostic::error("cannot-write", format!("the sample at {address}: {why}")));
+        let cannot = |why| {
+            Box::new(Diagnostic::error("cannot-write", format!("the sample at {address}: {why}")))
+        };
         Ok((file_name(address), png.map_err(cannot)?))
     })
 }
@@ -286,7 +346,11 @@ mod tests {
     use crate::hcbtf::fill::fill;
 
     fn grid() -> Grid {
-        Grid { size: [2, 2], light: Directions { theta: 2, phi: 3 }, view: Directions { theta: 2, phi: 2 } }
+        Grid {
+            size: [2, 2],
+            light: Directions { theta: 2, phi: 3 },
+            view: Directions { theta: 2, phi: 2 },
+        }
     }
 
     fn png(byte: u8) -> Vec<u8> {
@@ -303,7 +367,15 @@ mod tests {
         let address = Address::new([2, 3], [1, 4]);
         assert_eq!(file_name(address), "l2.3_v1.4.png");
         assert_eq!(parse_name("l2.3_v1.4.PNG"), Some(address));
-        for odd in ["l2.3_v1.4", "l2.3_v1.png", "l2.3.4_v1.4.png", "l-2.3_v1.4.png", "l+2.3_v1.4.png", "x.png", ""] {
+        for odd in [
+            "l2.3_v1.4",
+            "l2.3_v1.png",
+            "l2.3.4_v1.4.png",
+            "l-2.3_v1.4.png",
+            "l+2.3_v1.4.png",
+            "x.png",
+            "",
+        ] {
             assert_eq!(parse_name(odd), None, "{odd}");
         }
         assert_eq!(number("brick-0012.png"), Some(12));
@@ -318,19 +390,26 @@ mod tests {
         let (hcbtf, notes) = read(&names).unwrap();
         assert!(notes.is_empty() && hcbtf.painted.len() == 6, "{notes:?}");
         let filled = fill(&hcbtf, &Progress::new()).unwrap();
-        let written: Vec<(String, Vec<u8>)> = export(&filled, Which::All).map(Result::unwrap).collect();
+        let written: Vec<(String, Vec<u8>)> =
+            export(&filled, Which::All).map(Result::unwrap).collect();
         assert_eq!(written.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>(), names);
         let images: std::collections::HashMap<String, Vec<u8>> = written.into_iter().collect();
         let all = images.keys().cloned().collect();
-        let back = import(all, &|name| Ok(images[name].clone()), grid(), "folder", &Progress::new()).unwrap();
+        let back =
+            import(all, &|name| Ok(images[name].clone()), grid(), "folder", &Progress::new())
+                .unwrap();
         assert_eq!(back.0, hcbtf);
     }
 
     #[test]
     fn numbers_follow_the_grid_from_0_or_1() {
         let addresses: Vec<Address> = grid().addresses().collect();
-        let numbers = |names: &[&str]| read(names).unwrap().0.painted.keys().copied().collect::<Vec<_>>();
-        assert_eq!(numbers(&["b1.png", "b02.png", "b12.png"]), [addresses[0], addresses[1], addresses[11]]);
+        let numbers =
+            |names: &[&str]| read(names).unwrap().0.painted.keys().copied().collect::<Vec<_>>();
+        assert_eq!(
+            numbers(&["b1.png", "b02.png", "b12.png"]),
+            [addresses[0], addresses[1], addresses[11]]
+        );
         assert_eq!(numbers(&["0.png", "11.png"]), [addresses[0], addresses[11]]);
         let told = |names: &[&str]| read(names).unwrap_err()[0].to_string();
         assert!(told(&["0.png", "12.png"]).contains("out-of-range"));
@@ -346,11 +425,22 @@ mod tests {
     #[test]
     fn images_of_another_size_are_told() {
         let names = vec!["1.png".to_owned(), "2.png".to_owned()];
-        let wrong = import(names, &|_| encode([3, 2], &[0; 24]), grid(), "folder", &Progress::new()).unwrap_err();
+        let wrong =
+            import(names, &|_| encode([3, 2], &[0; 24]), grid(), "folder", &Progress::new())
+                .unwrap_err();
         assert_eq!(wrong.len(), 2);
-        assert!(wrong[1].message.contains("`2.png` cannot be used: it has 3 x 2 texels"), "{wrong:?}");
-        let unread = import(vec!["1.png".to_owned()], &|_| Err("gone".to_owned()), grid(), "folder", &Progress::new())
-            .unwrap_err();
+        assert!(
+            wrong[1].message.contains("`2.png` cannot be used: it has 3 x 2 texels"),
+            "{wrong:?}"
+        );
+        let unread = import(
+            vec!["1.png".to_owned()],
+            &|_| Err("gone".to_owned()),
+            grid(),
+            "folder",
+            &Progress::new(),
+        )
+        .unwrap_err();
         assert!(unread[0].message.contains("`1.png` cannot be read: gone"));
     }
 }

@@ -1,12 +1,15 @@
-//! The texture of an HCBTF as a KTX2 file (Khronos, KTX File Format 2.0): what engines load beside an exported shader.
+//! The texture of an HCBTF as a KTX2 file (Khronos, KTX File Format 2.0): what engines load beside
+//! an exported shader.
 //!
-//! It is one level of an array of RGBA8 or BC7 layers as [`Layers`] describes them; its first row is at the top.
+//! It is one level of an array of RGBA8 or BC7 layers as [`Layers`] describes them; its first row
+//! is at the top.
 
 use super::blocks::Coding;
 use super::layers::{Layers, MAX_LAYERS_BYTES};
 use crate::diag::Diagnostic;
 
-const IDENTIFIER: [u8; 12] = [0xab, b'K', b'T', b'X', b' ', b'2', b'0', 0xbb, b'\r', b'\n', 0x1a, b'\n'];
+const IDENTIFIER: [u8; 12] =
+    [0xab, b'K', b'T', b'X', b' ', b'2', b'0', 0xbb, b'\r', b'\n', 0x1a, b'\n'];
 /// `VK_FORMAT_R8G8B8A8_UNORM`.
 const RGBA8: u32 = 37;
 /// `VK_FORMAT_BC7_UNORM_BLOCK`.
@@ -43,10 +46,11 @@ pub fn write(layers: &Layers) -> Vec<u8> {
     out
 }
 
-/// The basic data format descriptor (Khronos Data Format Specification 1.3): four channels of 8 bits, or blocks of them,
-/// linear, alpha straight.
+/// The basic data format descriptor (Khronos Data Format Specification 1.3): four channels of 8
+/// bits, or blocks of them, linear, alpha straight.
 fn description(coding: Coding) -> Vec<u8> {
-    // The colour model, texels along a block less one, its bytes, and its parts: bits less one, channel, the highest number.
+    // The color model, texels along a block less one, its bytes, and its parts: bits less one,
+    // channel, the highest number.
     let (model, edge, bytes, parts): (u8, u8, u32, &[(u8, u8, u32)]) = match coding {
         Coding::Rgba8 => (1, 0, 4, &[(7, 0, 255), (7, 1, 255), (7, 2, 255), (7, 15, 255)]),
         Coding::Bc7 => (134, 3, 16, &[(127, 0, u32::MAX)]),
@@ -55,7 +59,8 @@ fn description(coding: Coding) -> Vec<u8> {
     let mut out = Vec::new();
     let model = u32::from_le_bytes([model, 1, 1, 0]);
     let edges = u32::from_le_bytes([edge, edge, 0, 0]);
-    // Vendor and type, version and size, colour model with primaries and transfer, texel block, bytes of its planes.
+    // Vendor and type, version and size, color model with primaries and transfer, texel block,
+    // bytes of its planes.
     let words = [block + 4, 0, 2 | block << 16, model, edges, bytes, 0];
     out.extend(words.into_iter().flat_map(u32::to_le_bytes));
     for (index, (bits, channel, highest)) in (0u8..).zip(parts) {
@@ -82,29 +87,36 @@ fn keys() -> Vec<u8> {
 /// RGBA8 or BC7 layers.
 pub fn read(bytes: &[u8], name: &str) -> Result<Layers, Diagnostic> {
     let wrong = |message: &str| {
-        Diagnostic::error("bad-ktx2", message.to_owned())
-            .in_file(name)
-            .hint("export the HCBTF anew; only one level of RGBA8 or BC7 layers, without supercompression, is read")
+        Diagnostic::error("bad-ktx2", message.to_owned()).in_file(name).hint(
+            "export the HCBTF anew; only one level of RGBA8 or BC7 layers, without \
+                   supercompression, is read",
+        )
     };
     if !bytes.starts_with(&IDENTIFIER) {
         return Err(wrong("this is no KTX2 file"));
     }
-    let word = |at: usize| bytes.get(at..at + 4).map(|word| u32::from_le_bytes([word[0], word[1], word[2], word[3]]));
+    let word = |at: usize| {
+        bytes.get(at..at + 4).map(|word| u32::from_le_bytes([word[0], word[1], word[2], word[3]]))
+    };
     let long = |at: usize| Some(u64::from(word(at)?) | u64::from(word(at + 4)?) << 32);
     let cut = || wrong("the file is cut short");
     let number = |index: usize| word(12 + 4 * index).ok_or_else(cut);
-    let [format, width, height, depth, count] = [number(0)?, number(2)?, number(3)?, number(4)?, number(5)?];
+    let [format, width, height, depth, count] =
+        [number(0)?, number(2)?, number(3)?, number(4)?, number(5)?];
     let [faces, levels, compression] = [number(6)?, number(7)?, number(8)?];
     let coding = match format {
         RGBA8 => Some(Coding::Rgba8),
         BC7 if width % 4 == 0 && height % 4 == 0 => Some(Coding::Bc7),
         _ => None,
     };
-    let is_plain = (depth, faces, levels, compression) == (0, 1, 1, 0) && width > 0 && height > 0 && count > 0;
+    let is_plain =
+        (depth, faces, levels, compression) == (0, 1, 1, 0) && width > 0 && height > 0 && count > 0;
     let Some(coding) = coding.filter(|_| is_plain) else {
         return Err(wrong("the texture is not one level of RGBA8 or BC7 layers"));
     };
-    let (Some(at), Some(length)) = (long(HEADER - 24), long(HEADER - 16)) else { return Err(cut()) };
+    let (Some(at), Some(length)) = (long(HEADER - 24), long(HEADER - 16)) else {
+        return Err(cut());
+    };
     let texels = [width, height, count].into_iter().map(u64::from).fold(1, u64::saturating_mul);
     if length != coding.bytes(texels) {
         return Err(wrong("its size is not that of its texels"));
@@ -112,8 +124,9 @@ pub fn read(bytes: &[u8], name: &str) -> Result<Layers, Diagnostic> {
     if Coding::Rgba8.bytes(texels) > MAX_LAYERS_BYTES {
         return Err(wrong("its texels would take more memory than one may"));
     }
-    let texels =
-        at.checked_add(length).and_then(|end| bytes.get(usize::try_from(at).ok()?..usize::try_from(end).ok()?));
+    let texels = at
+        .checked_add(length)
+        .and_then(|end| bytes.get(usize::try_from(at).ok()?..usize::try_from(end).ok()?));
     let bytes = texels.ok_or_else(cut)?.to_vec();
     Ok(Layers { size: [width, height], count, coding, bytes })
 }
@@ -148,7 +161,8 @@ mod tests {
         assert_eq!(reader.color_model(), Some(::ktx2::ColorModel::RGBSDA));
         assert_eq!(reader.is_alpha_premultiplied(), Some(false));
         assert_eq!(reader.basic_dfd().map(|described| described.sample_information.len()), Some(4));
-        let blocks = Layers { size: [8, 4], count: 3, coding: Coding::Bc7, bytes: (0..96).collect() };
+        let blocks =
+            Layers { size: [8, 4], count: 3, coding: Coding::Bc7, bytes: (0..96).collect() };
         let bytes = write(&blocks);
         assert_eq!(read(&bytes, "a.ktx2").unwrap(), blocks);
         let reader = ::ktx2::Reader::new(&bytes[..]).unwrap();

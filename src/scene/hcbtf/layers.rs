@@ -1,11 +1,13 @@
 //! The texture that shaders look an HCBTF up in.
 //!
-//! One layer holds one view. In it every texel of the tile is a small block of its lights: thetas along x, phis along y,
-//! with a copy of the last phi above the first and of the first below the last, so that one bilinear tap blends four
-//! lights (the inner layout of thesis A.3, with a layer for each view instead of one flat texture, which no GPU could
-//! hold for larger tiles). Smaller levels of the tile stand to the right of it, each below the one before. The first two
-//! texels of one more layer tell the grid, so that a shader needs nothing beside the texture. Views that are equal may
-//! share a layer; the texels after those two then tell whose is whose. `shaders/lib/hcbtf.wgsl` reads this.
+//! One layer holds one view. In it every texel of the tile is a small block of its lights: thetas
+//! along x, phis along y, with a copy of the last phi above the first and of the first below the
+//! last, so that one bilinear tap blends four lights (the inner layout of thesis A.3, with a layer
+//! for each view instead of one flat texture, which no GPU could hold for larger tiles). Smaller
+//! levels of the tile stand to the right of it, each below the one before. The first two texels of
+//! one more layer tell the grid, so that a shader needs nothing beside the texture. Views that are
+//! equal may share a layer; the texels after those two then tell whose is whose.
+//! `shaders/lib/hcbtf.wgsl` reads this.
 //!
 //! [`compact`](super::compact) and [`blocks`] are the other ways, for less memory.
 
@@ -26,7 +28,7 @@ use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Storage, Tile
 pub struct LayerOptions {
     /// Smaller levels of the tile, for surfaces that are far away.
     pub has_levels: bool,
-    /// Whether shaders are to decode blended colours to linear light.
+    /// Whether shaders are to decode blended colors to linear light.
     pub is_decoded: bool,
     /// How it lies there.
     pub storage: Storage,
@@ -37,7 +39,8 @@ pub struct LayerOptions {
 pub struct Layers {
     /// Texels of a layer.
     pub size: [u32; 2],
-    /// One for each view that differs, and one that tells the grid; or as many as the other storages take.
+    /// One for each view that differs, and one that tells the grid; or as many as the other
+    /// storages take.
     pub count: u32,
     /// How texels are put down.
     pub coding: Coding,
@@ -52,7 +55,8 @@ impl Layers {
     }
 }
 
-/// The most memory that a texture may take, in bytes; one of blocks when it is decoded, as where a device has none.
+/// The most memory that a texture may take, in bytes; one of blocks when it is decoded, as where a
+/// device has none.
 pub const MAX_LAYERS_BYTES: u64 = 2 << 30;
 /// The fewest texels along a layer: the last one tells the grid in two.
 const FEWEST: u64 = 2;
@@ -65,16 +69,17 @@ const COMPACT: u8 = 8;
 /// Among the flags: the storage is of blocks.
 const BLOCKS: u8 = 16;
 
-/// Texels of a layer and the number of layers, before anything is made. They are as large as the grid asks, which may
-/// be more than there is memory, or than a GPU takes.
+/// Texels of a layer and the number of layers, before anything is made. They are as large as the
+/// grid asks, which may be more than there is memory, or than a GPU takes.
 pub fn layers_size(grid: &Grid, has_levels: bool) -> [u64; 3] {
     let block = [u64::from(grid.light.theta), u64::from(grid.light.phi) + 2];
     let [width, height] = grid.size.map(u64::from);
     let mut size = [width * block[0], height * block[1]];
     if has_levels {
         let smaller = level_sizes(grid).skip(1);
-        let (widest, highest) =
-            smaller.fold((0, 0), |(w, h), [x, y]| (w.max(u64::from(x) * block[0]), h + u64::from(y) * block[1]));
+        let (widest, highest) = smaller.fold((0, 0), |(w, h), [x, y]| {
+            (w.max(u64::from(x) * block[0]), h + u64::from(y) * block[1])
+        });
         size = [size[0] + widest, size[1].max(highest)];
     }
     [size[0].max(FEWEST), size[1], grid.view.count() as u64 + 1]
@@ -97,8 +102,13 @@ fn check_bytes(bytes: u64) -> Result<u64, Diagnostic> {
     if bytes <= MAX_LAYERS_BYTES {
         return Ok(bytes);
     }
-    let message = format!("its texture would take {} MiB; it may take {}", bytes >> 20, MAX_LAYERS_BYTES >> 20);
-    let hint = "divide it into fewer texels, lights or views, or let its nodes store it as `compact`";
+    let message = format!(
+        "its texture would take {} MiB; it may take {}",
+        bytes >> 20,
+        MAX_LAYERS_BYTES >> 20
+    );
+    let hint =
+        "divide it into fewer texels, lights or views, or let its nodes store it as `compact`";
     Err(Diagnostic::error("too-large", message).hint(hint))
 }
 
@@ -116,8 +126,9 @@ pub fn stored_size<'a>(
     }
 }
 
-/// Makes the texture from the samples' tiles, with what is equal in it once, as far as the storage can; a sample without
-/// a tile is transparent black. `progress` counts the tiles that are compressed; the other storages take no time.
+/// Makes the texture from the samples' tiles, with what is equal in it once, as far as the storage
+/// can; a sample without a tile is transparent black. `progress` counts the tiles that are
+/// compressed; the other storages take no time.
 ///
 /// # Errors
 /// `too-large`: it would take more than [`MAX_LAYERS_BYTES`]. `stopped`: somebody stopped it.
@@ -151,9 +162,14 @@ pub fn stored<'a>(
     }
 }
 
-/// Makes the texture from the samples' tiles, quick and with a layer for each view, so that a sample is always in the same
-/// place: for what is being painted. The caller has seen that there is room ([`check_layers`]).
-pub fn layers<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Tile>>, options: LayerOptions) -> Layers {
+/// Makes the texture from the samples' tiles, quick and with a layer for each view, so that a
+/// sample is always in the same place: for what is being painted. The caller has seen that there is
+/// room ([`check_layers`]).
+pub fn layers<'a>(
+    grid: &Grid,
+    tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
+    options: LayerOptions,
+) -> Layers {
     let options = LayerOptions { storage: Storage::Quick, ..options };
     layers_of(grid, &(0..grid.view.count()).collect::<Vec<_>>(), tile, options)
 }
@@ -173,7 +189,9 @@ fn layers_of<'a>(
         lights.map(move |light| Address { view, light })
     };
     let smaller = match options.has_levels {
-        true => levels_of_all(views.iter().flat_map(|view| addresses(*view)).filter_map(|at| tile(at.canonical()))),
+        true => levels_of_all(
+            views.iter().flat_map(|view| addresses(*view)).filter_map(|at| tile(at.canonical())),
+        ),
         false => HashMap::new(),
     };
     let mut layer = Layer { grid, width, texels: &mut [] };
@@ -191,16 +209,23 @@ fn layers_of<'a>(
     }
     let told = rgba.len() - 4 * width * height;
     rgba[told..told + 8].copy_from_slice(&header(grid, options));
-    Layers { size: [width as u32, height as u32], count: count as u32, coding: Coding::Rgba8, bytes: rgba }
+    Layers {
+        size: [width as u32, height as u32],
+        count: count as u32,
+        coding: Coding::Rgba8,
+        bytes: rgba,
+    }
 }
 
-/// The HCBTF that a texture was made of: what its rules filled counts as painted, and a sample that is transparent black
-/// all over as empty.
+/// The HCBTF that a texture was made of: what its rules filled counts as painted, and a sample that
+/// is transparent black all over as empty.
 ///
 /// # Errors
 /// `hcbtf-layers`: the texture does not tell a grid, or has not the size of the grid that it tells.
 pub fn from_layers(layers: &Layers) -> Result<Hcbtf, Diagnostic> {
-    let wrong = |message: &str| Diagnostic::error("hcbtf-layers", message).hint("export it anew from an .hcbtf file");
+    let wrong = |message: &str| {
+        Diagnostic::error("hcbtf-layers", message).hint("export it anew from an .hcbtf file")
+    };
     let [width, height] = layers.size.map(|side| side as usize);
     let layer = layers.coding.bytes(width as u64 * height as u64) as usize;
     let whole = layer * layers.count as usize;
@@ -208,7 +233,8 @@ pub fn from_layers(layers: &Layers) -> Result<Hcbtf, Diagnostic> {
         return Err(wrong("the texture has not the size that it tells"));
     }
     let told = whole.checked_sub(layer).and_then(|at| told(layers.coding, &layers.bytes[at..]));
-    let Some([low_x, low_y, high, flags, light_theta, light_phi, view_theta, view_phi]) = told else {
+    let Some([low_x, low_y, high, flags, light_theta, light_phi, view_theta, view_phi]) = told
+    else {
         return Err(wrong("the texture tells no grid"));
     };
     let [low_x, low_y, high] = [low_x, low_y, high].map(u32::from);
@@ -230,28 +256,37 @@ pub fn from_layers(layers: &Layers) -> Result<Hcbtf, Diagnostic> {
         return read.ok_or_else(|| wrong("the texture does not hold what it tells of"));
     }
     if flags & COMPACT != 0 {
-        let texels = layers.bytes.chunks_exact(4 * width * height).rev().collect::<Vec<_>>().concat();
-        return compact::read(&grid, &texels).ok_or_else(|| wrong("the texture does not hold what it tells of"));
+        let texels =
+            layers.bytes.chunks_exact(4 * width * height).rev().collect::<Vec<_>>().concat();
+        return compact::read(&grid, &texels)
+            .ok_or_else(|| wrong("the texture does not hold what it tells of"));
     }
     let layer_of = |view: usize| match flags & SHARED != 0 {
         true => {
-            let told = layers.bytes.get(whole - 4 * width * height + 4 * (TOLD + view)..)?.first_chunk()?;
+            let told = layers
+                .bytes
+                .get(whole - 4 * width * height + 4 * (TOLD + view)..)?
+                .first_chunk()?;
             Some(u32::from_le_bytes(*told) as usize)
         }
         false => Some(view),
     };
     let of_views: Option<Vec<usize>> = (0..grid.view.count()).map(layer_of).collect();
-    let of_views = of_views.filter(|layers_of| layers_of.iter().all(|layer| *layer + 1 < layers.count as usize));
+    let of_views = of_views
+        .filter(|layers_of| layers_of.iter().all(|layer| *layer + 1 < layers.count as usize));
     let most = layers_size(&grid, flags & 1 == 1);
     let is_whole = flags & SHARED != 0 || most[2] == u64::from(layers.count);
-    let Some(of_views) = of_views.filter(|_| is_whole && most[..2] == [width as u64, height as u64]) else {
+    let Some(of_views) =
+        of_views.filter(|_| is_whole && most[..2] == [width as u64, height as u64])
+    else {
         return Err(wrong("the texture has not the size of the grid that it tells"));
     };
     let mut hcbtf = Hcbtf::new(grid);
     // What views share is made once.
     let mut tiles: HashMap<(usize, Direction), Arc<Tile>> = HashMap::new();
     for address in grid.addresses() {
-        let layer = of_views[(address.view.theta * grid.view.phi + address.view.phi) as usize] * height;
+        let layer =
+            of_views[(address.view.theta * grid.view.phi + address.view.phi) as usize] * height;
         let texel = |index: usize| {
             let [x, y] = [index % grid.size[0] as usize, index / grid.size[0] as usize];
             let column = x * grid.light.theta as usize + address.light.theta as usize;
@@ -276,8 +311,8 @@ pub(super) fn paint(hcbtf: &mut Hcbtf, address: Address, tile: &Arc<Tile>) {
     }
 }
 
-/// The two texels that tell the grid: the tile's sides with twelve bits each and the flags; then rings and steps of
-/// lights and of views.
+/// The two texels that tell the grid: the tile's sides with twelve bits each and the flags; then
+/// rings and steps of lights and of views.
 fn header(grid: &Grid, options: LayerOptions) -> [u8; 8] {
     let [width, height] = grid.size;
     let compact = match options.storage {
@@ -287,7 +322,8 @@ fn header(grid: &Grid, options: LayerOptions) -> [u8; 8] {
     };
     let flags = u8::from(options.has_levels) | u8::from(options.is_decoded) << 1 | compact;
     let high = (width >> 8 & 15) | (height >> 8 & 15) << 4;
-    let angles = [grid.light.theta, grid.light.phi, grid.view.theta, grid.view.phi].map(|n| n as u8);
+    let angles =
+        [grid.light.theta, grid.light.phi, grid.view.theta, grid.view.phi].map(|n| n as u8);
     [width as u8, height as u8, high as u8, flags, angles[0], angles[1], angles[2], angles[3]]
 }
 
@@ -326,7 +362,13 @@ impl Layer<'_> {
     }
 
     /// The same with a part of it alone: x, y, width and height in texels of the tile.
-    pub(super) fn put_part(&mut self, tile: &Tile, part: [u32; 4], light: Direction, origin: [u32; 2]) {
+    pub(super) fn put_part(
+        &mut self,
+        tile: &Tile,
+        part: [u32; 4],
+        light: Direction,
+        origin: [u32; 2],
+    ) {
         let [left, top, wide, high] = part;
         let lights = self.grid.light;
         let mut rows = vec![light.phi + 1];
@@ -356,7 +398,9 @@ mod tests {
 
     fn hashed(address: Address, texel: u32) -> [u8; 4] {
         let mut h = 0x9e37_79b9_u32;
-        for n in [address.view.theta, address.view.phi, address.light.theta, address.light.phi, texel] {
+        for n in
+            [address.view.theta, address.view.phi, address.light.theta, address.light.phi, texel]
+        {
             h = (h ^ n).wrapping_mul(0x85eb_ca6b).rotate_left(13);
         }
         [h as u8, (h >> 8) as u8, (h >> 16) as u8, 255]
@@ -364,7 +408,11 @@ mod tests {
 
     #[test]
     fn every_light_stands_where_its_block_says() {
-        let grid = Grid { size: [3, 2], light: Directions { theta: 3, phi: 4 }, view: Directions { theta: 2, phi: 5 } };
+        let grid = Grid {
+            size: [3, 2],
+            light: Directions { theta: 3, phi: 4 },
+            view: Directions { theta: 2, phi: 5 },
+        };
         let tiles: HashMap<Address, Arc<Tile>> = grid
             .addresses()
             .map(|address| {
@@ -372,9 +420,15 @@ mod tests {
                 (address, Arc::new(Tile::new(grid.size, texels).unwrap()))
             })
             .collect();
-        let made =
-            layers(&grid, |address| tiles.get(&address), LayerOptions { has_levels: true, ..LayerOptions::default() });
-        assert_eq!([u64::from(made.size[0]), u64::from(made.size[1]), u64::from(made.count)], layers_size(&grid, true));
+        let made = layers(
+            &grid,
+            |address| tiles.get(&address),
+            LayerOptions { has_levels: true, ..LayerOptions::default() },
+        );
+        assert_eq!(
+            [u64::from(made.size[0]), u64::from(made.size[1]), u64::from(made.count)],
+            layers_size(&grid, true)
+        );
         assert_eq!(made.bytes.len() as u64, layers_bytes(&grid, true));
         let texel = |x: u32, y: u32, layer: u32| {
             let at = 4 * ((layer * made.size[1] + y) * made.size[0] + x) as usize;
@@ -404,18 +458,31 @@ mod tests {
             assert!(from_layers(&lying).is_err(), "byte {byte}");
         }
         // The whole tile in one texel stands at the top right.
-        let mean = (0..6).map(|texel| f64::from(hashed(Address::new([2, 1], [1, 3]), texel)[0])).sum::<f64>() / 6.0;
+        let mean = (0..6)
+            .map(|texel| f64::from(hashed(Address::new([2, 1], [1, 3]), texel)[0]))
+            .sum::<f64>()
+            / 6.0;
         assert_eq!(texel(9 + 2, 2, 8)[0], mean.round() as u8);
     }
 
     #[test]
     fn views_that_are_equal_share_a_layer() {
-        let grid = Grid { size: [4, 4], light: Directions { theta: 2, phi: 3 }, view: Directions { theta: 3, phi: 5 } };
-        let tiles: Vec<Arc<Tile>> = (0..3).map(|n| Arc::new(Tile::filled(grid.size, [n, 2, 3, 255]))).collect();
+        let grid = Grid {
+            size: [4, 4],
+            light: Directions { theta: 2, phi: 3 },
+            view: Directions { theta: 3, phi: 5 },
+        };
+        let tiles: Vec<Arc<Tile>> =
+            (0..3).map(|n| Arc::new(Tile::filled(grid.size, [n, 2, 3, 255]))).collect();
         // The same whatever the phi of the view.
         let of = |address: Address| tiles.get(address.view.theta as usize);
-        let made =
-            stored(&grid, of, LayerOptions { has_levels: true, ..LayerOptions::default() }, &Progress::new()).unwrap();
+        let made = stored(
+            &grid,
+            of,
+            LayerOptions { has_levels: true, ..LayerOptions::default() },
+            &Progress::new(),
+        )
+        .unwrap();
         assert_eq!(made.count, 4);
         assert_eq!(stored_size(&grid, of, true, Storage::Quick)[2], 4);
         let back = from_layers(&made).unwrap();
@@ -425,10 +492,14 @@ mod tests {
         lying.bytes[told + 4 * 2] = 3;
         assert!(from_layers(&lying).is_err(), "the first view's layer is no view's");
         // Where there is no room to tell of it, each has its own.
-        let small =
-            Grid { size: [1, 1], light: Directions { theta: 1, phi: 1 }, view: Directions { theta: 9, phi: 9 } };
+        let small = Grid {
+            size: [1, 1],
+            light: Directions { theta: 1, phi: 1 },
+            view: Directions { theta: 9, phi: 9 },
+        };
         let tile = Arc::new(Tile::filled([1, 1], [1; 4]));
-        let made = stored(&small, |_| Some(&tile), LayerOptions::default(), &Progress::new()).unwrap();
+        let made =
+            stored(&small, |_| Some(&tile), LayerOptions::default(), &Progress::new()).unwrap();
         assert_eq!((made.count, from_layers(&made).unwrap().painted.len()), (82, 73));
     }
 }

@@ -9,12 +9,17 @@ use crate::document::{Grid, Tile};
 
 /// The sizes of a tile's levels, the tile itself first and one texel last.
 pub(super) fn level_sizes(grid: &Grid) -> impl Iterator<Item = [u32; 2]> {
-    std::iter::successors(Some(grid.size), |size| (*size != [1, 1]).then(|| size.map(|side| (side / 2).max(1))))
+    std::iter::successors(Some(grid.size), |size| {
+        (*size != [1, 1]).then(|| size.map(|side| (side / 2).max(1)))
+    })
 }
 
 /// The smaller levels of all these tiles, each made once, by the tile's place in memory.
-pub(super) fn levels_of_all<'a>(tiles: impl Iterator<Item = &'a Arc<Tile>>) -> HashMap<*const Tile, Vec<Tile>> {
-    let differ: HashMap<*const Tile, &Arc<Tile>> = tiles.map(|tile| (Arc::as_ptr(tile), tile)).collect();
+pub(super) fn levels_of_all<'a>(
+    tiles: impl Iterator<Item = &'a Arc<Tile>>,
+) -> HashMap<*const Tile, Vec<Tile>> {
+    let differ: HashMap<*const Tile, &Arc<Tile>> =
+        tiles.map(|tile| (Arc::as_ptr(tile), tile)).collect();
     let differ: Vec<&Arc<Tile>> = differ.into_values().collect();
     let made: Vec<Vec<Tile>> = differ.par_iter().map(|tile| levels_of(tile)).collect();
     differ.into_iter().map(Arc::as_ptr).zip(made).collect()

@@ -1,8 +1,9 @@
 //! `hcbtf.json`: what the images of a folder cannot say, beside them.
 //!
-//! It has the fields of an `.hcbtf` file's manifest (grid, tiling, rules), and lists the images that rules filled with a
-//! digest of each. What is not listed, or was painted over since, is painted; the rest is left to the rules. So a folder
-//! comes back as what was exported, and an image that somebody changed or added in another program comes back as painted.
+//! It has the fields of an `.hcbtf` file's manifest (grid, tiling, rules), and lists the images
+//! that rules filled with a digest of each. What is not listed, or was painted over since, is
+//! painted; the rest is left to the rules. So a folder comes back as what was exported, and an
+//! image that somebody changed or added in another program comes back as painted.
 
 use std::collections::HashMap;
 
@@ -43,7 +44,9 @@ impl Listing {
 
 /// Its text, for these samples.
 pub(super) fn text(filled: &Filled, which: Which) -> Result<String, serde_json::Error> {
-    let taken = filled.iter().filter(|(_, _, provenance)| which.has(provenance) && !Which::Painted.has(provenance));
+    let taken = filled
+        .iter()
+        .filter(|(_, _, provenance)| which.has(provenance) && !Which::Painted.has(provenance));
     // Many samples share a tile.
     let digests: Vec<u64> = filled.tiles().iter().map(|tile| tile.digest()).collect();
     let lines: Vec<String> = taken
@@ -52,7 +55,8 @@ pub(super) fn text(filled: &Filled, which: Which) -> Result<String, serde_json::
             Some(format!("    \"{}\": \"{digest:016x}\"", file_name(address)))
         })
         .collect();
-    let lines = if lines.is_empty() { "{}".to_owned() } else { format!("{{\n{}\n  }}", lines.join(",\n")) };
+    let lines =
+        if lines.is_empty() { "{}".to_owned() } else { format!("{{\n{}\n  }}", lines.join(",\n")) };
     let head = manifest::head(&filled.grid(), filled.is_tiling(), filled.rules())?;
     Ok(format!("{head}  \"filled\": {lines}\n}}\n"))
 }
@@ -60,11 +64,17 @@ pub(super) fn text(filled: &Filled, which: Which) -> Result<String, serde_json::
 /// Reads one; everything that is wrong goes to the report.
 pub(super) fn parse(text: &[u8], report: &mut Report) -> Option<Listing> {
     report.reads(NAME);
-    let fields = manifest::fields(text, &["chiaro", "version", "grid", "tiling", "rules", "filled"], report)?;
+    let fields = manifest::fields(
+        text,
+        &["chiaro", "version", "grid", "tiling", "rules", "filled"],
+        report,
+    )?;
     let (grid, is_tiling, rules) = manifest::parse_head(&fields, report)?;
     let filled = match fields.get("filled") {
         None => HashMap::new(),
-        Some(Value::Object(filled)) => filled.iter().filter_map(|(name, digest)| read(name, digest, report)).collect(),
+        Some(Value::Object(filled)) => {
+            filled.iter().filter_map(|(name, digest)| read(name, digest, report)).collect()
+        }
         Some(_) => {
             let message = format!("`{NAME}`: `filled` is no JSON object");
             report.add(Diagnostic::error("wrong-type", message).json_path("filled"));
@@ -77,7 +87,9 @@ pub(super) fn parse(text: &[u8], report: &mut Report) -> Option<Listing> {
 fn read(name: &str, digest: &Value, report: &mut Report) -> Option<(String, u64)> {
     let number = digest.as_str().and_then(|digits| u64::from_str_radix(digits, 16).ok());
     if number.is_none() {
-        let message = format!("`{NAME}`: `{name}` has no digest of 16 hexadecimal digits; it is taken as painted");
+        let message = format!(
+            "`{NAME}`: `{name}` has no digest of 16 hexadecimal digits; it is taken as painted"
+        );
         report.add(Diagnostic::warning("wrong-type", message).json_path(format!("filled.{name}")));
     }
     Some((name.to_owned(), number?))
@@ -97,10 +109,15 @@ mod tests {
         let mut hcbtf = Hcbtf::new(Grid { size: [2, 2], light, view: light });
         hcbtf.is_tiling = false;
         // The third is transparent all over, and painted all the same.
-        for (light, color) in [([0, 0], [200, 10, 10, 255]), ([1, 1], [0, 40, 90, 128]), ([1, 2], [0; 4])] {
-            hcbtf.painted.insert(Address::new(light, [1, 2]), Arc::new(Tile::filled([2, 2], color)));
+        for (light, color) in
+            [([0, 0], [200, 10, 10, 255]), ([1, 1], [0, 40, 90, 128]), ([1, 2], [0; 4])]
+        {
+            hcbtf
+                .painted
+                .insert(Address::new(light, [1, 2]), Arc::new(Tile::filled([2, 2], color)));
         }
-        hcbtf.rules = vec![Rule::Blend { sharpness: 2.0 }, Rule::Lambert { shadow: [0; 3], amount: 0.5 }];
+        hcbtf.rules =
+            vec![Rule::Blend { sharpness: 2.0 }, Rule::Lambert { shadow: [0; 3], amount: 0.5 }];
         hcbtf
     }
 
@@ -109,14 +126,22 @@ mod tests {
         let hcbtf = painted();
         let filled = fill(&hcbtf, &Progress::new()).unwrap();
         let (name, text) = folder::listing(&filled, Which::All).unwrap();
-        let mut files: HashMap<String, Vec<u8>> = folder::export(&filled, Which::All).map(Result::unwrap).collect();
+        let mut files: HashMap<String, Vec<u8>> =
+            folder::export(&filled, Which::All).map(Result::unwrap).collect();
         files.insert(name.to_owned(), text.into_bytes());
         let import = |files: &HashMap<String, Vec<u8>>| {
             let read = |name: &str| Ok(files[name].clone());
-            folder::import(files.keys().cloned().collect(), &read, Grid::THESIS, "folder", &Progress::new())
+            folder::import(
+                files.keys().cloned().collect(),
+                &read,
+                Grid::THESIS,
+                "folder",
+                &Progress::new(),
+            )
         };
         assert_eq!(import(&files).unwrap(), (hcbtf.clone(), vec![]));
-        // An image that another program wrote anew, other below its transparent texels, is the same; another colour is not.
+        // An image that another program wrote anew, other below its transparent texels, is the
+        // same; another color is not.
         let address = Address::new([1, 0], [0, 0]);
         let file = file_name(address);
         let tile = filled.tile(address).unwrap();
@@ -155,7 +180,10 @@ mod tests {
         ] {
             let (_, problems) = told(text);
             assert_eq!(problems[0].code, code, "{problems:?}");
-            assert!(code == "newer-version" || problems[0].message.contains("`hcbtf.json`"), "{problems:?}");
+            assert!(
+                code == "newer-version" || problems[0].message.contains("`hcbtf.json`"),
+                "{problems:?}"
+            );
         }
         let tile = Tile::filled([2, 2], [7, 8, 9, 0]);
         assert_eq!(tile.digest(), Tile::filled([2, 2], [1, 2, 3, 0]).digest(), "nobody sees it");

@@ -39,7 +39,8 @@ pub(super) fn sample_name(address: Address) -> String {
     format!("{SAMPLES}{}", folder::file_name(address))
 }
 
-/// The manifest's text: a field a line, a rule a line, a sample a line, so that tools that compare lines work well.
+/// The manifest's text: a field a line, a rule a line, a sample a line, so that tools that compare
+/// lines work well.
 pub(super) fn text(hcbtf: &Hcbtf) -> Result<String, serde_json::Error> {
     let mut text = head(&hcbtf.grid, hcbtf.is_tiling, &hcbtf.rules)?;
     let painted = hcbtf.painted.keys().map(|address| {
@@ -59,9 +60,14 @@ pub(super) fn text(hcbtf: &Hcbtf) -> Result<String, serde_json::Error> {
 }
 
 /// Its beginning, up to the rules.
-pub(super) fn head(grid: &Grid, is_tiling: bool, rules: &[Rule]) -> Result<String, serde_json::Error> {
+pub(super) fn head(
+    grid: &Grid,
+    is_tiling: bool,
+    rules: &[Rule],
+) -> Result<String, serde_json::Error> {
     let Grid { size: [width, height], light, view } = grid;
-    let directions = |of: &Directions| format!("{{ \"theta\": {}, \"phi\": {} }}", of.theta, of.phi);
+    let directions =
+        |of: &Directions| format!("{{ \"theta\": {}, \"phi\": {} }}", of.theta, of.phi);
     let (light, view) = (directions(light), directions(view));
     let rules: Vec<String> = rules.iter().map(serde_json::to_string).collect::<Result<_, _>>()?;
     Ok(format!(
@@ -73,30 +79,49 @@ pub(super) fn head(grid: &Grid, is_tiling: bool, rules: &[Rule]) -> Result<Strin
 }
 
 fn list(items: &[String]) -> String {
-    if items.is_empty() { "[]".to_owned() } else { format!("[\n    {}\n  ]", items.join(",\n    ")) }
+    if items.is_empty() {
+        "[]".to_owned()
+    } else {
+        format!("[\n    {}\n  ]", items.join(",\n    "))
+    }
 }
 
 /// Reads a manifest; everything that is wrong goes to the report.
 pub(super) fn parse(text: &[u8], report: &mut Report) -> Option<Manifest> {
     report.reads(NAME);
-    let fields = fields(text, &["chiaro", "version", "grid", "tiling", "rules", "painted"], report)?;
+    let fields =
+        fields(text, &["chiaro", "version", "grid", "tiling", "rules", "painted"], report)?;
     let (grid, is_tiling, rules) = parse_head(&fields, report)?;
     let painted = items(&fields, "painted", MAX_PAINTED, report)?;
-    let painted = painted.iter().enumerate().filter_map(|(index, value)| listed(value, index, &grid, report)).collect();
+    let painted = painted
+        .iter()
+        .enumerate()
+        .filter_map(|(index, value)| listed(value, index, &grid, report))
+        .collect();
     Some(Manifest { grid, is_tiling, rules, painted })
 }
 
-/// The fields of a JSON text that says that it is of an HCBTF; those that are not `known` are told of.
-pub(super) fn fields(text: &[u8], known: &[&str], report: &mut Report) -> Option<Map<String, Value>> {
-    let parsed = serde_json::from_slice::<Value>(text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text));
+/// The fields of a JSON text that says that it is of an HCBTF; those that are not `known` are told
+/// of.
+pub(super) fn fields(
+    text: &[u8],
+    known: &[&str],
+    report: &mut Report,
+) -> Option<Map<String, Value>> {
+    let parsed =
+        serde_json::from_slice::<Value>(text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text));
     let fields = match parsed {
         Ok(Value::Object(fields)) => fields,
         Ok(_) => return wrong(report, "wrong-type", "", "it is no JSON object"),
         Err(error) => {
             let at = LineColumn { line: error.line() as u32, column: error.column() as u32 };
             let part = report.part();
-            let message = format!("`{part}` is not JSON, at line {}, column {}: {error}", at.line, at.column);
-            report.add(Diagnostic::error("not-json", message).hint("mend it in a text editor, or take a backup"));
+            let message =
+                format!("`{part}` is not JSON, at line {}, column {}: {error}", at.line, at.column);
+            report.add(
+                Diagnostic::error("not-json", message)
+                    .hint("mend it in a text editor, or take a backup"),
+            );
             return None;
         }
     };
@@ -106,7 +131,10 @@ pub(super) fn fields(text: &[u8], known: &[&str], report: &mut Report) -> Option
 }
 
 /// The grid, whether it repeats, and the rules.
-pub(super) fn parse_head(fields: &Map<String, Value>, report: &mut Report) -> Option<(Grid, bool, Vec<Rule>)> {
+pub(super) fn parse_head(
+    fields: &Map<String, Value>,
+    report: &mut Report,
+) -> Option<(Grid, bool, Vec<Rule>)> {
     let grid = grid(fields.get("grid"), report)?;
     let is_tiling = match fields.get("tiling") {
         None => true,
@@ -114,7 +142,11 @@ pub(super) fn parse_head(fields: &Map<String, Value>, report: &mut Report) -> Op
         Some(_) => wrong(report, "wrong-type", "tiling", "it is neither true nor false")?,
     };
     let rules = items(fields, "rules", MAX_RULES, report)?;
-    let rules = rules.iter().enumerate().filter_map(|(index, value)| rule(value, index, &grid, report)).collect();
+    let rules = rules
+        .iter()
+        .enumerate()
+        .filter_map(|(index, value)| rule(value, index, &grid, report))
+        .collect();
     Some((grid, is_tiling, rules))
 }
 
@@ -128,14 +160,20 @@ fn wrong<T>(report: &mut Report, code: &'static str, path: &str, message: &str) 
 fn check_version(fields: &Map<String, Value>, report: &mut Report) -> Option<()> {
     if fields.get("chiaro").and_then(Value::as_str) != Some("hcbtf") {
         let message = format!("`{}` does not say `\"chiaro\": \"hcbtf\"`", report.part());
-        report.add(Diagnostic::error("wrong-document", message).hint("is this another kind of file?"));
+        report.add(
+            Diagnostic::error("wrong-document", message).hint("is this another kind of file?"),
+        );
         return None;
     }
     match fields.get("version").map(Value::as_u64) {
         Some(Some(version)) if version > u64::from(VERSION) => {
-            let message =
-                format!("the file is of version {version}, made by a later Chiaro; this one reads up to {VERSION}");
-            report.add(Diagnostic::error("newer-version", message).hint("open it with a newer Chiaro"));
+            let message = format!(
+                "the file is of version {version}, made by a later Chiaro; this one reads up to \
+                 {VERSION}"
+            );
+            report.add(
+                Diagnostic::error("newer-version", message).hint("open it with a newer Chiaro"),
+            );
             None
         }
         None | Some(Some(1..)) => Some(()),
@@ -146,26 +184,42 @@ fn check_version(fields: &Map<String, Value>, report: &mut Report) -> Option<()>
 fn unknown_fields(fields: &Map<String, Value>, path: &str, known: &[&str], report: &mut Report) {
     for name in fields.keys().filter(|name| !known.contains(&name.as_str())) {
         let part = report.part();
-        let message = format!("`{part}` has a field `{name}` that this version does not know; saving loses it");
+        let message = format!(
+            "`{part}` has a field `{name}` that this version does not know; saving loses it"
+        );
         let at = if path.is_empty() { name.clone() } else { format!("{path}.{name}") };
-        report.add(Diagnostic::warning("unknown-field", message).json_path(at).suggest(name, known.iter().copied()));
+        report.add(
+            Diagnostic::warning("unknown-field", message)
+                .json_path(at)
+                .suggest(name, known.iter().copied()),
+        );
     }
 }
 
 /// The items of a list of at most `most`; none where the field is missing.
-fn items<'a>(fields: &'a Map<String, Value>, name: &str, most: usize, report: &mut Report) -> Option<&'a [Value]> {
+fn items<'a>(
+    fields: &'a Map<String, Value>,
+    name: &str,
+    most: usize,
+    report: &mut Report,
+) -> Option<&'a [Value]> {
     match fields.get(name) {
         None => Some(&[]),
         Some(Value::Array(items)) if items.len() <= most => Some(items),
-        Some(Value::Array(items)) => {
-            wrong(report, "too-many", name, &format!("there are {} items; at most {most} can be", items.len()))
-        }
+        Some(Value::Array(items)) => wrong(
+            report,
+            "too-many",
+            name,
+            &format!("there are {} items; at most {most} can be", items.len()),
+        ),
         Some(_) => wrong(report, "wrong-type", name, "it is no list"),
     }
 }
 
 fn grid(value: Option<&Value>, report: &mut Report) -> Option<Grid> {
-    let Some(value) = value else { return wrong(report, "missing-field", "grid", "there is no grid") };
+    let Some(value) = value else {
+        return wrong(report, "missing-field", "grid", "there is no grid");
+    };
     if let Value::Object(fields) = value {
         unknown_fields(fields, "grid", &["size", "light", "view"], report);
         for side in ["light", "view"] {
@@ -188,20 +242,29 @@ pub fn read_rules(text: &str, grid: &Grid, name: &str) -> Result<Vec<Rule>, Vec<
     report.reads("rules");
     let rules = match serde_json::from_str::<Value>(text) {
         Ok(Value::Array(values)) if values.len() <= MAX_RULES => {
-            let rules = values.iter().enumerate().filter_map(|(index, value)| rule(value, index, grid, &mut report));
+            let rules = values
+                .iter()
+                .enumerate()
+                .filter_map(|(index, value)| rule(value, index, grid, &mut report));
             Some(rules.collect::<Vec<Rule>>())
         }
-        Ok(Value::Array(values)) => {
-            wrong(&mut report, "too-many", "", &format!("there are {}; at most {MAX_RULES} can be", values.len()))
-        }
+        Ok(Value::Array(values)) => wrong(
+            &mut report,
+            "too-many",
+            "",
+            &format!("there are {}; at most {MAX_RULES} can be", values.len()),
+        ),
         Ok(_) => {
             let problem = Diagnostic::error("wrong-type", "these are no rules: it is no list");
-            report.add(problem.hint("write a list of rules, as `chiaro hcbtf rules FILE` shows them"));
+            report.add(
+                problem.hint("write a list of rules, as `chiaro hcbtf rules FILE` shows them"),
+            );
             None
         }
         Err(error) => {
             let at = LineColumn { line: error.line() as u32, column: error.column() as u32 };
-            report.add(Diagnostic::error("not-json", format!("these are no rules: {error}")).at(at));
+            report
+                .add(Diagnostic::error("not-json", format!("these are no rules: {error}")).at(at));
             None
         }
     };
@@ -212,9 +275,14 @@ fn rule(value: &Value, index: usize, grid: &Grid, report: &mut Report) -> Option
     let path = format!("rules[{index}]");
     let word = value.get("rule").and_then(Value::as_str);
     let Some(word) = word.filter(|word| Rule::WORDS.contains(word)) else {
-        let what = word.map_or("a rule has no word".to_owned(), |word| format!("there is no rule `{word}`"));
-        let problem = Diagnostic::error("unknown-word", format!("`{}`: {what}", report.part())).json_path(path);
-        let hint = format!("`rule` is one of {}; `chiaro hcbtf rules --help` tells of each", Rule::WORDS.join(", "));
+        let what = word
+            .map_or("a rule has no word".to_owned(), |word| format!("there is no rule `{word}`"));
+        let problem = Diagnostic::error("unknown-word", format!("`{}`: {what}", report.part()))
+            .json_path(path);
+        let hint = format!(
+            "`rule` is one of {}; `chiaro hcbtf rules --help` tells of each",
+            Rule::WORDS.join(", ")
+        );
         report.add(problem.suggest(word.unwrap_or_default(), Rule::WORDS).hint(hint));
         return None;
     };
@@ -225,12 +293,16 @@ fn rule(value: &Value, index: usize, grid: &Grid, report: &mut Report) -> Option
     match checked {
         Ok(rule) => Some(rule),
         Err(why) => {
-            let problem = Diagnostic::error("hcbtf-rule", format!("`{}`: {why}", report.part())).json_path(path);
+            let problem = Diagnostic::error("hcbtf-rule", format!("`{}`: {why}", report.part()))
+                .json_path(path);
             let about = Rule::ABOUT.into_iter().find(|about| about.word == word);
-            let known: Vec<&str> = about.iter().flat_map(|about| about.fields).map(|(name, _)| *name).collect();
+            let known: Vec<&str> =
+                about.iter().flat_map(|about| about.fields).map(|(name, _)| *name).collect();
             let unknown = value.as_object().into_iter().flat_map(Map::keys);
             let unknown = unknown.filter(|name| *name != "rule" && !known.contains(&name.as_str()));
-            report.add(unknown.fold(problem, |problem, name| problem.suggest(name, known.iter().copied())));
+            report.add(
+                unknown.fold(problem, |problem, name| problem.suggest(name, known.iter().copied())),
+            );
             None
         }
     }
@@ -238,13 +310,22 @@ fn rule(value: &Value, index: usize, grid: &Grid, report: &mut Report) -> Option
 
 fn listed(value: &Value, index: usize, grid: &Grid, report: &mut Report) -> Option<Listed> {
     let path = format!("painted[{index}]");
-    let Value::Object(fields) = value else { return wrong(report, "wrong-type", &path, "it is no JSON object") };
+    let Value::Object(fields) = value else {
+        return wrong(report, "wrong-type", &path, "it is no JSON object");
+    };
     unknown_fields(fields, &path, &["light", "view", "file"], report);
     let mut pair = |name: &str| {
-        let pair = fields.get(name).and_then(|value| serde_json::from_value::<[u32; 2]>(value.clone()).ok());
+        let pair = fields
+            .get(name)
+            .and_then(|value| serde_json::from_value::<[u32; 2]>(value.clone()).ok());
         let place = format!("{path}.{name}");
         pair.or_else(|| {
-            wrong(report, "wrong-type", &place, &format!("`{name}` is not [theta, phi], two whole numbers"))
+            wrong(
+                report,
+                "wrong-type",
+                &place,
+                &format!("`{name}` is not [theta, phi], two whole numbers"),
+            )
         })
     };
     let (light, view) = (pair("light")?, pair("view")?);
@@ -254,7 +335,8 @@ fn listed(value: &Value, index: usize, grid: &Grid, report: &mut Report) -> Opti
         .find(|(pair, directions, _)| pair[0] >= directions.theta || pair[1] >= directions.phi);
     if let Some((pair, directions, name)) = outside {
         let Directions { theta, phi } = directions;
-        let message = format!("`{name}` is {pair:?}, outside the grid of {theta} x {phi} directions");
+        let message =
+            format!("`{name}` is {pair:?}, outside the grid of {theta} x {phi} directions");
         return wrong(report, "out-of-range", &path, &message);
     }
     let Some(file) = fields.get("file").and_then(Value::as_str) else {

@@ -49,8 +49,8 @@ impl Device {
         }
     }
 
-    /// Whether all samples of a grid can be filled, and be painted on with this device: what is painted has a layer for
-    /// each view, quick and at least without smaller levels.
+    /// Whether all samples of a grid can be filled, and be painted on with this device: what is
+    /// painted has a layer for each view, quick and at least without smaller levels.
     ///
     /// # Errors
     /// What is too large, and what to take less of.
@@ -66,16 +66,22 @@ impl Device {
         check_layers(grid, false)?;
         let [width, height, layers] = layers_size(grid, false);
         let Limits { side, layers: most, .. } = self.limits;
-        let wrong = |what: String| Diagnostic::error("too-large", format!("{what} ({})", self.name));
+        let wrong =
+            |what: String| Diagnostic::error("too-large", format!("{what} ({})", self.name));
         if width.max(height) > side {
-            let what =
-                format!("its texture would have {width} x {height} texels; the device takes {side} along a side");
+            let what = format!(
+                "its texture would have {width} x {height} texels; the device takes {side} along a \
+                 side"
+            );
             return Err(wrong(what).hint("take fewer texels, or fewer lights"));
         }
         if layers > most {
             let views = grid.view.count();
-            let what = format!("its texture would have {layers} layers for {views} views; the device takes {most}");
-            return Err(wrong(what).hint(format!("take fewer views: rings times steps may be {}", most.max(1) - 1)));
+            let what = format!(
+                "its texture would have {layers} layers for {views} views; the device takes {most}"
+            );
+            return Err(wrong(what)
+                .hint(format!("take fewer views: rings times steps may be {}", most.max(1) - 1)));
         }
         Ok(())
     }
@@ -121,7 +127,7 @@ pub fn needs<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Tile>>) -
     each(|storage, has_levels| stored_size(grid, &tile, has_levels, storage))
 }
 
-/// What each takes at most, whatever is painted: no two tiles alike, and each of many colours.
+/// What each takes at most, whatever is painted: no two tiles alike, and each of many colors.
 pub fn needs_at_most(grid: &Grid) -> Vec<Need> {
     each(|storage, has_levels| match storage {
         Storage::Quick => layers_size(grid, has_levels),
@@ -131,8 +137,11 @@ pub fn needs_at_most(grid: &Grid) -> Vec<Need> {
 }
 
 fn each(size: impl Fn(Storage, bool) -> [u64; 3]) -> Vec<Need> {
-    let all = Storage::ALL.into_iter().flat_map(|storage| [false, true].map(|has_levels| (storage, has_levels)));
-    all.map(|(storage, has_levels)| Need { storage, has_levels, size: size(storage, has_levels) }).collect()
+    let all = Storage::ALL
+        .into_iter()
+        .flat_map(|storage| [false, true].map(|has_levels| (storage, has_levels)));
+    all.map(|(storage, has_levels)| Need { storage, has_levels, size: size(storage, has_levels) })
+        .collect()
 }
 
 #[cfg(test)]
@@ -157,8 +166,15 @@ mod tests {
         let lights = directions(6, 10);
         assert_eq!(device.check_painted(&grid(682, lights, directions(1, 1))), Ok(()));
         let wide = why(grid(683, lights, directions(1, 1)));
-        assert!(wide.message.contains("4098 x 8196 texels") && wide.hints == ["take fewer texels, or fewer lights"]);
-        for too_much in [grid(4095, few, few), grid(1, directions(255, 255), directions(6, 10)), grid(0, few, few)] {
+        assert!(
+            wide.message.contains("4098 x 8196 texels")
+                && wide.hints == ["take fewer texels, or fewer lights"]
+        );
+        for too_much in [
+            grid(4095, few, few),
+            grid(1, directions(255, 255), directions(6, 10)),
+            grid(0, few, few),
+        ] {
             assert!(!why(too_much).message.is_empty());
         }
     }

@@ -1,13 +1,14 @@
-//! Hand-painted 6D textures (HCBTFs): how their files are read and written, how rules fill what is not painted,
-//! and how all of it becomes the texture that shaders look up.
+//! Hand-painted 6D textures (HCBTFs): how their files are read and written, how rules fill what is
+//! not painted, and how all of it becomes the texture that shaders look up.
 //!
-//! [`load`] and [`read`] take an `.hcbtf` file, [`write()`] gives its bytes. [`fill`](fill::fill) runs the rules and gives a
-//! [`Filled`]: a tile and its [`Provenance`] for every sample of the grid, which is what shaders look up. [`sheet`],
-//! [`folder`] and [`contact`] exchange samples with other programs: the thesis's flattened texture, a folder of images, and
-//! one picture with all samples side by side; [`exchange`] has all of them by one name each. docs/format.md documents
-//! all of them. [`paint`] is the brush.
-//! [`stored`] lays the filled tiles out as the texture of a shader, [`needs`] tells beforehand what that takes, and [`ktx2`]
-//! writes it as a file for other engines.
+//! [`load`] and [`read`] take an `.hcbtf` file, [`write()`] gives its bytes. [`fill`](fill::fill)
+//! runs the rules and gives a [`Filled`]: a tile and its [`Provenance`] for every sample of the
+//! grid, which is what shaders look up. [`sheet`], [`folder`] and [`contact`] exchange samples with
+//! other programs: the thesis's flattened texture, a folder of images, and one picture with all
+//! samples side by side; [`exchange`] has all of them by one name each. docs/format.md documents
+//! all of them. [`paint`] is the brush. [`stored`] lays the filled tiles out as the texture of a
+//! shader, [`needs`] tells beforehand what that takes, and [`ktx2`] writes it as a file for other
+//! engines.
 //!
 //! Files are not trusted: sizes are bounded before memory is taken for them ([`MAX_FILE_BYTES`],
 //! [`MAX_PAINTED_BYTES`], [`MAX_PAINTED`]), and every problem is a diagnostic that names the file.
@@ -46,8 +47,8 @@ pub use cover::{Cover, cover};
 pub use file::{load, read, read_bytes, write};
 pub use fill::{Estimate, Filled, NotFilled, Provenance, Which, estimate, filled_at_most};
 pub use layers::{
-    LayerOptions, Layers, MAX_LAYERS_BYTES, check_layers, from_layers, layers, layers_bytes, layers_size, stored,
-    stored_size,
+    LayerOptions, Layers, MAX_LAYERS_BYTES, check_layers, from_layers, layers, layers_bytes,
+    layers_size, stored, stored_size,
 };
 pub use manifest::read_rules;
 pub use memory::{Device, Limits, Need, needs, needs_at_most};
@@ -77,10 +78,15 @@ pub fn check_all_painted(grid: &Grid) -> Result<(), Diagnostic> {
 
 /// Whether a file can hold so many painted samples.
 fn check_painted(grid: &Grid, count: u64) -> Result<(), Diagnostic> {
-    if count <= MAX_PAINTED as u64 && count.saturating_mul(grid.texels() as u64 * 4) <= MAX_PAINTED_BYTES {
+    if count <= MAX_PAINTED as u64
+        && count.saturating_mul(grid.texels() as u64 * 4) <= MAX_PAINTED_BYTES
+    {
         return Ok(());
     }
-    let message = format!("{count} painted samples of {} x {} texels are too much", grid.size[0], grid.size[1]);
+    let message = format!(
+        "{count} painted samples of {} x {} texels are too much",
+        grid.size[0], grid.size[1]
+    );
     let hint = format!(
         "a file holds {MAX_PAINTED} of them, and {} MiB: take a smaller tile or a coarser grid",
         MAX_PAINTED_BYTES >> 20

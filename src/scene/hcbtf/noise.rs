@@ -1,4 +1,5 @@
-//! Numbers that look like chance and are the same on every machine, and noise that repeats with the tile.
+//! Numbers that look like chance and are the same on every machine, and noise that repeats with the
+//! tile.
 
 /// A well mixed number of another: a step of splitmix64 (Steele, Lea and Flood 2014).
 pub(super) fn mixed(number: u64) -> u64 {
@@ -24,7 +25,8 @@ pub(super) fn chances(hash: u64) -> [f32; 3] {
     [0, 21, 42].map(|shift| ((hash >> shift) & 0x1f_ffff) as f32 / (1 << 21) as f32)
 }
 
-/// Smooth noise in [0, 1] with `cells` bumps along the tile's sides, at a place of the tile in [0, 1).
+/// Smooth noise in [0, 1] with `cells` bumps along the tile's sides, at a place of the tile in [0,
+/// 1).
 pub(super) fn smooth(seed: u32, cells: [u32; 2], place: [f32; 2]) -> f32 {
     let [(x, fx), (y, fy)] = [0, 1].map(|axis| {
         let at = place[axis] * cells[axis] as f32;
@@ -32,7 +34,8 @@ pub(super) fn smooth(seed: u32, cells: [u32; 2], place: [f32; 2]) -> f32 {
         (at.floor() as i64, f * f * (3.0 - 2.0 * f))
     });
     let [wide, high] = cells.map(i64::from);
-    let corner = |dx: i64, dy: i64| chance(seed, (x + dx).rem_euclid(wide), (y + dy).rem_euclid(high));
+    let corner =
+        |dx: i64, dy: i64| chance(seed, (x + dx).rem_euclid(wide), (y + dy).rem_euclid(high));
     let row = |dy| corner(0, dy) + (corner(1, dy) - corner(0, dy)) * fx;
     row(0) + (row(1) - row(0)) * fy
 }

@@ -3,7 +3,9 @@
 use std::io::Cursor;
 
 use image::codecs::png::{CompressionType, FilterType, PngDecoder, PngEncoder};
-use image::{ColorType, DynamicImage, ExtendedColorType, ImageDecoder as _, ImageEncoder as _, Limits};
+use image::{
+    ColorType, DynamicImage, ExtendedColorType, ImageDecoder as _, ImageEncoder as _, Limits,
+};
 
 use super::MAX_PAINTED_BYTES;
 use crate::diag::Diagnostic;
@@ -45,8 +47,14 @@ impl Picture {
         let bytes = u64::from(size[0]) * u64::from(size[1]) * 4;
         if bytes > MAX_PAINTED_BYTES {
             let [width, height] = size;
-            let message = format!("the {what} would have {width} x {height} texels, which take {} MiB", bytes >> 20);
-            let hint = format!("at most {} MiB can be written; take a coarser grid", MAX_PAINTED_BYTES >> 20);
+            let message = format!(
+                "the {what} would have {width} x {height} texels, which take {} MiB",
+                bytes >> 20
+            );
+            let hint = format!(
+                "at most {} MiB can be written; take a coarser grid",
+                MAX_PAINTED_BYTES >> 20
+            );
             return Err(Box::new(Diagnostic::error("too-large", message).hint(hint)));
         }
         Ok(Self { size, rgba: vec![0; bytes as usize] })
@@ -57,8 +65,12 @@ impl Picture {
     /// # Errors
     /// Why it cannot be encoded, which only a picture without texels brings about.
     pub fn to_png(&self) -> Result<Vec<u8>, Box<Diagnostic>> {
-        encode(self.size, &self.rgba)
-            .map_err(|why| Box::new(Diagnostic::error("cannot-write", format!("the picture cannot be encoded: {why}"))))
+        encode(self.size, &self.rgba).map_err(|why| {
+            Box::new(Diagnostic::error(
+                "cannot-write",
+                format!("the picture cannot be encoded: {why}"),
+            ))
+        })
     }
 
     /// The four bytes of a texel, as one number to compare.
@@ -90,8 +102,12 @@ impl Picture {
     }
 }
 
-/// Decodes a PNG of any colour type. `accept` is asked about its size before memory is taken for it.
-pub(super) fn decode(png: &[u8], accept: impl FnOnce([u32; 2]) -> Result<(), String>) -> Result<Decoded, String> {
+/// Decodes a PNG of any color type. `accept` is asked about its size before memory is taken for
+/// it.
+pub(super) fn decode(
+    png: &[u8],
+    accept: impl FnOnce([u32; 2]) -> Result<(), String>,
+) -> Result<Decoded, String> {
     let header = png.strip_prefix(PNG_START).and_then(|rest| rest.first_chunk::<8>());
     let [a, b, c, d, e, f, g, h] = *header.ok_or("it is no PNG")?;
     let size = [u32::from_be_bytes([a, b, c, d]), u32::from_be_bytes([e, f, g, h])];
@@ -103,9 +119,13 @@ pub(super) fn decode(png: &[u8], accept: impl FnOnce([u32; 2]) -> Result<(), Str
     let broken = |error: image::ImageError| format!("it cannot be decoded: {error}");
     let decoder = PngDecoder::with_limits(Cursor::new(png), limits).map_err(broken)?;
     let kind = decoder.color_type();
-    let had_16_bits = matches!(kind, ColorType::L16 | ColorType::La16 | ColorType::Rgb16 | ColorType::Rgba16);
+    let had_16_bits =
+        matches!(kind, ColorType::L16 | ColorType::La16 | ColorType::Rgb16 | ColorType::Rgba16);
     let rgba = DynamicImage::from_decoder(decoder).map_err(broken)?.into_rgba8();
-    Ok(Decoded { picture: Picture { size: [rgba.width(), rgba.height()], rgba: rgba.into_raw() }, had_16_bits })
+    Ok(Decoded {
+        picture: Picture { size: [rgba.width(), rgba.height()], rgba: rgba.into_raw() },
+        had_16_bits,
+    })
 }
 
 /// The PNG of some texels: RGBA, 8 bits a channel.
@@ -120,7 +140,8 @@ pub(super) fn encode(size: [u32; 2], rgba: &[u8]) -> Result<Vec<u8>, String> {
 /// The warning for a picture of 16 bits a channel.
 pub(super) fn reduced(what: &str) -> Diagnostic {
     let message = format!("{what} has 16 bits a channel; samples keep 8");
-    Diagnostic::warning("hcbtf-16-bit", message).hint("export it with 8 bits a channel to choose the rounding yourself")
+    Diagnostic::warning("hcbtf-16-bit", message)
+        .hint("export it with 8 bits a channel to choose the rounding yourself")
 }
 
 #[cfg(test)]
@@ -139,11 +160,13 @@ mod tests {
     fn every_kind_of_png_becomes_straight_rgba8() {
         let gray = decode(&png(ImageBuffer::from_pixel(2, 1, Luma([7_u8]))), |_| Ok(())).unwrap();
         assert_eq!(gray.picture, Picture { size: [2, 1], rgba: vec![7, 7, 7, 255, 7, 7, 7, 255] });
-        let deep = decode(&png(ImageBuffer::from_pixel(1, 1, Rgb([0_u16, 65_535, 257 * 9]))), |_| Ok(())).unwrap();
+        let deep =
+            decode(&png(ImageBuffer::from_pixel(1, 1, Rgb([0_u16, 65_535, 257 * 9]))), |_| Ok(()))
+                .unwrap();
         assert!(deep.had_16_bits && deep.picture.rgba == [0, 255, 9, 255]);
         let own = Picture { size: [1, 2], rgba: vec![1, 2, 3, 0, 255, 0, 9, 128] };
         let back = decode(&own.to_png().unwrap(), |_| Ok(())).unwrap();
-        assert_eq!(back.picture, own, "colours under alpha 0 stay");
+        assert_eq!(back.picture, own, "colors under alpha 0 stay");
     }
 
     #[test]

@@ -3,7 +3,8 @@
 use std::fmt;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
-/// How far work has come, and whether it is still wanted. Whoever watches and whoever works share one.
+/// How far work has come, and whether it is still wanted. Whoever watches and whoever works share
+/// one.
 #[derive(Debug, Default)]
 pub struct Progress {
     done: AtomicU64,
@@ -27,7 +28,8 @@ impl Progress {
         Self::default()
     }
 
-    /// Nothing is done yet; `tell` is told of every step that is, and of how many there are, from whatever thread made it.
+    /// Nothing is done yet; `tell` is told of every step that is, and of how many there are, from
+    /// whatever thread made it.
     pub fn telling(tell: impl Fn([u64; 2]) + Send + Sync + 'static) -> Self {
         Self { told: Some(Told(Box::new(tell))), ..Self::default() }
     }
@@ -47,7 +49,8 @@ impl Progress {
         &self.is_stopped
     }
 
-    /// Steps that are done, and how many there will be as far as is known: 0 before the work is laid out.
+    /// Steps that are done, and how many there will be as far as is known: 0 before the work is
+    /// laid out.
     pub fn steps(&self) -> [u64; 2] {
         [self.done.load(Ordering::Relaxed), self.total.load(Ordering::Relaxed)]
     }

@@ -1,5 +1,5 @@
-//! One sample put anew into the texture that shaders look up: a stroke changes a few texels of a tile, and the texture of all
-//! tiles may be hundreds of mebibytes.
+//! One sample put anew into the texture that shaders look up: a stroke changes a few texels of a
+//! tile, and the texture of all tiles may be hundreds of mebibytes.
 
 use super::layers::{Layer, LayerOptions, layers_size};
 use super::levels::levels_of;
@@ -16,8 +16,9 @@ pub struct Region {
     pub size: [u32; 2],
 }
 
-/// Puts a part of a sample's tile (x, y, width and height in its texels) into a texture that [`layers`](super::layers())
-/// made of the same grid with the same options. Returns what may be another now.
+/// Puts a part of a sample's tile (x, y, width and height in its texels) into a texture that
+/// [`layers`](super::layers()) made of the same grid with the same options. Returns what may be
+/// another now.
 pub fn repaint(
     rgba: &mut [u8],
     grid: &Grid,
@@ -32,7 +33,10 @@ pub fn repaint(
     let levels = if options.has_levels { levels_of(tile) } else { Vec::new() };
     for view in copies(grid.view, address.view) {
         let layer = view.theta * grid.view.phi + view.phi;
-        let Some(texels) = rgba.get_mut(layer as usize * bytes..(layer as usize + 1) * bytes) else { continue };
+        let Some(texels) = rgba.get_mut(layer as usize * bytes..(layer as usize + 1) * bytes)
+        else {
+            continue;
+        };
         let mut place = Layer { grid, width: width as usize, texels };
         for light in copies(grid.light, address.light) {
             place.put_part(tile, part, light, [0, 0]);
@@ -74,28 +78,42 @@ mod tests {
 
     #[test]
     fn a_sample_put_anew_is_as_if_all_had_been_laid_out_anew() {
-        let grid = Grid { size: [6, 5], light: Directions { theta: 3, phi: 4 }, view: Directions { theta: 2, phi: 3 } };
+        let grid = Grid {
+            size: [6, 5],
+            light: Directions { theta: 3, phi: 4 },
+            view: Directions { theta: 2, phi: 3 },
+        };
         for has_levels in [false, true] {
             let options = LayerOptions { has_levels, is_decoded: false, storage: Storage::Quick };
             let grey = Arc::new(Tile::filled(grid.size, [90, 91, 92, 255]));
-            let mut tiles: HashMap<Address, Arc<Tile>> = grid.addresses().map(|at| (at, grey.clone())).collect();
+            let mut tiles: HashMap<Address, Arc<Tile>> =
+                grid.addresses().map(|at| (at, grey.clone())).collect();
             let mut texture = layers(&grid, |at| tiles.get(&at), options);
-            for (light, view) in [([0, 0], [0, 0]), ([2, 0], [1, 2]), ([2, 3], [0, 0]), ([0, 0], [1, 1])] {
+            for (light, view) in
+                [([0, 0], [0, 0]), ([2, 0], [1, 2]), ([2, 3], [0, 0]), ([0, 0], [1, 1])]
+            {
                 let address = Address::new(light, view);
                 let mut tile = (*tiles[&address]).clone();
                 let part = [1, 2, 3, 2];
                 for (x, y) in (2..4).flat_map(|y| (1..4).map(move |x| (x, y))) {
                     let at = 4 * (y * 6 + x);
-                    tile.bytes_mut()[at..at + 4].copy_from_slice(&[x as u8, y as u8, view[0] as u8, 200]);
+                    tile.bytes_mut()[at..at + 4].copy_from_slice(&[
+                        x as u8,
+                        y as u8,
+                        view[0] as u8,
+                        200,
+                    ]);
                 }
                 let before = texture.clone();
                 let regions = repaint(&mut texture.bytes, &grid, options, address, (&tile, part));
                 tiles.insert(address, Arc::new(tile));
                 assert_eq!(texture, layers(&grid, |at| tiles.get(&at), options), "{address}");
                 let is_told = |index: usize| {
-                    let (x, rest) = (index as u32 % texture.size[0], index as u32 / texture.size[0]);
+                    let (x, rest) =
+                        (index as u32 % texture.size[0], index as u32 / texture.size[0]);
                     let (y, layer) = (rest % texture.size[1], rest / texture.size[1]);
-                    let within = |at: u32, from: u32, count: u32| (from..from + count).contains(&at);
+                    let within =
+                        |at: u32, from: u32, count: u32| (from..from + count).contains(&at);
                     regions.iter().any(|region| {
                         region.layer == layer
                             && within(x, region.at[0], region.size[0])

@@ -54,7 +54,10 @@ impl Report {
     }
 
     /// Everything that was said, as the error that it is where something is wrong.
-    pub(super) fn finish<T>(mut self, value: Option<T>) -> Result<(T, Vec<Diagnostic>), Vec<Diagnostic>> {
+    pub(super) fn finish<T>(
+        mut self,
+        value: Option<T>,
+    ) -> Result<(T, Vec<Diagnostic>), Vec<Diagnostic>> {
         if self.untold > 0 {
             let message = format!("there are {} more problems, which are not listed", self.untold);
             self.told.push(Diagnostic::note("more-problems", message).in_file(self.file.as_str()));

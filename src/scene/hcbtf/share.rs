@@ -14,8 +14,8 @@ pub(super) struct Views {
     pub(super) layer: Vec<u32>,
 }
 
-/// Finds the views whose samples have the same tiles. Where the layer that tells the grid has no room for whose is whose,
-/// which is where a layer has hardly a texel, all of them differ.
+/// Finds the views whose samples have the same tiles. Where the layer that tells the grid has no
+/// room for whose is whose, which is where a layer has hardly a texel, all of them differ.
 pub(super) fn views<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Tile>>) -> Views {
     let count = grid.view.count();
     let [width, height, _] = layers_size(grid, false);
@@ -27,7 +27,9 @@ pub(super) fn views<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Ti
     for index in 0..count {
         let view = direction(index, grid.view.phi);
         let lights = (0..grid.light.count()).map(|index| direction(index, grid.light.phi));
-        let tiles = lights.map(|light| tile(Address { view, light }.canonical()).map(Arc::as_ptr)).collect();
+        let tiles = lights
+            .map(|light| tile(Address { view, light }.canonical()).map(Arc::as_ptr))
+            .collect();
         let next = known.len() as u32;
         let layer = *known.entry(tiles).or_insert(next);
         if layer == next {

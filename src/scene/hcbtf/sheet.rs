@@ -1,16 +1,18 @@
 //! The thesis's flattened texture: all six dimensions in one picture (thesis 10.2 and A.3).
 //!
-//! With `i` for the light (incident) and `r` for the view (reflected), and Ti, Pi, Tr, Pr the rings and steps of each,
+//! With `i` for the light (incident) and `r` for the view (reflected), and Ti, Pi, Tr, Pr the rings
+//! and steps of each,
 //!
 //! ```text
 //! X = ix (Tr Ti) + theta_r Ti + theta_i
 //! Y = iy (Pr (Pi + 2)) + phi_r (Pi + 2) + phi_i + 1
 //! ```
 //!
-//! The rows at phi_i + 1 = 0 and Pi + 1 are padding, copies of the last and the first step, so that hardware interpolates
-//! across the seam. At theta = 0 every step around the normal holds a copy of the one sample there. (Section 10.2 and the
-//! heading of figure 23 tell it with light and view exchanged; the shader of A.3, which ran, does it like this.) iy counts a
-//! tile's rows from the top.
+//! The rows at phi_i + 1 = 0 and Pi + 1 are padding, copies of the last and the first step, so that
+//! hardware interpolates across the seam. At theta = 0 every step around the normal holds a copy of
+//! the one sample there. (Section 10.2 and the heading of figure 23 tell it with light and view
+//! exchanged; the shader of A.3, which ran, does it like this.) iy counts a tile's rows from the
+//! top.
 
 use std::sync::Arc;
 
@@ -46,7 +48,9 @@ pub fn export(filled: &Filled) -> Result<Picture, Box<Diagnostic>> {
         // One row of each tile that meets in this one; texels of one ix lie beside each other.
         let rows: Vec<&[u8]> = place
             .addresses(&grid)
-            .filter_map(|address| filled.tile(address)?.bytes().get(place.iy * width..(place.iy + 1) * width))
+            .filter_map(|address| {
+                filled.tile(address)?.bytes().get(place.iy * width..(place.iy + 1) * width)
+            })
             .collect();
         for (ix, texels) in row.chunks_exact_mut(4 * rows.len().max(1)).enumerate() {
             for (texel, row) in texels.chunks_exact_mut(4).zip(&rows) {
@@ -78,15 +82,16 @@ pub fn held(grid: &Grid, [x, y]: [u32; 2]) -> Option<Held> {
     Some(Held { address, texel: [ix, iy], is_copy: is_padding || address != written })
 }
 
-/// What a column of the sheet holds: the texel's column in the tile, the ring of the view, and that of the light.
+/// What a column of the sheet holds: the texel's column in the tile, the ring of the view, and that
+/// of the light.
 pub fn column(grid: &Grid, x: u32) -> Option<[u32; 3]> {
     let across = grid.view.theta * grid.light.theta;
     let within = x.checked_rem(across)?;
     (x < size(grid)[0]).then(|| [x / across, within / grid.light.theta, within % grid.light.theta])
 }
 
-/// What a row of the sheet holds: the texel's row in the tile, the step of the view, and that of the light; and whether it
-/// is padding.
+/// What a row of the sheet holds: the texel's row in the tile, the step of the view, and that of
+/// the light; and whether it is padding.
 pub fn row(grid: &Grid, y: u32) -> Option<([u32; 3], bool)> {
     let is_inside = y < size(grid)[1];
     is_inside.then(|| {
@@ -122,7 +127,10 @@ impl Row {
         let (lights, phi_i, phi_r) = (grid.light.theta, self.phi_i, self.phi_r);
         (0..grid.view.theta).flat_map(move |theta_r| {
             let view = Direction { theta: theta_r, phi: phi_r };
-            (0..lights).map(move |theta_i| Address { light: Direction { theta: theta_i, phi: phi_i }, view })
+            (0..lights).map(move |theta_i| Address {
+                light: Direction { theta: theta_i, phi: phi_i },
+                view,
+            })
         })
     }
 }
@@ -148,8 +156,8 @@ pub fn read(
     progress: &Progress,
 ) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
     let mut report = Report::new(name);
-    let hcbtf =
-        decode_sheet(png, &grid, &mut report).and_then(|sheet| import_into(&sheet, grid, &mut report, progress));
+    let hcbtf = decode_sheet(png, &grid, &mut report)
+        .and_then(|sheet| import_into(&sheet, grid, &mut report, progress));
     report.finish(hcbtf)
 }
 
@@ -162,8 +170,10 @@ fn decode_sheet(png: &[u8], grid: &Grid, report: &mut Report) -> Option<Picture>
             Some(decoded.picture)
         }
         Err(why) => {
-            let problem = Diagnostic::error("hcbtf-sheet", format!("the sheet cannot be used: {why}"));
-            report.add(problem.hint("name the grid that it was made with (--grid 32x32,6x10,6x10)"));
+            let problem =
+                Diagnostic::error("hcbtf-sheet", format!("the sheet cannot be used: {why}"));
+            report
+                .add(problem.hint("name the grid that it was made with (--grid 32x32,6x10,6x10)"));
             None
         }
     }
@@ -172,34 +182,51 @@ fn decode_sheet(png: &[u8], grid: &Grid, report: &mut Report) -> Option<Picture>
 fn fits([width, height]: [u32; 2], grid: &Grid) -> Result<(), String> {
     let [asked_width, asked_height] = size(grid);
     if [width, height] != [asked_width, asked_height] {
-        return Err(format!("it has {width} x {height} texels; the grid asks for {asked_width} x {asked_height}"));
+        return Err(format!(
+            "it has {width} x {height} texels; the grid asks for {asked_width} x {asked_height}"
+        ));
     }
     let bytes = u64::from(width) * u64::from(height) * 4;
-    let too_large = || format!("it takes {} MiB; at most {} MiB can be", bytes >> 20, MAX_PAINTED_BYTES >> 20);
+    let too_large =
+        || format!("it takes {} MiB; at most {} MiB can be", bytes >> 20, MAX_PAINTED_BYTES >> 20);
     if bytes > MAX_PAINTED_BYTES { Err(too_large()) } else { Ok(()) }
 }
 
-/// An HCBTF from its sheet: every sample is painted then, but for those that are transparent black all over, which are left
-/// empty. Copies that differ from what they copy are told of, and not taken.
+/// An HCBTF from its sheet: every sample is painted then, but for those that are transparent black
+/// all over, which are left empty. Copies that differ from what they copy are told of, and not
+/// taken.
 ///
 /// # Errors
 /// Where the sheet's size is not what the grid asks for.
-pub fn import(sheet: &Picture, grid: Grid, name: &str) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+pub fn import(
+    sheet: &Picture,
+    grid: Grid,
+    name: &str,
+) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
     let mut report = Report::new(name);
     let hcbtf = match grid.check().and_then(|()| fits(sheet.size, &grid)) {
-        Ok(()) if sheet.rgba.len() as u64 == u64::from(sheet.size[0]) * u64::from(sheet.size[1]) * 4 => {
+        Ok(())
+            if sheet.rgba.len() as u64
+                == u64::from(sheet.size[0]) * u64::from(sheet.size[1]) * 4 =>
+        {
             import_into(sheet, grid, &mut report, &Progress::new())
         }
         Ok(()) => None,
         Err(why) => {
-            report.add(Diagnostic::error("hcbtf-sheet", format!("the sheet cannot be used: {why}")));
+            report
+                .add(Diagnostic::error("hcbtf-sheet", format!("the sheet cannot be used: {why}")));
             None
         }
     };
     report.finish(hcbtf)
 }
 
-fn import_into(sheet: &Picture, grid: Grid, report: &mut Report, progress: &Progress) -> Option<Hcbtf> {
+fn import_into(
+    sheet: &Picture,
+    grid: Grid,
+    report: &mut Report,
+    progress: &Progress,
+) -> Option<Hcbtf> {
     progress.begin(grid.sample_count());
     check(sheet, &grid, report);
     let [width, height] = grid.size.map(|side| side as usize);
@@ -225,7 +252,8 @@ fn import_into(sheet: &Picture, grid: Grid, report: &mut Report, progress: &Prog
     Some(gathered(grid, painted))
 }
 
-/// A tile, but for one that is transparent black all over: pictures of many samples have no other way to leave one empty.
+/// A tile, but for one that is transparent black all over: pictures of many samples have no other
+/// way to leave one empty.
 pub(super) fn painted(size: [u32; 2], rgba: Vec<u8>) -> Option<Arc<Tile>> {
     let is_empty = rgba.iter().all(|byte| *byte == 0);
     if is_empty { None } else { Tile::new(size, rgba).map(Arc::new) }
@@ -235,8 +263,10 @@ pub(super) fn painted(size: [u32; 2], rgba: Vec<u8>) -> Option<Arc<Tile>> {
 pub(super) fn gathered(grid: Grid, painted: Vec<(Address, Arc<Tile>)>) -> Hcbtf {
     let (addresses, tiles): (Vec<Address>, Vec<Arc<Tile>>) = painted.into_iter().unzip();
     let (tiles, places) = shared(tiles);
-    let painted =
-        addresses.into_iter().zip(places).filter_map(|(address, at)| Some((address, tiles.get(at as usize)?.clone())));
+    let painted = addresses
+        .into_iter()
+        .zip(places)
+        .filter_map(|(address, at)| Some((address, tiles.get(at as usize)?.clone())));
     let mut hcbtf = Hcbtf::new(grid);
     hcbtf.painted = painted.collect();
     hcbtf
@@ -262,7 +292,8 @@ impl Differing {
     }
 }
 
-/// Holds all copies against what they copy: padding rows, lights at the normal, views at the normal.
+/// Holds all copies against what they copy: padding rows, lights at the normal, views at the
+/// normal.
 fn check(sheet: &Picture, grid: &Grid, report: &mut Report) {
     let [width, height] = sheet.size.map(|side| side as usize);
     let found = (0..height).into_par_iter().map(|y| {
@@ -303,10 +334,15 @@ fn check(sheet: &Picture, grid: &Grid, report: &mut Report) {
     for (Differing { count, first }, (what, taken)) in found.into_iter().zip(kinds) {
         let Some([y, x]) = first else { continue };
         let row = Row::of(grid, y);
-        let address = row.addresses(grid).nth(x % (grid.view.theta * grid.light.theta) as usize).unwrap_or_default();
-        let message = format!("{count} {what}, the first at x {x}, y {y} (`{}`)", folder::file_name(address));
+        let address = row
+            .addresses(grid)
+            .nth(x % (grid.view.theta * grid.light.theta) as usize)
+            .unwrap_or_default();
+        let message =
+            format!("{count} {what}, the first at x {x}, y {y} (`{}`)", folder::file_name(address));
         report.add(
-            Diagnostic::warning("hcbtf-copies", message).hint(format!("{taken}; exporting makes all copies equal")),
+            Diagnostic::warning("hcbtf-copies", message)
+                .hint(format!("{taken}; exporting makes all copies equal")),
         );
     }
 }

@@ -22,18 +22,39 @@ impl Random {
         let of = look.graph_of(&graph).unwrap();
         let ids: Vec<NodeId> = of.nodes.keys().cloned().collect();
         let kinds: Vec<String> = look.definitions.keys().map(ToString::to_string).collect();
-        let id = self.pick(&ids).cloned().filter(|_| self.chance(9)).unwrap_or_else(|| self.slug().into());
-        let light = look.lights.keys().nth(self.below(3)).cloned().unwrap_or_else(|| self.slug().into());
+        let id = self
+            .pick(&ids)
+            .cloned()
+            .filter(|_| self.chance(9))
+            .unwrap_or_else(|| self.slug().into());
+        let light =
+            look.lights.keys().nth(self.below(3)).cloned().unwrap_or_else(|| self.slug().into());
         match self.below(35) {
-            0 => Edit::AddNode { graph, id: self.slug().into(), node: self.node(&kinds), index: self.index(ids.len()) },
+            0 => Edit::AddNode {
+                graph,
+                id: self.slug().into(),
+                node: self.node(&kinds),
+                index: self.index(ids.len()),
+            },
             1 | 2 => Edit::RemoveNode { graph, id },
             3 => Edit::SetName { graph, id, name: format!("name {}", self.below(9)) },
-            4 => Edit::SetKind { graph, id, kind: self.pick(&kinds).cloned().unwrap_or("base".to_owned()) },
+            4 => Edit::SetKind {
+                graph,
+                id,
+                kind: self.pick(&kinds).cloned().unwrap_or("base".to_owned()),
+            },
             29 => Edit::SetMuted { graph, id, muted: self.chance(2) },
             30 => Edit::SetCollapsed { graph, id, collapsed: self.chance(2) },
-            31 => Edit::AddNote { graph, id: self.slug().as_str().into(), note: self.note(), index: self.index(2) },
+            31 => Edit::AddNote {
+                graph,
+                id: self.slug().as_str().into(),
+                note: self.note(),
+                index: self.index(2),
+            },
             32 => match of.notes.keys().next().cloned() {
-                Some(note) if self.chance(5) => Edit::SetNote { graph, id: note, note: self.note() },
+                Some(note) if self.chance(5) => {
+                    Edit::SetNote { graph, id: note, note: self.note() }
+                }
                 Some(note) => Edit::RemoveNote { graph, id: note },
                 None => Edit::SetBookmarks { graph, bookmarks: self.bookmarks() },
             },
@@ -54,22 +75,35 @@ impl Random {
                 }
             }
             10..=12 => match self.wire(&ids) {
-                Some(wire) => {
-                    Edit::AddWire { graph, wire, index: self.index(of.wires.len()).filter(|_| self.chance(2)) }
-                }
+                Some(wire) => Edit::AddWire {
+                    graph,
+                    wire,
+                    index: self.index(of.wires.len()).filter(|_| self.chance(2)),
+                },
                 None => Edit::SetLookName { name: "no nodes".to_owned() },
             },
             13 => match self.pick(&of.wires).cloned() {
                 Some(wire) => Edit::RemoveWire { graph, wire },
                 None => Edit::SetColorSpace { color_space: self.look().color_space },
             },
-            14 => Edit::AddFrame { graph, id: self.slug().as_str().into(), frame: self.frame(vec![id]), index: None },
+            14 => Edit::AddFrame {
+                graph,
+                id: self.slug().as_str().into(),
+                frame: self.frame(vec![id]),
+                index: None,
+            },
             15 => match of.frames.keys().next().cloned() {
-                Some(frame) if self.chance(5) => Edit::SetFrame { graph, id: frame, frame: self.frame(vec![id]) },
+                Some(frame) if self.chance(5) => {
+                    Edit::SetFrame { graph, id: frame, frame: self.frame(vec![id]) }
+                }
                 Some(frame) => Edit::RemoveFrame { graph, id: frame },
                 None => Edit::SetLookName { name: "no frames".to_owned() },
             },
-            16 => Edit::AddLight { id: self.slug().as_str().into(), light: self.light(), index: self.index(2) },
+            16 => Edit::AddLight {
+                id: self.slug().as_str().into(),
+                light: self.light(),
+                index: self.index(2),
+            },
             17 => Edit::SetLight { id: light, light: self.light() },
             18 => Edit::RemoveLight { id: light },
             _ => self.other_edit(look, &kinds),

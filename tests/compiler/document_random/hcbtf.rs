@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use chiaro::document::journal::{About, Found, Journal, Op, Slot, recover, recover_any};
 use chiaro::document::relief::{Channel, PRESETS, Pattern};
-use chiaro::document::{Address, Directions, Grid, Hcbtf, HcbtfAngle, HcbtfEdit, History, Relief, Rule, Strokes, Tile};
+use chiaro::document::{
+    Address, Directions, Grid, Hcbtf, HcbtfAngle, HcbtfEdit, History, Relief, Rule, Strokes, Tile,
+};
 use chiaro::hcbtf::write;
 use proptest::prelude::*;
 
@@ -14,7 +16,8 @@ const SIZES: [[u32; 2]; 2] = [[7, 5], [16, 16]];
 
 impl Random {
     fn grid(&mut self) -> Grid {
-        let mut directions = || Directions { theta: 1 + self.below(3) as u32, phi: 1 + self.below(4) as u32 };
+        let mut directions =
+            || Directions { theta: 1 + self.below(3) as u32, phi: 1 + self.below(4) as u32 };
         let (light, view) = (directions(), directions());
         Grid { size: *self.pick(&SIZES).unwrap(), light, view }
     }
@@ -25,12 +28,14 @@ impl Random {
         if let Some(address) = self.pick(&painted).copied().filter(|_| self.chance(6)) {
             return address;
         }
-        let mut direction =
-            |of: Directions| [self.below(of.theta as usize + 1) as u32, self.below(of.phi as usize) as u32];
+        let mut direction = |of: Directions| {
+            [self.below(of.theta as usize + 1) as u32, self.below(of.phi as usize) as u32]
+        };
         Address::new(direction(hcbtf.grid.light), direction(hcbtf.grid.view))
     }
 
-    /// A tile, mostly of the grid's size; now and then what is painted already, changed here and there.
+    /// A tile, mostly of the grid's size; now and then what is painted already, changed here and
+    /// there.
     fn tile(&mut self, hcbtf: &Hcbtf, address: Address) -> Tile {
         let size = if self.chance(9) { hcbtf.grid.size } else { SIZES[1] };
         if let Some(tile) = hcbtf.painted(address).filter(|_| self.chance(7)) {
@@ -68,8 +73,12 @@ impl Random {
         let mut relief = self.pick(&PRESETS).unwrap().1();
         if self.chance(3) {
             let from = self.address(hcbtf);
-            relief.pattern =
-                Pattern::Painted { heights: from, channel: Channel::Alpha, is_inverted: true, colors: from };
+            relief.pattern = Pattern::Painted {
+                heights: from,
+                channel: Channel::Alpha,
+                is_inverted: true,
+                colors: from,
+            };
         }
         (relief.seed, relief.depth) = (self.bits() as u32, self.below(12) as f64 / 10.0);
         relief
@@ -80,10 +89,15 @@ impl Random {
         let (index, to) = (self.below(4), self.below(4));
         match self.below(16) {
             0..=4 => HcbtfEdit::paint(hcbtf, address, self.tile(hcbtf, address)),
-            5 | 6 => HcbtfEdit::SetTile { address, tile: Some(Arc::new(self.tile(hcbtf, address))) },
+            5 | 6 => {
+                HcbtfEdit::SetTile { address, tile: Some(Arc::new(self.tile(hcbtf, address))) }
+            }
             7 => HcbtfEdit::CopyTile { from: address, to: self.address(hcbtf) },
             8 => HcbtfEdit::DeleteTile { address },
-            9 => HcbtfEdit::AddRule { rule: self.rule(hcbtf), index: self.chance(5).then_some(index) },
+            9 => HcbtfEdit::AddRule {
+                rule: self.rule(hcbtf),
+                index: self.chance(5).then_some(index),
+            },
             10 => HcbtfEdit::SetRule { index, rule: self.rule(hcbtf) },
             11 if self.chance(5) => HcbtfEdit::RemoveRule { index },
             11 => HcbtfEdit::SetRules { rules: (0..to).map(|_| self.rule(hcbtf)).collect() },
@@ -91,7 +105,9 @@ impl Random {
             13 => HcbtfEdit::SetTiling { is_tiling: self.chance(5) },
             14 => HcbtfEdit::SetGrid { grid: self.grid() },
             _ if self.chance(2) => HcbtfEdit::Replace { hcbtf: Box::new(Hcbtf::new(self.grid())) },
-            _ => HcbtfEdit::Group { edits: (0..self.below(4)).map(|_| self.hcbtf_edit(hcbtf)).collect() },
+            _ => HcbtfEdit::Group {
+                edits: (0..self.below(4)).map(|_| self.hcbtf_edit(hcbtf)).collect(),
+            },
         }
     }
 }

@@ -26,12 +26,14 @@ fn all_of(history: &History<Look>) -> Vec<(String, Look)> {
 
 /// What was done, and the history after it.
 struct Worked {
-    /// After each line of the journal, its size then and where the history stood. The first is the beginning.
+    /// After each line of the journal, its size then and where the history stood. The first is the
+    /// beginning.
     stages: Vec<(u64, History<Look>)>,
     bytes: Vec<u8>,
 }
 
-/// Works at random with a journal: gestures of several edits, undo, redo, now and then a new beginning.
+/// Works at random with a journal: gestures of several edits, undo, redo, now and then a new
+/// beginning.
 fn work(random: &mut Random, lines: usize, folder: &Path) -> Worked {
     let slot = Slot::new(folder).unwrap();
     let about = About { name: "a look".into(), ..About::default() };
@@ -132,7 +134,8 @@ proptest! {
         }
     }
 
-    /// A byte that changed in the middle: all before it comes back, and it is told that there was more.
+    /// A byte that changed in the middle: all before it comes back, and it is told that there was
+    /// more.
     #[test]
     fn a_damaged_journal_gives_back_what_it_can(seed: u64, at: prop::sample::Index, change in 1..=255u8) {
         let folder = tempfile::tempdir().unwrap();
@@ -172,7 +175,8 @@ fn every_cut_of_one_journal() {
     }
 }
 
-/// A gesture that was going on comes back as far as it went, as one step; what comes after is another.
+/// A gesture that was going on comes back as far as it went, as one step; what comes after is
+/// another.
 #[test]
 fn a_gesture_that_went_on_is_a_step_of_its_own() {
     let folder = tempfile::tempdir().unwrap();
@@ -197,7 +201,8 @@ fn a_gesture_that_went_on_is_a_step_of_its_own() {
     assert_eq!(found.history.document().name, "");
 }
 
-/// A journal of much work is bounded: begun anew it holds the document and its steps, not every edit.
+/// A journal of much work is bounded: begun anew it holds the document and its steps, not every
+/// edit.
 #[test]
 fn a_long_drag_does_not_grow_without_end() {
     let folder = tempfile::tempdir().unwrap();
@@ -231,12 +236,19 @@ fn what_is_no_journal_is_told() {
         assert_eq!(recover::<Look>(&path).unwrap_err().code, "damaged-journal", "{text:?}");
     }
     let slot = Slot::new(folder.path()).unwrap();
-    Journal::begin(&slot, &About::default(), None, &History::new(chiaro::document::Scene::default())).unwrap();
+    Journal::begin(
+        &slot,
+        &About::default(),
+        None,
+        &History::new(chiaro::document::Scene::default()),
+    )
+    .unwrap();
     assert_eq!(recover::<Look>(slot.path()).unwrap_err().code, "damaged-journal");
     assert!(recover::<chiaro::document::Scene>(slot.path()).is_ok());
 }
 
-/// What the journal costs, printed: `cargo test --test document_random -- --ignored --nocapture what_a_journal_costs`.
+/// What the journal costs, printed: `cargo test --test document_random -- --ignored --nocapture
+/// what_a_journal_costs`.
 #[test]
 #[ignore = "measures"]
 #[allow(clippy::print_stdout, reason = "figures for those who ask with `--nocapture`")]
@@ -261,7 +273,11 @@ fn what_a_journal_costs() {
         let slot = Slot::new(folder.path()).unwrap();
         let mut look = Look::default();
         for index in 0..nodes {
-            let mut node = Node { kind: "light_layer".into(), position: [f64::from(index), 7.5], ..Node::default() };
+            let mut node = Node {
+                kind: "light_layer".into(),
+                position: [f64::from(index), 7.5],
+                ..Node::default()
+            };
             node.values.insert("offset".into(), Value::Number(0.1));
             node.values.insert("convex".into(), Value::Vector(vec![0.1, 0.2, 0.3]));
             look.graph.nodes.insert(format!("layer_{index}").as_str().into(), node);
@@ -278,7 +294,9 @@ fn what_a_journal_costs() {
         timed(
             "append a value",
             1000,
-            Box::new(|index| journal.append(&[Op::Edit { gesture: None, edit: value(index) }]).unwrap()),
+            Box::new(|index| {
+                journal.append(&[Op::Edit { gesture: None, edit: value(index) }]).unwrap()
+            }),
         );
         for index in 0..1000 {
             history.apply(value(index)).unwrap();
@@ -302,7 +320,9 @@ fn what_a_journal_costs() {
         timed(
             "append a move of all nodes",
             20,
-            Box::new(|_| journal.append(&[Op::Edit { gesture: None, edit: edit.clone() }]).unwrap()),
+            Box::new(|_| {
+                journal.append(&[Op::Edit { gesture: None, edit: edit.clone() }]).unwrap()
+            }),
         );
     }
 }

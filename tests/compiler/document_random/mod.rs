@@ -1,4 +1,5 @@
-//! Random documents are written and read without loss; random edits are undone; random texts never panic.
+//! Random documents are written and read without loss; random edits are undone; random texts never
+//! panic.
 
 mod edits;
 mod hcbtf;

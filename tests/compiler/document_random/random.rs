@@ -1,10 +1,10 @@
 //! Random documents and edits from a seed; small sizes make small ones.
 
 use chiaro::document::{
-    Bookmark, Camera, ColorSpace, Curve, Definition, DirectionKey, DirectionKeys, Endpoint, Exposed, Frame, Graph,
-    InterfacePort, Interpolation, KeyDirection, KeyScheme, Light, LightField, LightKind, LightSpace, Look, Node, Note,
-    Object, Projection, Ramp, RampStop, Scene, Target, Tier, TimeKey, TimeKeys, TimeRange, Transform, Unknown, Value,
-    Values, Wire,
+    Bookmark, Camera, ColorSpace, Curve, Definition, DirectionKey, DirectionKeys, Endpoint,
+    Exposed, Frame, Graph, InterfacePort, Interpolation, KeyDirection, KeyScheme, Light,
+    LightField, LightKind, LightSpace, Look, Node, Note, Object, Projection, Ramp, RampStop, Scene,
+    Target, Tier, TimeKey, TimeKeys, TimeRange, Transform, Unknown, Value, Values, Wire,
 };
 use chiaro::ids::{LightId, NodeId, NodePath, PortName};
 use serde_json::json;
@@ -89,7 +89,18 @@ impl Random {
     }
 
     fn text(&mut self) -> String {
-        let pieces = ["", "Rim", "光", "\"quoted\"", "back\\slash", "\n\t\r\0\u{7f}\u{1f}", "/", "🙂", "\u{2028}", " "];
+        let pieces = [
+            "",
+            "Rim",
+            "光",
+            "\"quoted\"",
+            "back\\slash",
+            "\n\t\r\0\u{7f}\u{1f}",
+            "/",
+            "🙂",
+            "\u{2028}",
+            " ",
+        ];
         (0..self.below(4)).map(|_| self.choose(&pieces)).collect()
     }
 
@@ -121,7 +132,12 @@ impl Random {
     }
 
     /// Unknown fields of the parts of a field, as documents keep them.
-    fn shadows<'a>(&mut self, into: &mut Unknown, field: &str, parts: impl Iterator<Item = String> + 'a) {
+    fn shadows<'a>(
+        &mut self,
+        into: &mut Unknown,
+        field: &str,
+        parts: impl Iterator<Item = String> + 'a,
+    ) {
         for part in parts {
             let extras = self.unknown();
             if !extras.is_empty() {
@@ -154,7 +170,11 @@ impl Random {
             }
             _ => {
                 let color = |r: &mut Self| (0..3 + r.below(2)).map(|_| r.number(10.0)).collect();
-                let stops = self.places().into_iter().map(|at| RampStop { at, color: color(self) }).collect();
+                let stops = self
+                    .places()
+                    .into_iter()
+                    .map(|at| RampStop { at, color: color(self) })
+                    .collect();
                 Value::Ramp(Ramp { stops, interpolation: self.interpolation() })
             }
         }
@@ -196,8 +216,10 @@ impl Random {
             collapsed: self.chance(5),
             unknown: self.unknown(),
         };
-        let with_fields = |value: &&PortName| matches!(node.values[*value], Value::Curve(_) | Value::Ramp(_));
-        let parts: Vec<String> = node.values.keys().filter(with_fields).map(ToString::to_string).collect();
+        let with_fields =
+            |value: &&PortName| matches!(node.values[*value], Value::Curve(_) | Value::Ramp(_));
+        let parts: Vec<String> =
+            node.values.keys().filter(with_fields).map(ToString::to_string).collect();
         let mut unknown = std::mem::take(&mut node.unknown);
         self.shadows(&mut unknown, "values", parts.into_iter());
         node.unknown = unknown;
@@ -217,7 +239,11 @@ impl Random {
 
     pub(crate) fn bookmarks(&mut self) -> Vec<Bookmark> {
         let count = self.below(4) as u8;
-        let bookmark = |key| Bookmark { key, position: self.numbers::<2>(1000.0), zoom: 0.25 + f64::from(key) };
+        let bookmark = |key| Bookmark {
+            key,
+            position: self.numbers::<2>(1000.0),
+            zoom: 0.25 + f64::from(key),
+        };
         (1..=count).map(bookmark).collect()
     }
 
@@ -244,13 +270,22 @@ impl Random {
                 graph.frames.insert(self.slug().into(), self.frame(nodes.to_vec()));
             }
         }
-        self.shadows(unknown, "frames", graph.frames.keys().map(ToString::to_string).collect::<Vec<_>>().into_iter());
+        self.shadows(
+            unknown,
+            "frames",
+            graph.frames.keys().map(ToString::to_string).collect::<Vec<_>>().into_iter(),
+        );
         for _ in 0..self.below(3) {
             graph.notes.insert(self.slug().into(), self.note());
         }
-        self.shadows(unknown, "notes", graph.notes.keys().map(ToString::to_string).collect::<Vec<_>>().into_iter());
+        self.shadows(
+            unknown,
+            "notes",
+            graph.notes.keys().map(ToString::to_string).collect::<Vec<_>>().into_iter(),
+        );
         graph.bookmarks = self.bookmarks();
-        let keys: Vec<String> = graph.bookmarks.iter().map(|bookmark| bookmark.key.to_string()).collect();
+        let keys: Vec<String> =
+            graph.bookmarks.iter().map(|bookmark| bookmark.key.to_string()).collect();
         self.shadows(unknown, "bookmarks", keys.into_iter());
         graph
     }
@@ -297,14 +332,18 @@ impl Random {
         if self.chance(3) {
             let lights: Vec<&LightId> = look.lights.keys().collect();
             let light = (*self.pick(&lights)?).clone();
-            return Some(Target::Light { light, field: self.choose(&LightField::ALL).name().to_owned() });
+            return Some(Target::Light {
+                light,
+                field: self.choose(&LightField::ALL).name().to_owned(),
+            });
         }
         let mut graph = &look.graph;
         let mut path: Option<NodePath> = None;
         loop {
             let nodes: Vec<(&NodeId, &Node)> = graph.nodes.iter().collect();
             let Some((id, node)) = self.pick(&nodes).copied() else { break };
-            path = Some(path.map_or_else(|| NodePath::root(id.clone()), |path| path.join(id.clone())));
+            path =
+                Some(path.map_or_else(|| NodePath::root(id.clone()), |path| path.join(id.clone())));
             match look.definitions.get(node.kind.as_str()) {
                 Some(inner) if self.chance(8) => graph = &inner.graph,
                 _ => break,
@@ -319,7 +358,10 @@ impl Random {
 
     pub(crate) fn direction_keys(&mut self, look: &Look) -> DirectionKeys {
         let lights: Vec<&LightId> = look.lights.keys().collect();
-        let light = self.pick(&lights).map(|id| KeyDirection::Light((*id).clone())).filter(|_| self.chance(5));
+        let light = self
+            .pick(&lights)
+            .map(|id| KeyDirection::Light((*id).clone()))
+            .filter(|_| self.chance(5));
         let key = |r: &mut Self| DirectionKey {
             direction: r.direction(),
             values: (0..r.below(3)).filter_map(|_| Some((r.target(look)?, r.value()))).collect(),
@@ -328,7 +370,11 @@ impl Random {
         DirectionKeys {
             name: self.text(),
             by: light.unwrap_or(KeyDirection::View),
-            scheme: self.choose(&[KeyScheme::Biharmonic, KeyScheme::AppendixB, KeyScheme::Tessellated]),
+            scheme: self.choose(&[
+                KeyScheme::Biharmonic,
+                KeyScheme::AppendixB,
+                KeyScheme::Tessellated,
+            ]),
             keys: (0..self.below(4)).map(|_| key(self)).collect(),
             unknown: self.unknown(),
         }
@@ -382,7 +428,11 @@ impl Random {
                 look.time_keys.push(keys);
             }
         }
-        self.shadows(&mut unknown, "exposed", look.exposed.iter().map(|exposed| exposed.name.to_string()));
+        self.shadows(
+            &mut unknown,
+            "exposed",
+            look.exposed.iter().map(|exposed| exposed.name.to_string()),
+        );
         look.unknown = unknown;
         look
     }
@@ -394,10 +444,16 @@ impl Random {
     }
 
     pub(crate) fn object(&mut self) -> Object {
-        let scale = std::array::from_fn(|_| if self.chance(5) { 1.0 } else { -0.5 - self.positive(1e3) });
+        let scale =
+            std::array::from_fn(|_| if self.chance(5) { 1.0 } else { -0.5 - self.positive(1e3) });
         let mut object = Object {
             mesh: self.choose(&["shape:torus", "meshes/a b.obj", ""]).to_owned(),
-            transform: Transform { translate: self.numbers(1e6), rotate: self.rotation(), scale, fit: self.chance(5) },
+            transform: Transform {
+                translate: self.numbers(1e6),
+                rotate: self.rotation(),
+                scale,
+                fit: self.chance(5),
+            },
             looks: (0..self.below(3)).map(|_| (self.text(), self.text())).collect(),
             values: self.values(),
             visible: self.chance(5),

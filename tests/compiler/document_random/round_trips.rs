@@ -34,7 +34,8 @@ proptest! {
         prop_assert!(matches!(Document::read(&text, ""), Document::Scene(_)));
     }
 
-    /// White space, line ends, order of fields and spelling of numbers stay while nothing is changed.
+    /// White space, line ends, order of fields and spelling of numbers stay while nothing is
+    /// changed.
     #[test]
     fn unchanged_texts_stay_as_they_are(seed: u64, size in 0..6usize) {
         let look = Random::new(seed, size).look();

@@ -8,10 +8,13 @@ use super::random::Random;
 
 /// Reads a text every way there is, and shows what is wrong.
 fn read_all(text: &str) -> usize {
-    let shown = |document: Document| document.diagnostics().iter().map(|d| d.to_string().len()).sum::<usize>();
+    let shown = |document: Document| {
+        document.diagnostics().iter().map(|d| d.to_string().len()).sum::<usize>()
+    };
     let look = Look::read(text, "a.json");
     let rewritten = look.value.as_ref().map(|value| Look::read(&value.to_text(), "again.json"));
-    // What could be read of a broken document is whole itself: it is written so that it can be read.
+    // What could be read of a broken document is whole itself: it is written so that it can be
+    // read.
     if let Some(again) = rewritten {
         assert_eq!(again.value, look.value, "{text}");
     }
@@ -31,7 +34,12 @@ fn every_prefix_of_a_look_gives_diagnostics() {
             let loaded = Look::read(&text[..end], "cut.json");
             assert!(has_errors(&loaded.diagnostics), "nothing is wrong with {}", &text[..end]);
             let own = |code: &str| matches!(code, "truncated" | "empty-file" | "unknown-field");
-            let other: Vec<_> = loaded.diagnostics.iter().filter(|d| !own(d.code)).map(ToString::to_string).collect();
+            let other: Vec<_> = loaded
+                .diagnostics
+                .iter()
+                .filter(|d| !own(d.code))
+                .map(ToString::to_string)
+                .collect();
             assert!(other.is_empty(), "{other:?}\n{}", &text[..end]);
             assert_eq!(loaded.value.is_some(), end > 0);
         }
@@ -44,8 +52,17 @@ fn every_prefix_of_a_scene_gives_diagnostics() {
         let text = Random::new(seed, 3).scene().to_text();
         for end in (0..text.trim_end().len()).filter(|&end| text.is_char_boundary(end)) {
             let loaded = Scene::read(&text[..end], "cut.json");
-            let codes: Vec<_> = loaded.diagnostics.iter().map(|d| d.code).filter(|c| *c != "unknown-field").collect();
-            assert!(matches!(codes[..], ["truncated"] | ["empty-file"]), "{codes:?}\n{}", &text[..end]);
+            let codes: Vec<_> = loaded
+                .diagnostics
+                .iter()
+                .map(|d| d.code)
+                .filter(|c| *c != "unknown-field")
+                .collect();
+            assert!(
+                matches!(codes[..], ["truncated"] | ["empty-file"]),
+                "{codes:?}\n{}",
+                &text[..end]
+            );
         }
     }
 }
@@ -114,8 +131,7 @@ fn replace_one(random: &mut Random, json: &mut serde_json::Value) {
             _ => 0,
         };
         if count == 0 || random.chance(1) {
-            let others =
-                serde_json::json!([null, true, -1, 1e40, 0, 1.5, "", "a.b", "#12", [], {}, [1, 2, 3], [[1]], {"a": 1}]);
+            let others = serde_json::json!([null, true, -1, 1e40, 0, 1.5, "", "a.b", "#12", [], {}, [1, 2, 3], [[1]], {"a": 1}]);
             *at = others[random.below(14)].clone();
             return;
         }

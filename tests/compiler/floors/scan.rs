@@ -1,8 +1,8 @@
 //! Finds the paths in Rust source that start at the crate's root.
 //!
-//! A small lexer, not a parser: it drops comments, strings, characters and lifetimes, keeps words and punctuation with
-//! their lines, and follows `::` and braces from there. That reads `use` items and inline paths alike, also those in
-//! macro calls, which a parser would not look into.
+//! A small lexer, not a parser: it drops comments, strings, characters and lifetimes, keeps words
+//! and punctuation with their lines, and follows `::` and braces from there. That reads `use` items
+//! and inline paths alike, also those in macro calls, which a parser would not look into.
 
 /// Where a path leads.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -39,8 +39,8 @@ struct Token {
     line: usize,
 }
 
-/// Every path in `text` that names a top-level module or another crate. `depth` is how many modules deep the file is:
-/// 1 for `src/ids.rs` and `src/compile/mod.rs`, 2 for `src/compile/emit.rs`.
+/// Every path in `text` that names a top-level module or another crate. `depth` is how many modules
+/// deep the file is: 1 for `src/ids.rs` and `src/compile/mod.rs`, 2 for `src/compile/emit.rs`.
 pub(crate) fn references(text: &str, depth: usize) -> Vec<Found> {
     let tokens = tokens(text);
     let mut found = Vec::new();
@@ -51,7 +51,9 @@ pub(crate) fn references(text: &str, depth: usize) -> Vec<Found> {
             Kind::Mark('}') => {
                 braces.pop();
             }
-            Kind::Word(first) if braces.last() != Some(&Brace::Group) && !continues_path(&tokens, at) => {
+            Kind::Word(first)
+                if braces.last() != Some(&Brace::Group) && !continues_path(&tokens, at) =>
+            {
                 let inline = braces.iter().filter(|&&brace| brace == Brace::Module).count();
                 start(&tokens, at, first, depth + inline, &mut found);
             }
@@ -120,11 +122,16 @@ fn below(tokens: &[Token], at: usize, levels: usize, path: &str, found: &mut Vec
     if follows(tokens, at, &Kind::Separator) {
         element(tokens, at + 2, levels, path, found);
     } else if levels == 0 && is_word(tokens, at + 1, "as") {
-        found.push(Found { reference: Reference::WholeCrate, path: path.to_owned(), line: tokens[at].line });
+        found.push(Found {
+            reference: Reference::WholeCrate,
+            path: path.to_owned(),
+            line: tokens[at].line,
+        });
     }
 }
 
-/// Records one element of a path, `levels` modules under the root: a name, a glob, or a group of them in braces.
+/// Records one element of a path, `levels` modules under the root: a name, a glob, or a group of
+/// them in braces.
 fn element(tokens: &[Token], at: usize, levels: usize, path: &str, found: &mut Vec<Found>) {
     let Some(token) = tokens.get(at) else { return };
     match &token.kind {
@@ -144,7 +151,11 @@ fn element(tokens: &[Token], at: usize, levels: usize, path: &str, found: &mut V
             line: token.line,
         }),
         Kind::Word(_) | Kind::Mark('*') => {
-            found.push(Found { reference: Reference::WholeCrate, path: path.to_owned(), line: token.line });
+            found.push(Found {
+                reference: Reference::WholeCrate,
+                path: path.to_owned(),
+                line: token.line,
+            });
         }
         _ => {}
     }
@@ -226,12 +237,14 @@ impl Lexer<'_> {
     }
 
     fn advance_past(&mut self, from: usize, end: &str) {
-        let length = self.rest[from..].find(end).map_or(self.rest.len(), |found| from + found + end.len());
+        let length =
+            self.rest[from..].find(end).map_or(self.rest.len(), |found| from + found + end.len());
         self.advance(length);
     }
 
     fn take_word(&mut self) -> String {
-        let end = self.rest.find(|c: char| c != '_' && !c.is_alphanumeric()).unwrap_or(self.rest.len());
+        let end =
+            self.rest.find(|c: char| c != '_' && !c.is_alphanumeric()).unwrap_or(self.rest.len());
         let word = self.rest[..end].to_owned();
         self.advance(end);
         word
@@ -344,7 +357,10 @@ mod tests {
             names("fn f(x: &crate::a::T) -> crate::b::U { crate::c::g::<crate::d::V>(x) }"),
             ["a", "b", "c", "d"]
         );
-        assert_eq!(names("vec![crate::a::X]; macro_rules! m { () => { $crate::b::y!() } }"), ["a", "b"]);
+        assert_eq!(
+            names("vec![crate::a::X]; macro_rules! m { () => { $crate::b::y!() } }"),
+            ["a", "b"]
+        );
         assert_eq!(names("impl From<crate::a::A> for B {} pub(in crate::b) fn f() {}"), ["a", "b"]);
     }
 
@@ -382,8 +398,9 @@ mod tests {
 
     #[test]
     fn supers_reach_the_root_only_from_the_right_depth() {
-        let reached =
-            |text, depth| references(text, depth).iter().any(|f| f.reference == Reference::Module("x".into()));
+        let reached = |text, depth| {
+            references(text, depth).iter().any(|f| f.reference == Reference::Module("x".into()))
+        };
         assert!(reached("use super::x;", 1));
         assert!(!reached("use super::x;", 2));
         assert!(reached("use super::super::x;", 2));
@@ -394,7 +411,11 @@ mod tests {
 
     #[test]
     fn other_crates_are_seen_where_a_path_starts() {
-        let crates = |text| -> Vec<_> { references(text, 1).into_iter().map(|found| found.path).collect() };
-        assert_eq!(crates("use std::fmt; ::wgpu::Device; a.b.wgpu.c; x::wgpu::y"), ["std", "wgpu", "x"]);
+        let crates =
+            |text| -> Vec<_> { references(text, 1).into_iter().map(|found| found.path).collect() };
+        assert_eq!(
+            crates("use std::fmt; ::wgpu::Device; a.b.wgpu.c; x::wgpu::y"),
+            ["std", "wgpu", "x"]
+        );
     }
 }

@@ -18,7 +18,10 @@ impl Home {
     }
 
     pub(crate) fn places(&self) -> Places {
-        Places { state: self.folder.path().join("state"), config: self.folder.path().join("config") }
+        Places {
+            state: self.folder.path().join("state"),
+            config: self.folder.path().join("config"),
+        }
     }
 
     pub(crate) fn file(&self, name: &str) -> PathBuf {
@@ -39,8 +42,8 @@ impl Home {
         })
     }
 
-    /// The same user on the same machine after everything that runs was killed at this moment: locks are gone, files are
-    /// there.
+    /// The same user on the same machine after everything that runs was killed at this moment:
+    /// locks are gone, files are there.
     pub(crate) fn after_a_crash(&self) -> Self {
         let other = Self::new();
         let journals = other.places().journals();
@@ -51,9 +54,12 @@ impl Home {
         other
     }
 
-    /// Waits until no journal has grown for half a second: what goes on may be written a tenth of a second later, or more on
-    /// a busy machine.
-    #[expect(clippy::disallowed_methods, reason = "a file that another thread grows tells nobody when it is done")]
+    /// Waits until no journal has grown for half a second: what goes on may be written a tenth of a
+    /// second later, or more on a busy machine.
+    #[expect(
+        clippy::disallowed_methods,
+        reason = "a file that another thread grows tells nobody when it is done"
+    )]
     pub(crate) fn wait_until_written(&self) {
         let size = || -> u64 {
             let entries = fs::read_dir(self.places().journals()).into_iter().flatten().flatten();
@@ -74,6 +80,8 @@ impl Home {
 
     pub(crate) fn journals(&self) -> usize {
         let entries = fs::read_dir(self.places().journals()).into_iter().flatten().flatten();
-        entries.filter(|entry| entry.path().extension().is_some_and(|ending| ending == "journal")).count()
+        entries
+            .filter(|entry| entry.path().extension().is_some_and(|ending| ending == "journal"))
+            .count()
     }
 }

@@ -8,7 +8,9 @@ mod verbs;
 use chiaro::document::Look;
 use chiaro::editor::App;
 use chiaro::render::{Gpu, block_on};
-use eframe::egui::{self, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect, Vec2, ViewportId, vec2};
+use eframe::egui::{
+    self, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect, Vec2, ViewportId, vec2,
+};
 use egui_kittest::kittest::Queryable as _;
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
 use egui_kittest::{Harness, HarnessBuilder};
@@ -35,7 +37,8 @@ impl Hand {
         Self::drawing_in(Harness::builder().with_step_dt(1.0 / 60.0), |app, _| app)
     }
 
-    /// A window that draws, made into `App` as `prepare` leaves it; four frames a second by its own clock.
+    /// A window that draws, made into `App` as `prepare` leaves it; four frames a second by its own
+    /// clock.
     pub(crate) fn drawing_with(prepare: impl Fn(App, &egui::Context) -> App + 'static) -> Self {
         Self::drawing_in(Harness::builder(), prepare)
     }
@@ -45,7 +48,10 @@ impl Hand {
         prepare: impl Fn(App, &egui::Context) -> App + 'static,
     ) -> Self {
         block_on(Gpu::headless()).expect("an adapter; software Vulkan does");
-        let state = create_render_state(default_wgpu_setup(), eframe::egui_wgpu::RendererOptions::PREDICTABLE);
+        let state = create_render_state(
+            default_wgpu_setup(),
+            eframe::egui_wgpu::RendererOptions::PREDICTABLE,
+        );
         let builder = builder.renderer(WgpuTestRenderer::from_render_state(state.clone()));
         Self::with_builder(builder, move |ctx| prepare(App::new(ctx, Some(state.clone())), ctx))
     }
@@ -55,7 +61,9 @@ impl Hand {
         builder: HarnessBuilder<Option<App>>,
         make: impl Fn(&egui::Context) -> App + 'static,
     ) -> Self {
-        let show = move |ui: &mut egui::Ui, app: &mut Option<App>| app.get_or_insert_with(|| make(ui.ctx())).show(ui);
+        let show = move |ui: &mut egui::Ui, app: &mut Option<App>| {
+            app.get_or_insert_with(|| make(ui.ctx())).show(ui)
+        };
         let builder = builder.with_size(vec2(1500.0, 900.0)).with_max_steps(20);
         let mut hand = Self { harness: builder.build_ui_state(show, None) };
         hand.settle();
@@ -106,7 +114,12 @@ impl Hand {
 
     fn button(&mut self, modifiers: Modifiers, pos: Pos2, pressed: bool) {
         self.event(Event::ModifiersChanged(modifiers));
-        self.event(Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers });
+        self.event(Event::PointerButton {
+            pos,
+            button: PointerButton::Primary,
+            pressed,
+            modifiers,
+        });
     }
 
     pub(crate) fn click_with(&mut self, modifiers: Modifiers, at: Pos2) {
@@ -149,7 +162,12 @@ impl Hand {
             let (button, modifiers) = (PointerButton::Primary, Modifiers::NONE);
             let events = &mut self.harness.input_mut().events;
             events.push(Event::PointerMoved(pos));
-            events.extend([true, false].map(|pressed| Event::PointerButton { pos, button, pressed, modifiers }));
+            events.extend([true, false].map(|pressed| Event::PointerButton {
+                pos,
+                button,
+                pressed,
+                modifiers,
+            }));
         }
         self.harness.run_steps(3);
     }
@@ -244,9 +262,11 @@ impl Hand {
     /// The number beside the slider of an input.
     pub(crate) fn number_field(&self, label: &str) -> Rect {
         let slider = self.slider(label);
-        let fields = self.harness.get_all_by_role(egui::accesskit::Role::SpinButton).map(|node| node.rect());
-        let beside =
-            |rect: &Rect| (rect.center().y - slider.center().y).abs() < 4.0 && rect.min.x >= slider.max.x - 4.0;
+        let fields =
+            self.harness.get_all_by_role(egui::accesskit::Role::SpinButton).map(|node| node.rect());
+        let beside = |rect: &Rect| {
+            (rect.center().y - slider.center().y).abs() < 4.0 && rect.min.x >= slider.max.x - 4.0
+        };
         fields.into_iter().find(beside).unwrap_or(slider)
     }
 
@@ -267,7 +287,8 @@ impl Hand {
     /// Adds a node of a kind by edits, as scripts do.
     pub(crate) fn add(&mut self, kind: &str, at: Pos2) {
         use chiaro::document::{Edit, GraphId, Node, Value};
-        let mut node = Node { kind: kind.to_owned(), position: [at.x.into(), at.y.into()], ..Node::default() };
+        let mut node =
+            Node { kind: kind.to_owned(), position: [at.x.into(), at.y.into()], ..Node::default() };
         if kind == "light" {
             node.values.insert("light".into(), Value::Text("key".into()));
         }

@@ -23,7 +23,9 @@ impl Hand {
     #[track_caller]
     pub(crate) fn place_of(&self, role: Role, label: &str) -> Rect {
         let found = self.harness.query_all_by_role_and_label(role, label).next();
-        found.unwrap_or_else(|| panic!("there is no {role:?} \"{label}\" among {:?}", self.names())).rect()
+        found
+            .unwrap_or_else(|| panic!("there is no {role:?} \"{label}\" among {:?}", self.names()))
+            .rect()
     }
 
     /// All names, for a message.
@@ -73,7 +75,9 @@ impl Hand {
     #[track_caller]
     pub(crate) fn bring(&mut self, role: Role, label: &str) {
         let found = self.harness.query_all_by_role_and_label(role, label).next();
-        found.unwrap_or_else(|| panic!("there is no {role:?} \"{label}\" among {:?}", self.names())).scroll_to_me();
+        found
+            .unwrap_or_else(|| panic!("there is no {role:?} \"{label}\" among {:?}", self.names()))
+            .scroll_to_me();
         self.settle();
     }
 
@@ -96,7 +100,8 @@ impl Hand {
         self.settle();
     }
 
-    /// Lists the values of this name alone in the inspector, where there are so many that they can be searched.
+    /// Lists the values of this name alone in the inspector, where there are so many that they can
+    /// be searched.
     fn find_value(&mut self, label: &str) {
         if self.has("Find a value") {
             let search = self.place("Find a value");
@@ -104,7 +109,8 @@ impl Hand {
         }
     }
 
-    /// Brings a value of the inspector into view: by its search, and by the wheel. Its row is where its diamond is.
+    /// Brings a value of the inspector into view: by its search, and by the wheel. Its row is where
+    /// its diamond is.
     #[track_caller]
     fn row(&mut self, label: &str) -> Rect {
         self.find_value(label);
@@ -129,7 +135,8 @@ impl Hand {
     /// The fields of a role in the row of a value, from left to right.
     fn fields(&self, role: Role, row: Rect) -> Vec<Rect> {
         let all = self.harness.query_all_by_role(role).map(|node| node.rect());
-        let in_row = |rect: &Rect| (rect.center().y - row.center().y).abs() < 6.0 && rect.min.x > row.min.x;
+        let in_row =
+            |rect: &Rect| (rect.center().y - row.center().y).abs() < 6.0 && rect.min.x > row.min.x;
         let mut found: Vec<Rect> = all.filter(in_row).collect();
         found.sort_by(|a, b| a.min.x.total_cmp(&b.min.x));
         found
@@ -137,7 +144,10 @@ impl Hand {
 
     /// The number fields of this name, from top to bottom.
     pub(crate) fn fields_called(&self, label: &str) -> Vec<Rect> {
-        let all = self.harness.query_all_by_role_and_label(Role::SpinButton, label).map(|node| node.rect());
+        let all = self
+            .harness
+            .query_all_by_role_and_label(Role::SpinButton, label)
+            .map(|node| node.rect());
         let mut found: Vec<Rect> = all.collect();
         found.sort_by(|a, b| a.min.y.total_cmp(&b.min.y));
         found
@@ -157,13 +167,18 @@ impl Hand {
         self.type_over(field.unwrap_or_else(|| panic!("{label} has no field")), number);
     }
 
-    /// Types a colour's hex code into its field in the inspector; a colour that is as another gets its own.
+    /// Types a color's hex code into its field in the inspector; a color that is as another gets
+    /// its own.
     #[track_caller]
     pub(crate) fn set_color(&mut self, label: &str, hex: &str) {
         let mut row = self.row(label);
         if self.fields(Role::TextInput, row).is_empty() {
-            let buttons = self.harness.query_all_by_role_and_label(Role::Button, "Set").map(|node| node.rect());
-            let set = buttons.into_iter().find(|rect| (rect.center().y - row.center().y).abs() < 6.0);
+            let buttons = self
+                .harness
+                .query_all_by_role_and_label(Role::Button, "Set")
+                .map(|node| node.rect());
+            let set =
+                buttons.into_iter().find(|rect| (rect.center().y - row.center().y).abs() < 6.0);
             let set = set.unwrap_or_else(|| panic!("{label} can be set nowhere"));
             self.click(set.center());
             self.settle();
@@ -173,7 +188,7 @@ impl Hand {
         self.type_over(field, hex);
     }
 
-    /// The swatch of a colour in the inspector, which opens its picker.
+    /// The swatch of a color in the inspector, which opens its picker.
     #[track_caller]
     pub(crate) fn swatch(&mut self, label: &str) -> Rect {
         let row = self.row(label);

@@ -1,6 +1,6 @@
-//! On a real mesh, where there is one: a light is moved by its highlight, a line of the layer is dragged, a colour is
-//! scrubbed, a layer goes to another place, each as one step; Esc gives a drag up. The picture that is saved is what the
-//! program without a window draws.
+//! On a real mesh, where there is one: a light is moved by its highlight, a line of the layer is
+//! dragged, a color is scrubbed, a layer goes to another place, each as one step; Esc gives a drag
+//! up. The picture that is saved is what the program without a window draws.
 //!
 //! `CHIARO_MODELS` names a folder with `spot.obj` in it; else an own shape stands in.
 
@@ -23,7 +23,9 @@ fn mesh() -> Option<PathBuf> {
 fn on_line(artist: &Artist, port: &str) -> Pos2 {
     let center = artist.app().viewport().rect().unwrap().center();
     let points = artist.app().viewport().curve(port).into_iter();
-    points.min_by(|a, b| a.distance(center).total_cmp(&b.distance(center))).expect("the line is seen")
+    points
+        .min_by(|a, b| a.distance(center).total_cmp(&b.distance(center)))
+        .expect("the line is seen")
 }
 
 /// One gesture is one step.
@@ -84,7 +86,7 @@ fn a_look_is_made_with_the_hand_on_the_object() {
     let cutoff = &artist.look().graph.nodes["diffuse"].values["cutoff"];
     assert!(matches!(cutoff, Value::Number(x) if *x < 1.55), "{cutoff:?}");
 
-    // A colour is scrubbed in its picker.
+    // A color is scrubbed in its picker.
     let color = artist.look().graph.nodes["diffuse"].values["convex"].clone();
     let swatch = artist.swatch("Convex color");
     let fields = |artist: &Artist| -> Vec<Rect> {
@@ -93,7 +95,10 @@ fn a_look_is_made_with_the_hand_on_the_object() {
     let known = fields(&artist);
     artist.click(swatch.center());
     artist.settle();
-    let red = fields(&artist).into_iter().find(|field| !known.contains(field)).expect("the picker has number fields");
+    let red = fields(&artist)
+        .into_iter()
+        .find(|field| !known.contains(field))
+        .expect("the picker has number fields");
     one_step(&mut artist, |artist| artist.drag(red.center(), red.center() - vec2(60.0, 0.0)));
     artist.key(Key::Escape);
     assert_ne!(artist.look().graph.nodes["diffuse"].values["convex"], color);
@@ -108,7 +113,8 @@ fn a_look_is_made_with_the_hand_on_the_object() {
     assert!(artist.errors().is_empty(), "{:?}", artist.errors());
     artist.picture().differs(&fresh);
 
-    // Saved by the menu as large as it is on the screen, it is what the program without a window draws.
+    // Saved by the menu as large as it is on the screen, it is what the program without a window
+    // draws.
     artist.save_under(&studio.path("hand.json"));
     artist.look_from_the_front();
     let size = artist.app().viewport().rect().unwrap().size();

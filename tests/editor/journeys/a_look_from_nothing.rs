@@ -1,5 +1,5 @@
-//! Figure 1's look from nothing: base, fill, diffuse, highlight and back-light, each warped by curvature, typed layer by
-//! layer. It comes out as the example that was written by hand.
+//! Figure 1's look from nothing: base, fill, diffuse, highlight and back-light, each warped by
+//! curvature, typed layer by layer. It comes out as the example that was written by hand.
 
 use std::path::Path;
 
@@ -54,7 +54,8 @@ fn figure_1_is_built_layer_by_layer() {
     artist.press("Layer Diffuse");
     shape(&mut artist, ["2.9", "71.6", "108.9"], ["#b5662e", "#6e2a1e"], "0.2", "14.3");
 
-    // The highlight from the canvas: a node by the search, between the diffuse layer and the output.
+    // The highlight from the canvas: a node by the search, between the diffuse layer and the
+    // output.
     artist.show_all();
     let at = artist.on_canvas(0.75, 0.75);
     let specular = artist.add_named(at, "light layer", "Specular");
@@ -72,16 +73,27 @@ fn figure_1_is_built_layer_by_layer() {
     assert_eq!(artist.look().lights["back"].direction, [0.85, 0.35, -0.75]);
     assert_eq!(artist.look().lights.len(), 2, "a light behind was added");
     let wires = &artist.look().graph;
-    assert_eq!(wires.wire_into(&"back_light".into(), &"below".into()).unwrap().from.node.as_str(), specular);
-    assert!(artist.app().session().problems().is_empty(), "{:?}", artist.app().session().problems());
-    let rows = ["Back-light", "Specular", "Diffuse", "Fill"].map(|name| artist.place(&format!("Layer {name}")).min.y);
-    assert!(rows.windows(2).all(|pair| pair[0] < pair[1]), "the list is the stack, from the top: {rows:?}");
+    assert_eq!(
+        wires.wire_into(&"back_light".into(), &"below".into()).unwrap().from.node.as_str(),
+        specular
+    );
+    assert!(
+        artist.app().session().problems().is_empty(),
+        "{:?}",
+        artist.app().session().problems()
+    );
+    let rows = ["Back-light", "Specular", "Diffuse", "Fill"]
+        .map(|name| artist.place(&format!("Layer {name}")).min.y);
+    assert!(
+        rows.windows(2).all(|pair| pair[0] < pair[1]),
+        "the list is the stack, from the top: {rows:?}"
+    );
 
     artist.look_from_the_front();
     let own = artist.picture();
     let mut example = studio.window_with(Path::new(EXAMPLE));
     let apart = own.apart(&example.picture());
-    // Angles were typed to a tenth of a degree, colours to 1/255.
+    // Angles were typed to a tenth of a degree, colors to 1/255.
     assert!(apart.mean < 0.3 && apart.max <= 12, "{apart:?}");
     drop(example);
 

@@ -1,5 +1,6 @@
-//! A node of the artist's own divides 0 by 0 where the light does not reach. The hole in the picture is probed, the first
-//! broken wire leads to the node, its file is mended, and the picture is whole.
+//! A node of the artist's own divides 0 by 0 where the light does not reach. The hole in the
+//! picture is probed, the first broken wire leads to the node, its file is mended, and the picture
+//! is whole.
 
 use eframe::egui::{Key, vec2};
 
@@ -59,7 +60,11 @@ fn a_nan_from_a_custom_node_is_found_and_mended() {
     artist.wire("Output Stack of Diffuse", "Input Below of Blend");
     artist.wire("Output Value of Mix", "Input Tone of Blend");
     artist.wire("Output Stack of Blend", "Input Color of Output");
-    assert!(artist.errors().is_empty(), "nothing is wrong with the code as such: {:?}", artist.errors());
+    assert!(
+        artist.errors().is_empty(),
+        "nothing is wrong with the code as such: {:?}",
+        artist.errors()
+    );
     let holed = artist.picture();
     holed.differs(&whole);
 
@@ -76,13 +81,20 @@ fn a_nan_from_a_custom_node_is_found_and_mended() {
     // A slip while mending it: the error is told at the node, and the last good picture stays.
     studio.write("nodes/glow.wgsl", &BROKEN.replace("tone / tone", "toon / tone"));
     look_at_files(&mut artist);
-    assert!(artist.app().canvas().has_error("glow") && artist.says("toon"), "{:?}", artist.errors());
+    assert!(
+        artist.app().canvas().has_error("glow") && artist.says("toon"),
+        "{:?}",
+        artist.errors()
+    );
     artist.picture().equals(&holed);
 
     studio.write("nodes/glow.wgsl", &BROKEN.replace("(tone / tone)", "step(1e-6, tone)"));
     look_at_files(&mut artist);
     assert!(artist.errors().is_empty(), "{:?}", artist.errors());
-    assert!(artist.app().probe().wires().iter().all(|wire| wire.is_finite()), "the kept pixel is read again");
+    assert!(
+        artist.app().probe().wires().iter().all(|wire| wire.is_finite()),
+        "the kept pixel is read again"
+    );
     assert!(!artist.says("Go to first broken wire"));
     artist.key(Key::Escape);
     artist.key(Key::Escape);

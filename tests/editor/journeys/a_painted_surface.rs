@@ -1,5 +1,5 @@
-//! A surface painted from nothing: the start page, a new HCBTF, samples for several lights and views, rules for all others,
-//! a file, and a look on a ball that shows what was painted.
+//! A surface painted from nothing: the start page, a new HCBTF, samples for several lights and
+//! views, rules for all others, a file, and a look on a ball that shows what was painted.
 
 use std::sync::Arc;
 
@@ -8,7 +8,7 @@ use eframe::egui::{Key, Modifiers, Pos2, Role};
 
 use super::artist::{Artist, Studio};
 
-/// Fills the tile at work with a colour of the palette.
+/// Fills the tile at work with a color of the palette.
 fn flood(artist: &mut Artist, color: &str) {
     artist.press(&format!("Color {color}"));
     artist.press_a(Role::RadioButton, "Fill");
@@ -43,9 +43,13 @@ fn a_surface_is_painted_from_nothing() {
     artist.key(Key::L);
     artist.drag(from, to);
     artist.settle();
-    assert_eq!(painted(&artist).painted(Address::default()).unwrap().texel(8, 8), [0xf7, 0xdb, 0x4b, 255]);
+    assert_eq!(
+        painted(&artist).painted(Address::default()).unwrap().texel(8, 8),
+        [0xf7, 0xdb, 0x4b, 255]
+    );
 
-    // The light sinks to the right by the keys: a darker green. Then on the map, the eye at the horizon: red.
+    // The light sinks to the right by the keys: a darker green. Then on the map, the eye at the
+    // horizon: red.
     artist.hover(from);
     artist.key_with(Modifiers::SHIFT, Key::ArrowDown);
     assert_eq!(artist.app().session().painting().unwrap().at(), Address::new([1, 0], [0, 0]));
@@ -77,7 +81,10 @@ fn a_surface_is_painted_from_nothing() {
     artist.choose("On", "Sphere");
     let wgsl = studio.finish(artist, "meadow.json");
     assert!(wgsl.contains("texture_2d_array"), "what was painted is looked up");
-    assert!(studio.read("meadow.json").contains("\"meadow.hcbtf\""), "the look names its neighbour by the way to it");
+    assert!(
+        studio.read("meadow.json").contains("\"meadow.hcbtf\""),
+        "the look names its neighbour by the way to it"
+    );
 
     // The next day: the painting is opened again, and painted on.
     let mut artist = studio.window();

@@ -1,5 +1,5 @@
-//! A tile without a seam: copies beside it are painted on as the tile itself, strokes go across its edges and corners, and
-//! what is saved repeats.
+//! A tile without a seam: copies beside it are painted on as the tile itself, strokes go across its
+//! edges and corners, and what is saved repeats.
 
 use chiaro::document::{Address, Tile};
 use eframe::egui::{Key, Modifiers, Pos2, Role};
@@ -14,7 +14,9 @@ fn texel(artist: &Artist, x: f64, y: f64) -> Pos2 {
 
 fn tile(artist: &Artist) -> Tile {
     let hcbtf = artist.app().session().painting().unwrap().hcbtf();
-    hcbtf.painted(Address::default()).map_or_else(|| Tile::filled([16, 16], [0; 4]), |tile| (**tile).clone())
+    hcbtf
+        .painted(Address::default())
+        .map_or_else(|| Tile::filled([16, 16], [0; 4]), |tile| (**tile).clone())
 }
 
 fn alphas(tile: &Tile, from: [i64; 2]) -> Vec<u8> {
@@ -33,10 +35,12 @@ fn a_tile_is_painted_without_a_seam() {
     let hardness = artist.place_of(Role::SpinButton, "Hardness");
     artist.type_over(hardness, "30");
 
-    // A bow over the corner, across copies on all sides: the same bow in the middle is the same tile, moved by half.
+    // A bow over the corner, across copies on all sides: the same bow in the middle is the same
+    // tile, moved by half.
     let bow = [[-4.0, 1.0], [0.5, -3.0], [5.0, 2.0]];
-    let along =
-        |artist: &Artist, by: f64| -> Vec<Pos2> { bow.iter().map(|[x, y]| texel(artist, x + by, y + by)).collect() };
+    let along = |artist: &Artist, by: f64| -> Vec<Pos2> {
+        bow.iter().map(|[x, y]| texel(artist, x + by, y + by)).collect()
+    };
     let path = along(&artist, 0.0);
     artist.drag_through(&path);
     artist.settle();
@@ -70,13 +74,16 @@ fn a_tile_is_painted_without_a_seam() {
     artist.key_with(Modifiers::COMMAND, Key::Z);
     artist.settle();
 
-    // What is saved repeats: the file says so, and four tiles side by side have no seam that one has not within.
+    // What is saved repeats: the file says so, and four tiles side by side have no seam that one
+    // has not within.
     let path = studio.path("bow.hcbtf");
     artist.app_mut().answer_dialog(&path);
     artist.key_with(Modifiers::COMMAND, Key::S);
     artist.settle();
     let saved = chiaro::hcbtf::load(&path).unwrap().0;
-    assert!(saved.is_tiling && saved.painted(Address::default()).unwrap().bytes() == striped.bytes());
+    assert!(
+        saved.is_tiling && saved.painted(Address::default()).unwrap().bytes() == striped.bytes()
+    );
     // For those who tile pictures elsewhere: the contact sheet's first tile is the painted one.
     let sheet = studio.path("bow.png");
     artist.app_mut().answer_dialog(&sheet);

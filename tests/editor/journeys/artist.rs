@@ -52,9 +52,15 @@ impl Studio {
     #[track_caller]
     pub(super) fn chiaro(&self, arguments: &[&str]) -> String {
         let program = env!("CARGO_BIN_EXE_chiaro");
-        let output = Command::new(program).args(arguments).current_dir(self.0.path()).output().unwrap();
+        let output =
+            Command::new(program).args(arguments).current_dir(self.0.path()).output().unwrap();
         let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-        assert!(output.status.success(), "chiaro {arguments:?}: {}{}", text(&output.stdout), text(&output.stderr));
+        assert!(
+            output.status.success(),
+            "chiaro {arguments:?}: {}{}",
+            text(&output.stdout),
+            text(&output.stderr)
+        );
         text(&output.stdout)
     }
 
@@ -72,7 +78,10 @@ impl Studio {
         self.chiaro(&["export", look, "--to", "wgsl,glsl-es300,glsl-450", "-o", "out"]);
         let written = files::below(&self.path("out"));
         let of = |ending: &str| -> Vec<&PathBuf> {
-            written.iter().filter(|path| path.extension().is_some_and(|found| found == ending)).collect()
+            written
+                .iter()
+                .filter(|path| path.extension().is_some_and(|found| found == ending))
+                .collect()
         };
         let wgsl = of("wgsl");
         assert!(!wgsl.is_empty() && of("vert").len() >= 2 && of("frag").len() >= 2, "{written:?}");
@@ -85,14 +94,19 @@ impl Studio {
         wgsl.iter().map(|path| std::fs::read_to_string(path).unwrap()).collect()
     }
 
-    /// The end of every journey. The look is saved under `name`; another window opens it and shows the same picture; so
-    /// does the program without a window; and what is exported is taken by others. Gives the exported WGSL.
+    /// The end of every journey. The look is saved under `name`; another window opens it and shows
+    /// the same picture; so does the program without a window; and what is exported is taken by
+    /// others. Gives the exported WGSL.
     #[track_caller]
     pub(super) fn finish(&self, mut artist: Artist, name: &str) -> String {
         let mesh = artist.app().session().orbit().mesh.clone();
         artist.save_under(&self.path(name));
         artist.look_from_the_front();
-        assert_eq!(artist.app().session().time(), 0.0, "pictures of files are of their first moment");
+        assert_eq!(
+            artist.app().session().time(),
+            0.0,
+            "pictures of files are of their first moment"
+        );
         let (look, picture) = (artist.look().clone(), artist.picture());
         assert!(picture.object().count() > 500, "there is something to be seen");
         drop(artist);
@@ -101,7 +115,11 @@ impl Studio {
         other.app_mut().show_on(&mesh);
         other.open(&self.path(name));
         assert_eq!(*other.look(), look, "the file holds what the window held");
-        assert!(!other.app().session().is_dirty() && other.errors().is_empty(), "{:?}", other.errors());
+        assert!(
+            !other.app().session().is_dirty() && other.errors().is_empty(),
+            "{:?}",
+            other.errors()
+        );
         other.picture().equals(&picture);
         drop(other);
 

@@ -1,5 +1,5 @@
-//! Comics from Lambert: the soft layer of a new look is cut to a cartoon's two tones, its shadow is filled with dots, and
-//! what turns away is inked.
+//! Comics from Lambert: the soft layer of a new look is cut to a cartoon's two tones, its shadow is
+//! filled with dots, and what turns away is inked.
 
 use super::artist::{Artist, Studio};
 
@@ -12,7 +12,7 @@ fn hex([r, g, b]: [u8; 3]) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-/// A blend of a colour over what is wired to it, where a tone is.
+/// A blend of a color over what is wired to it, where a tone is.
 fn add_blend(artist: &mut Artist, at: [f32; 2], name: &str, color: [u8; 3]) {
     let at = artist.on_canvas(at[0], at[1]);
     artist.add_named(at, "blend", name);
@@ -38,7 +38,10 @@ fn a_lambert_layer_becomes_a_comic() {
     let two = artist.picture();
     two.differs(&lambert);
     let shares = [two.share_of(LIT), two.share_of(SHADOW)];
-    assert!(shares[0] > 0.1 && shares[1] > 0.1 && shares[0] + shares[1] > 0.9, "two flat tones: {shares:?}");
+    assert!(
+        shares[0] > 0.1 && shares[1] > 0.1 && shares[0] + shares[1] > 0.9,
+        "two flat tones: {shares:?}"
+    );
 
     // Dots in the shadow: a pattern, where the tone is not.
     add_blend(&mut artist, [0.75, 0.7], "Half-tone", DOTS);
@@ -50,7 +53,8 @@ fn a_lambert_layer_becomes_a_comic() {
     artist.add_node(at, "multiply");
     artist.show_all();
     // A wire that is let go of on nothing asks what fits it.
-    let (from, nothing) = (artist.place("Output Tone of Diffuse").center(), artist.on_canvas(0.3, 0.97));
+    let (from, nothing) =
+        (artist.place("Output Tone of Diffuse").center(), artist.on_canvas(0.3, 0.97));
     artist.drag(from, nothing);
     artist.type_text("invert");
     artist.key(eframe::egui::Key::Enter);
@@ -91,5 +95,8 @@ fn a_lambert_layer_becomes_a_comic() {
     assert!(ink > 0.08 && ink < 0.25, "{ink}");
 
     let wgsl = studio.finish(artist, "comics.json");
-    assert!(wgsl.contains("half_tone") && wgsl.contains("ink"), "the code says what the artist calls it");
+    assert!(
+        wgsl.contains("half_tone") && wgsl.contains("ink"),
+        "the code says what the artist calls it"
+    );
 }

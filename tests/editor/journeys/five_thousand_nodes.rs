@@ -1,5 +1,5 @@
-//! Work on 5,000 nodes: opened, searched, edited, grouped, and all of it taken back. What it takes is told, and judged by
-//! nobody here.
+//! Work on 5,000 nodes: opened, searched, edited, grouped, and all of it taken back. What it takes
+//! is told, and judged by nobody here.
 #![allow(clippy::print_stdout, reason = "times are told")]
 
 use chiaro::clock::Clock;
@@ -13,7 +13,8 @@ const COUNT: usize = 5000;
 /// In the middle of the chain, with one before it and one behind it that have names too.
 const NEEDLE: usize = 2487;
 
-/// A chain of small sums in a square: how much the surface faces the eye, and a little more at each.
+/// A chain of small sums in a square: how much the surface faces the eye, and a little more at
+/// each.
 fn look() -> String {
     let columns = 71;
     let sums = COUNT - 2;
@@ -32,7 +33,10 @@ fn look() -> String {
     let nodes: Vec<_> = (0..sums).map(sum).chain(ends).collect();
     let wire = |from: String, to: String| json!({"from": from, "to": to});
     let chain = (1..sums).map(|index| wire(format!("n{}", index - 1), format!("n{index}.a")));
-    let ends = [wire("start".into(), "n0.a".into()), wire(format!("n{}", sums - 1), "output.color".into())];
+    let ends = [
+        wire("start".into(), "n0.a".into()),
+        wire(format!("n{}", sums - 1), "output.color".into()),
+    ];
     let wires: Vec<_> = chain.chain(ends).collect();
     json!({"name": "Many", "nodes": nodes, "wires": wires}).to_string()
 }
@@ -82,7 +86,10 @@ fn five_thousand_nodes_are_worked_on() {
     artist.key(Key::Period);
     artist.settle();
     let needle = artist.place_like("Node Needle");
-    assert!(artist.place("Node canvas").contains_rect(needle) && needle.width() > 60.0, "it is seen: {needle:?}");
+    assert!(
+        artist.place("Node canvas").contains_rect(needle) && needle.width() > 60.0,
+        "it is seen: {needle:?}"
+    );
     println!("a frame close up: {:.1} ms", frames(&mut artist));
 
     // A value of one node of 5,000 is seen.

@@ -1,5 +1,6 @@
-//! From pictures that another program painted to a shader that leaves with its texture: a folder of numbered images is
-//! imported, a rule fills the views that nobody painted, and the look is exported from the menu.
+//! From pictures that another program painted to a shader that leaves with its texture: a folder of
+//! numbered images is imported, a rule fills the views that nobody painted, and the look is
+//! exported from the menu.
 
 use chiaro::document::{Address, Directions, Grid, Rule};
 use chiaro::hcbtf::{from_layers, ktx2};
@@ -9,13 +10,18 @@ use super::artist::Studio;
 use crate::support::files;
 use crate::support::validators::tint;
 
-const GRID: Grid =
-    Grid { size: [12, 8], light: Directions { theta: 2, phi: 3 }, view: Directions { theta: 2, phi: 2 } };
+const GRID: Grid = Grid {
+    size: [12, 8],
+    light: Directions { theta: 2, phi: 3 },
+    view: Directions { theta: 2, phi: 2 },
+};
 
-/// What somebody painted for a light, seen from above: a ramp whose colour tells the light.
+/// What somebody painted for a light, seen from above: a ramp whose color tells the light.
 fn painted(light: u8) -> image::RgbaImage {
     let [width, height] = GRID.size;
-    image::RgbaImage::from_fn(width, height, |x, y| image::Rgba([40 + 50 * light, (x * 20) as u8, (y * 30) as u8, 255]))
+    image::RgbaImage::from_fn(width, height, |x, y| {
+        image::Rgba([40 + 50 * light, (x * 20) as u8, (y * 30) as u8, 255])
+    })
 }
 
 #[test]
@@ -32,15 +38,24 @@ fn painted_pictures_become_a_shader() {
     let mut artist = studio.window();
     artist.press("Paint");
     artist.press("Import painted pictures as an HCBTF...");
-    for (label, text) in [("Lights: rings", "2"), ("Lights: steps", "3"), ("Views: rings", "2"), ("Views: steps", "2")]
-    {
+    for (label, text) in [
+        ("Lights: rings", "2"),
+        ("Lights: steps", "3"),
+        ("Views: rings", "2"),
+        ("Views: steps", "2"),
+    ] {
         let field = artist.place_of(Role::SpinButton, label);
         artist.type_over(field, text);
     }
     artist.app_mut().answer_dialog(&folder);
     artist.press("Choose them...");
     let work = artist.app().session().painting().expect("the pictures are taken");
-    assert_eq!(work.hcbtf().grid, GRID, "the tile is as large as the pictures: {:?}", artist.app().message());
+    assert_eq!(
+        work.hcbtf().grid,
+        GRID,
+        "the tile is as large as the pictures: {:?}",
+        artist.app().message()
+    );
     assert!(work.is_dirty() && artist.has("4 painted") && artist.has("8 empty"));
 
     // What was painted holds from every side.
@@ -75,7 +90,10 @@ fn painted_pictures_become_a_shader() {
     artist.settle();
     let written = files::below(&out);
     let of = |ending: &str| {
-        written.iter().filter(|path| path.extension().is_some_and(|found| found == ending)).collect::<Vec<_>>()
+        written
+            .iter()
+            .filter(|path| path.extension().is_some_and(|found| found == ending))
+            .collect::<Vec<_>>()
     };
     let (wgsl, textures) = (of("wgsl"), of("ktx2"));
     assert_eq!(
@@ -91,7 +109,11 @@ fn painted_pictures_become_a_shader() {
     for (index, light) in GRID.light.distinct().enumerate() {
         for view in GRID.view.distinct() {
             let tile = carried.painted(Address { view, light }).expect("every view is filled");
-            assert_eq!(tile.bytes(), painted(index as u8).as_raw().as_slice(), "light {light} from {view}");
+            assert_eq!(
+                tile.bytes(),
+                painted(index as u8).as_raw().as_slice(),
+                "light {light} from {view}"
+            );
         }
     }
     studio.finish(artist, "ramp.json");

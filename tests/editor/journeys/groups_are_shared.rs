@@ -1,5 +1,5 @@
-//! Two layers become a group with a name and an input of its own; the project gets it; another look uses it; and when it
-//! is changed there, both looks change.
+//! Two layers become a group with a name and an input of its own; the project gets it; another look
+//! uses it; and when it is changed there, both looks change.
 
 use chiaro::document::Value;
 use eframe::egui::{Key, Modifiers};
@@ -47,14 +47,20 @@ fn a_group_is_made_named_shared_and_changed_for_all() {
     assert_eq!(artist.app().session().open_groups().len(), 1);
     let name = artist.text_field("Name");
     artist.type_over(name, "Skin");
-    // The highlight's colour becomes an input: a wire from its socket to the group's own end.
-    let (socket, end) =
-        (artist.place("Input Convex color of Highlight").center(), artist.place_like("Node Group inputs"));
+    // The highlight's color becomes an input: a wire from its socket to the group's own end.
+    let (socket, end) = (
+        artist.place("Input Convex color of Highlight").center(),
+        artist.place_like("Node Group inputs"),
+    );
     artist.drag(socket, end.center_bottom() - eframe::egui::vec2(0.0, 3.0));
     artist.settle();
     let definition = artist.look().definitions.values().next().unwrap().clone();
     assert_eq!(definition.label, "Skin");
-    assert!(definition.inputs.iter().any(|port| port.name.as_str() == "convex"), "{:?}", definition.inputs);
+    assert!(
+        definition.inputs.iter().any(|port| port.name.as_str() == "convex"),
+        "{:?}",
+        definition.inputs
+    );
     assert!(artist.errors().is_empty(), "{:?}", artist.errors());
 
     // To the project: the file is there, and this look has it from there.
@@ -63,10 +69,17 @@ fn a_group_is_made_named_shared_and_changed_for_all() {
     assert!(artist.look().definitions.is_empty() && artist.app().session().is_read_only());
     artist.press("Go to Look");
     assert!(artist.errors().is_empty(), "{:?}", artist.errors());
-    let group = artist.look().graph.nodes.values().find(|node| node.kind == "skin").expect("a node of it").clone();
+    let group = artist
+        .look()
+        .graph
+        .nodes
+        .values()
+        .find(|node| node.kind == "skin")
+        .expect("a node of it")
+        .clone();
     assert_eq!(group.kind, "skin");
     artist.save_under(&studio.path("one.json"));
-    // The new input begins with the colour that the layer had.
+    // The new input begins with the color that the layer had.
     let white = artist.picture();
     white.equals(&before);
 
@@ -100,7 +113,10 @@ fn a_group_is_made_named_shared_and_changed_for_all() {
     other.picture().differs(&green);
     let shared = chiaro::document::Look::load(&studio.path("nodes/skin.json")).value.unwrap();
     let cutoff = &shared.definitions["skin"].graph.nodes["diffuse"].values["cutoff"];
-    assert!(matches!(cutoff, Value::Number(x) if (x.to_degrees() - 45.0).abs() < 0.1), "{cutoff:?}");
+    assert!(
+        matches!(cutoff, Value::Number(x) if (x.to_degrees() - 45.0).abs() < 0.1),
+        "{cutoff:?}"
+    );
     artist.app_mut().look_at_files();
     artist.settle();
     artist.picture().differs(&white);

@@ -1,5 +1,5 @@
-//! A look's cost is cut by half and nobody sees it: tiers are measured, the cheapest that stays within 1/255 is adopted
-//! from the panel, and the truth in f64 agrees.
+//! A look's cost is cut by half and nobody sees it: tiers are measured, the cheapest that stays
+//! within 1/255 is adopted from the panel, and the truth in f64 agrees.
 #![allow(clippy::print_stdout, reason = "times are told, and judged by nobody")]
 
 use chiaro::accuracy::{Row, Subject};
@@ -12,7 +12,12 @@ use super::artist::{Artist, Studio};
 /// What the whole look costs in each tier, and how far it is off.
 fn whole(artist: &Artist) -> Vec<Row> {
     let report = artist.app().cost().report().expect("it was measured");
-    report.rows.iter().filter(|row| row.subject == Subject::Whole && row.tier.is_some()).cloned().collect()
+    report
+        .rows
+        .iter()
+        .filter(|row| row.subject == Subject::Whole && row.tier.is_some())
+        .cloned()
+        .collect()
 }
 
 /// What was counted of a row: bytes that a frame moves, and instructions.
@@ -27,7 +32,8 @@ fn a_look_is_made_half_as_dear_within_1_of_255() {
     let mut artist = studio.window();
     artist.app_mut().show_on("shape:sphere");
     artist.settle();
-    // A look of soft layers, warmed a little where the surface is convex: two passes stand behind that tint.
+    // A look of soft layers, warmed a little where the surface is convex: two passes stand behind
+    // that tint.
     artist.press("Layer Diffuse");
     artist.press("Add layer");
     artist.press("Add Highlight");
@@ -40,12 +46,16 @@ fn a_look_is_made_half_as_dear_within_1_of_255() {
     artist.press("Measure");
     let rows = whole(&artist);
     let exact = rows.iter().find(|row| row.tier == Some(Tier::Exact)).unwrap();
-    let within = rows.iter().filter(|row| row.max_error().is_some_and(|error| error <= 1.0 / 255.0));
+    let within =
+        rows.iter().filter(|row| row.max_error().is_some_and(|error| error <= 1.0 / 255.0));
     let best = within.min_by_key(|row| counted(row)).expect("exact is within").clone();
     for row in &rows {
         let [time, error] = [row.time.median, row.max_error().unwrap()];
         let (bytes, instructions) = counted(row);
-        println!("{:?}: {bytes} bytes, {instructions} instructions, {time:.2} ms, error {error:.1e}", row.tier);
+        println!(
+            "{:?}: {bytes} bytes, {instructions} instructions, {time:.2} ms, error {error:.1e}",
+            row.tier
+        );
     }
     let ((bytes, instructions), (all_bytes, all_instructions)) = (counted(&best), counted(exact));
     assert!(2 * bytes <= all_bytes, "{bytes} of {all_bytes} bytes");

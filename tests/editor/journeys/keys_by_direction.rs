@@ -1,5 +1,5 @@
-//! A back-light that changes as one walks around: keyed at two directions of the view, with another colour and another
-//! intensity at each.
+//! A back-light that changes as one walks around: keyed at two directions of the view, with another
+//! color and another intensity at each.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::vec2;
@@ -27,8 +27,8 @@ fn walk(artist: &mut Artist, points: f32) {
     artist.settle();
 }
 
-/// What the look shows from here with this colour and intensity in place of the keys: written into its file, and drawn by
-/// the program without a window.
+/// What the look shows from here with this color and intensity in place of the keys: written into
+/// its file, and drawn by the program without a window.
 fn without_keys(studio: &Studio, artist: &Artist, color: [f64; 3], intensity: f64) -> Picture {
     let mut look: serde_json::Value = serde_json::from_str(&studio.read("keyed.json")).unwrap();
     assert!(look.as_object_mut().unwrap().remove("direction_keys").is_some());
@@ -73,36 +73,59 @@ fn a_back_light_changes_with_the_view() {
     // At a key its values are what is seen.
     let blue = [0x30, 0x60, 0xff].map(|byte| (f64::from(byte) / 255.0 * 1e4_f64).round() / 1e4);
     let red = [0xff, 0x40, 0x20].map(|byte| (f64::from(byte) / 255.0 * 1e4_f64).round() / 1e4);
-    assert_eq!(weights(&artist).map(|weight| (weight * 1e3).round()), [0.0, 1000.0], "the view is at key 2");
+    assert_eq!(
+        weights(&artist).map(|weight| (weight * 1e3).round()),
+        [0.0, 1000.0],
+        "the view is at key 2"
+    );
     let seen = artist.picture();
     let apart = seen.apart(&without_keys(&studio, &artist, red, 1.8));
     assert!(apart.max <= 2, "at key 2: {apart:?}");
     artist.press("Select key 1");
     artist.press("Go to key");
-    assert_eq!(weights(&artist).map(|weight| (weight * 1e3).round()), [1000.0, 0.0], "the view is at key 1");
+    assert_eq!(
+        weights(&artist).map(|weight| (weight * 1e3).round()),
+        [1000.0, 0.0],
+        "the view is at key 1"
+    );
     let apart = artist.picture().apart(&without_keys(&studio, &artist, blue, 1.0));
     assert!(apart.max <= 2, "at key 1: {apart:?}");
-    assert!(artist.picture().apart(&without_keys(&studio, &artist, red, 1.8)).max > 20, "and no other key's");
+    assert!(
+        artist.picture().apart(&without_keys(&studio, &artist, red, 1.8)).max > 20,
+        "and no other key's"
+    );
 
-    // On the way weights change smoothly and add up, and the picture is that of the values they give.
+    // On the way weights change smoothly and add up, and the picture is that of the values they
+    // give.
     let mut last = weights(&artist);
     let mut steepest: f64 = 0.0;
     for step in 0..10 {
         walk(&mut artist, 15.0);
         let now = weights(&artist);
         assert!((now[0] + now[1] - 1.0).abs() < 1e-6, "{now:?}");
-        assert!(now[0] <= last[0] + 1e-3, "on the way from key 1 to key 2 it counts less and less: {last:?} {now:?}");
+        assert!(
+            now[0] <= last[0] + 1e-3,
+            "on the way from key 1 to key 2 it counts less and less: {last:?} {now:?}"
+        );
         steepest = steepest.max(last[0] - now[0]);
         last = now;
         if step == 4 {
             assert!(now[0] > 0.2 && now[0] < 0.8, "{now:?}");
             let mixed = [0, 1, 2].map(|k| now[0] * blue[k] + now[1] * red[k]);
-            let apart = artist.picture().apart(&without_keys(&studio, &artist, mixed, now[0] + 1.8 * now[1]));
+            let apart = artist.picture().apart(&without_keys(
+                &studio,
+                &artist,
+                mixed,
+                now[0] + 1.8 * now[1],
+            ));
             assert!(apart.max <= 2, "half way: {apart:?}");
         }
     }
     assert!(steepest < 0.3, "no step jumps: {steepest}");
-    assert!((artist.app().session().orbit().yaw - there.yaw).abs() < 1e-4 && last[1] > 0.999, "it came to key 2");
+    assert!(
+        (artist.app().session().orbit().yaw - there.yaw).abs() < 1e-4 && last[1] > 0.999,
+        "it came to key 2"
+    );
     assert!(!artist.app().session().is_dirty(), "walking around changes nothing of the look");
     studio.finish(artist, "keyed.json");
 }

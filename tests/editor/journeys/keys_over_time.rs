@@ -1,5 +1,5 @@
-//! A look that moves: an angle and a colour over time, a blend mode that switches at once; scrubbed, played, and drawn at
-//! three moments by the program without a window.
+//! A look that moves: an angle and a color over time, a blend mode that switches at once;
+//! scrubbed, played, and drawn at three moments by the program without a window.
 
 use chiaro::document::{Interpolation, Value};
 use eframe::egui::accesskit::Role;
@@ -28,7 +28,10 @@ fn scrub(artist: &mut Artist, seconds: f64) {
 fn seconds_of(artist: &Artist, field: &str) -> f64 {
     use egui_kittest::kittest::{NodeT as _, Queryable as _};
     let field = artist.harness.get_by_role_and_label(Role::SpinButton, field);
-    let text = field.value().or_else(|| field.accesskit_node().numeric_value().map(|x| x.to_string())).unwrap();
+    let text = field
+        .value()
+        .or_else(|| field.accesskit_node().numeric_value().map(|x| x.to_string()))
+        .unwrap();
     text.trim_end_matches([' ', 's']).parse().unwrap()
 }
 
@@ -60,9 +63,15 @@ fn a_look_is_animated_and_drawn_at_three_moments() {
     artist.set_color("Convex color", "#2080ff");
     artist.set_word("Blending", "Multiply");
     let tracks = artist.look().time_keys.clone();
-    assert!(tracks.iter().all(|track| track.keys.len() == 2 && track.keys[1].time == later), "{tracks:?}");
+    assert!(
+        tracks.iter().all(|track| track.keys.len() == 2 && track.keys[1].time == later),
+        "{tracks:?}"
+    );
     let [first, second] = &tracks[2].keys[..] else { unreachable!() };
-    assert_eq!((&first.value, &second.value), (&Value::Text("add".into()), &Value::Text("multiply".into())));
+    assert_eq!(
+        (&first.value, &second.value),
+        (&Value::Text("add".into()), &Value::Text("multiply".into()))
+    );
     assert_eq!(first.interpolation, Interpolation::Stepped, "a word has nothing between");
     artist.save_under(&studio.path("moving.json"));
 
@@ -77,10 +86,16 @@ fn a_look_is_animated_and_drawn_at_three_moments() {
     }
     seen[0].differs(&seen[1]);
     seen[1].differs(&seen[2]);
-    // Just before the second key the blend mode is still the first: multiplied, all but the light would be dark.
+    // Just before the second key the blend mode is still the first: multiplied, all but the light
+    // would be dark.
     scrub(&mut artist, 2.0 - 1.0 / 24.0);
     let before = artist.picture();
-    assert!(before.brightness() > seen[2].brightness() + 10.0, "{} {}", before.brightness(), seen[2].brightness());
+    assert!(
+        before.brightness() > seen[2].brightness() + 10.0,
+        "{} {}",
+        before.brightness(),
+        seen[2].brightness()
+    );
 
     // It plays: the playhead goes on by itself, and comes around.
     scrub(&mut artist, 1.0);

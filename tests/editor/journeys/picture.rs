@@ -18,7 +18,11 @@ pub(super) struct Apart {
 
 impl Picture {
     pub(super) fn read(path: &Path) -> Self {
-        Self(image::open(path).unwrap_or_else(|error| panic!("{}: {error}", path.display())).into_rgba8())
+        Self(
+            image::open(path)
+                .unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+                .into_rgba8(),
+        )
     }
 
     pub(super) fn at(&self, x: f32, y: f32) -> [u8; 4] {
@@ -26,13 +30,13 @@ impl Picture {
         self.0.get_pixel((x * width as f32) as u32, (y * height as f32) as u32).0
     }
 
-    /// What shows the object: everything but the colour of the corner.
+    /// What shows the object: everything but the color of the corner.
     pub(super) fn object(&self) -> impl Iterator<Item = [u8; 4]> + '_ {
         let backdrop = self.0.get_pixel(0, 0).0;
         self.0.pixels().map(|pixel| pixel.0).filter(move |pixel| *pixel != backdrop)
     }
 
-    /// The share of the object that has this colour, to two steps of 255.
+    /// The share of the object that has this color, to two steps of 255.
     pub(super) fn share_of(&self, color: [u8; 3]) -> f64 {
         let is_it = |pixel: &[u8; 4]| color.iter().zip(pixel).all(|(a, b)| a.abs_diff(*b) <= 2);
         self.object().filter(is_it).count() as f64 / self.object().count().max(1) as f64
@@ -40,14 +44,16 @@ impl Picture {
 
     /// The mean of all channels of the object.
     pub(super) fn brightness(&self) -> f64 {
-        let sum: f64 = self.object().flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).map(f64::from).sum();
+        let sum: f64 =
+            self.object().flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).map(f64::from).sum();
         sum / (3.0 * self.object().count().max(1) as f64)
     }
 
     pub(super) fn apart(&self, other: &Self) -> Apart {
         assert_eq!(self.0.dimensions(), other.0.dimensions());
         let differences = self.0.pixels().zip(other.0.pixels());
-        let of_pixel = differences.map(|(a, b)| (0..4).map(|k| a.0[k].abs_diff(b.0[k])).max().unwrap_or(0));
+        let of_pixel =
+            differences.map(|(a, b)| (0..4).map(|k| a.0[k].abs_diff(b.0[k])).max().unwrap_or(0));
         let all: Vec<u8> = of_pixel.collect();
         Apart {
             mean: all.iter().map(|&d| f64::from(d)).sum::<f64>() / all.len() as f64,

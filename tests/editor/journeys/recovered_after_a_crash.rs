@@ -1,5 +1,5 @@
-//! A window dies in the middle of a drag. The next one offers the work, and it is complete to the last move of the hand,
-//! with its past; it is saved as if nothing had happened.
+//! A window dies in the middle of a drag. The next one offers the work, and it is complete to the
+//! last move of the hand, with its past; it is saved as if nothing had happened.
 
 use chiaro::document::Value;
 use eframe::egui::{Key, Modifiers, vec2};
@@ -45,7 +45,8 @@ fn work_is_complete_to_the_last_gesture() {
     for step in 1..=5 {
         artist.move_to(slider.left_center() + vec2(4.0 + 0.08 * slider.width() * step as f32, 0.0));
     }
-    // Moves are written together for a tenth of a second at most; then the program dies, the hand still down.
+    // Moves are written together for a tenth of a second at most; then the program dies, the hand
+    // still down.
     artist.harness.run_steps(2);
     artist.app().session().wait_for_journal();
     home.wait_until_written();

@@ -17,13 +17,15 @@ struct Light {
     intensity: f32,
 }
 
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN never happens.
+/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
 }
 
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a NaN. Scaled by the
-/// largest component first, so that neither tiny nor huge vectors under- or overflow.
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if !(largest > 1e-30 && largest < 1e30) {
@@ -54,8 +56,9 @@ fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
 
 /// Axes around a direction
 ///
-/// Two directions at right angles to a light or a half-vector: the axes along which a highlight is moved, stretched or
-/// split so that it keeps its shape on every object, whatever its texture coordinates.
+/// Two directions at right angles to a light or a half-vector: the axes along which a highlight is
+/// moved, stretched or split so that it keeps its shape on every object, whatever its texture
+/// coordinates.
 fn axes(direction: vec3f, up: vec3f) -> AxesAround {
     let axes = axes_around(direction, up);
     return AxesAround(axes[0], axes[1]);
@@ -70,9 +73,10 @@ struct AxesAround {
 
 /// Light
 ///
-/// A light of the look, as it arrives at the surface. Its data (type, direction, colour) is kept with the look's
-/// lights; turning the illumination frame turns every light in it.
-fn light_directional(direction: vec3f, own_direction: vec3f, color: vec3f, intensity: f32) -> Light {
+/// A light of the look, as it arrives at the surface. Its data (type, direction, color) is kept
+/// with the look's lights; turning the illumination frame turns every light in it.
+fn light_directional(direction: vec3f, own_direction: vec3f, color: vec3f,
+    intensity: f32) -> Light {
     return Light(direction, own_direction, color, intensity);
 }
 
@@ -86,7 +90,7 @@ fn light_parts(light: Light) -> LightParts {
 struct LightParts {
     /// Unit, toward the light, world space.
     direction: vec3f,
-    /// The light's colour, opaque.
+    /// The light's color, opaque.
     color: Color,
     /// With the light's distance and cone attenuation; 0 or more.
     intensity: f32,

@@ -46,7 +46,8 @@ alias Color = vec4f;
 /// Premultiplied RGBA: the stack of layers below, as blends pass it on.
 alias Composite = vec4f;
 
-/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and near pi.
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
     /// sin(u/2), 0 or more.
     half_sin: f32,
@@ -70,7 +71,8 @@ const PI: f32 = 3.14159265358979323846;
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN never happens.
+/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
 }
@@ -90,8 +92,9 @@ fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
 
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a NaN. Scaled by the
-/// largest component first, so that neither tiny nor huge vectors under- or overflow.
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if !(largest > 1e-30 && largest < 1e30) {
@@ -106,13 +109,15 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     return scaled * (1.0 / sqrt(square));
 }
 
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of two. 0 below -149,
-/// the largest finite number above 128.
+/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
+/// two. 0 below -149, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
     let clamped = clamp(x, -150.0, 127.999992);
     let whole = round(clamped);
     let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667 + f * (0.0416666666666666667 + f * (0.00833333333333333333 + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
+    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
+        + f * (0.0416666666666666667 + f * (0.00833333333333333333
+        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
     // Two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
@@ -123,7 +128,8 @@ fn power_of_two(n: i32) -> f32 {
     return bitcast<f32>(u32(n + 127) << 23u);
 }
 
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative error below 1e-7).
+/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
+/// error below 1e-7).
 fn log_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
@@ -132,7 +138,8 @@ fn log_stable(x: f32) -> f32 {
     let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
+        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
     return f32(exponent) * LN_2 + series;
 }
 
@@ -140,17 +147,24 @@ fn log_stable(x: f32) -> f32 {
 fn log1p_negative_small(y: f32) -> f32 {
     let z = y / (2.0 - y);
     let z2 = z * z;
-    return -2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+    return -2.0 * z * (1.0 + z2 * (0.333333333333333333
+        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
 }
 
-/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows 4.9e-4.
+/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
+/// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64 to see sines by 1e-11,
-    // and end where they err downward: a profile whose cut-off is pi is 0 there, in f64 too.
+    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
+    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
+    // there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
-    let s = h * (1.0 + h2 * (-0.166666666666666667 + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413 + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
-    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667 + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016 + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
+    let s = h * (1.0 + h2 * (-0.166666666666666667
+        + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413
+        + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
+    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667
+        + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016
+        + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
     let c = 1.0 - one_minus_c;
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
@@ -180,19 +194,23 @@ fn atan2_positive(y: f32, x: f32) -> f32 {
     let is_wide = t > 0.41421356;
     let r = select(t, (small - large) / (small + large), is_wide);
     let r2 = r * r;
-    let series = r * (1.0 + r2 * (-0.333333333333333333 + r2 * (0.2 + r2 * (-0.142857142857142857 + r2 * (0.111111111111111111 + r2 * (-0.0909090909090909091
-        + r2 * (0.0769230769230769231 + r2 * (-0.0666666666666666667 + r2 * 0.0588235294117647059))))))));
+    let series = r * (1.0 + r2 * (-0.333333333333333333
+        + r2 * (0.2 + r2 * (-0.142857142857142857
+        + r2 * (0.111111111111111111 + r2 * (-0.0909090909090909091
+        + r2 * (0.0769230769230769231 + r2 * (-0.0666666666666666667
+            + r2 * 0.0588235294117647059))))))));
     let a = select(series, series + 0.785398163397448310, is_wide);
     return select(a, HALF_PI - a, y > x);
 }
 
-/// u - shift, clamped to [0, pi], for |shift| <= pi (BADF eq. 8 and math.md D3).
+/// u - shift, clamped to [0, pi], for |shift| <= pi (BADF eq. 8 and docs/math.md D3).
 fn angle_shifted(u: Angle, shift: f32) -> Angle {
     return angle_turned(u, sin_cos_quarter(0.5 * clamp(shift, -PI, PI)));
 }
 
-/// How far u changes over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient needs no inverse
-/// trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
+/// How far u changes over one pixel, in radians: |grad u|, at most 0.5. With half-angles the
+/// gradient needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform
+/// control flow.
 fn angle_footprint(u: Angle) -> f32 {
     let half = vec2f(u.half_sin, u.half_cos);
     let dx = dpdx(half);
@@ -213,7 +231,8 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
 }
 
 const SMALLEST_NORMAL: f32 = 1.17549435e-38;
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it is infinite.
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 fn bounded(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     let magnitude = bits & 0x7fffffffu;
@@ -232,7 +251,8 @@ fn mixed(a: f32, b: f32, t: f32) -> f32 {
     return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0 below, 1 from there on.
+/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
+/// below, 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -241,13 +261,16 @@ fn place_between(x: f32, low: f32, high: f32) -> f32 {
     return bounded((x - low) / bounded(span));
 }
 
-/// x moved from one range to another, kept within the new one when `clamped`; an empty first range makes a step.
-fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32, clamped: bool) -> f32 {
+/// x moved from one range to another, kept within the new one when `clamped`; an empty first range
+/// makes a step.
+fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
+    clamped: bool) -> f32 {
     let place = place_between(bounded(x), bounded(from_low), bounded(from_high));
     return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step where they are equal.
+/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
+/// where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -259,16 +282,16 @@ fn footprint_of(x: f32) -> f32 {
     return bounded(sqrt(dot(d, d)));
 }
 
-/// How far a point moves over one pixel: the longer one of its two derivatives, finite. Call it in uniform control
-/// flow.
+/// How far a point moves over one pixel: the longer one of its two derivatives, finite. Call it in
+/// uniform control flow.
 fn footprint_of_vec3(v: vec3f) -> f32 {
     let dx = dpdx(v);
     let dy = dpdy(v);
     return bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
-/// transparency is not lost.
+/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
+/// light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -282,7 +305,8 @@ fn position_object(position_object: vec3f) -> vec3f {
 
 /// View direction
 ///
-/// From the surface to the eye, in world space: what glancing angles, rims and reflections are measured against.
+/// From the surface to the eye, in world space: what glancing angles, rims and reflections are
+/// measured against.
 fn view_2(view_2: vec3f) -> vec3f {
     return view_2;
 }
@@ -330,8 +354,9 @@ fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
 
 /// Axes around a direction
 ///
-/// Two directions at right angles to a light or a half-vector: the axes along which a highlight is moved, stretched or
-/// split so that it keeps its shape on every object, whatever its texture coordinates.
+/// Two directions at right angles to a light or a half-vector: the axes along which a highlight is
+/// moved, stretched or split so that it keeps its shape on every object, whatever its texture
+/// coordinates.
 fn axes(direction: vec3f, up: vec3f) -> AxesAround {
     let axes = axes_around(direction, up);
     return AxesAround(axes[0], axes[1]);
@@ -346,23 +371,25 @@ struct AxesAround {
 
 /// Light toward
 ///
-/// A light as it is, but from another direction: bend a light's direction with the nodes beside this one, lock it to the
-/// eye or to the surface, and every layer takes it as any other light.
+/// A light as it is, but from another direction: bend a light's direction with the nodes beside
+/// this one, lock it to the eye or to the surface, and every layer takes it as any other light.
 fn light_toward(light: Light, direction: vec3f) -> Light {
-    return Light(normalize_or(direction, light.direction), light.own_direction, light.color, light.intensity);
+    return Light(normalize_or(direction, light.direction), light.own_direction, light.color,
+        light.intensity);
 }
 
 /// Shift direction
 ///
-/// Moves a half-vector, and with it the highlight, along two axes; the same moves a light. A normal that is moved takes the
-/// highlight the other way.
+/// Moves a half-vector, and with it the highlight, along two axes; the same moves a light. A normal
+/// that is moved takes the highlight the other way.
 fn shift_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, x: f32, y: f32) -> vec3f {
     return direction_moved(direction_within(direction, x_axis, y_axis), vec2f(x, y));
 }
 
-/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0, 1] when `clamped`.
-/// At opacity 0 it is `below` exactly, whatever that is.
-fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clamped: bool) -> Composite {
+/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0,
+/// 1] when `clamped`. At opacity 0 it is `below` exactly, whatever that is.
+fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
+    clamped: bool) -> Composite {
     if opacity <= 0.0 {
         return below;
     }
@@ -370,7 +397,8 @@ fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clam
     return select(mixed, clamp(mixed, vec4f(0.0), vec4f(1.0)), clamped);
 }
 
-fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
+fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32,
+    clamped: bool) -> Composite {
     let a = opacity * color.w;
     let alpha = below.w + tone * a * (1.0 - below.w);
     return blend_finish(below, below.xyz + tone * (color.xyz - below.xyz), alpha, a, clamped);
@@ -378,7 +406,8 @@ fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped:
 
 /// Output
 ///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number becomes black here.
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
+/// becomes black here.
 fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
@@ -386,7 +415,7 @@ fn output(color: Composite) -> Color {
 struct LightParts {
     /// Unit, toward the light, world space.
     direction: vec3f,
-    /// The light's colour, opaque.
+    /// The light's color, opaque.
     color: Color,
     /// With the light's distance and cone attenuation; 0 or more.
     intensity: f32,
@@ -394,15 +423,16 @@ struct LightParts {
 
 /// Parametrization
 ///
-/// The angle u between a light and a direction of the surface; it decides how shading moves. Diffuse stays on the
-/// surface, Specular moves with the eye, Half-vector is Blinn's highlight, Screen-aligned ignores the illumination
-/// frame and the camera: the light is read in the picture's own axes.
+/// The angle u between a light and a direction of the surface; it decides how shading moves.
+/// Diffuse stays on the surface, Specular moves with the eye, Half-vector is Blinn's highlight,
+/// Screen-aligned ignores the illumination frame and the camera: the light is read in the picture's
+/// own axes.
 fn parametrization_diffuse(light: Light, normal: vec3f) -> Angle {
     return angle_between(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction);
 }
 
-/// What a profile needs of its offset, fall-off and cut-off; made once, in f64 wherever they are known before the
-/// fragment.
+/// What a profile needs of its offset, fall-off and cut-off; made once, in f64 wherever they are
+/// known before the fragment.
 struct ProfileShape {
     /// cos(tau/2) and sin(tau/2).
     half_cos_offset: f32,
@@ -450,15 +480,16 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
     return clamp(exp2_stable(exponent * LOG2_E * log_base), 0.0, 1.0);
 }
 
-/// alpha averaged over a footprint of `w` radians (math.md 2.4): the hard step where w is 0, a ramp of the gradient's
-/// width where the edge is narrower than a pixel, three-point Gauss quadrature where it is narrow, the point value
-/// where it is wide.
+/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
+/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
+/// quadrature where it is narrow, the point value where it is wide.
 fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let point = profile_point(u, shape);
     if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
         return point;
     }
-    // No footprint is above 0.5, so that this is not even compiled for an edge that is known to be softer.
+    // No footprint is above 0.5, so that this is not even compiled for an edge that is known to be
+    // softer.
     if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
         let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
         return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
@@ -474,11 +505,11 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
 
 /// Profile
 ///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at the fall-off. Edges
-/// are as sharp as asked and antialiased by their width on the screen.
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
 ///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off; beyond that the
-/// curve is still falling, but it is steepest elsewhere too.
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
 fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     let warped = angle_shifted(angle, shift);
     return profile_filtered(warped, angle_footprint(warped), shape);
@@ -489,7 +520,8 @@ const NOISE_SIMPLEX: u32 = 2u;
 const NOISE_WORLEY: u32 = 3u;
 const SIMPLEX_SCALE: f32 = 38.4553;
 const WORLEY_MEAN: f32 = 0.5205;
-/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its upper bits are the best.
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 fn hash_pcg3d(seed: vec3u) -> vec3u {
     var v = seed * 1664525u + 1013904223u;
     v.x += v.y * v.z;
@@ -512,7 +544,8 @@ fn lattice_hash(cell: vec3i, seed: u32) -> vec3u {
     return hash_pcg3d(bitcast<vec3u>(cell) + seed * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u));
 }
 
-/// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin 2002).
+/// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
+/// 2002).
 fn gradient_dot(hash: vec3u, d: vec3f) -> f32 {
     let axis = (hash.x >> 8u) % 3u;
     let a = select(d.x, d.y, axis == 0u);
@@ -549,13 +582,15 @@ fn perlin_noise(p: vec3f, seed: u32) -> f32 {
     for (var i = 0; i < 8; i++) {
         let at = vec3i(i & 1, (i >> 1u) & 1, i >> 2u);
         let weight = select(1.0 - f, f, at == vec3i(1));
-        sum += weight.x * weight.y * weight.z * gradient_dot(lattice_hash(cell + at, seed), d - vec3f(at));
+        sum += weight.x * weight.y * weight.z * gradient_dot(lattice_hash(cell + at, seed), d
+            - vec3f(at));
     }
     // The twelve gradients reach 1.0364 at most.
     return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
-/// Gradient noise on a lattice of tetrahedra (Perlin 2001), with fewer visible axes than the cube's.
+/// Gradient noise on a lattice of tetrahedra (Perlin 2001), with fewer visible axes than the
+/// cube's.
 fn simplex_noise(p: vec3f, seed: u32) -> f32 {
     let corner = floor(p + (p.x + p.y + p.z) / 3.0);
     let d = p - corner + (corner.x + corner.y + corner.z) / 6.0;
@@ -612,9 +647,9 @@ fn noise_octave(kind: u32, p: vec3f, seed: u32) -> f32 {
     }
 }
 
-/// 1 to 8 octaves, each twice as fine as the one before and `roughness` times as strong, weighed so that the sum stays
-/// in [0, 1]. An octave finer than the footprint `w` of p fades to its average, so that distance does not make it
-/// flicker.
+/// 1 to 8 octaves, each twice as fine as the one before and `roughness` times as strong, weighed so
+/// that the sum stays in [0, 1]. An octave finer than the footprint `w` of p fades to its average,
+/// so that distance does not make it flicker.
 fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w: f32) -> f32 {
     let mean = select(0.5, WORLEY_MEAN, kind == NOISE_WORLEY);
     let gain = clamp(bounded(roughness), 0.0, 1.0);
@@ -626,9 +661,10 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
         let visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         var octave = mean;
         if visible > 0.0 {
-            // Each octave from elsewhere, so that their lattices do not meet at the origin. Beyond 2^22 a float has no
-            // digits left for what lies between lattice points.
-            let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0), vec3f(4194304.0));
+            // Each octave from elsewhere, so that their lattices do not meet at the origin. Beyond
+            // 2^22 a float has no digits left for what lies between lattice points.
+            let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0),
+                vec3f(4194304.0));
             octave = mix(mean, noise_octave(kind, place, bitcast<u32>(seed) + u32(i)), visible);
         }
         sum += strength * octave;
@@ -641,9 +677,11 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
 
 /// Map range
 ///
-/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first range is empty, all that
-/// is below it becomes the new low and the rest the new high. A colour keeps its alpha, within 0 and 1 while clamped.
-fn map_range(value: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32, clamped: bool) -> f32 {
+/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first
+/// range is empty, all that is below it becomes the new low and the rest the new high. A color
+/// keeps its alpha, within 0 and 1 while clamped.
+fn map_range(value: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
+    clamped: bool) -> f32 {
     return remapped(value, from_low, from_high, to_low, to_high, clamped);
 }
 
@@ -654,8 +692,8 @@ fn line_covers(distance: f32, width: f32) -> f32 {
 
 /// Outer contour
 ///
-/// The line where the surface turns out of sight, of the same width everywhere: ink around round forms. It is drawn on the
-/// surface itself, so edges that are sharp have none.
+/// The line where the surface turns out of sight, of the same width everywhere: ink around round
+/// forms. It is drawn on the surface itself, so edges that are sharp have none.
 fn outer_contour(width: f32, normal: vec3f, view_2: vec3f, viewport: vec2f) -> f32 {
     let facing = clamp(dot(normalize_or(normal, vec3f(0.0)), view_2), 0.0, 1.0);
     let pixels = clamp(bounded(width), 0.0, 1e4) * clamp(viewport.y, 1.0, 1e5) / 1000.0;

@@ -60,7 +60,8 @@ struct Light {
     intensity: f32,
 }
 
-/// A colour along one number, the same outside of its stops as at the nearest one. It lies in uniform buffers as it is.
+/// A color along one number, the same outside of its stops as at the nearest one. It lies in
+/// uniform buffers as it is.
 struct Ramp {
     /// Straight RGBA of each stop.
     colors: array<vec4f, 16>,
@@ -68,14 +69,16 @@ struct Ramp {
     places: array<vec4f, 4>,
     /// How many of the stops count.
     count: u32,
-    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each colour holds until the next stop.
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     interpolation: u32,
 }
 
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN never happens.
+/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
 }
@@ -95,8 +98,9 @@ fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
 
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a NaN. Scaled by the
-/// largest component first, so that neither tiny nor huge vectors under- or overflow.
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if !(largest > 1e-30 && largest < 1e30) {
@@ -111,13 +115,15 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     return scaled * (1.0 / sqrt(square));
 }
 
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of two. 0 below -149,
-/// the largest finite number above 128.
+/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
+/// two. 0 below -149, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
     let clamped = clamp(x, -150.0, 127.999992);
     let whole = round(clamped);
     let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667 + f * (0.0416666666666666667 + f * (0.00833333333333333333 + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
+    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
+        + f * (0.0416666666666666667 + f * (0.00833333333333333333
+        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
     // Two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
@@ -128,7 +134,8 @@ fn power_of_two(n: i32) -> f32 {
     return bitcast<f32>(u32(n + 127) << 23u);
 }
 
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative error below 1e-7).
+/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
+/// error below 1e-7).
 fn log_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
@@ -137,33 +144,43 @@ fn log_stable(x: f32) -> f32 {
     let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
+        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
     return f32(exponent) * LN_2 + series;
 }
 
-/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows 4.9e-4.
+/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
+/// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64 to see sines by 1e-11,
-    // and end where they err downward: a profile whose cut-off is pi is 0 there, in f64 too.
+    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
+    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
+    // there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
-    let s = h * (1.0 + h2 * (-0.166666666666666667 + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413 + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
-    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667 + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016 + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
+    let s = h * (1.0 + h2 * (-0.166666666666666667
+        + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413
+        + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
+    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667
+        + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016
+        + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
     let c = 1.0 - one_minus_c;
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
-/// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a quarter turn.
+/// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a
+/// quarter turn.
 fn sin_cos(x: f32) -> vec2f {
     let turns = round(x * 0.318309886183790672);
     // Cody and Waite: pi in three parts, so that the reduced angle keeps its digits.
-    let r = ((x - turns * 3.140625) - turns * 0.0009670257568359375) - turns * 6.27832957300962643e-7;
+    let r = ((x - turns * 3.140625) - turns * 0.0009670257568359375)
+        - turns * 6.27832957300962643e-7;
     let sign = 1.0 - 2.0 * abs(turns - 2.0 * trunc(turns * 0.5));
     return sign * sin_cos_quarter(clamp(r, -HALF_PI, HALF_PI));
 }
 
 const SMALLEST_NORMAL: f32 = 1.17549435e-38;
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it is infinite.
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 fn bounded(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     let magnitude = bits & 0x7fffffffu;
@@ -210,7 +227,8 @@ fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
     return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0 below, 1 from there on.
+/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
+/// below, 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -219,13 +237,16 @@ fn place_between(x: f32, low: f32, high: f32) -> f32 {
     return bounded((x - low) / bounded(span));
 }
 
-/// x moved from one range to another, kept within the new one when `clamped`; an empty first range makes a step.
-fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32, clamped: bool) -> f32 {
+/// x moved from one range to another, kept within the new one when `clamped`; an empty first range
+/// makes a step.
+fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
+    clamped: bool) -> f32 {
     let place = place_between(bounded(x), bounded(from_low), bounded(from_high));
     return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step where they are equal.
+/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
+/// where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -236,7 +257,8 @@ fn factor_of(x: f32, clamped: bool) -> f32 {
     return select(bounded(x), clamp(bounded(x), 0.0, 1.0), clamped);
 }
 
-/// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the result lies in [-1, 1].
+/// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the
+/// result lies in [-1, 1].
 fn sin_cos_of(x: f32) -> vec2f {
     return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
 }
@@ -247,8 +269,8 @@ fn footprint_of(x: f32) -> f32 {
     return bounded(sqrt(dot(d, d)));
 }
 
-/// How far a point moves over one pixel: the longer one of its two derivatives, finite. Call it in uniform control
-/// flow.
+/// How far a point moves over one pixel: the longer one of its two derivatives, finite. Call it in
+/// uniform control flow.
 fn footprint_of_vec3(v: vec3f) -> f32 {
     let dx = dpdx(v);
     let dy = dpdy(v);
@@ -264,21 +286,23 @@ fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
     return clamp(0.5 + bounded(d / w), 0.0, 1.0);
 }
 
-/// From the colour a to the blended numbers by a factor in [0, 1]; a keeps its alpha.
+/// From the color a to the blended numbers by a factor in [0, 1]; a keeps its alpha.
 fn color_mixed(a: vec4f, blended: vec3f, factor: f32) -> vec4f {
-    return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(blended), factor_of(factor, true)), bounded(a.w));
+    return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(blended), factor_of(factor, true)),
+        bounded(a.w));
 }
 
 const INTERPOLATION_SMOOTH: u32 = 1u;
 const INTERPOLATION_STEPPED: u32 = 2u;
-/// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of t.
+/// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
+/// t.
 fn hermite(a: vec4f, b: vec4f, from_a: vec4f, to_b: vec4f, t: f32) -> vec4f {
     let d = b - a;
     return a + t * (from_a + t * (3.0 * d - 2.0 * from_a - to_b + t * (from_a + to_b - 2.0 * d)));
 }
 
-/// The ramp's colour at x; the steps of a stepped ramp are averaged over a footprint of `w`. Transparent black for a
-/// ramp without stops.
+/// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
+/// Transparent black for a ramp without stops.
 fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
     let count = min(ramp.count, 16u);
     if count == 0u {
@@ -312,23 +336,29 @@ fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
     var to_b = vec4f(0.0);
     if at > 0u {
         let before = places[(at - 1u) / 4u][(at - 1u) % 4u];
-        from_a = ramp_slope(colors[at] - colors[at - 1u], place - before, colors[after] - colors[at], span);
+        from_a = ramp_slope(colors[at] - colors[at - 1u], place - before, colors[after]
+            - colors[at], span);
     }
     if after + 1u < count {
         let next = places[(after + 1u) / 4u][(after + 1u) % 4u] - (place + span);
-        to_b = ramp_slope(colors[after] - colors[at], span, colors[after + 1u] - colors[after], next);
+        to_b = ramp_slope(colors[after] - colors[at], span, colors[after + 1u] - colors[after],
+            next);
     }
     return bounded_vec4(hermite(colors[at], colors[after], span * from_a, span * to_b, t));
 }
 
-/// The slope at a stop that keeps a cubic between its neighbours' values (Fritsch and Butland 1984): the weighted
-/// harmonic mean of the slopes before and after, 0 where these differ in sign.
+/// The slope at a stop that keeps a cubic between its neighbours' values (Fritsch and Butland
+/// 1984): the weighted harmonic mean of the slopes before and after, 0 where these differ in sign.
 fn ramp_slope(rise_before: vec4f, span_before: f32, rise_after: vec4f, span_after: f32) -> vec4f {
     return vec4f(
-        harmonic_slope(divided(rise_before.x, span_before), span_before, divided(rise_after.x, span_after), span_after),
-        harmonic_slope(divided(rise_before.y, span_before), span_before, divided(rise_after.y, span_after), span_after),
-        harmonic_slope(divided(rise_before.z, span_before), span_before, divided(rise_after.z, span_after), span_after),
-        harmonic_slope(divided(rise_before.w, span_before), span_before, divided(rise_after.w, span_after), span_after),
+        harmonic_slope(divided(rise_before.x, span_before), span_before,
+            divided(rise_after.x, span_after), span_after),
+        harmonic_slope(divided(rise_before.y, span_before), span_before,
+            divided(rise_after.y, span_after), span_after),
+        harmonic_slope(divided(rise_before.z, span_before), span_before,
+            divided(rise_after.z, span_after), span_after),
+        harmonic_slope(divided(rise_before.w, span_before), span_before,
+            divided(rise_after.w, span_after), span_after),
     );
 }
 
@@ -347,8 +377,8 @@ fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
-/// transparency is not lost.
+/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
+/// light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -358,8 +388,8 @@ fn straight(composite: Composite) -> Color {
 
 /// Mix colors
 ///
-/// Lays one colour on another as paint programs do. For a stack of shading layers take Blend, which knows tones and
-/// transparency.
+/// Lays one color on another as paint programs do. For a stack of shading layers take Blend, which
+/// knows tones and transparency.
 fn mix_colors_normal(a: Color, b: Color, factor: f32) -> Color {
     return mixed_vec4(bounded_vec4(a), bounded_vec4(b), factor_of(factor, true));
 }
@@ -382,7 +412,8 @@ fn curvature_signed(kappa: f32, slope: f32) -> f32 {
     if magnitude < 0.0625 {
         // 1 - z cancels for small a; the series does not.
         let a2 = a * a;
-        return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2 * 0.0539682539682539683)));
+        return a * (1.0 - a2 * (0.333333333333333333
+            - a2 * (0.133333333333333333 - a2 * 0.0539682539682539683)));
     }
     let z = exp2_stable(-2.0 * LOG2_E * magnitude);
     let t = (1.0 - z) / (1.0 + z);
@@ -391,23 +422,24 @@ fn curvature_signed(kappa: f32, slope: f32) -> f32 {
 
 /// Curvature transition
 ///
-/// From concave (0) over flat (0.5) to convex (1), as softly or sharply as you choose. (The BADF paper writes it
-/// lambda = 0.5 + 0.5 tanh(slope * kappa), with kappa for the curvature.)
+/// From concave (0) over flat (0.5) to convex (1), as softly or sharply as you choose. (The BADF
+/// paper writes it lambda = 0.5 + 0.5 tanh(slope * kappa), with kappa for the curvature.)
 fn transition(kappa: f32, slope: f32) -> f32 {
     return 0.5 + 0.5 * curvature_signed(kappa, slope);
 }
 
 /// Facing ratio
 ///
-/// 1 where the surface faces the eye, 0 at its rim: for rim light, outlines, dusty cloth and candy edges.
+/// 1 where the surface faces the eye, 0 at its rim: for rim light, outlines, dusty cloth and candy
+/// edges.
 fn facing(normal: vec3f, view: vec3f) -> f32 {
     return clamp(dot(normalize_or(normal, vec3f(0.0)), view), 0.0, 1.0);
 }
 
 /// Curvature
 ///
-/// How much the surface bulges (above 0) or is hollow (below 0), as it is seen. It is measured against the picture's
-/// height, so that detail comes forward as the camera does.
+/// How much the surface bulges (above 0) or is hollow (below 0), as it is seen. It is measured
+/// against the picture's height, so that detail comes forward as the camera does.
 fn kappa_surface(kappa: f32) -> f32 {
     return kappa_safe(kappa);
 }
@@ -425,15 +457,16 @@ fn combine_tones_union(a: f32, b: f32) -> f32 {
 
 /// Output
 ///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number becomes black here.
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
+/// becomes black here.
 fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
 
 /// Color ramp
 ///
-/// Turns a number into a colour along a ramp: a tone into paint. Before the first stop and after the last one the
-/// colour stays; the edges of a stepped ramp are antialiased.
+/// Turns a number into a color along a ramp: a tone into paint. Before the first stop and after
+/// the last one the color stays; the edges of a stepped ramp are antialiased.
 fn ramp_plain(value: f32, ramp: Ramp) -> Color {
     let w = footprint_of(value);
     return ramp_at(ramp, bounded(value), w);
@@ -444,7 +477,8 @@ const NOISE_SIMPLEX: u32 = 2u;
 const NOISE_WORLEY: u32 = 3u;
 const SIMPLEX_SCALE: f32 = 38.4553;
 const WORLEY_MEAN: f32 = 0.5205;
-/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its upper bits are the best.
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 fn hash_pcg3d(seed: vec3u) -> vec3u {
     var v = seed * 1664525u + 1013904223u;
     v.x += v.y * v.z;
@@ -467,7 +501,8 @@ fn lattice_hash(cell: vec3i, seed: u32) -> vec3u {
     return hash_pcg3d(bitcast<vec3u>(cell) + seed * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u));
 }
 
-/// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin 2002).
+/// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
+/// 2002).
 fn gradient_dot(hash: vec3u, d: vec3f) -> f32 {
     let axis = (hash.x >> 8u) % 3u;
     let a = select(d.x, d.y, axis == 0u);
@@ -504,13 +539,15 @@ fn perlin_noise(p: vec3f, seed: u32) -> f32 {
     for (var i = 0; i < 8; i++) {
         let at = vec3i(i & 1, (i >> 1u) & 1, i >> 2u);
         let weight = select(1.0 - f, f, at == vec3i(1));
-        sum += weight.x * weight.y * weight.z * gradient_dot(lattice_hash(cell + at, seed), d - vec3f(at));
+        sum += weight.x * weight.y * weight.z * gradient_dot(lattice_hash(cell + at, seed), d
+            - vec3f(at));
     }
     // The twelve gradients reach 1.0364 at most.
     return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
-/// Gradient noise on a lattice of tetrahedra (Perlin 2001), with fewer visible axes than the cube's.
+/// Gradient noise on a lattice of tetrahedra (Perlin 2001), with fewer visible axes than the
+/// cube's.
 fn simplex_noise(p: vec3f, seed: u32) -> f32 {
     let corner = floor(p + (p.x + p.y + p.z) / 3.0);
     let d = p - corner + (corner.x + corner.y + corner.z) / 6.0;
@@ -567,9 +604,9 @@ fn noise_octave(kind: u32, p: vec3f, seed: u32) -> f32 {
     }
 }
 
-/// 1 to 8 octaves, each twice as fine as the one before and `roughness` times as strong, weighed so that the sum stays
-/// in [0, 1]. An octave finer than the footprint `w` of p fades to its average, so that distance does not make it
-/// flicker.
+/// 1 to 8 octaves, each twice as fine as the one before and `roughness` times as strong, weighed so
+/// that the sum stays in [0, 1]. An octave finer than the footprint `w` of p fades to its average,
+/// so that distance does not make it flicker.
 fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w: f32) -> f32 {
     let mean = select(0.5, WORLEY_MEAN, kind == NOISE_WORLEY);
     let gain = clamp(bounded(roughness), 0.0, 1.0);
@@ -581,9 +618,10 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
         let visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         var octave = mean;
         if visible > 0.0 {
-            // Each octave from elsewhere, so that their lattices do not meet at the origin. Beyond 2^22 a float has no
-            // digits left for what lies between lattice points.
-            let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0), vec3f(4194304.0));
+            // Each octave from elsewhere, so that their lattices do not meet at the origin. Beyond
+            // 2^22 a float has no digits left for what lies between lattice points.
+            let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0),
+                vec3f(4194304.0));
             octave = mix(mean, noise_octave(kind, place, bitcast<u32>(seed) + u32(i)), visible);
         }
         sum += strength * octave;
@@ -594,15 +632,16 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
     return clamp(sum / total, 0.0, 1.0);
 }
 
-/// How large a unit of the scene is seen at a depth, in picture heights. `perspective` is 1 or 0; `scale` is what clip
-/// space multiplies heights by: at depth 1, or at every depth without perspective.
+/// How large a unit of the scene is seen at a depth, in picture heights. `perspective` is 1 or 0;
+/// `scale` is what clip space multiplies heights by: at depth 1, or at every depth without
+/// perspective.
 fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
     // Clip space is 2 high.
     return bounded(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective));
 }
 
-/// Where a point in camera axes is seen from the picture's middle, x to the right and y down, and how large a unit of the
-/// scene is seen there; in picture heights.
+/// Where a point in camera axes is seen from the picture's middle, x to the right and y down, and
+/// how large a unit of the scene is seen there; in picture heights.
 fn anchor_on_screen(origin: vec3f, perspective: f32, scale: f32) -> vec3f {
     let size = size_on_screen(-origin.z, perspective, scale);
     return bounded_vec3(vec3f(origin.x * size, -origin.y * size, size));
@@ -614,13 +653,14 @@ fn place_in_picture(pixel: vec2f, viewport: vec2f) -> vec2f {
     return vec2f(from_middle.x, -from_middle.y) / max(viewport.y, 1.0);
 }
 
-/// How much of a footprint of `w` a disk of radius r covers whose middle is d away. Its average is the disk's own area,
-/// however small the disk; without a footprint its edge is inclusive.
+/// How much of a footprint of `w` a disk of radius r covers whose middle is d away. Its average is
+/// the disk's own area, however small the disk; without a footprint its edge is inclusive.
 fn disk_filtered(d: f32, r: f32, w: f32) -> f32 {
     if w < 1e-30 {
         return select(0.0, 1.0, d <= r && r > 0.0);
     }
-    // A ramp as wide as a pixel adds pi w^2/12 to a disk's area. A disk too small to take that back is a fainter one.
+    // A ramp as wide as a pixel adds pi w^2/12 to a disk's area. A disk too small to take that back
+    // is a fainter one.
     let square = r * r;
     let least = w * w / 3.0;
     let inner = sqrt(max(square, least) - 0.25 * least);
@@ -691,7 +731,8 @@ fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Marke
     return Marked(bounded_vec2(turned), clamp(vec3f(dot(x, x), dot(x, y), dot(y, y)), -most, most));
 }
 
-/// A place in spacings of marks: as many to the picture's height as `count` where it is not stretched.
+/// A place in spacings of marks: as many to the picture's height as `count` where it is not
+/// stretched.
 struct Spaced {
     place: vec2f,
     stretch: vec3f,
@@ -708,15 +749,16 @@ fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> Spaced {
     return Spaced(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
 }
 
-/// How much faster than the picture a place's area grows, squared. A place that is drawn out more than eight times counts as
-/// drawn out by eight: it grows not at all where a surface turns edge-on to it, and marks along that line would be
-/// infinitely fine.
+/// How much faster than the picture a place's area grows, squared. A place that is drawn out more
+/// than eight times counts as drawn out by eight: it grows not at all where a surface turns edge-on
+/// to it, and marks along that line would be infinitely fine.
 fn area_square(stretch: vec3f) -> f32 {
     let sum = stretch.x + stretch.z;
     return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
-/// log2 of how many times finer than a place's own units marks must lie, for a squared stretch; within +-16.
+/// log2 of how many times finer than a place's own units marks must lie, for a squared stretch;
+/// within +-16.
 fn octave_of(square: f32) -> f32 {
     return clamp(-0.5 * LOG2_E * log_stable(clamp(square, 1e-30, 1e30)), -16.0, 16.0);
 }
@@ -738,7 +780,8 @@ fn picture_square(offset: vec2f, stretch: vec3f) -> f32 {
     return max(square, 0.0) / area;
 }
 
-/// The ink of one octave's dots, of which so many of all are drawn; `stretch` is that of a unit of the octave.
+/// The ink of one octave's dots, of which so many of all are drawn; `stretch` is that of a unit of
+/// the octave.
 fn dots_of_octave(place: vec2f, zoom: i32, ink: f32, stretch: vec3f, w: f32, style: Dots) -> f32 {
     let p = clamp(place * power_of_two(zoom), vec2f(-4194304.0), vec2f(4194304.0));
     let corner = floor(p);
@@ -778,9 +821,11 @@ fn stippled(at: Spaced, ink: f32, style: Dots) -> f32 {
     let coarse_cells = exp2_stable(-2.0 * f);
     let coarse = 1.0 - f;
     let fine = (1.0 - coarse * coarse_cells) / (4.0 * coarse_cells);
-    var dots = dots_of_octave(at.place, i32(zoom), amount * coarse, s * exp2_stable(2.0 * zoom), w, style);
+    var dots = dots_of_octave(at.place, i32(zoom), amount * coarse, s * exp2_stable(2.0 * zoom), w,
+        style);
     if fine > 0.0 {
-        let finer = dots_of_octave(at.place, i32(zoom) + 1, amount * fine, s * exp2_stable(2.0 * zoom + 2.0), w, style);
+        let finer = dots_of_octave(at.place, i32(zoom) + 1, amount * fine,
+            s * exp2_stable(2.0 * zoom + 2.0), w, style);
         dots = max(dots, finer);
     }
     // Dots finer than a pixel are their average.
@@ -804,9 +849,9 @@ struct MarkPlace {
 
 /// Stippling
 ///
-/// Draws a tone by dots of one size: darker means more of them, and every dot of a lighter tone is there in a darker one.
-/// Dots are as large on the picture as they are, however far the surface is; which come first is blue noise, so that they lie
-/// evenly.
+/// Draws a tone by dots of one size: darker means more of them, and every dot of a lighter tone is
+/// there in a darker one. Dots are as large on the picture as they are, however far the surface is;
+/// which come first is blue noise, so that they lie evenly.
 fn stippling(
     value: f32,
     place: vec2f,
@@ -817,7 +862,8 @@ fn stippling(
     seed: i32,
     viewport: vec2f,
 ) -> f32 {
-    let style = Dots(clamp(bounded(size), 0.0, 1.4), clamp(bounded(scatter), 0.0, 1.0), bitcast<u32>(seed));
+    let style = Dots(clamp(bounded(size), 0.0, 1.4), clamp(bounded(scatter), 0.0, 1.0),
+        bitcast<u32>(seed));
     return stippled(spaced(place, stretch, viewport, count), 1.0 - factor_of(value, true), style);
 }
 
@@ -829,30 +875,32 @@ fn reflectance_wrap(light: Light, normal: vec3f, wrap: f32) -> f32 {
 
 /// Add
 ///
-/// The sum of two numbers, vectors or colours. A colour keeps the alpha of A.
+/// The sum of two numbers, vectors or colors. A color keeps the alpha of A.
 fn add(a: f32, b: f32) -> f32 {
     return bounded(a + b);
 }
 
 /// Map range
 ///
-/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first range is empty, all that
-/// is below it becomes the new low and the rest the new high. A colour keeps its alpha, within 0 and 1 while clamped.
-fn map_range(value: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32, clamped: bool) -> f32 {
+/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first
+/// range is empty, all that is below it becomes the new low and the rest the new high. A color
+/// keeps its alpha, within 0 and 1 while clamped.
+fn map_range(value: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
+    clamped: bool) -> f32 {
     return remapped(value, from_low, from_high, to_low, to_high, clamped);
 }
 
 /// Multiply
 ///
-/// The product of two numbers, vectors or colours, component by component: scales, masks and tints.
+/// The product of two numbers, vectors or colors, component by component: scales, masks and tints.
 fn multiply(a: f32, b: f32) -> f32 {
     return bounded(a * b);
 }
 
 /// Smooth step
 ///
-/// Eases from 0 to 1 between two numbers, slowly at both ends. With low above high it eases from 1 to 0; where both are
-/// the same it is a step.
+/// Eases from 0 to 1 between two numbers, slowly at both ends. With low above high it eases from 1
+/// to 0; where both are the same it is a step.
 fn smooth_step_value(value: f32, low: f32, high: f32) -> f32 {
     return eased(value, low, high);
 }
@@ -864,8 +912,8 @@ fn line_covers(distance: f32, width: f32) -> f32 {
 
 /// Outer contour
 ///
-/// The line where the surface turns out of sight, of the same width everywhere: ink around round forms. It is drawn on the
-/// surface itself, so edges that are sharp have none.
+/// The line where the surface turns out of sight, of the same width everywhere: ink around round
+/// forms. It is drawn on the surface itself, so edges that are sharp have none.
 fn outer_contour(width: f32, normal: vec3f, view: vec3f, viewport: vec2f) -> f32 {
     let facing = clamp(dot(normalize_or(normal, vec3f(0.0)), view), 0.0, 1.0);
     let pixels = clamp(bounded(width), 0.0, 1e4) * clamp(viewport.y, 1.0, 1e5) / 1000.0;

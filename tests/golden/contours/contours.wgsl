@@ -59,7 +59,8 @@ struct Light {
     intensity: f32,
 }
 
-/// A colour along one number, the same outside of its stops as at the nearest one. It lies in uniform buffers as it is.
+/// A color along one number, the same outside of its stops as at the nearest one. It lies in
+/// uniform buffers as it is.
 struct Ramp {
     /// Straight RGBA of each stop.
     colors: array<vec4f, 16>,
@@ -67,11 +68,13 @@ struct Ramp {
     places: array<vec4f, 4>,
     /// How many of the stops count.
     count: u32,
-    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each colour holds until the next stop.
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     interpolation: u32,
 }
 
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN never happens.
+/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
 }
@@ -91,8 +94,9 @@ fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
 
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a NaN. Scaled by the
-/// largest component first, so that neither tiny nor huge vectors under- or overflow.
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if !(largest > 1e-30 && largest < 1e30) {
@@ -108,7 +112,8 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
 }
 
 const SMALLEST_NORMAL: f32 = 1.17549435e-38;
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it is infinite.
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 fn bounded(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     let magnitude = bits & 0x7fffffffu;
@@ -145,7 +150,8 @@ fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
     return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0 below, 1 from there on.
+/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
+/// below, 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -154,7 +160,8 @@ fn place_between(x: f32, low: f32, high: f32) -> f32 {
     return bounded((x - low) / bounded(span));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step where they are equal.
+/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
+/// where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -187,14 +194,15 @@ fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
 
 const INTERPOLATION_SMOOTH: u32 = 1u;
 const INTERPOLATION_STEPPED: u32 = 2u;
-/// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of t.
+/// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
+/// t.
 fn hermite(a: vec4f, b: vec4f, from_a: vec4f, to_b: vec4f, t: f32) -> vec4f {
     let d = b - a;
     return a + t * (from_a + t * (3.0 * d - 2.0 * from_a - to_b + t * (from_a + to_b - 2.0 * d)));
 }
 
-/// The ramp's colour at x; the steps of a stepped ramp are averaged over a footprint of `w`. Transparent black for a
-/// ramp without stops.
+/// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
+/// Transparent black for a ramp without stops.
 fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
     let count = min(ramp.count, 16u);
     if count == 0u {
@@ -228,23 +236,29 @@ fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
     var to_b = vec4f(0.0);
     if at > 0u {
         let before = places[(at - 1u) / 4u][(at - 1u) % 4u];
-        from_a = ramp_slope(colors[at] - colors[at - 1u], place - before, colors[after] - colors[at], span);
+        from_a = ramp_slope(colors[at] - colors[at - 1u], place - before, colors[after]
+            - colors[at], span);
     }
     if after + 1u < count {
         let next = places[(after + 1u) / 4u][(after + 1u) % 4u] - (place + span);
-        to_b = ramp_slope(colors[after] - colors[at], span, colors[after + 1u] - colors[after], next);
+        to_b = ramp_slope(colors[after] - colors[at], span, colors[after + 1u] - colors[after],
+            next);
     }
     return bounded_vec4(hermite(colors[at], colors[after], span * from_a, span * to_b, t));
 }
 
-/// The slope at a stop that keeps a cubic between its neighbours' values (Fritsch and Butland 1984): the weighted
-/// harmonic mean of the slopes before and after, 0 where these differ in sign.
+/// The slope at a stop that keeps a cubic between its neighbours' values (Fritsch and Butland
+/// 1984): the weighted harmonic mean of the slopes before and after, 0 where these differ in sign.
 fn ramp_slope(rise_before: vec4f, span_before: f32, rise_after: vec4f, span_after: f32) -> vec4f {
     return vec4f(
-        harmonic_slope(divided(rise_before.x, span_before), span_before, divided(rise_after.x, span_after), span_after),
-        harmonic_slope(divided(rise_before.y, span_before), span_before, divided(rise_after.y, span_after), span_after),
-        harmonic_slope(divided(rise_before.z, span_before), span_before, divided(rise_after.z, span_after), span_after),
-        harmonic_slope(divided(rise_before.w, span_before), span_before, divided(rise_after.w, span_after), span_after),
+        harmonic_slope(divided(rise_before.x, span_before), span_before,
+            divided(rise_after.x, span_after), span_after),
+        harmonic_slope(divided(rise_before.y, span_before), span_before,
+            divided(rise_after.y, span_after), span_after),
+        harmonic_slope(divided(rise_before.z, span_before), span_before,
+            divided(rise_after.z, span_after), span_after),
+        harmonic_slope(divided(rise_before.w, span_before), span_before,
+            divided(rise_after.w, span_after), span_after),
     );
 }
 
@@ -263,8 +277,8 @@ fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
-/// transparency is not lost.
+/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
+/// light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -274,8 +288,8 @@ fn straight(composite: Composite) -> Color {
 
 /// Mix colors
 ///
-/// Lays one colour on another as paint programs do. For a stack of shading layers take Blend, which knows tones and
-/// transparency.
+/// Lays one color on another as paint programs do. For a stack of shading layers take Blend, which
+/// knows tones and transparency.
 fn mix_colors_normal(a: Color, b: Color, factor: f32) -> Color {
     return mixed_vec4(bounded_vec4(a), bounded_vec4(b), factor_of(factor, true));
 }
@@ -304,15 +318,16 @@ fn principal_curvatures(tensor: vec3f) -> vec2f {
 
 /// Output
 ///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number becomes black here.
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
+/// becomes black here.
 fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
 
 /// Color ramp
 ///
-/// Turns a number into a colour along a ramp: a tone into paint. Before the first stop and after the last one the
-/// colour stays; the edges of a stepped ramp are antialiased.
+/// Turns a number into a color along a ramp: a tone into paint. Before the first stop and after
+/// the last one the color stays; the edges of a stepped ramp are antialiased.
 fn ramp_plain(value: f32, ramp: Ramp) -> Color {
     let w = footprint_of(value);
     return ramp_at(ramp, bounded(value), w);
@@ -325,7 +340,7 @@ fn reflectance_half_lambert(light: Light, normal: vec3f) -> f32 {
 
 /// Maximum
 ///
-/// The larger of two numbers, component by component. A colour keeps the alpha of A.
+/// The larger of two numbers, component by component. A color keeps the alpha of A.
 fn maximum(a: f32, b: f32) -> f32 {
     return max(bounded(a), bounded(b));
 }
@@ -335,15 +350,16 @@ fn line_covers(distance: f32, width: f32) -> f32 {
     return clamp(width + 0.5 - distance, 0.0, min(width, 1.0));
 }
 
-/// 0 at the outline, where curvature on the screen has no bound and no digits, 1 where the surface is seen well.
+/// 0 at the outline, where curvature on the screen has no bound and no digits, 1 where the surface
+/// is seen well.
 fn seen_well(facing: f32) -> f32 {
     return eased(facing, 0.05, 0.3);
 }
 
 /// Inner contour
 ///
-/// Lines within the outline that show the form, as a draughtsman sets them: where a contour is about to appear, along the
-/// bottom of hollows, or along ridges.
+/// Lines within the outline that show the form, as a draughtsman sets them: where a contour is
+/// about to appear, along the bottom of hollows, or along ridges.
 fn inner_contour_suggestive(
     width: f32,
     limit: f32,
@@ -358,7 +374,8 @@ fn inner_contour_suggestive(
     let n = camera_from_world * normal;
     let h = tensor_safe(tensor);
     let square = dot(n.xy, n.xy);
-    // The curvature in the direction in which the surface leaves the line of sight; it is 0 along these lines.
+    // The curvature in the direction in which the surface leaves the line of sight; it is 0 along
+    // these lines.
     let radial = (h.x * n.x * n.x + 2.0 * h.y * n.x * n.y + h.z * n.y * n.y) / max(square, 1e-6);
     let change = vec2f(dpdx(radial), dpdy(radial));
     // Whether a row further is up or down in the picture.
@@ -374,12 +391,14 @@ fn inner_contour_suggestive(
     return line_covers(distance, pixels) * strength * seen_well(dot(normal, view));
 }
 
-fn inner_contour_valleys(limit: f32, softness: f32, tensor: vec3f, normal: vec3f, view: vec3f) -> f32 {
+fn inner_contour_valleys(limit: f32, softness: f32, tensor: vec3f, normal: vec3f,
+    view: vec3f) -> f32 {
     let least = principal_curvatures(tensor_safe(tensor)).y;
     return faded_in(-least, limit, softness) * seen_well(dot(normal, view));
 }
 
-/// 0 below the limit and 1 above it, over as much of the limit as is soft and never less than a pixel.
+/// 0 below the limit and 1 above it, over as much of the limit as is soft and never less than a
+/// pixel.
 fn faded_in(x: f32, limit: f32, softness: f32) -> f32 {
     let at = max(bounded(limit), 0.0);
     let width = edge_width(footprint_of(x), min(at, 1e9) * factor_of(softness, true));
@@ -388,8 +407,8 @@ fn faded_in(x: f32, limit: f32, softness: f32) -> f32 {
 
 /// Outer contour
 ///
-/// The line where the surface turns out of sight, of the same width everywhere: ink around round forms. It is drawn on the
-/// surface itself, so edges that are sharp have none.
+/// The line where the surface turns out of sight, of the same width everywhere: ink around round
+/// forms. It is drawn on the surface itself, so edges that are sharp have none.
 fn outer_contour(width: f32, normal: vec3f, view: vec3f, viewport: vec2f) -> f32 {
     let facing = clamp(dot(normalize_or(normal, vec3f(0.0)), view), 0.0, 1.0);
     let pixels = clamp(bounded(width), 0.0, 1e4) * clamp(viewport.y, 1.0, 1e5) / 1000.0;

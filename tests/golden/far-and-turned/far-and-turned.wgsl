@@ -47,7 +47,8 @@ alias Color = vec4f;
 /// Premultiplied RGBA: the stack of layers below, as blends pass it on.
 alias Composite = vec4f;
 
-/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and near pi.
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
     /// sin(u/2), 0 or more.
     half_sin: f32,
@@ -71,7 +72,8 @@ const PI: f32 = 3.14159265358979323846;
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN never happens.
+/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
 }
@@ -91,8 +93,9 @@ fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
 
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a NaN. Scaled by the
-/// largest component first, so that neither tiny nor huge vectors under- or overflow.
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if !(largest > 1e-30 && largest < 1e30) {
@@ -107,13 +110,15 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     return scaled * (1.0 / sqrt(square));
 }
 
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of two. 0 below -149,
-/// the largest finite number above 128.
+/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
+/// two. 0 below -149, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
     let clamped = clamp(x, -150.0, 127.999992);
     let whole = round(clamped);
     let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667 + f * (0.0416666666666666667 + f * (0.00833333333333333333 + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
+    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
+        + f * (0.0416666666666666667 + f * (0.00833333333333333333
+        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
     // Two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
@@ -124,7 +129,8 @@ fn power_of_two(n: i32) -> f32 {
     return bitcast<f32>(u32(n + 127) << 23u);
 }
 
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative error below 1e-7).
+/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
+/// error below 1e-7).
 fn log_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
@@ -133,7 +139,8 @@ fn log_stable(x: f32) -> f32 {
     let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
+        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
     return f32(exponent) * LN_2 + series;
 }
 
@@ -141,17 +148,24 @@ fn log_stable(x: f32) -> f32 {
 fn log1p_negative_small(y: f32) -> f32 {
     let z = y / (2.0 - y);
     let z2 = z * z;
-    return -2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+    return -2.0 * z * (1.0 + z2 * (0.333333333333333333
+        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
 }
 
-/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows 4.9e-4.
+/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
+/// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64 to see sines by 1e-11,
-    // and end where they err downward: a profile whose cut-off is pi is 0 there, in f64 too.
+    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
+    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
+    // there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
-    let s = h * (1.0 + h2 * (-0.166666666666666667 + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413 + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
-    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667 + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016 + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
+    let s = h * (1.0 + h2 * (-0.166666666666666667
+        + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413
+        + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
+    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667
+        + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016
+        + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
     let c = 1.0 - one_minus_c;
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
@@ -181,19 +195,23 @@ fn atan2_positive(y: f32, x: f32) -> f32 {
     let is_wide = t > 0.41421356;
     let r = select(t, (small - large) / (small + large), is_wide);
     let r2 = r * r;
-    let series = r * (1.0 + r2 * (-0.333333333333333333 + r2 * (0.2 + r2 * (-0.142857142857142857 + r2 * (0.111111111111111111 + r2 * (-0.0909090909090909091
-        + r2 * (0.0769230769230769231 + r2 * (-0.0666666666666666667 + r2 * 0.0588235294117647059))))))));
+    let series = r * (1.0 + r2 * (-0.333333333333333333
+        + r2 * (0.2 + r2 * (-0.142857142857142857
+        + r2 * (0.111111111111111111 + r2 * (-0.0909090909090909091
+        + r2 * (0.0769230769230769231 + r2 * (-0.0666666666666666667
+            + r2 * 0.0588235294117647059))))))));
     let a = select(series, series + 0.785398163397448310, is_wide);
     return select(a, HALF_PI - a, y > x);
 }
 
-/// u - shift, clamped to [0, pi], for |shift| <= pi (BADF eq. 8 and math.md D3).
+/// u - shift, clamped to [0, pi], for |shift| <= pi (BADF eq. 8 and docs/math.md D3).
 fn angle_shifted(u: Angle, shift: f32) -> Angle {
     return angle_turned(u, sin_cos_quarter(0.5 * clamp(shift, -PI, PI)));
 }
 
-/// How far u changes over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient needs no inverse
-/// trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
+/// How far u changes over one pixel, in radians: |grad u|, at most 0.5. With half-angles the
+/// gradient needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform
+/// control flow.
 fn angle_footprint(u: Angle) -> f32 {
     let half = vec2f(u.half_sin, u.half_cos);
     let dx = dpdx(half);
@@ -213,8 +231,8 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     return Angle(turned.x, turned.y);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
-/// transparency is not lost.
+/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
+/// light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -222,9 +240,10 @@ fn straight(composite: Composite) -> Color {
     return vec4f(composite.xyz / composite.w, composite.w);
 }
 
-/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0, 1] when `clamped`.
-/// At opacity 0 it is `below` exactly, whatever that is.
-fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clamped: bool) -> Composite {
+/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0,
+/// 1] when `clamped`. At opacity 0 it is `below` exactly, whatever that is.
+fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
+    clamped: bool) -> Composite {
     if opacity <= 0.0 {
         return below;
     }
@@ -234,12 +253,13 @@ fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clam
 
 /// Blend
 ///
-/// Lays a colour, where the tone is, over what is below: one step of a layered look.
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
 fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
     return blend_finish(below, below.xyz + tone * color.xyz, below.w, opacity * color.w, clamped);
 }
 
-fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
+fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32,
+    clamped: bool) -> Composite {
     let a = opacity * color.w;
     let alpha = below.w + tone * a * (1.0 - below.w);
     return blend_finish(below, below.xyz + tone * (color.xyz - below.xyz), alpha, a, clamped);
@@ -247,27 +267,29 @@ fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped:
 
 /// Output
 ///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number becomes black here.
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
+/// becomes black here.
 fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
 
-/// A light's intensity in two parts: what of it dims the layer (at most 1) and what brightens the colour (at least 1).
+/// A light's intensity in two parts: what of it dims the layer (at most 1) and what brightens the
+/// color (at least 1).
 fn light_split(intensity: f32) -> vec2f {
     return vec2f(min(intensity, 1.0), max(intensity, 1.0));
 }
 
 /// Light on a layer
 ///
-/// Gives a layer its light's colour and intensity: below 1 the intensity fades the tone, above 1 it brightens the
-/// colour, so that a light that goes out leaves the layers below as they are.
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
 fn light_apply(light: Light, color: Color, tone: f32) -> LitLayer {
     let split = light_split(light.intensity);
     return LitLayer(vec4f(color.xyz * light.color * split.y, color.w), tone * split.x);
 }
 
 struct LitLayer {
-    /// The colour under this light.
+    /// The color under this light.
     color: Color,
     /// The tone under this light.
     tone: f32,
@@ -275,9 +297,10 @@ struct LitLayer {
 
 /// Parametrization
 ///
-/// The angle u between a light and a direction of the surface; it decides how shading moves. Diffuse stays on the
-/// surface, Specular moves with the eye, Half-vector is Blinn's highlight, Screen-aligned ignores the illumination
-/// frame and the camera: the light is read in the picture's own axes.
+/// The angle u between a light and a direction of the surface; it decides how shading moves.
+/// Diffuse stays on the surface, Specular moves with the eye, Half-vector is Blinn's highlight,
+/// Screen-aligned ignores the illumination frame and the camera: the light is read in the picture's
+/// own axes.
 fn parametrization_diffuse(light: Light, normal: vec3f) -> Angle {
     return angle_between(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction);
 }
@@ -288,8 +311,8 @@ fn parametrization_specular(light: Light, normal: vec3f, view: vec3f) -> Angle {
     return angle_between(normalize_or(mirrored, n), light.direction);
 }
 
-/// What a profile needs of its offset, fall-off and cut-off; made once, in f64 wherever they are known before the
-/// fragment.
+/// What a profile needs of its offset, fall-off and cut-off; made once, in f64 wherever they are
+/// known before the fragment.
 struct ProfileShape {
     /// cos(tau/2) and sin(tau/2).
     half_cos_offset: f32,
@@ -337,15 +360,16 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
     return clamp(exp2_stable(exponent * LOG2_E * log_base), 0.0, 1.0);
 }
 
-/// alpha averaged over a footprint of `w` radians (math.md 2.4): the hard step where w is 0, a ramp of the gradient's
-/// width where the edge is narrower than a pixel, three-point Gauss quadrature where it is narrow, the point value
-/// where it is wide.
+/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
+/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
+/// quadrature where it is narrow, the point value where it is wide.
 fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let point = profile_point(u, shape);
     if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
         return point;
     }
-    // No footprint is above 0.5, so that this is not even compiled for an edge that is known to be softer.
+    // No footprint is above 0.5, so that this is not even compiled for an edge that is known to be
+    // softer.
     if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
         let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
         return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
@@ -361,11 +385,11 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
 
 /// Profile
 ///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at the fall-off. Edges
-/// are as sharp as asked and antialiased by their width on the screen.
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
 ///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off; beyond that the
-/// curve is still falling, but it is steepest elsewhere too.
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
 fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     let warped = angle_shifted(angle, shift);
     return profile_filtered(warped, angle_footprint(warped), shape);

@@ -20,9 +20,10 @@ struct Light {
     intensity: f32,
 }
 
-/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0, 1] when `clamped`.
-/// At opacity 0 it is `below` exactly, whatever that is.
-fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clamped: bool) -> Composite {
+/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0,
+/// 1] when `clamped`. At opacity 0 it is `below` exactly, whatever that is.
+fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
+    clamped: bool) -> Composite {
     if opacity <= 0.0 {
         return below;
     }
@@ -32,35 +33,37 @@ fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clam
 
 /// Blend
 ///
-/// Lays a colour, where the tone is, over what is below: one step of a layered look.
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
 fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
     return blend_finish(below, below.xyz + tone * color.xyz, below.w, opacity * color.w, clamped);
 }
 
-/// A light's intensity in two parts: what of it dims the layer (at most 1) and what brightens the colour (at least 1).
+/// A light's intensity in two parts: what of it dims the layer (at most 1) and what brightens the
+/// color (at least 1).
 fn light_split(intensity: f32) -> vec2f {
     return vec2f(min(intensity, 1.0), max(intensity, 1.0));
 }
 
 /// Light
 ///
-/// A light of the look, as it arrives at the surface. Its data (type, direction, colour) is kept with the look's
-/// lights; turning the illumination frame turns every light in it.
-fn light_directional(direction: vec3f, own_direction: vec3f, color: vec3f, intensity: f32) -> Light {
+/// A light of the look, as it arrives at the surface. Its data (type, direction, color) is kept
+/// with the look's lights; turning the illumination frame turns every light in it.
+fn light_directional(direction: vec3f, own_direction: vec3f, color: vec3f,
+    intensity: f32) -> Light {
     return Light(direction, own_direction, color, intensity);
 }
 
 /// Light on a layer
 ///
-/// Gives a layer its light's colour and intensity: below 1 the intensity fades the tone, above 1 it brightens the
-/// colour, so that a light that goes out leaves the layers below as they are.
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
 fn light_apply(light: Light, color: Color, tone: f32) -> LitLayer {
     let split = light_split(light.intensity);
     return LitLayer(vec4f(color.xyz * light.color * split.y, color.w), tone * split.x);
 }
 
 struct LitLayer {
-    /// The colour under this light.
+    /// The color under this light.
     color: Color,
     /// The tone under this light.
     tone: f32,

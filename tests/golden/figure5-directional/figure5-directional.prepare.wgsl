@@ -21,13 +21,15 @@ const PI: f32 = 3.14159265358979323846;
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of two. 0 below -149,
-/// the largest finite number above 128.
+/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
+/// two. 0 below -149, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
     let clamped = clamp(x, -150.0, 127.999992);
     let whole = round(clamped);
     let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667 + f * (0.0416666666666666667 + f * (0.00833333333333333333 + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
+    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
+        + f * (0.0416666666666666667 + f * (0.00833333333333333333
+        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
     // Two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
@@ -38,7 +40,8 @@ fn power_of_two(n: i32) -> f32 {
     return bitcast<f32>(u32(n + 127) << 23u);
 }
 
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative error below 1e-7).
+/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
+/// error below 1e-7).
 fn log_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
@@ -47,7 +50,8 @@ fn log_stable(x: f32) -> f32 {
     let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
+        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
     return f32(exponent) * LN_2 + series;
 }
 
@@ -55,17 +59,24 @@ fn log_stable(x: f32) -> f32 {
 fn log1p_negative_small(y: f32) -> f32 {
     let z = y / (2.0 - y);
     let z2 = z * z;
-    return -2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+    return -2.0 * z * (1.0 + z2 * (0.333333333333333333
+        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
 }
 
-/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows 4.9e-4.
+/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
+/// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64 to see sines by 1e-11,
-    // and end where they err downward: a profile whose cut-off is pi is 0 there, in f64 too.
+    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
+    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
+    // there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
-    let s = h * (1.0 + h2 * (-0.166666666666666667 + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413 + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
-    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667 + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016 + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
+    let s = h * (1.0 + h2 * (-0.166666666666666667
+        + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413
+        + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
+    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667
+        + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016
+        + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
     let c = 1.0 - one_minus_c;
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
@@ -77,10 +88,11 @@ fn sin_cos_half(x: f32, left: f32) -> vec2f {
     return select(half.yx, half, x <= left);
 }
 
-/// pi - x for x up to pi, with the digits of pi that an f32 does not hold; 0 where x is the f32 next to pi.
+/// pi - x for x up to pi, with the digits of pi that an f32 does not hold; 0 where x is the f32
+/// next to pi.
 fn left_to_pi(x: f32) -> f32 {
-    // pi in two parts. The first is an f32, so that f64 reads the same one; the maximum keeps compilers
-    // from making one constant of both.
+    // pi in two parts. The first is an f32, so that f64 reads the same one; the maximum keeps
+    // compilers from making one constant of both.
     let coarse = max(3.1415927410125732421875 - x, 0.0);
     return max(coarse - 8.742278012618954e-8, 0.0);
 }
@@ -97,14 +109,15 @@ fn with_unit_alpha(color: Color) -> Color {
 
 /// Light
 ///
-/// A light of the look, as it arrives at the surface. Its data (type, direction, colour) is kept with the look's
-/// lights; turning the illumination frame turns every light in it.
-fn light_directional(direction: vec3f, own_direction: vec3f, color: vec3f, intensity: f32) -> Light {
+/// A light of the look, as it arrives at the surface. Its data (type, direction, color) is kept
+/// with the look's lights; turning the illumination frame turns every light in it.
+fn light_directional(direction: vec3f, own_direction: vec3f, color: vec3f,
+    intensity: f32) -> Light {
     return Light(direction, own_direction, color, intensity);
 }
 
-/// What a profile needs of its offset, fall-off and cut-off; made once, in f64 wherever they are known before the
-/// fragment.
+/// What a profile needs of its offset, fall-off and cut-off; made once, in f64 wherever they are
+/// known before the fragment.
 struct ProfileShape {
     /// cos(tau/2) and sin(tau/2).
     half_cos_offset: f32,
@@ -125,8 +138,9 @@ struct ProfileShape {
 const PROFILE_SOFT: u32 = 0u;
 const PROFILE_STEP: u32 = 1u;
 const PROFILE_AMBIENT: u32 = 2u;
-/// Sanitises offset, fall-off and cut-off (D2) and makes the shape (BADF eq. 10, 11; math.md 2.1 to 2.3). An offset
-/// within 1e-5 of pi is ambient: pi has no exact f32, and people write 3.14159.
+/// Sanitises offset, fall-off and cut-off (D2) and makes the shape (BADF eq. 10, 11; docs/math.md
+/// 2.1 to 2.3). An offset within 1e-5 of pi is ambient: pi has no exact f32, and people write
+/// 3.14159.
 fn profile_shape(offset: f32, falloff: f32, cutoff: f32) -> ProfileShape {
     let tau = clamp(offset, 0.0, PI);
     let zero_at = clamp(cutoff, tau, PI);
@@ -152,7 +166,8 @@ fn profile_shape(offset: f32, falloff: f32, cutoff: f32) -> ProfileShape {
 }
 
 /// gamma(f, c) of BADF eq. 11 by half-angles: 1 exactly at f = c, also at the corner f = c = pi
-/// (D5). `f_left` and `c_left` are pi - f and pi - c, with digits of their own where they are small.
+/// (D5). `f_left` and `c_left` are pi - f and pi - c, with digits of their own where they are
+/// small.
 fn profile_exponent(f: f32, c: f32, f_left: f32, c_left: f32) -> f32 {
     let half_c = sin_cos_half(c, c_left);
     let half_f = sin_cos_half(f, f_left);
@@ -168,7 +183,8 @@ fn profile_exponent(f: f32, c: f32, f_left: f32, c_left: f32) -> f32 {
     return (sum * sum + difference * difference) / (sin_f * sin_f);
 }
 
-/// Mean and standard deviation of -eta' over [0, c], by the trapezoid rule on eta: how wide the soft edge looks.
+/// Mean and standard deviation of -eta' over [0, c], by the trapezoid rule on eta: how wide the
+/// soft edge looks.
 fn profile_edge(shape: ProfileShape, c: f32) -> ProfileShape {
     let steps = 64;
     let h = c / f32(steps);
@@ -182,7 +198,8 @@ fn profile_edge(shape: ProfileShape, c: f32) -> ProfileShape {
         moment += x * eta;
     }
     var result = shape;
-    // By parts: the mean of -eta' is the area under eta, the mean square twice the area under x eta.
+    // By parts: the mean of -eta' is the area under eta, the mean square twice the area under x
+    // eta.
     result.edge_mean = area * h;
     result.edge_deviation = sqrt(max(2.0 * moment * h - area * area * h * h, 0.0));
     return result;

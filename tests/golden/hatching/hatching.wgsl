@@ -61,7 +61,8 @@ struct Light {
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN never happens.
+/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
 }
@@ -81,8 +82,9 @@ fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
 
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a NaN. Scaled by the
-/// largest component first, so that neither tiny nor huge vectors under- or overflow.
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if !(largest > 1e-30 && largest < 1e30) {
@@ -97,13 +99,15 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     return scaled * (1.0 / sqrt(square));
 }
 
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of two. 0 below -149,
-/// the largest finite number above 128.
+/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
+/// two. 0 below -149, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
     let clamped = clamp(x, -150.0, 127.999992);
     let whole = round(clamped);
     let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667 + f * (0.0416666666666666667 + f * (0.00833333333333333333 + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
+    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
+        + f * (0.0416666666666666667 + f * (0.00833333333333333333
+        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
     // Two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
@@ -114,7 +118,8 @@ fn power_of_two(n: i32) -> f32 {
     return bitcast<f32>(u32(n + 127) << 23u);
 }
 
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative error below 1e-7).
+/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
+/// error below 1e-7).
 fn log_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
@@ -123,33 +128,43 @@ fn log_stable(x: f32) -> f32 {
     let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
+        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
     return f32(exponent) * LN_2 + series;
 }
 
-/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows 4.9e-4.
+/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
+/// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64 to see sines by 1e-11,
-    // and end where they err downward: a profile whose cut-off is pi is 0 there, in f64 too.
+    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
+    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
+    // there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
-    let s = h * (1.0 + h2 * (-0.166666666666666667 + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413 + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
-    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667 + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016 + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
+    let s = h * (1.0 + h2 * (-0.166666666666666667
+        + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413
+        + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
+    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667
+        + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016
+        + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
     let c = 1.0 - one_minus_c;
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
-/// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a quarter turn.
+/// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a
+/// quarter turn.
 fn sin_cos(x: f32) -> vec2f {
     let turns = round(x * 0.318309886183790672);
     // Cody and Waite: pi in three parts, so that the reduced angle keeps its digits.
-    let r = ((x - turns * 3.140625) - turns * 0.0009670257568359375) - turns * 6.27832957300962643e-7;
+    let r = ((x - turns * 3.140625) - turns * 0.0009670257568359375)
+        - turns * 6.27832957300962643e-7;
     let sign = 1.0 - 2.0 * abs(turns - 2.0 * trunc(turns * 0.5));
     return sign * sin_cos_quarter(clamp(r, -HALF_PI, HALF_PI));
 }
 
 const SMALLEST_NORMAL: f32 = 1.17549435e-38;
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it is infinite.
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 fn bounded(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     let magnitude = bits & 0x7fffffffu;
@@ -180,8 +195,9 @@ fn divided(a: f32, b: f32) -> f32 {
     return bounded(a / b);
 }
 
-/// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and keeps its sign with
-/// any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division by 0 is; 0^0 is 1.
+/// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and
+/// keeps its sign with any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division
+/// by 0 is; 0^0 is 1.
 fn powered(base: f32, exponent: f32) -> f32 {
     let b = bounded(base);
     let e = bounded(exponent);
@@ -220,7 +236,8 @@ fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
     return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0 below, 1 from there on.
+/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
+/// below, 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -229,13 +246,16 @@ fn place_between(x: f32, low: f32, high: f32) -> f32 {
     return bounded((x - low) / bounded(span));
 }
 
-/// x moved from one range to another, kept within the new one when `clamped`; an empty first range makes a step.
-fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32, clamped: bool) -> f32 {
+/// x moved from one range to another, kept within the new one when `clamped`; an empty first range
+/// makes a step.
+fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
+    clamped: bool) -> f32 {
     let place = place_between(bounded(x), bounded(from_low), bounded(from_high));
     return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step where they are equal.
+/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
+/// where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -246,7 +266,8 @@ fn factor_of(x: f32, clamped: bool) -> f32 {
     return select(bounded(x), clamp(bounded(x), 0.0, 1.0), clamped);
 }
 
-/// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the result lies in [-1, 1].
+/// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the
+/// result lies in [-1, 1].
 fn sin_cos_of(x: f32) -> vec2f {
     return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
 }
@@ -276,8 +297,8 @@ fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
-/// transparency is not lost.
+/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
+/// light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -287,8 +308,8 @@ fn straight(composite: Composite) -> Color {
 
 /// Mix colors
 ///
-/// Lays one colour on another as paint programs do. For a stack of shading layers take Blend, which knows tones and
-/// transparency.
+/// Lays one color on another as paint programs do. For a stack of shading layers take Blend, which
+/// knows tones and transparency.
 fn mix_colors_normal(a: Color, b: Color, factor: f32) -> Color {
     return mixed_vec4(bounded_vec4(a), bounded_vec4(b), factor_of(factor, true));
 }
@@ -317,7 +338,8 @@ fn principal_curvatures(tensor: vec3f) -> vec2f {
 
 /// Facing ratio
 ///
-/// 1 where the surface faces the eye, 0 at its rim: for rim light, outlines, dusty cloth and candy edges.
+/// 1 where the surface faces the eye, 0 at its rim: for rim light, outlines, dusty cloth and candy
+/// edges.
 fn facing(normal: vec3f, view: vec3f) -> f32 {
     return clamp(dot(normalize_or(normal, vec3f(0.0)), view), 0.0, 1.0);
 }
@@ -345,12 +367,14 @@ fn combine_tones_union(a: f32, b: f32) -> f32 {
 
 /// Output
 ///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number becomes black here.
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
+/// becomes black here.
 fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
 
-/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its upper bits are the best.
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 fn hash_pcg3d(seed: vec3u) -> vec3u {
     var v = seed * 1664525u + 1013904223u;
     v.x += v.y * v.z;
@@ -392,8 +416,9 @@ fn value_noise(p: vec3f, seed: u32) -> f32 {
     return sum;
 }
 
-/// How large a unit of the scene is seen at a depth, in picture heights. `perspective` is 1 or 0; `scale` is what clip
-/// space multiplies heights by: at depth 1, or at every depth without perspective.
+/// How large a unit of the scene is seen at a depth, in picture heights. `perspective` is 1 or 0;
+/// `scale` is what clip space multiplies heights by: at depth 1, or at every depth without
+/// perspective.
 fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
     // Clip space is 2 high.
     return bounded(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective));
@@ -418,11 +443,13 @@ fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Marke
     return Marked(bounded_vec2(turned), clamp(vec3f(dot(x, x), dot(x, y), dot(y, y)), -most, most));
 }
 
-/// How fast a coordinate with the gradient `g` changes along the picture, on a surface that is seen from `view`: the way
-/// along the picture is drawn out on the surface. Vectors are unit but for g. At rims it is drawn out up to eight times.
+/// How fast a coordinate with the gradient `g` changes along the picture, on a surface that is seen
+/// from `view`: the way along the picture is drawn out on the surface. Vectors are unit but for g.
+/// At rims it is drawn out up to eight times.
 fn gradient_on_picture(g: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     let facing = dot(normal, view);
-    return g - normal * (dot(g, view) / select(min(facing, -0.125), max(facing, 0.125), facing >= 0.0));
+    return g - normal * (dot(g, view) / select(min(facing, -0.125), max(facing, 0.125),
+        facing >= 0.0));
 }
 
 /// A place across an axis of the object.
@@ -461,7 +488,8 @@ fn place_on_surface(
     return mark_place_of(bounded_vec2(place), x, y, angle);
 }
 
-/// A place in spacings of marks: as many to the picture's height as `count` where it is not stretched.
+/// A place in spacings of marks: as many to the picture's height as `count` where it is not
+/// stretched.
 struct Spaced {
     place: vec2f,
     stretch: vec3f,
@@ -478,7 +506,8 @@ fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> Spaced {
     return Spaced(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
 }
 
-/// log2 of how many times finer than a place's own units marks must lie, for a squared stretch; within +-16.
+/// log2 of how many times finer than a place's own units marks must lie, for a squared stretch;
+/// within +-16.
 fn octave_of(square: f32) -> f32 {
     return clamp(-0.5 * LOG2_E * log_stable(clamp(square, 1e-30, 1e30)), -16.0, 16.0);
 }
@@ -508,7 +537,8 @@ struct Stroke {
     profile: f32,
 }
 
-/// The stroke of a line at x, in one octave. The line is named by an odd number and the octave it first lies in.
+/// The stroke of a line at x, in one octave. The line is named by an odd number and the octave it
+/// first lies in.
 fn stroke_at(line: vec2i, x: f32, zoom: i32, style: Strokes) -> Stroke {
     let own = unit_of_hash(lattice_hash(vec3i(line, 1 << 20u), style.seed));
     if style.length <= 0.0 {
@@ -516,7 +546,8 @@ fn stroke_at(line: vec2i, x: f32, zoom: i32, style: Strokes) -> Stroke {
     }
     let along = clamp(x * power_of_two(zoom) / style.length, -1e6, 1e6) + own.x;
     let index = floor(along);
-    let chance = unit_of_hash(lattice_hash(vec3i(line, i32(index)), style.seed + bitcast<u32>(zoom)));
+    let chance = unit_of_hash(lattice_hash(vec3i(line, i32(index)), style.seed
+        + bitcast<u32>(zoom)));
     let from_end = min(along - index, 1.0 - (along - index));
     let slope = clamp(from_end / max(0.5 * style.taper, 1e-6), 0.0, 1.0);
     return Stroke(chance.x, slope * (2.0 - slope));
@@ -535,10 +566,12 @@ fn stroke_between(line: vec2i, x: f32, level: f32, style: Strokes) -> Stroke {
 fn stray_at(place: vec2f, zoom: i32, seed: u32) -> f32 {
     // Slowly along a stroke, and neighbours not alike.
     let p = place * power_of_two(zoom);
-    return (value_noise(vec3f(0.11 * p.x, 0.45 * p.y, 0.5), seed) - 0.5) * 2.0 * power_of_two(-zoom);
+    return (value_noise(vec3f(0.11 * p.x, 0.45 * p.y, 0.5), seed) - 0.5) * 2.0
+        * power_of_two(-zoom);
 }
 
-/// How much of a footprint of `w` a band covers that reaches `half` to both sides of a place t away.
+/// How much of a footprint of `w` a band covers that reaches `half` to both sides of a place t
+/// away.
 fn band_filtered(t: f32, half: f32, w: f32) -> f32 {
     if w < 1e-30 {
         return select(0.0, 1.0, abs(t) <= half && half > 0.0);
@@ -546,8 +579,8 @@ fn band_filtered(t: f32, half: f32, w: f32) -> f32 {
     return clamp((clamp(t + 0.5 * w, -half, half) - clamp(t - 0.5 * w, -half, half)) / w, 0.0, 1.0);
 }
 
-/// The ink of one direction of strokes. `place` is along and across, in spacings at `level` 0; `w` is the footprint of
-/// the second. On average it is `ink` times the width, but for tapers.
+/// The ink of one direction of strokes. `place` is along and across, in spacings at `level` 0; `w`
+/// is the footprint of the second. On average it is `ink` times the width, but for tapers.
 fn hatched(place: vec2f, w: f32, level: f32, ink: f32, style: Strokes) -> f32 {
     if !(ink > 0.0) {
         return 0.0;
@@ -555,7 +588,8 @@ fn hatched(place: vec2f, w: f32, level: f32, ink: f32, style: Strokes) -> f32 {
     let number = powered(ink, 1.0 - style.pressure);
     let width = style.width * powered(ink, style.pressure);
     let zoom = floor(level);
-    let stray = mix(stray_at(place, i32(zoom), style.seed), stray_at(place, i32(zoom) + 1, style.seed), level - zoom);
+    let stray = mix(stray_at(place, i32(zoom), style.seed),
+        stray_at(place, i32(zoom) + 1, style.seed), level - zoom);
     let across = place.y + style.wobble * stray;
     // Every whole number of an octave has its stroke; between them those of the next octave grow.
     let density = clamp(level + LOG2_E * log_stable(max(number, 1e-9)), -40.0, 17.0);
@@ -578,7 +612,8 @@ fn hatched(place: vec2f, w: f32, level: f32, ink: f32, style: Strokes) -> f32 {
     return mix(max(a, b), mean, eased(footprint, 0.75, 1.5));
 }
 
-/// The name of a whole place's line in an octave: an odd number and the octave that it first lies in. 0 lies in all.
+/// The name of a whole place's line in an octave: an odd number and the octave that it first lies
+/// in. 0 lies in all.
 fn line_of(whole: i32, octave: i32) -> vec2i {
     let power = select(whole & -whole, 1, whole == 0);
     // log2 of a power of two, by its bits.
@@ -586,8 +621,8 @@ fn line_of(whole: i32, octave: i32) -> vec2i {
     return select(vec2i(whole / power, octave - octaves), vec2i(0), whole == 0);
 }
 
-/// The ink of strokes in up to four directions, each `cross` further: the first take the light tones, and the others come
-/// in one after the other.
+/// The ink of strokes in up to four directions, each `cross` further: the first take the light
+/// tones, and the others come in one after the other.
 fn cross_hatched(at: Spaced, ink: f32, layers: i32, cross: f32, style: Strokes) -> f32 {
     let x = dpdx(at.place);
     let y = dpdy(at.place);
@@ -601,8 +636,10 @@ fn cross_hatched(at: Spaced, ink: f32, layers: i32, cross: f32, style: Strokes) 
             let across = vec2f(-turn.x, turn.y);
             let w = bounded(length(vec2f(dot(across, x), dot(across, y))));
             let s = at.stretch;
-            // As with areas, a place that hardly changes across the strokes counts as one that is drawn out eight times.
-            let square = dot(vec3f(across.x * across.x, 2.0 * across.x * across.y, across.y * across.y), s);
+            // As with areas, a place that hardly changes across the strokes counts as one that is
+            // drawn out eight times.
+            let square = dot(vec3f(across.x * across.x, 2.0 * across.x * across.y,
+                across.y * across.y), s);
             let level = octave_of(max(square, (s.x + s.z) / 65.0));
             let place = vec2f(dot(along, at.place), dot(across, at.place));
             var own = style;
@@ -615,9 +652,9 @@ fn cross_hatched(at: Spaced, ink: f32, layers: i32, cross: f32, style: Strokes) 
 
 /// Hatching
 ///
-/// Draws a tone by strokes. Their width and spacing belong to the picture, whatever the distance; darker adds whole strokes
-/// between those that are there, and then strokes of another direction, so that lighter tones' strokes are always among
-/// darker tones'.
+/// Draws a tone by strokes. Their width and spacing belong to the picture, whatever the distance;
+/// darker adds whole strokes between those that are there, and then strokes of another direction,
+/// so that lighter tones' strokes are always among darker tones'.
 fn hatching(
     value: f32,
     place: vec2f,
@@ -649,10 +686,11 @@ fn hatching(
 
 /// Mark place
 ///
-/// Where strokes and dots are anchored, and which way strokes go: on the picture, on the picture but moving along with the
-/// object, along texture coordinates, across an axis of the object, or around the light so that they turn with it. Wire
-/// both outputs to Hatching, Stippling, Brush strokes or Paper grain, which keep their marks as large on the picture as
-/// they are, however far the surface is.
+/// Where strokes and dots are anchored, and which way strokes go: on the picture, on the picture
+/// but moving along with the object, along texture coordinates, across an axis of the object, or
+/// around the light so that they turn with it. Wire both outputs to Hatching, Stippling, Brush
+/// strokes or Paper grain, which keep their marks as large on the picture as they are, however far
+/// the surface is.
 fn mark_place_light(
     light: Light,
     normal: vec3f,
@@ -663,7 +701,8 @@ fn mark_place_light(
     magnification: f32,
 ) -> MarkPlace {
     let toward = light.direction * world_from_normal;
-    let m = place_across(toward, position_object, world_from_normal, normal, view, magnification, angle);
+    let m = place_across(toward, position_object, world_from_normal, normal, view, magnification,
+        angle);
     return MarkPlace(m.place, m.stretch);
 }
 
@@ -682,31 +721,36 @@ fn reflectance_wrap(light: Light, normal: vec3f, wrap: f32) -> f32 {
 
 /// Map range
 ///
-/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first range is empty, all that
-/// is below it becomes the new low and the rest the new high. A colour keeps its alpha, within 0 and 1 while clamped.
-fn map_range(value: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32, clamped: bool) -> f32 {
+/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first
+/// range is empty, all that is below it becomes the new low and the rest the new high. A color
+/// keeps its alpha, within 0 and 1 while clamped.
+fn map_range(value: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
+    clamped: bool) -> f32 {
     return remapped(value, from_low, from_high, to_low, to_high, clamped);
 }
 
 /// Smooth step
 ///
-/// Eases from 0 to 1 between two numbers, slowly at both ends. With low above high it eases from 1 to 0; where both are
-/// the same it is a step.
+/// Eases from 0 to 1 between two numbers, slowly at both ends. With low above high it eases from 1
+/// to 0; where both are the same it is a step.
 fn smooth_step_value(value: f32, low: f32, high: f32) -> f32 {
     return eased(value, low, high);
 }
 
-/// 0 at the outline, where curvature on the screen has no bound and no digits, 1 where the surface is seen well.
+/// 0 at the outline, where curvature on the screen has no bound and no digits, 1 where the surface
+/// is seen well.
 fn seen_well(facing: f32) -> f32 {
     return eased(facing, 0.05, 0.3);
 }
 
-fn inner_contour_valleys(limit: f32, softness: f32, tensor: vec3f, normal: vec3f, view: vec3f) -> f32 {
+fn inner_contour_valleys(limit: f32, softness: f32, tensor: vec3f, normal: vec3f,
+    view: vec3f) -> f32 {
     let least = principal_curvatures(tensor_safe(tensor)).y;
     return faded_in(-least, limit, softness) * seen_well(dot(normal, view));
 }
 
-/// 0 below the limit and 1 above it, over as much of the limit as is soft and never less than a pixel.
+/// 0 below the limit and 1 above it, over as much of the limit as is soft and never less than a
+/// pixel.
 fn faded_in(x: f32, limit: f32, softness: f32) -> f32 {
     let at = max(bounded(limit), 0.0);
     let width = edge_width(footprint_of(x), min(at, 1e9) * factor_of(softness, true));

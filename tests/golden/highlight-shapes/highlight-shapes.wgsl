@@ -42,7 +42,8 @@ alias Color = vec4f;
 /// Premultiplied RGBA: the stack of layers below, as blends pass it on.
 alias Composite = vec4f;
 
-/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and near pi.
+/// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
+/// near pi.
 struct Angle {
     /// sin(u/2), 0 or more.
     half_sin: f32,
@@ -66,7 +67,8 @@ const PI: f32 = 3.14159265358979323846;
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN never happens.
+/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
 }
@@ -86,8 +88,9 @@ fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
 
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a NaN. Scaled by the
-/// largest component first, so that neither tiny nor huge vectors under- or overflow.
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if !(largest > 1e-30 && largest < 1e30) {
@@ -102,13 +105,15 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     return scaled * (1.0 / sqrt(square));
 }
 
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of two. 0 below -149,
-/// the largest finite number above 128.
+/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
+/// two. 0 below -149, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
     let clamped = clamp(x, -150.0, 127.999992);
     let whole = round(clamped);
     let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667 + f * (0.0416666666666666667 + f * (0.00833333333333333333 + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
+    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
+        + f * (0.0416666666666666667 + f * (0.00833333333333333333
+        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
     // Two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
@@ -119,7 +124,8 @@ fn power_of_two(n: i32) -> f32 {
     return bitcast<f32>(u32(n + 127) << 23u);
 }
 
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative error below 1e-7).
+/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
+/// error below 1e-7).
 fn log_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
@@ -128,7 +134,8 @@ fn log_stable(x: f32) -> f32 {
     let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
+        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
     return f32(exponent) * LN_2 + series;
 }
 
@@ -144,17 +151,24 @@ fn log1p_negative(y: f32) -> f32 {
 fn log1p_negative_small(y: f32) -> f32 {
     let z = y / (2.0 - y);
     let z2 = z * z;
-    return -2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+    return -2.0 * z * (1.0 + z2 * (0.333333333333333333
+        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
 }
 
-/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows 4.9e-4.
+/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
+/// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64 to see sines by 1e-11,
-    // and end where they err downward: a profile whose cut-off is pi is 0 there, in f64 too.
+    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
+    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
+    // there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
-    let s = h * (1.0 + h2 * (-0.166666666666666667 + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413 + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
-    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667 + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016 + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
+    let s = h * (1.0 + h2 * (-0.166666666666666667
+        + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413
+        + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
+    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667
+        + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016
+        + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
     let c = 1.0 - one_minus_c;
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
@@ -191,19 +205,23 @@ fn atan2_positive(y: f32, x: f32) -> f32 {
     let is_wide = t > 0.41421356;
     let r = select(t, (small - large) / (small + large), is_wide);
     let r2 = r * r;
-    let series = r * (1.0 + r2 * (-0.333333333333333333 + r2 * (0.2 + r2 * (-0.142857142857142857 + r2 * (0.111111111111111111 + r2 * (-0.0909090909090909091
-        + r2 * (0.0769230769230769231 + r2 * (-0.0666666666666666667 + r2 * 0.0588235294117647059))))))));
+    let series = r * (1.0 + r2 * (-0.333333333333333333
+        + r2 * (0.2 + r2 * (-0.142857142857142857
+        + r2 * (0.111111111111111111 + r2 * (-0.0909090909090909091
+        + r2 * (0.0769230769230769231 + r2 * (-0.0666666666666666667
+            + r2 * 0.0588235294117647059))))))));
     let a = select(series, series + 0.785398163397448310, is_wide);
     return select(a, HALF_PI - a, y > x);
 }
 
-/// u - shift, clamped to [0, pi], for |shift| <= pi (BADF eq. 8 and math.md D3).
+/// u - shift, clamped to [0, pi], for |shift| <= pi (BADF eq. 8 and docs/math.md D3).
 fn angle_shifted(u: Angle, shift: f32) -> Angle {
     return angle_turned(u, sin_cos_quarter(0.5 * clamp(shift, -PI, PI)));
 }
 
-/// How far u changes over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient needs no inverse
-/// trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
+/// How far u changes over one pixel, in radians: |grad u|, at most 0.5. With half-angles the
+/// gradient needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform
+/// control flow.
 fn angle_footprint(u: Angle) -> f32 {
     let half = vec2f(u.half_sin, u.half_cos);
     let dx = dpdx(half);
@@ -224,7 +242,8 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
 }
 
 const SMALLEST_NORMAL: f32 = 1.17549435e-38;
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it is infinite.
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 fn bounded(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     let magnitude = bits & 0x7fffffffu;
@@ -243,7 +262,8 @@ fn mixed(a: f32, b: f32, t: f32) -> f32 {
     return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0 below, 1 from there on.
+/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
+/// below, 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -252,7 +272,8 @@ fn place_between(x: f32, low: f32, high: f32) -> f32 {
     return bounded((x - low) / bounded(span));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step where they are equal.
+/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
+/// where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -279,8 +300,8 @@ fn footprint_of(x: f32) -> f32 {
     return bounded(sqrt(dot(d, d)));
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
-/// transparency is not lost.
+/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
+/// light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -304,8 +325,8 @@ fn normal(normal: vec3f) -> vec3f {
 
 /// Angle between directions
 ///
-/// The angle that a Profile turns into a tone, between any two directions: a bent half-vector and the normal, a hair's
-/// tangent and a light.
+/// The angle that a Profile turns into a tone, between any two directions: a bent half-vector and
+/// the normal, a hair's tangent and a light.
 fn angle_between_directions(a: vec3f, b: vec3f) -> Angle {
     let z = vec3f(0.0, 0.0, 1.0);
     return angle_between(normalize_or(a, z), normalize_or(b, z));
@@ -352,8 +373,8 @@ fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
     return mat3x3f(x, cross(z, x), z);
 }
 
-/// How far a star reaches at `turn`, in turns from its first ray: 1 at its rays, `inner` between them, along straight
-/// lines; `round` goes from there to a circle.
+/// How far a star reaches at `turn`, in turns from its first ray: 1 at its rays, `inner` between
+/// them, along straight lines; `round` goes from there to a circle.
 fn star_reach(turn: f32, rays: f32, inner: f32, round: f32) -> f32 {
     let half_sector = PI / rays;
     let sector = abs(turn * rays - floor(turn * rays + 0.5));
@@ -366,8 +387,9 @@ fn star_reach(turn: f32, rays: f32, inner: f32, round: f32) -> f32 {
 
 /// Axes around a direction
 ///
-/// Two directions at right angles to a light or a half-vector: the axes along which a highlight is moved, stretched or
-/// split so that it keeps its shape on every object, whatever its texture coordinates.
+/// Two directions at right angles to a light or a half-vector: the axes along which a highlight is
+/// moved, stretched or split so that it keeps its shape on every object, whatever its texture
+/// coordinates.
 fn axes(direction: vec3f, up: vec3f) -> AxesAround {
     let axes = axes_around(direction, up);
     return AxesAround(axes[0], axes[1]);
@@ -382,8 +404,9 @@ struct AxesAround {
 
 /// Half-vector
 ///
-/// Midway between a light and the eye. A highlight lies where it meets the normal: bend either of them with the nodes
-/// beside this one, measure the Angle between directions, and the highlight takes another shape.
+/// Midway between a light and the eye. A highlight lies where it meets the normal: bend either of
+/// them with the nodes beside this one, measure the Angle between directions, and the highlight
+/// takes another shape.
 fn half_vector(light: Light, view: vec3f) -> vec3f {
     let half = light.direction + view;
     return normalize_or(select(any_orthogonal(view), half, dot(half, half) > 1e-12), view);
@@ -391,7 +414,8 @@ fn half_vector(light: Light, view: vec3f) -> vec3f {
 
 /// Split direction
 ///
-/// Cuts a highlight in two along an axis and moves the halves apart, or in four along both: window panes in an eye.
+/// Cuts a highlight in two along an axis and moves the halves apart, or in four along both: window
+/// panes in an eye.
 fn split_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, x: f32, y: f32) -> vec3f {
     let bent = direction_within(direction, x_axis, y_axis);
     let side = select(vec2f(-1.0), vec2f(1.0), bent.place >= vec2f(0.0));
@@ -401,7 +425,8 @@ fn split_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, x: f32, y: f3
 /// Square direction
 ///
 /// Gives a highlight corners: from round to a square whose sides lie along the axes.
-fn square_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, amount: f32, sharpness: f32) -> vec3f {
+fn square_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, amount: f32,
+    sharpness: f32) -> vec3f {
     let bent = direction_within(direction, x_axis, y_axis);
     // Around the two axes: 0 along either, 1 midway between them.
     let square = dot(bent.place, bent.place);
@@ -409,14 +434,15 @@ fn square_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, amount: f32,
     let apart = abs(bent.place.x) - abs(bent.place.y);
     let aside = clamp(apart * apart / max(square, 1e-20), 0.0, 1.0);
     let sharp = clamp(bounded(sharpness), 1.0, 1024.0);
-    let corner = select(0.0, exp2_stable(sharp * LOG2_E * log1p_negative(aside)), square > 1e-20 && aside < 1.0);
+    let corner = select(0.0, exp2_stable(sharp * LOG2_E * log1p_negative(aside)), square > 1e-20
+        && aside < 1.0);
     return direction_moved(bent, -clamp(amount, 0.0, 1.0) * corner * bent.place);
 }
 
 /// Star
 ///
-/// The angle between two directions, measured so that a Profile draws a star, a flower or a polygon instead of a disk: in
-/// between its rays the angle counts for more.
+/// The angle between two directions, measured so that a Profile draws a star, a flower or a polygon
+/// instead of a disk: in between its rays the angle counts for more.
 fn star_angle(
     direction: vec3f,
     middle: vec3f,
@@ -430,14 +456,17 @@ fn star_angle(
     let z = vec3f(0.0, 0.0, 1.0);
     let bent = direction_within(direction, x_axis, y_axis);
     let u = angle_between(bent.direction, normalize_or(middle, z));
-    let around = (angle_of_point(bent.place.y, bent.place.x) - clamp(bounded(turn), -1e4, 1e4)) / (2.0 * PI);
-    let reach = star_reach(around, f32(clamp(rays, 2, 64)), clamp(inner, 0.01, 1.0), clamp(round, 0.0, 1.0));
+    let around = (angle_of_point(bent.place.y, bent.place.x) - clamp(bounded(turn), -1e4, 1e4))
+        / (2.0 * PI);
+    let reach = star_reach(around, f32(clamp(rays, 2, 64)), clamp(inner, 0.01, 1.0),
+        clamp(round, 0.0, 1.0));
     return angle_of(angle_radians(u) / reach);
 }
 
-/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0, 1] when `clamped`.
-/// At opacity 0 it is `below` exactly, whatever that is.
-fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clamped: bool) -> Composite {
+/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0,
+/// 1] when `clamped`. At opacity 0 it is `below` exactly, whatever that is.
+fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
+    clamped: bool) -> Composite {
     if opacity <= 0.0 {
         return below;
     }
@@ -447,39 +476,44 @@ fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clam
 
 /// Blend
 ///
-/// Lays a colour, where the tone is, over what is below: one step of a layered look.
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
 fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
     return blend_finish(below, below.xyz + tone * color.xyz, below.w, opacity * color.w, clamped);
 }
 
-fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
+fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32,
+    clamped: bool) -> Composite {
     let a = opacity * color.w;
     let alpha = below.w + tone * a * (1.0 - below.w);
     return blend_finish(below, below.xyz + tone * (color.xyz - below.xyz), alpha, a, clamped);
 }
 
-fn blend_shade(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
-    return blend_finish(below, below.xyz * mix(vec3f(1.0), color.xyz, tone), below.w, opacity * color.w, clamped);
+fn blend_shade(below: Composite, color: Color, tone: f32, opacity: f32,
+    clamped: bool) -> Composite {
+    return blend_finish(below, below.xyz * mix(vec3f(1.0), color.xyz, tone), below.w,
+        opacity * color.w, clamped);
 }
 
 /// Output
 ///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number becomes black here.
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
+/// becomes black here.
 fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
 
 /// Parametrization
 ///
-/// The angle u between a light and a direction of the surface; it decides how shading moves. Diffuse stays on the
-/// surface, Specular moves with the eye, Half-vector is Blinn's highlight, Screen-aligned ignores the illumination
-/// frame and the camera: the light is read in the picture's own axes.
+/// The angle u between a light and a direction of the surface; it decides how shading moves.
+/// Diffuse stays on the surface, Specular moves with the eye, Half-vector is Blinn's highlight,
+/// Screen-aligned ignores the illumination frame and the camera: the light is read in the picture's
+/// own axes.
 fn parametrization_diffuse(light: Light, normal: vec3f) -> Angle {
     return angle_between(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction);
 }
 
-/// What a profile needs of its offset, fall-off and cut-off; made once, in f64 wherever they are known before the
-/// fragment.
+/// What a profile needs of its offset, fall-off and cut-off; made once, in f64 wherever they are
+/// known before the fragment.
 struct ProfileShape {
     /// cos(tau/2) and sin(tau/2).
     half_cos_offset: f32,
@@ -527,15 +561,16 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
     return clamp(exp2_stable(exponent * LOG2_E * log_base), 0.0, 1.0);
 }
 
-/// alpha averaged over a footprint of `w` radians (math.md 2.4): the hard step where w is 0, a ramp of the gradient's
-/// width where the edge is narrower than a pixel, three-point Gauss quadrature where it is narrow, the point value
-/// where it is wide.
+/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
+/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
+/// quadrature where it is narrow, the point value where it is wide.
 fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let point = profile_point(u, shape);
     if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
         return point;
     }
-    // No footprint is above 0.5, so that this is not even compiled for an edge that is known to be softer.
+    // No footprint is above 0.5, so that this is not even compiled for an edge that is known to be
+    // softer.
     if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
         let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
         return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
@@ -551,11 +586,11 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
 
 /// Profile
 ///
-/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at the fall-off. Edges
-/// are as sharp as asked and antialiased by their width on the screen.
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
 ///
-/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off; beyond that the
-/// curve is still falling, but it is steepest elsewhere too.
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
 fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     let warped = angle_shifted(angle, shift);
     return profile_filtered(warped, angle_footprint(warped), shape);
@@ -563,7 +598,8 @@ fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
 
 /// Rim light
 ///
-/// A line of light along the silhouette, on the side of a light: what lifts a figure off its background.
+/// A line of light along the silhouette, on the side of a light: what lifts a figure off its
+/// background.
 fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, follow: f32) -> f32 {
     let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
     let facing = clamp(dot(n, view), 0.0, 1.0);
@@ -575,17 +611,19 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let further = select(reach - facing, 0.5 * dot(aside, aside) - (1.0 - reach), facing > 0.5);
     let within = further / max(edge, 1e-6) + select(0.5, 0.0, softness > 0.0);
     let inside = select(clamp(within, 0.0, 1.0), 0.0, reach <= 0.0);
-    // The light's direction across the eye's: from the far side of the object (-1) to the near one (1).
+    // The light's direction across the eye's: from the far side of the object (-1) to the near one
+    // (1).
     let across = light.direction - dot(light.direction, view) * view;
-    // Only what of the normal is across the eye's direction, too: where the light is nearly behind, rounding leaves a little
-    // of that direction in `across`.
+    // Only what of the normal is across the eye's direction, too: where the light is nearly behind,
+    // rounding leaves a little of that direction in `across`.
     let side = dot(n - dot(n, view) * view, normalize_or(across, vec3f(0.0)));
     return inside * mixed(1.0, eased(side, 0.0, 0.5), factor_of(follow, true));
 }
 
 /// Invert
 ///
-/// 1 minus the number: light becomes dark, a mask becomes what it left out. A colour keeps its alpha.
+/// 1 minus the number: light becomes dark, a mask becomes what it left out. A color keeps its
+/// alpha.
 fn invert(value: f32) -> f32 {
     return bounded(1.0 - value);
 }

@@ -57,7 +57,8 @@ const PI: f32 = 3.14159265358979323846;
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN never happens.
+/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
 }
@@ -77,8 +78,9 @@ fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
 
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a NaN. Scaled by the
-/// largest component first, so that neither tiny nor huge vectors under- or overflow.
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if !(largest > 1e-30 && largest < 1e30) {
@@ -93,13 +95,15 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     return scaled * (1.0 / sqrt(square));
 }
 
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of two. 0 below -149,
-/// the largest finite number above 128.
+/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
+/// two. 0 below -149, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
     let clamped = clamp(x, -150.0, 127.999992);
     let whole = round(clamped);
     let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667 + f * (0.0416666666666666667 + f * (0.00833333333333333333 + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
+    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
+        + f * (0.0416666666666666667 + f * (0.00833333333333333333
+        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
     // Two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
@@ -110,7 +114,8 @@ fn power_of_two(n: i32) -> f32 {
     return bitcast<f32>(u32(n + 127) << 23u);
 }
 
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative error below 1e-7).
+/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
+/// error below 1e-7).
 fn log_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
@@ -119,7 +124,8 @@ fn log_stable(x: f32) -> f32 {
     let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
+        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
     return f32(exponent) * LN_2 + series;
 }
 
@@ -135,32 +141,42 @@ fn log1p_negative(y: f32) -> f32 {
 fn log1p_negative_small(y: f32) -> f32 {
     let z = y / (2.0 - y);
     let z2 = z * z;
-    return -2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+    return -2.0 * z * (1.0 + z2 * (0.333333333333333333
+        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
 }
 
-/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows 4.9e-4.
+/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
+/// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64 to see sines by 1e-11,
-    // and end where they err downward: a profile whose cut-off is pi is 0 there, in f64 too.
+    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
+    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
+    // there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
-    let s = h * (1.0 + h2 * (-0.166666666666666667 + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413 + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
-    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667 + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016 + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
+    let s = h * (1.0 + h2 * (-0.166666666666666667
+        + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413
+        + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
+    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667
+        + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016
+        + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
     let c = 1.0 - one_minus_c;
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
-/// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a quarter turn.
+/// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a
+/// quarter turn.
 fn sin_cos(x: f32) -> vec2f {
     let turns = round(x * 0.318309886183790672);
     // Cody and Waite: pi in three parts, so that the reduced angle keeps its digits.
-    let r = ((x - turns * 3.140625) - turns * 0.0009670257568359375) - turns * 6.27832957300962643e-7;
+    let r = ((x - turns * 3.140625) - turns * 0.0009670257568359375)
+        - turns * 6.27832957300962643e-7;
     let sign = 1.0 - 2.0 * abs(turns - 2.0 * trunc(turns * 0.5));
     return sign * sin_cos_quarter(clamp(r, -HALF_PI, HALF_PI));
 }
 
 const SMALLEST_NORMAL: f32 = 1.17549435e-38;
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it is infinite.
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 fn bounded(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     let magnitude = bits & 0x7fffffffu;
@@ -173,8 +189,9 @@ fn bounded_vec3(v: vec3f) -> vec3f {
     return vec3f(bounded(v.x), bounded(v.y), bounded(v.z));
 }
 
-/// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and keeps its sign with
-/// any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division by 0 is; 0^0 is 1.
+/// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and
+/// keeps its sign with any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division
+/// by 0 is; 0^0 is 1.
 fn powered(base: f32, exponent: f32) -> f32 {
     let b = bounded(base);
     let e = bounded(exponent);
@@ -203,7 +220,8 @@ fn mixed(a: f32, b: f32, t: f32) -> f32 {
     return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0 below, 1 from there on.
+/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
+/// below, 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -212,13 +230,16 @@ fn place_between(x: f32, low: f32, high: f32) -> f32 {
     return bounded((x - low) / bounded(span));
 }
 
-/// x moved from one range to another, kept within the new one when `clamped`; an empty first range makes a step.
-fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32, clamped: bool) -> f32 {
+/// x moved from one range to another, kept within the new one when `clamped`; an empty first range
+/// makes a step.
+fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
+    clamped: bool) -> f32 {
     let place = place_between(bounded(x), bounded(from_low), bounded(from_high));
     return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step where they are equal.
+/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
+/// where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -229,21 +250,22 @@ fn factor_of(x: f32, clamped: bool) -> f32 {
     return select(bounded(x), clamp(bounded(x), 0.0, 1.0), clamped);
 }
 
-/// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the result lies in [-1, 1].
+/// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the
+/// result lies in [-1, 1].
 fn sin_cos_of(x: f32) -> vec2f {
     return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
 }
 
-/// How far a point moves over one pixel: the longer one of its two derivatives, finite. Call it in uniform control
-/// flow.
+/// How far a point moves over one pixel: the longer one of its two derivatives, finite. Call it in
+/// uniform control flow.
 fn footprint_of_vec3(v: vec3f) -> f32 {
     let dx = dpdx(v);
     let dy = dpdy(v);
     return bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
-/// transparency is not lost.
+/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
+/// light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -255,9 +277,10 @@ fn position_object(position_object: vec3f) -> vec3f {
     return position_object;
 }
 
-/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0, 1] when `clamped`.
-/// At opacity 0 it is `below` exactly, whatever that is.
-fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clamped: bool) -> Composite {
+/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0,
+/// 1] when `clamped`. At opacity 0 it is `below` exactly, whatever that is.
+fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
+    clamped: bool) -> Composite {
     if opacity <= 0.0 {
         return below;
     }
@@ -267,14 +290,15 @@ fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clam
 
 /// Blend
 ///
-/// Lays a colour, where the tone is, over what is below: one step of a layered look.
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
 fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
     return blend_finish(below, below.xyz + tone * color.xyz, below.w, opacity * color.w, clamped);
 }
 
 /// Output
 ///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number becomes black here.
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
+/// becomes black here.
 fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
@@ -285,8 +309,8 @@ struct Reflection {
     n_v: f32,
     n_h: f32,
     v_h: f32,
-    /// The square of the sine between the normal and the half-vector: near a highlight's middle a cosine has no digits
-    /// left to tell how far it is.
+    /// The square of the sine between the normal and the half-vector: near a highlight's middle a
+    /// cosine has no digits left to tell how far it is.
     sine2: f32,
 }
 
@@ -304,7 +328,8 @@ fn sine_squared(a: vec3f, b: vec3f) -> f32 {
     return min(dot(across, across), 1.0);
 }
 
-/// A cosine to a power, 0 where it is negative; by the square of its sine where that has more digits.
+/// A cosine to a power, 0 where it is negative; by the square of its sine where that has more
+/// digits.
 fn cosine_power(cosine: f32, sine2: f32, exponent: f32) -> f32 {
     if cosine < 0.7 {
         return powered(max(cosine, 0.0), exponent);
@@ -318,7 +343,8 @@ fn half_of(light: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     return normalize_or(select(normal, half, dot(half, half) > 1e-12), normal);
 }
 
-/// The width of a highlight from an artist's roughness: its square, at least 0.001 so that a mirror's is seen.
+/// The width of a highlight from an artist's roughness: its square, at least 0.001 so that a
+/// mirror's is seen.
 fn width_of_roughness(roughness: f32) -> f32 {
     let r = clamp(bounded(roughness), 0.0, 1.0);
     return max(r * r, 0.001);
@@ -336,8 +362,8 @@ fn exponent_of_width(width: f32) -> f32 {
     return max(2.0 / (width * width) - 2.0, 0.0);
 }
 
-/// What a thin film reflects of one wavelength: 0 where both its faces cancel, 1 where they add up. `path` is the
-/// difference of both ways, in the wavelength's unit.
+/// What a thin film reflects of one wavelength: 0 where both its faces cancel, 1 where they add up.
+/// `path` is the difference of both ways, in the wavelength's unit.
 fn interference(path: f32, wavelength: f32) -> f32 {
     let half = sin_cos_of(PI * path / wavelength);
     // One face turns the wave over, so a film of no thickness is black.
@@ -349,7 +375,8 @@ const NOISE_SIMPLEX: u32 = 2u;
 const NOISE_WORLEY: u32 = 3u;
 const SIMPLEX_SCALE: f32 = 38.4553;
 const WORLEY_MEAN: f32 = 0.5205;
-/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its upper bits are the best.
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 fn hash_pcg3d(seed: vec3u) -> vec3u {
     var v = seed * 1664525u + 1013904223u;
     v.x += v.y * v.z;
@@ -372,7 +399,8 @@ fn lattice_hash(cell: vec3i, seed: u32) -> vec3u {
     return hash_pcg3d(bitcast<vec3u>(cell) + seed * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u));
 }
 
-/// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin 2002).
+/// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
+/// 2002).
 fn gradient_dot(hash: vec3u, d: vec3f) -> f32 {
     let axis = (hash.x >> 8u) % 3u;
     let a = select(d.x, d.y, axis == 0u);
@@ -409,13 +437,15 @@ fn perlin_noise(p: vec3f, seed: u32) -> f32 {
     for (var i = 0; i < 8; i++) {
         let at = vec3i(i & 1, (i >> 1u) & 1, i >> 2u);
         let weight = select(1.0 - f, f, at == vec3i(1));
-        sum += weight.x * weight.y * weight.z * gradient_dot(lattice_hash(cell + at, seed), d - vec3f(at));
+        sum += weight.x * weight.y * weight.z * gradient_dot(lattice_hash(cell + at, seed), d
+            - vec3f(at));
     }
     // The twelve gradients reach 1.0364 at most.
     return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
-/// Gradient noise on a lattice of tetrahedra (Perlin 2001), with fewer visible axes than the cube's.
+/// Gradient noise on a lattice of tetrahedra (Perlin 2001), with fewer visible axes than the
+/// cube's.
 fn simplex_noise(p: vec3f, seed: u32) -> f32 {
     let corner = floor(p + (p.x + p.y + p.z) / 3.0);
     let d = p - corner + (corner.x + corner.y + corner.z) / 6.0;
@@ -472,9 +502,9 @@ fn noise_octave(kind: u32, p: vec3f, seed: u32) -> f32 {
     }
 }
 
-/// 1 to 8 octaves, each twice as fine as the one before and `roughness` times as strong, weighed so that the sum stays
-/// in [0, 1]. An octave finer than the footprint `w` of p fades to its average, so that distance does not make it
-/// flicker.
+/// 1 to 8 octaves, each twice as fine as the one before and `roughness` times as strong, weighed so
+/// that the sum stays in [0, 1]. An octave finer than the footprint `w` of p fades to its average,
+/// so that distance does not make it flicker.
 fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w: f32) -> f32 {
     let mean = select(0.5, WORLEY_MEAN, kind == NOISE_WORLEY);
     let gain = clamp(bounded(roughness), 0.0, 1.0);
@@ -486,9 +516,10 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
         let visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         var octave = mean;
         if visible > 0.0 {
-            // Each octave from elsewhere, so that their lattices do not meet at the origin. Beyond 2^22 a float has no
-            // digits left for what lies between lattice points.
-            let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0), vec3f(4194304.0));
+            // Each octave from elsewhere, so that their lattices do not meet at the origin. Beyond
+            // 2^22 a float has no digits left for what lies between lattice points.
+            let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0),
+                vec3f(4194304.0));
             octave = mix(mean, noise_octave(kind, place, bitcast<u32>(seed) + u32(i)), visible);
         }
         sum += strength * octave;
@@ -516,22 +547,26 @@ fn reflectance_blinn_phong(light: Light, normal: vec3f, view: vec3f, roughness: 
 
 /// Thin film
 ///
-/// The colours of soap bubbles, beetles and oil on water: a film that is as thin as light's waves are long reflects some
-/// and cancels others, changing with the angle.
+/// The colors of soap bubbles, beetles and oil on water: a film that is as thin as light's waves
+/// are long reflects some and cancels others, changing with the angle.
 fn thin_film(thickness: f32, index: f32, normal: vec3f, view: vec3f) -> Color {
     let cosine = clamp(dot(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), view), 0.0, 1.0);
     let n = clamp(bounded(index), 1.0, 3.0);
-    // Snell's law: the cosine within the film, times the index; a film of index 1 does not bend light at all.
+    // Snell's law: the cosine within the film, times the index; a film of index 1 does not bend
+    // light at all.
     let inside = sqrt((n - 1.0) * (n + 1.0) + cosine * cosine);
     let path = 2.0 * clamp(bounded(thickness), 0.0, 2000.0) * inside;
-    return vec4f(interference(path, 650.0), interference(path, 532.0), interference(path, 450.0), 1.0);
+    return vec4f(interference(path, 650.0), interference(path, 532.0), interference(path, 450.0),
+        1.0);
 }
 
 /// Map range
 ///
-/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first range is empty, all that
-/// is below it becomes the new low and the rest the new high. A colour keeps its alpha, within 0 and 1 while clamped.
-fn map_range(value: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32, clamped: bool) -> f32 {
+/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first
+/// range is empty, all that is below it becomes the new low and the rest the new high. A color
+/// keeps its alpha, within 0 and 1 while clamped.
+fn map_range(value: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
+    clamped: bool) -> f32 {
     return remapped(value, from_low, from_high, to_low, to_high, clamped);
 }
 

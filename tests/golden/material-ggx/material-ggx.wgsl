@@ -52,7 +52,8 @@ struct Light {
     intensity: f32,
 }
 
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN never happens.
+/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
 }
@@ -72,8 +73,9 @@ fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
 
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a NaN. Scaled by the
-/// largest component first, so that neither tiny nor huge vectors under- or overflow.
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if !(largest > 1e-30 && largest < 1e30) {
@@ -88,7 +90,8 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     return scaled * (1.0 / sqrt(square));
 }
 
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it is infinite.
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 fn bounded(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     let magnitude = bits & 0x7fffffffu;
@@ -96,8 +99,8 @@ fn bounded(x: f32) -> f32 {
     return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
-/// transparency is not lost.
+/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
+/// light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -105,9 +108,10 @@ fn straight(composite: Composite) -> Color {
     return vec4f(composite.xyz / composite.w, composite.w);
 }
 
-/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0, 1] when `clamped`.
-/// At opacity 0 it is `below` exactly, whatever that is.
-fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clamped: bool) -> Composite {
+/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0,
+/// 1] when `clamped`. At opacity 0 it is `below` exactly, whatever that is.
+fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
+    clamped: bool) -> Composite {
     if opacity <= 0.0 {
         return below;
     }
@@ -117,14 +121,15 @@ fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clam
 
 /// Blend
 ///
-/// Lays a colour, where the tone is, over what is below: one step of a layered look.
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
 fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
     return blend_finish(below, below.xyz + tone * color.xyz, below.w, opacity * color.w, clamped);
 }
 
 /// Output
 ///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number becomes black here.
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
+/// becomes black here.
 fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
@@ -135,8 +140,8 @@ struct Reflection {
     n_v: f32,
     n_h: f32,
     v_h: f32,
-    /// The square of the sine between the normal and the half-vector: near a highlight's middle a cosine has no digits
-    /// left to tell how far it is.
+    /// The square of the sine between the normal and the half-vector: near a highlight's middle a
+    /// cosine has no digits left to tell how far it is.
     sine2: f32,
 }
 
@@ -160,7 +165,8 @@ fn half_of(light: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     return normalize_or(select(normal, half, dot(half, half) > 1e-12), normal);
 }
 
-/// The width of a highlight from an artist's roughness: its square, at least 0.001 so that a mirror's is seen.
+/// The width of a highlight from an artist's roughness: its square, at least 0.001 so that a
+/// mirror's is seen.
 fn width_of_roughness(roughness: f32) -> f32 {
     let r = clamp(bounded(roughness), 0.0, 1.0);
     return max(r * r, 0.001);
@@ -173,8 +179,8 @@ fn schlick(at_normal: f32, cosine: f32) -> f32 {
     return at_normal + (1.0 - at_normal) * (m2 * m2 * m);
 }
 
-/// Cook and Torrance's model with the GGX distribution and Smith's height-correlated shadowing (Walter et al. 2007,
-/// Heitz 2014).
+/// Cook and Torrance's model with the GGX distribution and Smith's height-correlated shadowing
+/// (Walter et al. 2007, Heitz 2014).
 fn ggx(r: Reflection, width: f32, at_normal: f32) -> f32 {
     if r.n_l <= 0.0 || r.n_v <= 0.0 {
         return 0.0;
@@ -190,13 +196,14 @@ fn ggx(r: Reflection, width: f32, at_normal: f32) -> f32 {
 
 /// Reflectance
 ///
-/// How strongly a realistic surface shines toward the eye: to be laid beside drawn shading, for contrast, or as a layer's
-/// tone.
+/// How strongly a realistic surface shines toward the eye: to be laid beside drawn shading, for
+/// contrast, or as a layer's tone.
 fn reflectance_lambert(light: Light, normal: vec3f) -> f32 {
     return max(dot(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction), 0.0);
 }
 
-fn reflectance_ggx(light: Light, normal: vec3f, view: vec3f, roughness: f32, at_normal: f32) -> f32 {
+fn reflectance_ggx(light: Light, normal: vec3f, view: vec3f, roughness: f32,
+    at_normal: f32) -> f32 {
     let r = reflection_of(light.direction, normalize_or(normal, vec3f(0.0, 0.0, 1.0)), view);
     return ggx(r, width_of_roughness(roughness), clamp(bounded(at_normal), 0.0, 1.0));
 }

@@ -16,8 +16,9 @@ struct Light {
 
 /// Light
 ///
-/// A light of the look, as it arrives at the surface. Its data (type, direction, colour) is kept with the look's
-/// lights; turning the illumination frame turns every light in it.
-fn light_directional(direction: vec3f, own_direction: vec3f, color: vec3f, intensity: f32) -> Light {
+/// A light of the look, as it arrives at the surface. Its data (type, direction, color) is kept
+/// with the look's lights; turning the illumination frame turns every light in it.
+fn light_directional(direction: vec3f, own_direction: vec3f, color: vec3f,
+    intensity: f32) -> Light {
     return Light(direction, own_direction, color, intensity);
 }

@@ -52,7 +52,8 @@ struct Light {
     intensity: f32,
 }
 
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN never happens.
+/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
 }
@@ -72,8 +73,9 @@ fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
 
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a NaN. Scaled by the
-/// largest component first, so that neither tiny nor huge vectors under- or overflow.
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if !(largest > 1e-30 && largest < 1e30) {
@@ -88,7 +90,8 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     return scaled * (1.0 / sqrt(square));
 }
 
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it is infinite.
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 fn bounded(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     let magnitude = bits & 0x7fffffffu;
@@ -96,8 +99,8 @@ fn bounded(x: f32) -> f32 {
     return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
-/// transparency is not lost.
+/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
+/// light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -105,9 +108,10 @@ fn straight(composite: Composite) -> Color {
     return vec4f(composite.xyz / composite.w, composite.w);
 }
 
-/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0, 1] when `clamped`.
-/// At opacity 0 it is `below` exactly, whatever that is.
-fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clamped: bool) -> Composite {
+/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0,
+/// 1] when `clamped`. At opacity 0 it is `below` exactly, whatever that is.
+fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
+    clamped: bool) -> Composite {
     if opacity <= 0.0 {
         return below;
     }
@@ -117,19 +121,21 @@ fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clam
 
 /// Blend
 ///
-/// Lays a colour, where the tone is, over what is below: one step of a layered look.
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
 fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
     return blend_finish(below, below.xyz + tone * color.xyz, below.w, opacity * color.w, clamped);
 }
 
 /// Output
 ///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number becomes black here.
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
+/// becomes black here.
 fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
 
-/// Oren and Nayar's rough matt surface (1994, their qualitative model), for a deviation of slopes in radians.
+/// Oren and Nayar's rough matt surface (1994, their qualitative model), for a deviation of slopes
+/// in radians.
 fn oren_nayar(light: vec3f, normal: vec3f, view: vec3f, sigma: f32) -> f32 {
     let n_l = dot(normal, light);
     let n_v = dot(normal, view);
@@ -139,8 +145,8 @@ fn oren_nayar(light: vec3f, normal: vec3f, view: vec3f, sigma: f32) -> f32 {
     let s2 = sigma * sigma;
     let a = 1.0 - 0.5 * s2 / (s2 + 0.33);
     let b = 0.45 * s2 / (s2 + 0.09);
-    // The cosine of the turn between both, times both sines; then sin of the larger angle over cos of the smaller one is
-    // what is left, without any angle.
+    // The cosine of the turn between both, times both sines; then sin of the larger angle over cos
+    // of the smaller one is what is left, without any angle.
     let across = dot(light, view) - n_l * n_v;
     let larger = max(max(n_l, n_v), 1e-3);
     return n_l * (a + b * max(across, 0.0) / larger);

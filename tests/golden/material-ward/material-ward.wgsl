@@ -55,7 +55,8 @@ struct Light {
 
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN never happens.
+/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
 }
@@ -75,8 +76,9 @@ fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
 
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a NaN. Scaled by the
-/// largest component first, so that neither tiny nor huge vectors under- or overflow.
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if !(largest > 1e-30 && largest < 1e30) {
@@ -91,13 +93,15 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     return scaled * (1.0 / sqrt(square));
 }
 
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of two. 0 below -149,
-/// the largest finite number above 128.
+/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
+/// two. 0 below -149, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
     let clamped = clamp(x, -150.0, 127.999992);
     let whole = round(clamped);
     let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667 + f * (0.0416666666666666667 + f * (0.00833333333333333333 + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
+    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
+        + f * (0.0416666666666666667 + f * (0.00833333333333333333
+        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
     // Two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
@@ -108,7 +112,8 @@ fn power_of_two(n: i32) -> f32 {
     return bitcast<f32>(u32(n + 127) << 23u);
 }
 
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it is infinite.
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 fn bounded(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     let magnitude = bits & 0x7fffffffu;
@@ -116,8 +121,8 @@ fn bounded(x: f32) -> f32 {
     return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
-/// transparency is not lost.
+/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
+/// light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -125,9 +130,9 @@ fn straight(composite: Composite) -> Color {
     return vec4f(composite.xyz / composite.w, composite.w);
 }
 
-/// Unit tangent, bitangent and normal as columns: a mesh's tangent and bitangent stood upright on a normal (Gram and
-/// Schmidt), with the handedness of the mesh. Where the tangent is missing or lies along the normal, another one takes
-/// its place.
+/// Unit tangent, bitangent and normal as columns: a mesh's tangent and bitangent stood upright on a
+/// normal (Gram and Schmidt), with the handedness of the mesh. Where the tangent is missing or lies
+/// along the normal, another one takes its place.
 fn world_from_tangent(tangent: vec3f, bitangent: vec3f, normal: vec3f) -> mat3x3f {
     let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
     let t = normalize_or(tangent, vec3f(0.0));
@@ -135,7 +140,8 @@ fn world_from_tangent(tangent: vec3f, bitangent: vec3f, normal: vec3f) -> mat3x3
     // Leaning by less than this the tangent has no direction beside the normal but rounding's.
     let is_usable = dot(leaning, leaning) > 1e-8;
     let rough = normalize_or(select(any_orthogonal(n), leaning, is_usable), vec3f(1.0, 0.0, 0.0));
-    // Once more: where tangent and normal are close, what is left of the one still leans along the other.
+    // Once more: where tangent and normal are close, what is left of the one still leans along the
+    // other.
     let upright = normalize_or(rough - dot(rough, n) * n, vec3f(1.0, 0.0, 0.0));
     let b = cross(n, upright);
     return mat3x3f(upright, select(b, -b, dot(b, bitangent) < 0.0), n);
@@ -148,9 +154,10 @@ fn any_orthogonal(n: vec3f) -> vec3f {
     return vec3f(1.0 + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x);
 }
 
-/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0, 1] when `clamped`.
-/// At opacity 0 it is `below` exactly, whatever that is.
-fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clamped: bool) -> Composite {
+/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0,
+/// 1] when `clamped`. At opacity 0 it is `below` exactly, whatever that is.
+fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
+    clamped: bool) -> Composite {
     if opacity <= 0.0 {
         return below;
     }
@@ -160,14 +167,15 @@ fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clam
 
 /// Blend
 ///
-/// Lays a colour, where the tone is, over what is below: one step of a layered look.
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
 fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
     return blend_finish(below, below.xyz + tone * color.xyz, below.w, opacity * color.w, clamped);
 }
 
 /// Output
 ///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number becomes black here.
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
+/// becomes black here.
 fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
@@ -178,14 +186,17 @@ fn half_of(light: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     return normalize_or(select(normal, half, dot(half, half) > 1e-12), normal);
 }
 
-/// The width of a highlight from an artist's roughness: its square, at least 0.001 so that a mirror's is seen.
+/// The width of a highlight from an artist's roughness: its square, at least 0.001 so that a
+/// mirror's is seen.
 fn width_of_roughness(roughness: f32) -> f32 {
     let r = clamp(bounded(roughness), 0.0, 1.0);
     return max(r * r, 0.001);
 }
 
-/// Ward's anisotropic highlight (1992, in the form of Walter 2005) with a width along each of two axes.
-fn ward(light: vec3f, normal: vec3f, view: vec3f, x_axis: vec3f, y_axis: vec3f, widths: vec2f) -> f32 {
+/// Ward's anisotropic highlight (1992, in the form of Walter 2005) with a width along each of two
+/// axes.
+fn ward(light: vec3f, normal: vec3f, view: vec3f, x_axis: vec3f, y_axis: vec3f,
+    widths: vec2f) -> f32 {
     let n_l = dot(normal, light);
     let n_v = dot(normal, view);
     if n_l <= 0.0 || n_v <= 0.0 {
@@ -200,16 +211,18 @@ fn ward(light: vec3f, normal: vec3f, view: vec3f, x_axis: vec3f, y_axis: vec3f, 
 
 /// Reflectance
 ///
-/// How strongly a realistic surface shines toward the eye: to be laid beside drawn shading, for contrast, or as a layer's
-/// tone.
+/// How strongly a realistic surface shines toward the eye: to be laid beside drawn shading, for
+/// contrast, or as a layer's tone.
 fn reflectance_lambert(light: Light, normal: vec3f) -> f32 {
     return max(dot(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction), 0.0);
 }
 
-fn reflectance_ward(light: Light, normal: vec3f, view: vec3f, tangent: vec3f, roughness: f32, across: f32) -> f32 {
+fn reflectance_ward(light: Light, normal: vec3f, view: vec3f, tangent: vec3f, roughness: f32,
+    across: f32) -> f32 {
     let frame = world_from_tangent(tangent, vec3f(0.0), normal);
     // Below a twentieth the lobe is narrower than a pixel.
-    let widths = max(vec2f(width_of_roughness(roughness), width_of_roughness(across)), vec2f(0.0025));
+    let widths = max(vec2f(width_of_roughness(roughness), width_of_roughness(across)),
+        vec2f(0.0025));
     return ward(light.direction, frame[2], view, frame[0], frame[1], widths);
 }
 

@@ -54,7 +54,8 @@ struct Light {
 
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN never happens.
+/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
 }
@@ -74,8 +75,9 @@ fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
 
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a NaN. Scaled by the
-/// largest component first, so that neither tiny nor huge vectors under- or overflow.
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if !(largest > 1e-30 && largest < 1e30) {
@@ -90,13 +92,15 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     return scaled * (1.0 / sqrt(square));
 }
 
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of two. 0 below -149,
-/// the largest finite number above 128.
+/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
+/// two. 0 below -149, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
     let clamped = clamp(x, -150.0, 127.999992);
     let whole = round(clamped);
     let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667 + f * (0.0416666666666666667 + f * (0.00833333333333333333 + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
+    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
+        + f * (0.0416666666666666667 + f * (0.00833333333333333333
+        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
     // Two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
@@ -107,7 +111,8 @@ fn power_of_two(n: i32) -> f32 {
     return bitcast<f32>(u32(n + 127) << 23u);
 }
 
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative error below 1e-7).
+/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
+/// error below 1e-7).
 fn log_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
@@ -116,7 +121,8 @@ fn log_stable(x: f32) -> f32 {
     let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
+        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
     return f32(exponent) * LN_2 + series;
 }
 
@@ -132,11 +138,13 @@ fn log1p_negative(y: f32) -> f32 {
 fn log1p_negative_small(y: f32) -> f32 {
     let z = y / (2.0 - y);
     let z2 = z * z;
-    return -2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+    return -2.0 * z * (1.0 + z2 * (0.333333333333333333
+        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
 }
 
 const SMALLEST_NORMAL: f32 = 1.17549435e-38;
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it is infinite.
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 fn bounded(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     let magnitude = bits & 0x7fffffffu;
@@ -144,8 +152,9 @@ fn bounded(x: f32) -> f32 {
     return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
 }
 
-/// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and keeps its sign with
-/// any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division by 0 is; 0^0 is 1.
+/// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and
+/// keeps its sign with any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division
+/// by 0 is; 0^0 is 1.
 fn powered(base: f32, exponent: f32) -> f32 {
     let b = bounded(base);
     let e = bounded(exponent);
@@ -168,8 +177,8 @@ fn powered(base: f32, exponent: f32) -> f32 {
     return select(raised, -raised, b < 0.0 && !is_even);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
-/// transparency is not lost.
+/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
+/// light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -177,9 +186,10 @@ fn straight(composite: Composite) -> Color {
     return vec4f(composite.xyz / composite.w, composite.w);
 }
 
-/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0, 1] when `clamped`.
-/// At opacity 0 it is `below` exactly, whatever that is.
-fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clamped: bool) -> Composite {
+/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0,
+/// 1] when `clamped`. At opacity 0 it is `below` exactly, whatever that is.
+fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
+    clamped: bool) -> Composite {
     if opacity <= 0.0 {
         return below;
     }
@@ -189,14 +199,15 @@ fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clam
 
 /// Blend
 ///
-/// Lays a colour, where the tone is, over what is below: one step of a layered look.
+/// Lays a color, where the tone is, over what is below: one step of a layered look.
 fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
     return blend_finish(below, below.xyz + tone * color.xyz, below.w, opacity * color.w, clamped);
 }
 
 /// Output
 ///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number becomes black here.
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
+/// becomes black here.
 fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
@@ -207,8 +218,8 @@ struct Reflection {
     n_v: f32,
     n_h: f32,
     v_h: f32,
-    /// The square of the sine between the normal and the half-vector: near a highlight's middle a cosine has no digits
-    /// left to tell how far it is.
+    /// The square of the sine between the normal and the half-vector: near a highlight's middle a
+    /// cosine has no digits left to tell how far it is.
     sine2: f32,
 }
 
@@ -226,7 +237,8 @@ fn sine_squared(a: vec3f, b: vec3f) -> f32 {
     return min(dot(across, across), 1.0);
 }
 
-/// A cosine to a power, 0 where it is negative; by the square of its sine where that has more digits.
+/// A cosine to a power, 0 where it is negative; by the square of its sine where that has more
+/// digits.
 fn cosine_power(cosine: f32, sine2: f32, exponent: f32) -> f32 {
     if cosine < 0.7 {
         return powered(max(cosine, 0.0), exponent);
@@ -240,7 +252,8 @@ fn half_of(light: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     return normalize_or(select(normal, half, dot(half, half) > 1e-12), normal);
 }
 
-/// The width of a highlight from an artist's roughness: its square, at least 0.001 so that a mirror's is seen.
+/// The width of a highlight from an artist's roughness: its square, at least 0.001 so that a
+/// mirror's is seen.
 fn width_of_roughness(roughness: f32) -> f32 {
     let r = clamp(bounded(roughness), 0.0, 1.0);
     return max(r * r, 0.001);

@@ -3,21 +3,24 @@
 // Bindings of group 0: normals 0, depths 1, curvature 2.
 // oil-portrait.json says what to put there and how to draw.
 
-// What the curvature passes share: view-centred mean curvature from screen-space normals (math.md 3), which is half the
-// divergence of n.xy / n.z, in camera axes.
+// What the curvature passes share: view-centred mean curvature from screen-space normals
+// (docs/math.md 3), which is half the divergence of n.xy / n.z, in camera axes.
 //
-// Convex is positive. The result is in 1/viewport-height, so that a picture at twice the resolution shows the same. A
-// neighbour counts only where it lies on the same surface: on the same object, and no farther in depth than the
-// normal's slope explains; otherwise the difference is one-sided, and 0 where no neighbour is left.
+// Convex is positive. The result is in 1/viewport-height, so that a picture at twice the resolution
+// shows the same. A neighbour counts only where it lies on the same surface: on the same object,
+// and no farther in depth than the normal's slope explains; otherwise the difference is one-sided,
+// and 0 where no neighbour is left.
 
 struct Curvature {
-    /// The size of a pixel in scene units: at depth 1 for perspective, at every depth for parallel projection.
+    /// The size of a pixel in scene units: at depth 1 for perspective, at every depth for parallel
+    /// projection.
     pixel: f32,
     /// 1 for perspective, 0 for parallel projection.
     perspective: f32,
     /// In pixels.
     viewport_height: f32,
-    /// 1 where the first row of an image is at the bottom of the picture (OpenGL), 0 where it is at the top.
+    /// 1 where the first row of an image is at the bottom of the picture (OpenGL), 0 where it is at
+    /// the top.
     rows_up: f32,
     /// Samples a pixel of the picture.
     samples: f32,
@@ -38,7 +41,8 @@ const MOST = 1e4;
 
 /// The pixels around a pixel, nearest first.
 const RING = array<vec2i, 8>(
-    vec2i(1, 0), vec2i(-1, 0), vec2i(0, 1), vec2i(0, -1), vec2i(1, 1), vec2i(-1, 1), vec2i(1, -1), vec2i(-1, -1),
+    vec2i(1, 0), vec2i(-1, 0), vec2i(0, 1), vec2i(0, -1), vec2i(1, 1), vec2i(-1, 1), vec2i(1, -1),
+        vec2i(-1, -1),
 );
 
 struct Texel {
@@ -84,8 +88,8 @@ struct Sides {
     backward_weight: f32,
 }
 
-/// How the differences at one, two and three steps are weighted: a derivative of a Gaussian, which does not see the
-/// noise of single normals.
+/// How the differences at one, two and three steps are weighted: a derivative of a Gaussian, which
+/// does not see the noise of single normals.
 const WEIGHTS = array<f32, 3>(1.0, 0.85, 0.5);
 
 /// The derivative from what counts of the two sides; 0 where nothing does.
@@ -93,7 +97,8 @@ fn derivative(sides: Sides) -> f32 {
     let forward = sides.forward / max(sides.forward_weight, 1e-6);
     let backward = sides.backward / max(sides.backward_weight, 1e-6);
     // A side that hardly counts any more is left to the other one, gradually.
-    let trust = vec2f(smoothstep(0.0, 0.5, sides.forward_weight), smoothstep(0.0, 0.5, sides.backward_weight));
+    let trust = vec2f(smoothstep(0.0, 0.5, sides.forward_weight),
+        smoothstep(0.0, 0.5, sides.backward_weight));
     return (forward * trust.x + backward * trust.y) / max(trust.x + trust.y, 1e-6);
 }
 
@@ -116,13 +121,14 @@ fn covered_near(pixel: vec2i) -> vec2i {
     return found;
 }
 
-/// Curvature at a pixel, from the neighbours on the four sides that are `first` to `last` steps away, within 1 to 3.
+/// Curvature at a pixel, from the neighbours on the four sides that are `first` to `last` steps
+/// away, within 1 to 3.
 fn curvature_at(pixel: vec2i, first: i32, last: i32) -> f32 {
     var at = pixel;
     var center = texel(at);
     if center.object == 0.0 {
-        // With several samples a pixel, a look also shades pixels whose middle the object just misses: they have the
-        // curvature of a neighbour.
+        // With several samples a pixel, a look also shades pixels whose middle the object just
+        // misses: they have the curvature of a neighbour.
         if curvature.samples < 2.0 {
             return 0.0;
         }
@@ -135,7 +141,8 @@ fn curvature_at(pixel: vec2i, first: i32, last: i32) -> f32 {
     let here = slope(center.normal);
     var along_x = Sides(0.0, 0.0, 0.0, 0.0);
     var along_y = Sides(0.0, 0.0, 0.0, 0.0);
-    // A step is a share of the picture's height, so that a larger picture measures the same curvature, not a finer one.
+    // A step is a share of the picture's height, so that a larger picture measures the same
+    // curvature, not a finer one.
     let up = select(-1, 1, curvature.rows_up > 0.5);
     let stride = max(i32(round(curvature.viewport_height / 800.0)), 1);
     for (var k = first; k <= last; k++) {
@@ -158,7 +165,8 @@ fn curvature_at(pixel: vec2i, first: i32, last: i32) -> f32 {
     let kappa = 0.5 * (derivative(along_x) + derivative(along_y)) * curvature.viewport_height;
     return clamp(kappa, -MOST, MOST);
 }
-// Curvature in every detail: from the neighbours one, two and three steps away, by a derivative of a Gaussian.
+// Curvature in every detail: from the neighbours one, two and three steps away, by a derivative of
+// a Gaussian.
                              
 
 @vertex

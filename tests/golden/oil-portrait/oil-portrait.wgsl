@@ -77,7 +77,8 @@ struct Light {
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN never happens.
+/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
 }
@@ -97,8 +98,9 @@ fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
 
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a NaN. Scaled by the
-/// largest component first, so that neither tiny nor huge vectors under- or overflow.
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if !(largest > 1e-30 && largest < 1e30) {
@@ -113,13 +115,15 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     return scaled * (1.0 / sqrt(square));
 }
 
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of two. 0 below -149,
-/// the largest finite number above 128.
+/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
+/// two. 0 below -149, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
     let clamped = clamp(x, -150.0, 127.999992);
     let whole = round(clamped);
     let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667 + f * (0.0416666666666666667 + f * (0.00833333333333333333 + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
+    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
+        + f * (0.0416666666666666667 + f * (0.00833333333333333333
+        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
     // Two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
@@ -130,7 +134,8 @@ fn power_of_two(n: i32) -> f32 {
     return bitcast<f32>(u32(n + 127) << 23u);
 }
 
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative error below 1e-7).
+/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
+/// error below 1e-7).
 fn log_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
@@ -139,33 +144,43 @@ fn log_stable(x: f32) -> f32 {
     let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
+        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
     return f32(exponent) * LN_2 + series;
 }
 
-/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows 4.9e-4.
+/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
+/// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64 to see sines by 1e-11,
-    // and end where they err downward: a profile whose cut-off is pi is 0 there, in f64 too.
+    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
+    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
+    // there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
-    let s = h * (1.0 + h2 * (-0.166666666666666667 + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413 + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
-    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667 + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016 + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
+    let s = h * (1.0 + h2 * (-0.166666666666666667
+        + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413
+        + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
+    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667
+        + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016
+        + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
     let c = 1.0 - one_minus_c;
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
-/// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a quarter turn.
+/// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a
+/// quarter turn.
 fn sin_cos(x: f32) -> vec2f {
     let turns = round(x * 0.318309886183790672);
     // Cody and Waite: pi in three parts, so that the reduced angle keeps its digits.
-    let r = ((x - turns * 3.140625) - turns * 0.0009670257568359375) - turns * 6.27832957300962643e-7;
+    let r = ((x - turns * 3.140625) - turns * 0.0009670257568359375)
+        - turns * 6.27832957300962643e-7;
     let sign = 1.0 - 2.0 * abs(turns - 2.0 * trunc(turns * 0.5));
     return sign * sin_cos_quarter(clamp(r, -HALF_PI, HALF_PI));
 }
 
 const SMALLEST_NORMAL: f32 = 1.17549435e-38;
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it is infinite.
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 fn bounded(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     let magnitude = bits & 0x7fffffffu;
@@ -204,7 +219,8 @@ fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
     return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0 below, 1 from there on.
+/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
+/// below, 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -213,13 +229,16 @@ fn place_between(x: f32, low: f32, high: f32) -> f32 {
     return bounded((x - low) / bounded(span));
 }
 
-/// x moved from one range to another, kept within the new one when `clamped`; an empty first range makes a step.
-fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32, clamped: bool) -> f32 {
+/// x moved from one range to another, kept within the new one when `clamped`; an empty first range
+/// makes a step.
+fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
+    clamped: bool) -> f32 {
     let place = place_between(bounded(x), bounded(from_low), bounded(from_high));
     return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step where they are equal.
+/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
+/// where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -230,14 +249,16 @@ fn factor_of(x: f32, clamped: bool) -> f32 {
     return select(bounded(x), clamp(bounded(x), 0.0, 1.0), clamped);
 }
 
-/// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the result lies in [-1, 1].
+/// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the
+/// result lies in [-1, 1].
 fn sin_cos_of(x: f32) -> vec2f {
     return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
 }
 
-/// From the colour a to the blended numbers by a factor in [0, 1]; a keeps its alpha.
+/// From the color a to the blended numbers by a factor in [0, 1]; a keeps its alpha.
 fn color_mixed(a: vec4f, blended: vec3f, factor: f32) -> vec4f {
-    return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(blended), factor_of(factor, true)), bounded(a.w));
+    return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(blended), factor_of(factor, true)),
+        bounded(a.w));
 }
 
 /// A share within 0 and 1: an opacity, a mask. Beyond them a mix would go on past what is mixed.
@@ -255,8 +276,8 @@ fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
-/// transparency is not lost.
+/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
+/// light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -266,8 +287,8 @@ fn straight(composite: Composite) -> Color {
 
 /// Mix colors
 ///
-/// Lays one colour on another as paint programs do. For a stack of shading layers take Blend, which knows tones and
-/// transparency.
+/// Lays one color on another as paint programs do. For a stack of shading layers take Blend, which
+/// knows tones and transparency.
 fn mix_colors_normal(a: Color, b: Color, factor: f32) -> Color {
     return mixed_vec4(bounded_vec4(a), bounded_vec4(b), factor_of(factor, true));
 }
@@ -285,8 +306,8 @@ fn kappa_safe(kappa: f32) -> f32 {
 
 /// Curvature
 ///
-/// How much the surface bulges (above 0) or is hollow (below 0), as it is seen. It is measured against the picture's
-/// height, so that detail comes forward as the camera does.
+/// How much the surface bulges (above 0) or is hollow (below 0), as it is seen. It is measured
+/// against the picture's height, so that detail comes forward as the camera does.
 fn kappa_surface(kappa: f32) -> f32 {
     return kappa_safe(kappa);
 }
@@ -307,12 +328,14 @@ fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
 
 /// Output
 ///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number becomes black here.
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
+/// becomes black here.
 fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
 
-/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its upper bits are the best.
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 fn hash_pcg3d(seed: vec3u) -> vec3u {
     var v = seed * 1664525u + 1013904223u;
     v.x += v.y * v.z;
@@ -335,15 +358,16 @@ fn lattice_hash(cell: vec3i, seed: u32) -> vec3u {
     return hash_pcg3d(bitcast<vec3u>(cell) + seed * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u));
 }
 
-/// How large a unit of the scene is seen at a depth, in picture heights. `perspective` is 1 or 0; `scale` is what clip
-/// space multiplies heights by: at depth 1, or at every depth without perspective.
+/// How large a unit of the scene is seen at a depth, in picture heights. `perspective` is 1 or 0;
+/// `scale` is what clip space multiplies heights by: at depth 1, or at every depth without
+/// perspective.
 fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
     // Clip space is 2 high.
     return bounded(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective));
 }
 
-/// Where a point in camera axes is seen from the picture's middle, x to the right and y down, and how large a unit of the
-/// scene is seen there; in picture heights.
+/// Where a point in camera axes is seen from the picture's middle, x to the right and y down, and
+/// how large a unit of the scene is seen there; in picture heights.
 fn anchor_on_screen(origin: vec3f, perspective: f32, scale: f32) -> vec3f {
     let size = size_on_screen(-origin.z, perspective, scale);
     return bounded_vec3(vec3f(origin.x * size, -origin.y * size, size));
@@ -419,11 +443,13 @@ fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Marke
     return Marked(bounded_vec2(turned), clamp(vec3f(dot(x, x), dot(x, y), dot(y, y)), -most, most));
 }
 
-/// How fast a coordinate with the gradient `g` changes along the picture, on a surface that is seen from `view`: the way
-/// along the picture is drawn out on the surface. Vectors are unit but for g. At rims it is drawn out up to eight times.
+/// How fast a coordinate with the gradient `g` changes along the picture, on a surface that is seen
+/// from `view`: the way along the picture is drawn out on the surface. Vectors are unit but for g.
+/// At rims it is drawn out up to eight times.
 fn gradient_on_picture(g: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     let facing = dot(normal, view);
-    return g - normal * (dot(g, view) / select(min(facing, -0.125), max(facing, 0.125), facing >= 0.0));
+    return g - normal * (dot(g, view) / select(min(facing, -0.125), max(facing, 0.125),
+        facing >= 0.0));
 }
 
 /// A place across an axis of the object.
@@ -462,7 +488,8 @@ fn place_on_surface(
     return mark_place_of(bounded_vec2(place), x, y, angle);
 }
 
-/// A place in spacings of marks: as many to the picture's height as `count` where it is not stretched.
+/// A place in spacings of marks: as many to the picture's height as `count` where it is not
+/// stretched.
 struct Spaced {
     place: vec2f,
     stretch: vec3f,
@@ -479,15 +506,16 @@ fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> Spaced {
     return Spaced(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
 }
 
-/// How much faster than the picture a place's area grows, squared. A place that is drawn out more than eight times counts as
-/// drawn out by eight: it grows not at all where a surface turns edge-on to it, and marks along that line would be
-/// infinitely fine.
+/// How much faster than the picture a place's area grows, squared. A place that is drawn out more
+/// than eight times counts as drawn out by eight: it grows not at all where a surface turns edge-on
+/// to it, and marks along that line would be infinitely fine.
 fn area_square(stretch: vec3f) -> f32 {
     let sum = stretch.x + stretch.z;
     return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
-/// log2 of how many times finer than a place's own units marks must lie, for a squared stretch; within +-16.
+/// log2 of how many times finer than a place's own units marks must lie, for a squared stretch;
+/// within +-16.
 fn octave_of(square: f32) -> f32 {
     return clamp(-0.5 * LOG2_E * log_stable(clamp(square, 1e-30, 1e30)), -16.0, 16.0);
 }
@@ -532,7 +560,8 @@ fn bristles_laid(at: Spaced, ink: f32, style: Brush) -> vec2f {
     for (var octave = 0; octave < 2; octave++) {
         let amount = ink * select(1.0 - f, fine, octave == 1);
         let scale = power_of_two(i32(zoom) + octave);
-        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0)) / vec2f(style.aspect, 1.0);
+        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0))
+            / vec2f(style.aspect, 1.0);
         let corner = vec2i(floor(p));
         let phase = ((corner % vec2i(3)) + vec2i(3)) % vec2i(3);
         for (var i = 0; i < 9; i++) {
@@ -566,8 +595,8 @@ fn bristle(row: f32, seed: u32) -> vec3f {
     return mix(a, b, t * t * (3.0 - 2.0 * t));
 }
 
-/// A stroke of a stiff brush at a place in it: how light its paint lies, and how much of it covers. `width` is a pixel's
-/// share of the stroke's width.
+/// A stroke of a stiff brush at a place in it: how light its paint lies, and how much of it covers.
+/// `width` is a pixel's share of the stroke's width.
 fn bristles(uv: vec2f, width: f32, seed: u32) -> vec2f {
     let across = 2.0 * uv.y - 1.0;
     let own = unit_of_hash(lattice_hash(vec3i(0, 1, 0), seed));
@@ -601,7 +630,8 @@ fn brush_stroke(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> B
     let chance = unit_of_hash(lattice_hash(vec3i(cell, zoom), style.seed));
     let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
     let turn = sin_cos_of(style.turn * (chance.z - 0.5));
-    let way = select(-1.0, 1.0, unit_of_hash(lattice_hash(vec3i(cell, zoom), style.seed + 1u)).x < 0.5);
+    let way = select(-1.0, 1.0, unit_of_hash(lattice_hash(vec3i(cell, zoom), style.seed
+        + 1u)).x < 0.5);
     let stroke = Brushstroke(vec2f(0.5), turn, way, 0.0);
     let uv = 0.5 + brush_turned(offset * vec2f(style.aspect, 1.0), stroke, style);
     // The picture's outermost 64th fades, so that no stroke is cut off.
@@ -642,8 +672,8 @@ fn brush_strokes_bristles(
 }
 
 struct BrushStrokes {
-    /// The picture's own colour, opaque; of bristles how light their paint lies, to multiply a colour by; black where no
-    /// stroke is.
+    /// The picture's own color, opaque; of bristles how light their paint lies, to multiply a
+    /// color by; black where no stroke is.
     color: Color,
     /// How much of the canvas is covered, from 0 to 1.
     ink: f32,
@@ -658,7 +688,8 @@ fn mark_place_axis(
     world_from_normal: mat3x3f,
     magnification: f32,
 ) -> MarkPlace {
-    let m = place_across(axis, position_object, world_from_normal, normal, view, magnification, angle);
+    let m = place_across(axis, position_object, world_from_normal, normal, view, magnification,
+        angle);
     return MarkPlace(m.place, m.stretch);
 }
 
@@ -678,8 +709,8 @@ struct MarkPlace {
 
 /// Reflectance
 ///
-/// How strongly a realistic surface shines toward the eye: to be laid beside drawn shading, for contrast, or as a layer's
-/// tone.
+/// How strongly a realistic surface shines toward the eye: to be laid beside drawn shading, for
+/// contrast, or as a layer's tone.
 fn reflectance_lambert(light: Light, normal: vec3f) -> f32 {
     return max(dot(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction), 0.0);
 }
@@ -691,16 +722,19 @@ fn reflectance_half_lambert(light: Light, normal: vec3f) -> f32 {
 
 /// Map range
 ///
-/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first range is empty, all that
-/// is below it becomes the new low and the rest the new high. A colour keeps its alpha, within 0 and 1 while clamped.
-fn map_range(value: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32, clamped: bool) -> f32 {
+/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first
+/// range is empty, all that is below it becomes the new low and the rest the new high. A color
+/// keeps its alpha, within 0 and 1 while clamped.
+fn map_range(value: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
+    clamped: bool) -> f32 {
     return remapped(value, from_low, from_high, to_low, to_high, clamped);
 }
 
 /// Smooth normal
 ///
-/// The surface's normal without its fine detail, as if it had been sanded down: for broad, calm shading of busy models, or
-/// to hold detail against. Nothing is mixed across outlines or from one object to another.
+/// The surface's normal without its fine detail, as if it had been sanded down: for broad, calm
+/// shading of busy models, or to hold detail against. Nothing is mixed across outlines or from one
+/// object to another.
 fn smooth_normal_fine(normal: vec3f, smooth_1: vec3f) -> vec3f {
     return normalize_or(smooth_1, normal);
 }

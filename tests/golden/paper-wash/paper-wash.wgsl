@@ -56,7 +56,8 @@ struct Light {
     intensity: f32,
 }
 
-/// A colour along one number, the same outside of its stops as at the nearest one. It lies in uniform buffers as it is.
+/// A color along one number, the same outside of its stops as at the nearest one. It lies in
+/// uniform buffers as it is.
 struct Ramp {
     /// Straight RGBA of each stop.
     colors: array<vec4f, 16>,
@@ -64,14 +65,16 @@ struct Ramp {
     places: array<vec4f, 4>,
     /// How many of the stops count.
     count: u32,
-    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each colour holds until the next stop.
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     interpolation: u32,
 }
 
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN never happens.
+/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
 }
@@ -91,8 +94,9 @@ fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
 
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a NaN. Scaled by the
-/// largest component first, so that neither tiny nor huge vectors under- or overflow.
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if !(largest > 1e-30 && largest < 1e30) {
@@ -112,7 +116,8 @@ fn power_of_two(n: i32) -> f32 {
     return bitcast<f32>(u32(n + 127) << 23u);
 }
 
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative error below 1e-7).
+/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
+/// error below 1e-7).
 fn log_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
@@ -121,33 +126,43 @@ fn log_stable(x: f32) -> f32 {
     let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
+        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
     return f32(exponent) * LN_2 + series;
 }
 
-/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows 4.9e-4.
+/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
+/// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64 to see sines by 1e-11,
-    // and end where they err downward: a profile whose cut-off is pi is 0 there, in f64 too.
+    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
+    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
+    // there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
-    let s = h * (1.0 + h2 * (-0.166666666666666667 + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413 + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
-    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667 + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016 + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
+    let s = h * (1.0 + h2 * (-0.166666666666666667
+        + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413
+        + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
+    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667
+        + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016
+        + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
     let c = 1.0 - one_minus_c;
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
-/// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a quarter turn.
+/// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a
+/// quarter turn.
 fn sin_cos(x: f32) -> vec2f {
     let turns = round(x * 0.318309886183790672);
     // Cody and Waite: pi in three parts, so that the reduced angle keeps its digits.
-    let r = ((x - turns * 3.140625) - turns * 0.0009670257568359375) - turns * 6.27832957300962643e-7;
+    let r = ((x - turns * 3.140625) - turns * 0.0009670257568359375)
+        - turns * 6.27832957300962643e-7;
     let sign = 1.0 - 2.0 * abs(turns - 2.0 * trunc(turns * 0.5));
     return sign * sin_cos_quarter(clamp(r, -HALF_PI, HALF_PI));
 }
 
 const SMALLEST_NORMAL: f32 = 1.17549435e-38;
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it is infinite.
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 fn bounded(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     let magnitude = bits & 0x7fffffffu;
@@ -194,7 +209,8 @@ fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
     return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0 below, 1 from there on.
+/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
+/// below, 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -203,13 +219,16 @@ fn place_between(x: f32, low: f32, high: f32) -> f32 {
     return bounded((x - low) / bounded(span));
 }
 
-/// x moved from one range to another, kept within the new one when `clamped`; an empty first range makes a step.
-fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32, clamped: bool) -> f32 {
+/// x moved from one range to another, kept within the new one when `clamped`; an empty first range
+/// makes a step.
+fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
+    clamped: bool) -> f32 {
     let place = place_between(bounded(x), bounded(from_low), bounded(from_high));
     return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step where they are equal.
+/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
+/// where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -220,7 +239,8 @@ fn factor_of(x: f32, clamped: bool) -> f32 {
     return select(bounded(x), clamp(bounded(x), 0.0, 1.0), clamped);
 }
 
-/// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the result lies in [-1, 1].
+/// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the
+/// result lies in [-1, 1].
 fn sin_cos_of(x: f32) -> vec2f {
     return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
 }
@@ -245,24 +265,27 @@ fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
     return clamp(0.5 + bounded(d / w), 0.0, 1.0);
 }
 
-/// The stairs floor(x) from 0 to `count` - 1, averaged over a footprint of `w`; x in [0, count], count at least 2.
+/// The stairs floor(x) from 0 to `count` - 1, averaged over a footprint of `w`; x in [0, count],
+/// count at least 2.
 fn stairs_filtered(x: f32, count: f32, w: f32) -> f32 {
     if w <= 1.0 {
         // At most one edge lies in the footprint: the nearest.
         let edge = clamp(round(x), 1.0, count - 1.0);
         return edge - 1.0 + step_filtered(x, edge, w);
     }
-    // Beyond a million stairs to the pixel the average does not change any more, and digits would be lost.
+    // Beyond a million stairs to the pixel the average does not change any more, and digits would
+    // be lost.
     let half = 0.5 * min(w, 1e3 * count);
     return (stairs_integral(x + half, count) - stairs_integral(x - half, count)) / (2.0 * half);
 }
 
-/// A number from 0 to 1 in so many flat steps (at least 2), the first 0 and the last 1, seen through a footprint of `w`;
-/// `softness` is how much of a step its edge takes.
+/// A number from 0 to 1 in so many flat steps (at least 2), the first 0 and the last 1, seen
+/// through a footprint of `w`; `softness` is how much of a step its edge takes.
 fn stepped_tone(value: f32, w: f32, count: i32, softness: f32) -> f32 {
     let n = f32(clamp(count, 2, 1024));
     let width = edge_width(n * w, min(softness, 1.0));
-    return clamp(stairs_filtered(n * clamp(bounded(value), 0.0, 1.0), n, width) / (n - 1.0), 0.0, 1.0);
+    return clamp(stairs_filtered(n * clamp(bounded(value), 0.0, 1.0), n, width) / (n - 1.0), 0.0,
+        1.0);
 }
 
 /// The integral of the stairs from 0 to x; they are 0 below 0 and `count` - 1 above `count`.
@@ -275,14 +298,15 @@ fn stairs_integral(x: f32, count: f32) -> f32 {
 
 const INTERPOLATION_SMOOTH: u32 = 1u;
 const INTERPOLATION_STEPPED: u32 = 2u;
-/// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of t.
+/// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
+/// t.
 fn hermite(a: vec4f, b: vec4f, from_a: vec4f, to_b: vec4f, t: f32) -> vec4f {
     let d = b - a;
     return a + t * (from_a + t * (3.0 * d - 2.0 * from_a - to_b + t * (from_a + to_b - 2.0 * d)));
 }
 
-/// The ramp's colour at x; the steps of a stepped ramp are averaged over a footprint of `w`. Transparent black for a
-/// ramp without stops.
+/// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
+/// Transparent black for a ramp without stops.
 fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
     let count = min(ramp.count, 16u);
     if count == 0u {
@@ -316,23 +340,29 @@ fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
     var to_b = vec4f(0.0);
     if at > 0u {
         let before = places[(at - 1u) / 4u][(at - 1u) % 4u];
-        from_a = ramp_slope(colors[at] - colors[at - 1u], place - before, colors[after] - colors[at], span);
+        from_a = ramp_slope(colors[at] - colors[at - 1u], place - before, colors[after]
+            - colors[at], span);
     }
     if after + 1u < count {
         let next = places[(after + 1u) / 4u][(after + 1u) % 4u] - (place + span);
-        to_b = ramp_slope(colors[after] - colors[at], span, colors[after + 1u] - colors[after], next);
+        to_b = ramp_slope(colors[after] - colors[at], span, colors[after + 1u] - colors[after],
+            next);
     }
     return bounded_vec4(hermite(colors[at], colors[after], span * from_a, span * to_b, t));
 }
 
-/// The slope at a stop that keeps a cubic between its neighbours' values (Fritsch and Butland 1984): the weighted
-/// harmonic mean of the slopes before and after, 0 where these differ in sign.
+/// The slope at a stop that keeps a cubic between its neighbours' values (Fritsch and Butland
+/// 1984): the weighted harmonic mean of the slopes before and after, 0 where these differ in sign.
 fn ramp_slope(rise_before: vec4f, span_before: f32, rise_after: vec4f, span_after: f32) -> vec4f {
     return vec4f(
-        harmonic_slope(divided(rise_before.x, span_before), span_before, divided(rise_after.x, span_after), span_after),
-        harmonic_slope(divided(rise_before.y, span_before), span_before, divided(rise_after.y, span_after), span_after),
-        harmonic_slope(divided(rise_before.z, span_before), span_before, divided(rise_after.z, span_after), span_after),
-        harmonic_slope(divided(rise_before.w, span_before), span_before, divided(rise_after.w, span_after), span_after),
+        harmonic_slope(divided(rise_before.x, span_before), span_before,
+            divided(rise_after.x, span_after), span_after),
+        harmonic_slope(divided(rise_before.y, span_before), span_before,
+            divided(rise_after.y, span_after), span_after),
+        harmonic_slope(divided(rise_before.z, span_before), span_before,
+            divided(rise_after.z, span_after), span_after),
+        harmonic_slope(divided(rise_before.w, span_before), span_before,
+            divided(rise_after.w, span_after), span_after),
     );
 }
 
@@ -361,8 +391,8 @@ fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
-/// transparency is not lost.
+/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
+/// light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -372,29 +402,31 @@ fn straight(composite: Composite) -> Color {
 
 /// Output
 ///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number becomes black here.
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
+/// becomes black here.
 fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
 
 /// Bands
 ///
-/// Cuts a tone into flat bands of the same width, the first 0 and the last 1: cel shading. The edges are antialiased by
-/// their own width on the screen.
+/// Cuts a tone into flat bands of the same width, the first 0 and the last 1: cel shading. The
+/// edges are antialiased by their own width on the screen.
 fn bands(value: f32, count: i32, softness: f32) -> f32 {
     return stepped_tone(value, footprint_of(value), count, softness);
 }
 
 /// Color ramp
 ///
-/// Turns a number into a colour along a ramp: a tone into paint. Before the first stop and after the last one the
-/// colour stays; the edges of a stepped ramp are antialiased.
+/// Turns a number into a color along a ramp: a tone into paint. Before the first stop and after
+/// the last one the color stays; the edges of a stepped ramp are antialiased.
 fn ramp_plain(value: f32, ramp: Ramp) -> Color {
     let w = footprint_of(value);
     return ramp_at(ramp, bounded(value), w);
 }
 
-/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its upper bits are the best.
+/// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
+/// upper bits are the best.
 fn hash_pcg3d(seed: vec3u) -> vec3u {
     var v = seed * 1664525u + 1013904223u;
     v.x += v.y * v.z;
@@ -412,7 +444,8 @@ fn lattice_hash(cell: vec3i, seed: u32) -> vec3u {
     return hash_pcg3d(bitcast<vec3u>(cell) + seed * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u));
 }
 
-/// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin 2002).
+/// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
+/// 2002).
 fn gradient_dot(hash: vec3u, d: vec3f) -> f32 {
     let axis = (hash.x >> 8u) % 3u;
     let a = select(d.x, d.y, axis == 0u);
@@ -435,21 +468,23 @@ fn perlin_noise(p: vec3f, seed: u32) -> f32 {
     for (var i = 0; i < 8; i++) {
         let at = vec3i(i & 1, (i >> 1u) & 1, i >> 2u);
         let weight = select(1.0 - f, f, at == vec3i(1));
-        sum += weight.x * weight.y * weight.z * gradient_dot(lattice_hash(cell + at, seed), d - vec3f(at));
+        sum += weight.x * weight.y * weight.z * gradient_dot(lattice_hash(cell + at, seed), d
+            - vec3f(at));
     }
     // The twelve gradients reach 1.0364 at most.
     return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
-/// How large a unit of the scene is seen at a depth, in picture heights. `perspective` is 1 or 0; `scale` is what clip
-/// space multiplies heights by: at depth 1, or at every depth without perspective.
+/// How large a unit of the scene is seen at a depth, in picture heights. `perspective` is 1 or 0;
+/// `scale` is what clip space multiplies heights by: at depth 1, or at every depth without
+/// perspective.
 fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
     // Clip space is 2 high.
     return bounded(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective));
 }
 
-/// Where a point in camera axes is seen from the picture's middle, x to the right and y down, and how large a unit of the
-/// scene is seen there; in picture heights.
+/// Where a point in camera axes is seen from the picture's middle, x to the right and y down, and
+/// how large a unit of the scene is seen there; in picture heights.
 fn anchor_on_screen(origin: vec3f, perspective: f32, scale: f32) -> vec3f {
     let size = size_on_screen(-origin.z, perspective, scale);
     return bounded_vec3(vec3f(origin.x * size, -origin.y * size, size));
@@ -480,7 +515,8 @@ fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Marke
     return Marked(bounded_vec2(turned), clamp(vec3f(dot(x, x), dot(x, y), dot(y, y)), -most, most));
 }
 
-/// A place in spacings of marks: as many to the picture's height as `count` where it is not stretched.
+/// A place in spacings of marks: as many to the picture's height as `count` where it is not
+/// stretched.
 struct Spaced {
     place: vec2f,
     stretch: vec3f,
@@ -497,15 +533,16 @@ fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> Spaced {
     return Spaced(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
 }
 
-/// How much faster than the picture a place's area grows, squared. A place that is drawn out more than eight times counts as
-/// drawn out by eight: it grows not at all where a surface turns edge-on to it, and marks along that line would be
-/// infinitely fine.
+/// How much faster than the picture a place's area grows, squared. A place that is drawn out more
+/// than eight times counts as drawn out by eight: it grows not at all where a surface turns edge-on
+/// to it, and marks along that line would be infinitely fine.
 fn area_square(stretch: vec3f) -> f32 {
     let sum = stretch.x + stretch.z;
     return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
-/// log2 of how many times finer than a place's own units marks must lie, for a squared stretch; within +-16.
+/// log2 of how many times finer than a place's own units marks must lie, for a squared stretch;
+/// within +-16.
 fn octave_of(square: f32) -> f32 {
     return clamp(-0.5 * LOG2_E * log_stable(clamp(square, 1e-30, 1e30)), -16.0, 16.0);
 }
@@ -524,15 +561,17 @@ struct MarkPlace {
     stretch: vec3f,
 }
 
-/// How much ink the tooth of paper takes: it catches more on its heights and less in its hollows, most at middle tones, and
-/// nothing is caught of no ink (Kalnins et al. 2002). `height` is from 0 to 1, `tooth` from 0 (smooth paper) to 1.
+/// How much ink the tooth of paper takes: it catches more on its heights and less in its hollows,
+/// most at middle tones, and nothing is caught of no ink (Kalnins et al. 2002). `height` is from 0
+/// to 1, `tooth` from 0 (smooth paper) to 1.
 fn caught_ink(ink: f32, height: f32, tooth: f32) -> f32 {
     let amount = clamp(bounded(ink), 0.0, 1.0);
     let rough = clamp(bounded(tooth), 0.0, 1.0);
     return clamp(amount + 8.0 * rough * (height - 0.5) * amount * (1.0 - amount), 0.0, 1.0);
 }
 
-/// The height of paper, from 0 to 1 and 1/2 on average. Where an octave fades into the next, both are seen.
+/// The height of paper, from 0 to 1 and 1/2 on average. Where an octave fades into the next, both
+/// are seen.
 fn paper_height(at: Spaced, fiber: f32, seed: u32) -> f32 {
     let x = dpdx(at.place);
     let y = dpdy(at.place);
@@ -557,7 +596,8 @@ fn paper_octave(place: vec2f, zoom: i32, w: f32, fiber: f32, seed: u32) -> f32 {
     let own = seed + 7u * bitcast<u32>(zoom);
     let grain = perlin_noise(vec3f(p, 0.5), own) - 0.5;
     // Long in no direction, and finer: the felt that the sheet was pressed on.
-    let q = clamp(2.7 * vec2f(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y), vec2f(-4194304.0), vec2f(4194304.0));
+    let q = clamp(2.7 * vec2f(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y), vec2f(-4194304.0),
+        vec2f(4194304.0));
     let felt = perlin_noise(vec3f(q, 0.5), own + 1u) - 0.5;
     let coarse_seen = 1.0 - eased(w * scale, 0.5, 1.0);
     let felt_seen = 1.0 - eased(2.7 * w * scale, 0.5, 1.0);
@@ -566,8 +606,9 @@ fn paper_octave(place: vec2f, zoom: i32, w: f32, fiber: f32, seed: u32) -> f32 {
 
 /// Paper grain
 ///
-/// The tooth of paper: heights catch more ink than hollows, most at middle tones, as chalk, charcoal and a dry wash do. It lies
-/// on the picture; with Mark place's Object it moves along with an object and does not swim through it.
+/// The tooth of paper: heights catch more ink than hollows, most at middle tones, as chalk,
+/// charcoal and a dry wash do. It lies on the picture; with Mark place's Object it moves along with
+/// an object and does not swim through it.
 fn paper_grain(
     value: f32,
     place: vec2f,
@@ -597,22 +638,24 @@ fn reflectance_wrap(light: Light, normal: vec3f, wrap: f32) -> f32 {
 
 /// Add
 ///
-/// The sum of two numbers, vectors or colours. A colour keeps the alpha of A.
+/// The sum of two numbers, vectors or colors. A color keeps the alpha of A.
 fn add(a: f32, b: f32) -> f32 {
     return bounded(a + b);
 }
 
 /// Map range
 ///
-/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first range is empty, all that
-/// is below it becomes the new low and the rest the new high. A colour keeps its alpha, within 0 and 1 while clamped.
-fn map_range(value: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32, clamped: bool) -> f32 {
+/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first
+/// range is empty, all that is below it becomes the new low and the rest the new high. A color
+/// keeps its alpha, within 0 and 1 while clamped.
+fn map_range(value: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
+    clamped: bool) -> f32 {
     return remapped(value, from_low, from_high, to_low, to_high, clamped);
 }
 
 /// Mix
 ///
-/// Goes from A to B by a factor, in numbers, vectors and colours (with their alpha).
+/// Goes from A to B by a factor, in numbers, vectors and colors (with their alpha).
 fn mix_values(a: f32, b: f32, factor: f32, clamped: bool) -> f32 {
     return mixed(bounded(a), bounded(b), factor_of(factor, clamped));
 }

@@ -61,7 +61,8 @@ struct Light {
     intensity: f32,
 }
 
-/// A colour along one number, the same outside of its stops as at the nearest one. It lies in uniform buffers as it is.
+/// A color along one number, the same outside of its stops as at the nearest one. It lies in
+/// uniform buffers as it is.
 struct Ramp {
     /// Straight RGBA of each stop.
     colors: array<vec4f, 16>,
@@ -69,13 +70,15 @@ struct Ramp {
     places: array<vec4f, 4>,
     /// How many of the stops count.
     count: u32,
-    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each colour holds until the next stop.
+    /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
+    /// until the next stop.
     interpolation: u32,
 }
 
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN never happens.
+/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
 }
@@ -95,8 +98,9 @@ fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
 
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a NaN. Scaled by the
-/// largest component first, so that neither tiny nor huge vectors under- or overflow.
+/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
+/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
+/// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if !(largest > 1e-30 && largest < 1e30) {
@@ -111,13 +115,15 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     return scaled * (1.0 / sqrt(square));
 }
 
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of two. 0 below -149,
-/// the largest finite number above 128.
+/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
+/// two. 0 below -149, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
     let clamped = clamp(x, -150.0, 127.999992);
     let whole = round(clamped);
     let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667 + f * (0.0416666666666666667 + f * (0.00833333333333333333 + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
+    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
+        + f * (0.0416666666666666667 + f * (0.00833333333333333333
+        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
     // Two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
@@ -128,7 +134,8 @@ fn power_of_two(n: i32) -> f32 {
     return bitcast<f32>(u32(n + 127) << 23u);
 }
 
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative error below 1e-7).
+/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
+/// error below 1e-7).
 fn log_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
@@ -137,12 +144,14 @@ fn log_stable(x: f32) -> f32 {
     let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333 + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
+    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
+        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
     return f32(exponent) * LN_2 + series;
 }
 
 const SMALLEST_NORMAL: f32 = 1.17549435e-38;
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it is infinite.
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
 fn bounded(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     let magnitude = bits & 0x7fffffffu;
@@ -168,8 +177,9 @@ fn divided(a: f32, b: f32) -> f32 {
     return bounded(a / b);
 }
 
-/// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and keeps its sign with
-/// any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division by 0 is; 0^0 is 1.
+/// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and
+/// keeps its sign with any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division
+/// by 0 is; 0^0 is 1.
 fn powered(base: f32, exponent: f32) -> f32 {
     let b = bounded(base);
     let e = bounded(exponent);
@@ -208,7 +218,8 @@ fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
     return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0 below, 1 from there on.
+/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
+/// below, 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -217,7 +228,8 @@ fn place_between(x: f32, low: f32, high: f32) -> f32 {
     return bounded((x - low) / bounded(span));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step where they are equal.
+/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
+/// where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -243,14 +255,16 @@ fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
     return clamp(0.5 + bounded(d / w), 0.0, 1.0);
 }
 
-/// sRGB-coded to linear light (IEC 61966-2-1, the exact curve); a negative number is decoded by its size.
+/// sRGB-coded to linear light (IEC 61966-2-1, the exact curve); a negative number is decoded by its
+/// size.
 fn linear_of_srgb(coded: f32) -> f32 {
     let size = abs(bounded(coded));
     let value = select(powered((size + 0.055) / 1.055, 2.4), size / 12.92, size <= 0.04045);
     return select(value, -value, coded < 0.0);
 }
 
-/// Linear light to sRGB-coded (IEC 61966-2-1, the exact curve); a negative number is coded by its size.
+/// Linear light to sRGB-coded (IEC 61966-2-1, the exact curve); a negative number is coded by its
+/// size.
 fn srgb_of_linear(light: f32) -> f32 {
     let size = abs(bounded(light));
     let value = select(1.055 * powered(size, 1.0 / 2.4) - 0.055, size * 12.92, size <= 0.0031308);
@@ -263,7 +277,8 @@ fn cube_root(x: f32) -> f32 {
     return select(root, -root, x < 0.0);
 }
 
-/// Lightness, green to red and blue to yellow of a linear sRGB colour (Ottosson 2020): what eyes judge as even steps.
+/// Lightness, green to red and blue to yellow of a linear sRGB color (Ottosson 2020): what eyes
+/// judge as even steps.
 fn oklab_of_linear(rgb: vec3f) -> vec3f {
     let c = clamp(bounded_vec3(rgb), vec3f(-1e9), vec3f(1e9));
     let l = cube_root(dot(c, vec3f(0.4122214708, 0.5363325363, 0.0514459929)));
@@ -290,9 +305,10 @@ fn linear_of_oklab(lab: vec3f) -> vec3f {
     );
 }
 
-/// [`oklab_of_linear`] of an sRGB-coded colour.
+/// [`oklab_of_linear`] of an sRGB-coded color.
 fn oklab_of_srgb(coded: vec3f) -> vec3f {
-    return oklab_of_linear(vec3f(linear_of_srgb(coded.x), linear_of_srgb(coded.y), linear_of_srgb(coded.z)));
+    return oklab_of_linear(vec3f(linear_of_srgb(coded.x), linear_of_srgb(coded.y),
+        linear_of_srgb(coded.z)));
 }
 
 /// Back from [`oklab_of_srgb`].
@@ -301,13 +317,14 @@ fn srgb_of_oklab(lab: vec3f) -> vec3f {
     return vec3f(srgb_of_linear(light.x), srgb_of_linear(light.y), srgb_of_linear(light.z));
 }
 
-/// Between two colours as on screen, evenly to the eye; t from 0 to 1.
+/// Between two colors as on screen, evenly to the eye; t from 0 to 1.
 fn mixed_in_oklab(a: vec4f, b: vec4f, t: f32) -> vec4f {
     let lab = mixed_vec3(oklab_of_srgb(a.xyz), oklab_of_srgb(b.xyz), t);
     return ends_kept(a, b, t, srgb_of_oklab(lab));
 }
 
-/// The mixed colour with its alpha; exactly a and b at the ends, which going to another space and back would round.
+/// The mixed color with its alpha; exactly a and b at the ends, which going to another space and
+/// back would round.
 fn ends_kept(a: vec4f, b: vec4f, t: f32, rgb: vec3f) -> vec4f {
     let mixed_color = vec4f(bounded_vec3(rgb), mixed(a.w, b.w, t));
     return select(select(mixed_color, bounded_vec4(b), t >= 1.0), bounded_vec4(a), t <= 0.0);
@@ -315,14 +332,15 @@ fn ends_kept(a: vec4f, b: vec4f, t: f32, rgb: vec3f) -> vec4f {
 
 const INTERPOLATION_SMOOTH: u32 = 1u;
 const INTERPOLATION_STEPPED: u32 = 2u;
-/// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of t.
+/// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
+/// t.
 fn hermite(a: vec4f, b: vec4f, from_a: vec4f, to_b: vec4f, t: f32) -> vec4f {
     let d = b - a;
     return a + t * (from_a + t * (3.0 * d - 2.0 * from_a - to_b + t * (from_a + to_b - 2.0 * d)));
 }
 
-/// The ramp's colour at x; the steps of a stepped ramp are averaged over a footprint of `w`. Transparent black for a
-/// ramp without stops.
+/// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
+/// Transparent black for a ramp without stops.
 fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
     let count = min(ramp.count, 16u);
     if count == 0u {
@@ -356,23 +374,29 @@ fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
     var to_b = vec4f(0.0);
     if at > 0u {
         let before = places[(at - 1u) / 4u][(at - 1u) % 4u];
-        from_a = ramp_slope(colors[at] - colors[at - 1u], place - before, colors[after] - colors[at], span);
+        from_a = ramp_slope(colors[at] - colors[at - 1u], place - before, colors[after]
+            - colors[at], span);
     }
     if after + 1u < count {
         let next = places[(after + 1u) / 4u][(after + 1u) % 4u] - (place + span);
-        to_b = ramp_slope(colors[after] - colors[at], span, colors[after + 1u] - colors[after], next);
+        to_b = ramp_slope(colors[after] - colors[at], span, colors[after + 1u] - colors[after],
+            next);
     }
     return bounded_vec4(hermite(colors[at], colors[after], span * from_a, span * to_b, t));
 }
 
-/// The slope at a stop that keeps a cubic between its neighbours' values (Fritsch and Butland 1984): the weighted
-/// harmonic mean of the slopes before and after, 0 where these differ in sign.
+/// The slope at a stop that keeps a cubic between its neighbours' values (Fritsch and Butland
+/// 1984): the weighted harmonic mean of the slopes before and after, 0 where these differ in sign.
 fn ramp_slope(rise_before: vec4f, span_before: f32, rise_after: vec4f, span_after: f32) -> vec4f {
     return vec4f(
-        harmonic_slope(divided(rise_before.x, span_before), span_before, divided(rise_after.x, span_after), span_after),
-        harmonic_slope(divided(rise_before.y, span_before), span_before, divided(rise_after.y, span_after), span_after),
-        harmonic_slope(divided(rise_before.z, span_before), span_before, divided(rise_after.z, span_after), span_after),
-        harmonic_slope(divided(rise_before.w, span_before), span_before, divided(rise_after.w, span_after), span_after),
+        harmonic_slope(divided(rise_before.x, span_before), span_before,
+            divided(rise_after.x, span_after), span_after),
+        harmonic_slope(divided(rise_before.y, span_before), span_before,
+            divided(rise_after.y, span_after), span_after),
+        harmonic_slope(divided(rise_before.z, span_before), span_before,
+            divided(rise_after.z, span_after), span_after),
+        harmonic_slope(divided(rise_before.w, span_before), span_before,
+            divided(rise_after.w, span_after), span_after),
     );
 }
 
@@ -386,7 +410,7 @@ fn harmonic_slope(before: f32, span_before: f32, after: f32, span_after: f32) ->
     return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
-/// Where on a ramp x lies: between which two colours, and how far along.
+/// Where on a ramp x lies: between which two colors, and how far along.
 struct RampPlace {
     before: vec4f,
     after: vec4f,
@@ -409,7 +433,8 @@ fn ramp_place(ramp: Ramp, x: f32) -> RampPlace {
     let after = min(at + 1u, count - 1u);
     let place = places[at / 4u][at % 4u];
     let t = clamp(divided(x - place, places[after / 4u][after % 4u] - place), 0.0, 1.0);
-    return RampPlace(colors[at], colors[after], select(t, eased(t, 0.0, 1.0), ramp.interpolation == INTERPOLATION_SMOOTH));
+    return RampPlace(colors[at], colors[after],
+        select(t, eased(t, 0.0, 1.0), ramp.interpolation == INTERPOLATION_SMOOTH));
 }
 
 /// Straight to premultiplied.
@@ -417,8 +442,8 @@ fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the colour is kept as it is, so that light added over
-/// transparency is not lost.
+/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
+/// light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -428,15 +453,16 @@ fn straight(composite: Composite) -> Color {
 
 /// Mix colors
 ///
-/// Lays one colour on another as paint programs do. For a stack of shading layers take Blend, which knows tones and
-/// transparency.
+/// Lays one color on another as paint programs do. For a stack of shading layers take Blend, which
+/// knows tones and transparency.
 fn mix_colors_normal(a: Color, b: Color, factor: f32) -> Color {
     return mixed_vec4(bounded_vec4(a), bounded_vec4(b), factor_of(factor, true));
 }
 
 /// Output
 ///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number becomes black here.
+/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
+/// becomes black here.
 fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
@@ -450,8 +476,9 @@ fn ramp_oklab(value: f32, ramp: Ramp) -> Color {
     return mixed_in_oklab(place.before, place.after, place.t);
 }
 
-/// What a finer normal tells beyond the coarser one: -1 where it turns from the light, 1 where it turns toward it. The
-/// light lies at the coarser one's horizon, so that detail is lit as well as can be, however the light falls there.
+/// What a finer normal tells beyond the coarser one: -1 where it turns from the light, 1 where it
+/// turns toward it. The light lies at the coarser one's horizon, so that detail is lit as well as
+/// can be, however the light falls there.
 fn detail_lit(finer: vec3f, coarser: vec3f, light: vec3f, contrast: f32) -> f32 {
     let across = light - dot(light, coarser) * coarser;
     // Straight under the light there is no direction along the surface; there it fades.
@@ -489,8 +516,8 @@ fn exaggerated_four(
 
 /// Outer contour
 ///
-/// The line where the surface turns out of sight, of the same width everywhere: ink around round forms. It is drawn on the
-/// surface itself, so edges that are sharp have none.
+/// The line where the surface turns out of sight, of the same width everywhere: ink around round
+/// forms. It is drawn on the surface itself, so edges that are sharp have none.
 fn outer_contour(width: f32, normal: vec3f, view: vec3f, viewport: vec2f) -> f32 {
     let facing = clamp(dot(normalize_or(normal, vec3f(0.0)), view), 0.0, 1.0);
     let pixels = clamp(bounded(width), 0.0, 1e4) * clamp(viewport.y, 1.0, 1e5) / 1000.0;

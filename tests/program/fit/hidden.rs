@@ -90,7 +90,9 @@ fn look_of(base: &[f64], layers: &[Value]) -> Look {
     }
     nodes.push(json!({"id": "output", "kind": "output"}));
     wires.push(json!({"from": format!("{below}.below"), "to": "output.color"}));
-    let text = json!({"chiaro": "look", "version": 1, "lights": lights, "nodes": nodes, "wires": wires}).to_string();
+    let text =
+        json!({"chiaro": "look", "version": 1, "lights": lights, "nodes": nodes, "wires": wires})
+            .to_string();
     let loaded = Look::read(&text, "hidden.json");
     loaded.value.unwrap_or_else(|| panic!("{:?}", loaded.diagnostics))
 }
@@ -108,7 +110,9 @@ pub(crate) fn setup_of(look: Look, mesh: &str) -> Setup {
 /// The picture of a setup in f64.
 pub(crate) fn picture(setup: &Setup) -> ReferencePicture {
     let options = PlanOptions { size: [SIDE; 2], samples: 1, time: 0.0 };
-    let plan = Planner::new(Assets::default()).plan(setup, Library::built_in(), &Live::Keyed, &options).unwrap();
+    let plan = Planner::new(Assets::default())
+        .plan(setup, Library::built_in(), &Live::Keyed, &options)
+        .unwrap();
     let modules = Modules::new(&plan, Precision::F64).unwrap();
     reference::execute(&plan, &modules, &reference::Options::default(), &Control::none()).unwrap()
 }
@@ -117,7 +121,8 @@ pub(crate) fn picture(setup: &Setup) -> ReferencePicture {
 fn changed(a: &ReferencePicture, b: &ReferencePicture) -> (usize, usize) {
     let (mut changed, mut all) = (0, 0);
     for index in 0..a.coverage.len() {
-        let pixel = |picture: &ReferencePicture| picture.color.values[4 * index..4 * index + 3].to_vec();
+        let pixel =
+            |picture: &ReferencePicture| picture.color.values[4 * index..4 * index + 3].to_vec();
         if a.coverage[index].draw.is_some() {
             all += 1;
             let differs = pixel(a).iter().zip(pixel(b)).any(|(a, b)| (a - b).abs() > SEEN.1);
@@ -147,7 +152,8 @@ pub(crate) fn difference(a: &Look, b: &Look, mesh: &str) -> f64 {
     let (mut sum, mut count) = (0.0, 0);
     for index in (0..a.coverage.len()).filter(|&index| a.coverage[index].draw.is_some()) {
         for channel in 0..3 {
-            sum += (a.color.values[4 * index + channel] - b.color.values[4 * index + channel]).powi(2);
+            sum +=
+                (a.color.values[4 * index + channel] - b.color.values[4 * index + channel]).powi(2);
             count += 1;
         }
     }

@@ -12,7 +12,8 @@ pub(crate) struct Strokes {
     pub(crate) rest: Vec<Wish>,
 }
 
-/// Two broad strokes: light on the right, dark on the left, in parts of the picture's side from its middle.
+/// Two broad strokes: light on the right, dark on the left, in parts of the picture's side from its
+/// middle.
 const SPOTS: [([f64; 2], f64); 2] = [([0.14, -0.08], 0.25), ([-0.14, 0.02], -0.2)];
 /// Half the brush's width, in the same parts.
 const RADIUS: f64 = 0.075;
@@ -35,7 +36,8 @@ pub(crate) fn strokes(look: &Look, mesh: &str) -> Strokes {
         };
         match SPOTS.iter().find(near) {
             Some((_, by)) => {
-                let color = shown.map(|c| if *by > 0.0 { c + by * (1.0 - c) } else { c * (1.0 + by) });
+                let color =
+                    shown.map(|c| if *by > 0.0 { c + by * (1.0 - c) } else { c * (1.0 + by) });
                 painted.wishes.push(Wish { pixel: [x, y], color, weight: 1.0, is_rest: false });
             }
             None => rest.push(Wish { pixel: [x, y], color: shown, weight: 1.0, is_rest: false }),
@@ -44,8 +46,8 @@ pub(crate) fn strokes(look: &Look, mesh: &str) -> Strokes {
     Strokes { painted, rest }
 }
 
-/// How far another look is from what strokes wish: the RMS of a channel at the strokes and at the rest, and the largest
-/// there, 0 to 1.
+/// How far another look is from what strokes wish: the RMS of a channel at the strokes and at the
+/// rest, and the largest there, 0 to 1.
 pub(crate) fn off(strokes: &Strokes, look: &Look, mesh: &str) -> [f64; 3] {
     let picture = picture(&setup_of(look.clone(), mesh));
     let off = |wishes: &[Wish]| {

@@ -1,5 +1,5 @@
-//! HCBTFs in compressed blocks: what the GPU decodes is what the CPU does, with the loss that is stated, and a device
-//! that has no such textures shows the same.
+//! HCBTFs in compressed blocks: what the GPU decodes is what the CPU does, with the loss that is
+//! stated, and a device that has no such textures shows the same.
 
 use std::sync::Arc;
 
@@ -15,11 +15,16 @@ use crate::support::eval::{eval_on, options, renderer, scene_of, shape, truth};
 use crate::support::random::Random;
 use crate::support::report::Errors;
 
-const OPTIONS: LayerOptions = LayerOptions { has_levels: true, is_decoded: false, storage: Storage::Blocks };
+const OPTIONS: LayerOptions =
+    LayerOptions { has_levels: true, is_decoded: false, storage: Storage::Blocks };
 
 /// Smooth paint with strokes across, some of it clear.
 fn strokes(size: [u32; 2]) -> Hcbtf {
-    let grid = Grid { size, light: Directions { theta: 3, phi: 4 }, view: Directions { theta: 2, phi: 5 } };
+    let grid = Grid {
+        size,
+        light: Directions { theta: 3, phi: 4 },
+        view: Directions { theta: 2, phi: 5 },
+    };
     let mut random = Random::new(u64::from(size[0]));
     let mut tile = || {
         let [slope, shift] = [random.between(-1.5, 1.5), random.between(0.0, 9.0)];
@@ -27,12 +32,16 @@ fn strokes(size: [u32; 2]) -> Hcbtf {
             let [x, y] = [f64::from(at % size[0]), f64::from(at / size[0])];
             let is_stroke = (x + slope * y + shift).rem_euclid(7.0) < 2.0;
             let ground = [120.0 + 5.0 * x, 90.0 + 6.0 * y, 60.0 + 3.0 * (x + y), 255.0];
-            let color = if is_stroke { [40.0, 30.0 + 4.0 * y, 70.0, 255.0 - 9.0 * shift] } else { ground };
+            let color =
+                if is_stroke { [40.0, 30.0 + 4.0 * y, 70.0, 255.0 - 9.0 * shift] } else { ground };
             color.map(|channel| channel.clamp(0.0, 255.0) as u8)
         };
         Arc::new(Tile::new(size, (0..size[0] * size[1]).flat_map(texel).collect()).unwrap())
     };
-    Hcbtf { painted: grid.addresses().map(|address| (address, tile())).collect(), ..Hcbtf::new(grid) }
+    Hcbtf {
+        painted: grid.addresses().map(|address| (address, tile())).collect(),
+        ..Hcbtf::new(grid)
+    }
 }
 
 fn blocks_of(hcbtf: &Hcbtf) -> Layers {
@@ -43,7 +52,8 @@ fn blocks_of(hcbtf: &Hcbtf) -> Layers {
 /// The same adapter, asked for a device without compressed textures.
 fn without_blocks() -> Gpu {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
-    let adapter = block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default())).unwrap();
+    let adapter =
+        block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default())).unwrap();
     let mut descriptor = device_descriptor(&adapter);
     descriptor.required_features.remove(wgpu::Features::TEXTURE_COMPRESSION_BC);
     let (device, queue) = block_on(adapter.request_device(&descriptor)).unwrap();
@@ -66,7 +76,9 @@ fn blocks_are_looked_up_as_they_are_decoded_with_and_without_a_device_that_has_t
             let near = |got: &[[f64; 4]], bound: f64, what: &str| {
                 let mut errors = Errors::new(format!("{size:?}, {lookup}, {what}"), bound);
                 for (got, sample) in got.iter().zip(&samples) {
-                    note(&mut errors, *got, by_hand(&hcbtf, sample, lookup), || format!("{sample:?}"));
+                    note(&mut errors, *got, by_hand(&hcbtf, sample, lookup), || {
+                        format!("{sample:?}")
+                    });
                 }
                 errors.finish();
             };
@@ -77,7 +89,11 @@ fn blocks_are_looked_up_as_they_are_decoded_with_and_without_a_device_that_has_t
             near(&on(&mut renderer(), "exact", &samples), 4e-5, "exact");
             near(&on(&mut renderer(), "balanced", &samples), 5e-3, "balanced");
             near(&on(&mut plain, "exact", &samples), 4e-5, "decoded");
-            near(&truth(&stored_as("blocks", &path, lookup, "exact"), "", &samples[..60]), 1e-7, "f64");
+            near(
+                &truth(&stored_as("blocks", &path, lookup, "exact"), "", &samples[..60]),
+                1e-7,
+                "f64",
+            );
         }
     }
 }
@@ -88,7 +104,10 @@ fn a_device_without_blocks_says_so_once_and_draws_the_same() {
     let setup = |storage: &str| {
         let look = stored_as(storage, &path, "smooth", "exact");
         let (mesh, matrix) = shape("waves");
-        scene_of(vec![(look.clone(), mesh.clone(), matrix), (look, mesh, matrix)], Default::default())
+        scene_of(
+            vec![(look.clone(), mesh.clone(), matrix), (look, mesh, matrix)],
+            Default::default(),
+        )
     };
     let options = PlanOptions { size: [64, 48], samples: 1, time: 0.0 };
     let plan = |storage: &str| {

@@ -1,5 +1,5 @@
-//! Whole pictures of a painted surface in waves, near and far, against the reference in f64: there the smaller levels of a
-//! tile are read, and blended, as the screen asks.
+//! Whole pictures of a painted surface in waves, near and far, against the reference in f64: there
+//! the smaller levels of a tile are read, and blended, as the screen asks.
 
 use std::path::Path;
 
@@ -15,7 +15,7 @@ use super::{Directions, file, stored_as};
 use crate::support::eval::{renderer, scene_of, shape, told};
 use crate::support::random::Random;
 
-/// Paint whose colours follow the directions smoothly, with noise from texel to texel.
+/// Paint whose colors follow the directions smoothly, with noise from texel to texel.
 fn moss() -> Hcbtf {
     let directions = Directions { theta: 4, phi: 6 };
     let grid = Grid { size: [16, 12], light: directions, view: directions };
@@ -27,7 +27,8 @@ fn moss() -> Hcbtf {
         let (light, view) = (grid.light.vector(light), grid.view.vector(view));
         let texel = |grain: &f64| {
             let rgb = [0.5 + 0.3 * light.x, 0.4 + 0.3 * view.y, 0.2 + 0.5 * light.z * view.z];
-            let [r, g, b] = rgb.map(|channel| ((channel + grain).clamp(0.0, 1.0) * 255.0).round() as u8);
+            let [r, g, b] =
+                rgb.map(|channel| ((channel + grain).clamp(0.0, 1.0) * 255.0).round() as u8);
             [r, g, b, 255]
         };
         let bytes = grain.iter().flat_map(texel).collect();
@@ -36,14 +37,16 @@ fn moss() -> Hcbtf {
     hcbtf
 }
 
-/// The waves, lying, `far` from the eye, with the tile so often on them that it is seen that many times smaller.
+/// The waves, lying, `far` from the eye, with the tile so often on them that it is seen that many
+/// times smaller.
 fn setup(path: &Path, storage: &str, tier: &str, far: f64, repeats: f64) -> Setup {
     let mut look = stored_as(storage, path, "smooth", tier);
     let node = look.look.graph.nodes.get_mut("paint").expect("the lookup");
     node.values.insert("scale".into(), chiaro::document::Value::Vector(vec![repeats, repeats]));
     look.look.lights[0].direction = [0.4, 0.5, 0.8];
     let (mesh, matrix) = shape("waves");
-    let camera = Camera { eye: (far * glam::DVec3::new(0.1, -0.75, 0.65)).into(), ..Camera::default() };
+    let camera =
+        Camera { eye: (far * glam::DVec3::new(0.1, -0.75, 0.65)).into(), ..Camera::default() };
     scene_of(vec![(look, mesh, matrix)], Scene { camera, ..Scene::default() })
 }
 
@@ -51,7 +54,12 @@ fn flawless<T>(result: Result<T, Stopped>) -> T {
     result.unwrap_or_else(|stopped| panic!("{}", told(&Vec::<Diagnostic>::from(stopped))))
 }
 
-fn measured(path: &Path, precise: &mut Renderer, far: f64, repeats: f64) -> Vec<(String, ErrorFigures)> {
+fn measured(
+    path: &Path,
+    precise: &mut Renderer,
+    far: f64,
+    repeats: f64,
+) -> Vec<(String, ErrorFigures)> {
     let options = PlanOptions { size: [96, 72], samples: 1, time: 0.0 };
     let truth = |storage: &str| {
         let mut go_on = |_, _| true;
@@ -65,21 +73,31 @@ fn measured(path: &Path, precise: &mut Renderer, far: f64, repeats: f64) -> Vec<
     };
     // Blocks have a loss of their own, which the reference decodes as the GPU does.
     let (painted, blocks) = (truth("quick"), truth("blocks"));
-    let tiers =
-        [("quick", "exact"), ("quick", "balanced"), ("quick", "fast"), ("compact", "exact"), ("blocks", "exact")];
+    let tiers = [
+        ("quick", "exact"),
+        ("quick", "balanced"),
+        ("quick", "fast"),
+        ("compact", "exact"),
+        ("blocks", "exact"),
+    ];
     tiers
         .into_iter()
         .map(|(storage, tier)| {
             let truth = if storage == "blocks" { &blocks } else { &painted };
             let setup = setup(path, storage, tier, far, repeats);
-            let plan = Planner::default().plan(&setup, Library::built_in(), &Live::Exposed, &options);
+            let plan =
+                Planner::default().plan(&setup, Library::built_in(), &Live::Exposed, &options);
             let plan = plan.unwrap_or_else(|problems| panic!("{}", told(&problems)));
-            (format!("{storage} {tier} from {far} with {repeats}"), flawless(truth.compare(precise, &plan)))
+            (
+                format!("{storage} {tier} from {far} with {repeats}"),
+                flawless(truth.compare(precise, &plan)),
+            )
         })
         .collect()
 }
 
-/// Repeats of 16 texels in 15 pixels and in 2: at the first place levels 0 and 1 are seen, at the second 2 to 4.
+/// Repeats of 16 texels in 15 pixels and in 2: at the first place levels 0 and 1 are seen, at the
+/// second 2 to 4.
 #[test]
 fn smooth_lookups_are_true_at_any_distance() {
     let path = file("moss", &moss());

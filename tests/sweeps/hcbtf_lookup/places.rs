@@ -1,4 +1,5 @@
-//! The nodes that give a lookup its texture coordinates, against formulas by hand, far away and on either side of 0.
+//! The nodes that give a lookup its texture coordinates, against formulas by hand, far away and on
+//! either side of 0.
 
 use chiaro::frame::EvalSample;
 use glam::{DVec2, DVec3};
@@ -8,8 +9,8 @@ use crate::support::eval::{eval, look, truth};
 use crate::support::random::Random;
 use crate::support::report::Errors;
 
-/// The node's own outputs for each sample, on the GPU and in f64; the first numbers of a sample's position are wired to
-/// `inputs`.
+/// The node's own outputs for each sample, on the GPU and in f64; the first numbers of a sample's
+/// position are wired to `inputs`.
 fn outputs(
     kind: &str,
     values: &Json,
@@ -17,9 +18,17 @@ fn outputs(
     outputs: &[&str],
     samples: &[EvalSample],
 ) -> Vec<[Vec<[f64; 4]>; 2]> {
-    let mut wires = vec![json!({"from": "place", "to": "parts.vector"}), json!({"from": "node", "to": "output.color"})];
+    let mut wires = vec![
+        json!({"from": "place", "to": "parts.vector"}),
+        json!({"from": "node", "to": "output.color"}),
+    ];
     let numbers = ["parts.x", "parts.y", "parts.z"];
-    wires.extend(inputs.iter().zip(numbers).map(|(input, from)| json!({"from": from, "to": format!("node.{input}")})));
+    wires.extend(
+        inputs
+            .iter()
+            .zip(numbers)
+            .map(|(input, from)| json!({"from": from, "to": format!("node.{input}")})),
+    );
     let look = look(&json!({
         "nodes": [
             {"id": "place", "kind": "position"},
@@ -55,12 +64,17 @@ fn constant_size_follows_the_distance_in_powers_of_two() {
         let octave = (distance / near).log2();
         if (octave - octave.round()).abs() > 1e-3 {
             let position = DVec3::new(distance, near, 0.0);
-            samples.push(EvalSample { uv: coordinate(&mut random), position, ..EvalSample::default() });
+            samples.push(EvalSample {
+                uv: coordinate(&mut random),
+                position,
+                ..EvalSample::default()
+            });
         }
     }
     let fade = 0.625;
     let values = json!({"fade": fade});
-    let found = outputs("constant_size", &values, &["distance", "near"], &["even", "odd", "mix"], &samples);
+    let found =
+        outputs("constant_size", &values, &["distance", "near"], &["even", "odd", "mix"], &samples);
     for (place, bound) in [(0, 1e-6), (1, 1e-13)] {
         let mut errors = Errors::new(format!("constant size, {place}"), bound);
         for (index, sample) in samples.iter().enumerate() {
@@ -68,17 +82,22 @@ fn constant_size_follows_the_distance_in_powers_of_two() {
             let low = octave.floor();
             let part = (0.5 + (octave - low - 0.5) / fade).clamp(0.0, 1.0);
             let is_even = low.rem_euclid(2.0) < 0.5;
-            let (even, odd, mix) = if is_even { (low, low + 1.0, part) } else { (low + 1.0, low, 1.0 - part) };
+            let (even, odd, mix) =
+                if is_even { (low, low + 1.0, part) } else { (low + 1.0, low, 1.0 - part) };
             for (output, octave) in [(0, even), (1, odd)] {
                 let wanted = sample.uv * (-octave).exp2();
                 for (axis, wanted) in wanted.to_array().into_iter().enumerate() {
                     let unit = wanted.abs().max(1.0);
-                    errors.note(found[output][place][index][axis] / unit, wanted / unit, || format!("{sample:?}"));
+                    errors.note(found[output][place][index][axis] / unit, wanted / unit, || {
+                        format!("{sample:?}")
+                    });
                 }
             }
             // The logarithm's own error, at the octaves that there are.
             let slack = if place == 0 { 0.2 } else { 1e-7 };
-            errors.note(found[2][place][index][0] * slack, mix * slack, || format!("mix of {sample:?}"));
+            errors.note(found[2][place][index][0] * slack, mix * slack, || {
+                format!("mix of {sample:?}")
+            });
         }
         errors.finish();
     }
@@ -88,9 +107,16 @@ fn constant_size_follows_the_distance_in_powers_of_two() {
 fn constant_size_has_an_answer_everywhere() {
     let hard = [-1.0, -0.0, 0.0, 1e-38, 1.0, 1e30];
     let pairs = hard.iter().flat_map(|x| hard.map(|y| DVec3::new(*x, y, 0.0)));
-    let samples: Vec<EvalSample> =
-        pairs.map(|position| EvalSample { uv: DVec2::new(-1e9, 0.5), position, ..EvalSample::default() }).collect();
-    let found = outputs("constant_size", &json!({}), &["distance", "near"], &["even", "odd", "mix"], &samples);
+    let samples: Vec<EvalSample> = pairs
+        .map(|position| EvalSample { uv: DVec2::new(-1e9, 0.5), position, ..EvalSample::default() })
+        .collect();
+    let found = outputs(
+        "constant_size",
+        &json!({}),
+        &["distance", "near"],
+        &["even", "odd", "mix"],
+        &samples,
+    );
     for values in found.iter().flatten().flatten() {
         assert!(values.iter().all(|x| x.is_finite()), "{values:?}");
     }
@@ -98,12 +124,16 @@ fn constant_size_has_an_answer_everywhere() {
         assert!((0.0..=1.0).contains(&mix[0]), "{sample:?}");
         // Without a distance, or one to compare with, the coordinates are as they are.
         if sample.position.x <= 0.0 || sample.position.y <= 0.0 {
-            assert!(mix[0] == 0.0 || sample.position.x * sample.position.y > 0.0, "{sample:?}: {mix:?}");
+            assert!(
+                mix[0] == 0.0 || sample.position.x * sample.position.y > 0.0,
+                "{sample:?}: {mix:?}"
+            );
         }
     }
 }
 
-/// The three corners of the triangle around a place in the lattice, with how near each is; by Cartesian coordinates.
+/// The three corners of the triangle around a place in the lattice, with how near each is; by
+/// Cartesian coordinates.
 fn corners(p: DVec2) -> Vec<([i64; 2], f64)> {
     let at = |[i, j]: [i64; 2]| DVec2::new(i as f64 + 0.5 * j as f64, j as f64 * 0.75_f64.sqrt());
     let j = p.y / 0.75_f64.sqrt();
@@ -121,7 +151,9 @@ fn corners(p: DVec2) -> Vec<([i64; 2], f64)> {
             corners.into_iter().zip(near).collect::<Vec<_>>()
         })
         .max_by(|one, other| {
-            let least = |corners: &Vec<([i64; 2], f64)>| corners.iter().map(|corner| corner.1).fold(1.0, f64::min);
+            let least = |corners: &Vec<([i64; 2], f64)>| {
+                corners.iter().map(|corner| corner.1).fold(1.0, f64::min)
+            };
             least(one).total_cmp(&least(other))
         })
         .expect("two triangles")
@@ -133,7 +165,8 @@ fn scattered_cells_count_as_near_as_they_are() {
     let (cells, sharpness) = (0.7, 0.4);
     let mut samples = Vec::new();
     while samples.len() < 2000 {
-        let uv = DVec2::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0)) * random.between(0.0, 6.0).exp2();
+        let uv = DVec2::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0))
+            * random.between(0.0, 6.0).exp2();
         let uv = uv.as_vec2().as_dvec2();
         if corners(uv * cells).iter().all(|(_, near)| *near > 1e-3) {
             samples.push(EvalSample { uv, ..EvalSample::default() });
@@ -141,7 +174,8 @@ fn scattered_cells_count_as_near_as_they_are() {
     }
     let values = json!({"cells": cells, "sharpness": sharpness, "seed": 5});
     let found = outputs("scatter_uv", &values, &[], &["a", "b", "c", "mix_b", "mix_c"], &samples);
-    // What a cell's tile is moved by is the same wherever in the cell, and differs from cell to cell.
+    // What a cell's tile is moved by is the same wherever in the cell, and differs from cell to
+    // cell.
     let mut moved: std::collections::HashMap<[i64; 2], DVec2> = std::collections::HashMap::new();
     for (place, bound) in [(1, 1e-9), (0, 2e-4)] {
         let mut errors = Errors::new(format!("scattered shares, {place}"), bound);
@@ -158,13 +192,17 @@ fn scattered_cells_count_as_near_as_they_are() {
                 let got = found[which][place][index];
                 let by = DVec2::new(got[0], got[1]) - sample.uv;
                 let known = *moved.entry(cell).or_insert(by);
-                errors.note((by - known).length() * 0.1, 0.0, || format!("cell {cell:?} at {sample:?}"));
+                errors.note((by - known).length() * 0.1, 0.0, || {
+                    format!("cell {cell:?} at {sample:?}")
+                });
                 assert!((-1e-4..1.0001).contains(&by.x) && (-1e-4..1.0001).contains(&by.y), "{by}");
             }
             let [a, b, c] = shares;
             let mix_b = if a + b > 0.0 { b / (a + b) } else { 0.0 };
             // Where C is all that counts, how B counts beside A does not matter.
-            errors.note(found[3][place][index][0] * (a + b), mix_b * (a + b), || format!("B of {sample:?}"));
+            errors.note(found[3][place][index][0] * (a + b), mix_b * (a + b), || {
+                format!("B of {sample:?}")
+            });
             errors.note(found[4][place][index][0], c, || format!("C of {sample:?}"));
         }
         errors.finish();
@@ -172,17 +210,27 @@ fn scattered_cells_count_as_near_as_they_are() {
     let all: Vec<DVec2> = moved.values().copied().collect();
     let mean = all.iter().sum::<DVec2>() / all.len() as f64;
     assert!(all.len() > 300 && (mean - 0.5).length() < 0.08, "{} cells, {mean}", all.len());
-    let twins = all.iter().enumerate().filter(|(i, one)| all[..*i].iter().any(|other| (**one - other).length() < 1e-3));
+    let twins = all
+        .iter()
+        .enumerate()
+        .filter(|(i, one)| all[..*i].iter().any(|other| (**one - other).length() < 1e-3));
     assert!(twins.count() < 5);
 }
 
 #[test]
 fn scattered_coordinates_are_finite_everywhere() {
     let far = [-1e30, -1e9, -1000.3, -1e-9, -0.0, 0.5, 1e7, 1e30];
-    let samples: Vec<EvalSample> =
-        far.iter().flat_map(|u| far.map(|v| EvalSample { uv: DVec2::new(*u, v), ..EvalSample::default() })).collect();
-    for values in [json!({}), json!({"sharpness": 1.0, "cells": 1e20}), json!({"sharpness": -3.0, "cells": -2.0})] {
-        let found = outputs("scatter_uv", &values, &[], &["a", "b", "c", "mix_b", "mix_c"], &samples);
+    let samples: Vec<EvalSample> = far
+        .iter()
+        .flat_map(|u| far.map(|v| EvalSample { uv: DVec2::new(*u, v), ..EvalSample::default() }))
+        .collect();
+    for values in [
+        json!({}),
+        json!({"sharpness": 1.0, "cells": 1e20}),
+        json!({"sharpness": -3.0, "cells": -2.0}),
+    ] {
+        let found =
+            outputs("scatter_uv", &values, &[], &["a", "b", "c", "mix_b", "mix_c"], &samples);
         for value in found.iter().flatten().flatten() {
             assert!(value.iter().all(|x| x.is_finite()), "{value:?}");
         }

@@ -1,4 +1,5 @@
-//! A look as a stack of layers, from its document's JSON to a pixel's colour, by the paper's formulas.
+//! A look as a stack of layers, from its document's JSON to a pixel's color, by the paper's
+//! formulas.
 
 use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -32,13 +33,14 @@ struct Layer {
 type Values = BTreeMap<String, Json>;
 
 impl Stack {
-    /// The stack that a look is: a base, then light layers in their order. Direction keys (at most one set, of two keys by
-    /// a light) are blended; their directions are in camera axes.
+    /// The stack that a look is: a base, then light layers in their order. Direction keys (at most
+    /// one set, of two keys by a light) are blended; their directions are in camera axes.
     pub(crate) fn read(look: &Json, camera_from_world: DMat3) -> Self {
         let nodes = look["nodes"].as_array().expect("nodes");
         let base = vec4(&nodes[0]["values"]["color"]);
         let light = |id: &str| vec3(&look["lights"][id]["direction"]).normalize();
-        let keyed = look.get("direction_keys").map(|keys| Keyed::new(&keys[0], &light, camera_from_world));
+        let keyed =
+            look.get("direction_keys").map(|keys| Keyed::new(&keys[0], &light, camera_from_world));
         let layers = nodes.iter().filter(|node| node["kind"] == "light_layer").map(|node| {
             let own: Values = serde_json::from_value(node["values"].clone()).expect("values");
             let id = node["id"].as_str().expect("an id");
@@ -47,7 +49,7 @@ impl Stack {
         Self { base, layers: layers.collect() }
     }
 
-    /// The straight colour of one of a quad's pixels.
+    /// The straight color of one of a quad's pixels.
     pub(crate) fn color(&self, quad: &[Point; 4], own: usize) -> DVec4 {
         let below = badf::premultiplied(self.base);
         let laid = self.layers.iter().fold(below, |below, layer| {
@@ -60,9 +62,12 @@ impl Stack {
 
 impl Layer {
     fn new(values: &Values, light: &dyn Fn(&str) -> DVec3) -> Self {
-        let number = |name: &str, otherwise| values.get(name).map_or(otherwise, |x| x.as_f64().expect("a number"));
+        let number = |name: &str, otherwise| {
+            values.get(name).map_or(otherwise, |x| x.as_f64().expect("a number"))
+        };
         let word = |name: &str| values.get(name).and_then(Json::as_str).unwrap_or_default();
-        let profile = [number("offset", 0.0), number("falloff", FRAC_PI_2), number("cutoff", FRAC_PI_2)];
+        let profile =
+            [number("offset", 0.0), number("falloff", FRAC_PI_2), number("cutoff", FRAC_PI_2)];
         Self {
             light: light(word("light")),
             is_specular: word("type") == "specular",
@@ -76,7 +81,7 @@ impl Layer {
         }
     }
 
-    /// Colour and tone of one of a quad's pixels: BADF eq. 3 to 8.
+    /// Color and tone of one of a quad's pixels: BADF eq. 3 to 8.
     fn at(&self, quad: &[Point; 4], own: usize) -> (DVec4, f64) {
         let angles = quad.map(|point| self.warped_angle(&point));
         let tone = self.filtered(angles[own], footprint(angles, own));
@@ -85,13 +90,15 @@ impl Layer {
     }
 
     fn warped_angle(&self, point: &Point) -> f64 {
-        let direction = if self.is_specular { badf::mirrored(point.normal, point.view) } else { point.normal };
+        let direction =
+            if self.is_specular { badf::mirrored(point.normal, point.view) } else { point.normal };
         let u = badf::angle(direction, self.light);
         let shift = badf::warp(badf::lambda(point.kappa, self.slope), self.amount);
         (u - shift).clamp(0.0, PI)
     }
 
-    /// alpha over a footprint (docs/math.md 2.4): a ramp where the edge is narrower, three points where it is narrow.
+    /// alpha over a footprint (docs/math.md 2.4): a ramp where the edge is narrower, three points
+    /// where it is narrow.
     fn filtered(&self, u: f64, width: f64) -> f64 {
         let alpha = |u: f64| badf::alpha(u.clamp(0.0, PI), 0.0, self.profile);
         let [mean, deviation] = self.edge;
@@ -114,8 +121,8 @@ fn footprint(angles: [f64; 4], own: usize) -> f64 {
     chord(own & 2, own | 1).hypot(chord(own & 1, own | 2)).min(0.5)
 }
 
-/// Mean and standard deviation of -eta', by parts, and by the trapezoid rule of 64 steps: the library's definition, for
-/// the choice of a filter hangs on it.
+/// Mean and standard deviation of -eta', by parts, and by the trapezoid rule of 64 steps: the
+/// library's definition, for the choice of a filter hangs on it.
 fn edge(profile: [f64; 3]) -> [f64; 2] {
     let [tau, f, c] = badf::sanitised(profile);
     if tau >= PI - 1e-5 || f <= tau || c <= tau {
@@ -142,8 +149,10 @@ struct Keyed {
 impl Keyed {
     fn new(keys: &Json, light: &dyn Fn(&str) -> DVec3, camera_from_world: DMat3) -> Self {
         let places = [0, 1].map(|k| vec3(&keys["keys"][k]["direction"]).normalize());
-        let direction = camera_from_world * light(keys["by"]["light"].as_str().expect("by a light"));
-        let values = [0, 1].map(|k| serde_json::from_value(keys["keys"][k]["values"].clone()).expect("values"));
+        let direction =
+            camera_from_world * light(keys["by"]["light"].as_str().expect("by a light"));
+        let values = [0, 1]
+            .map(|k| serde_json::from_value(keys["keys"][k]["values"].clone()).expect("values"));
         Self { weights: weights(places, direction), values }
     }
 
@@ -163,7 +172,8 @@ impl Keyed {
 
     fn mix(&self, a: &Json, b: &Json) -> Json {
         let mix = |a: &Json, b: &Json| {
-            self.weights[0] * a.as_f64().expect("a number") + self.weights[1] * b.as_f64().expect("a number")
+            self.weights[0] * a.as_f64().expect("a number")
+                + self.weights[1] * b.as_f64().expect("a number")
         };
         match (a, b) {
             (Json::Number(_), Json::Number(_)) => mix(a, b).into(),
@@ -173,8 +183,9 @@ impl Keyed {
     }
 }
 
-/// Weights of two keys (BADF eq. 9, docs/math.md 5): with equations for both keys and weights of sum 1, the biharmonic
-/// form w = a + c (K(y1) - K(y2)) has a = 1/2 and c = 1 / (2 (K(0) - K(y12))).
+/// Weights of two keys (BADF eq. 9, docs/math.md 5): with equations for both keys and weights of
+/// sum 1, the biharmonic form w = a + c (K(y1) - K(y2)) has a = 1/2 and c = 1 / (2 (K(0) -
+/// K(y12))).
 fn weights(places: [DVec3; 2], direction: DVec3) -> [f64; 2] {
     let between = |a: DVec3, b: DVec3| kernel(0.25 * (a - b).length_squared());
     let slope = 0.5 / (kernel(0.0) - between(places[0], places[1]));
@@ -187,8 +198,8 @@ fn weights(places: [DVec3; 2], direction: DVec3) -> [f64; 2] {
     smoothed.map(|w| w / (smoothed[0] + smoothed[1]))
 }
 
-/// K(y) = -ln y ln(1 - y) - Li2(y), which by Euler's reflection is Li2(1 - y) - pi^2 / 6; the series converges for
-/// directions that are no keys.
+/// K(y) = -ln y ln(1 - y) - Li2(y), which by Euler's reflection is Li2(1 - y) - pi^2 / 6; the
+/// series converges for directions that are no keys.
 fn kernel(y: f64) -> f64 {
     let z = 1.0 - y;
     if z >= 1.0 {

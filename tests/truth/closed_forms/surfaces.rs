@@ -62,14 +62,15 @@ impl Eye {
 }
 
 pub(crate) trait Surface {
-    /// What a 2x2 quad of pixels shows for the fragment of one of them, which lies on the surface. The others help it
-    /// with derivatives, on the plane of its triangle. `None` where that is not told.
+    /// What a 2x2 quad of pixels shows for the fragment of one of them, which lies on the surface.
+    /// The others help it with derivatives, on the plane of its triangle. `None` where that is not
+    /// told.
     fn quad(&self, eye: &Eye, pixels: [[u32; 2]; 4], own: usize) -> Option<[Point; 4]>;
     fn mesh(&self) -> Mesh;
 }
 
-/// The plane z = 0, larger than the picture, with the normal (x TURN, y TURN, 1) at (x, y, 0): a bump without height.
-/// Normals are linear on it, as those between vertices are.
+/// The plane z = 0, larger than the picture, with the normal (x TURN, y TURN, 1) at (x, y, 0): a
+/// bump without height. Normals are linear on it, as those between vertices are.
 pub(crate) struct Plane;
 
 /// How far the plane reaches.
@@ -117,8 +118,12 @@ impl Sphere {
 impl Surface for Sphere {
     fn quad(&self, eye: &Eye, pixels: [[u32; 2]; 4], own: usize) -> Option<[Point; 4]> {
         // At the picture's sides curvature is known from one side only, and so less well.
-        let is_inside = |pixel: [u32; 2]| (0..2).all(|i| (4..eye.size[i] as u32 - 4).contains(&pixel[i]));
-        let middle = pixels.iter().all(|pixel| is_inside(*pixel)).then(|| self.meet(eye.ray(pixels[own])))??;
+        let is_inside =
+            |pixel: [u32; 2]| (0..2).all(|i| (4..eye.size[i] as u32 - 4).contains(&pixel[i]));
+        let middle = pixels
+            .iter()
+            .all(|pixel| is_inside(*pixel))
+            .then(|| self.meet(eye.ray(pixels[own])))??;
         let mut points = [None; 4];
         for (point, pixel) in points.iter_mut().zip(pixels) {
             let [from, along] = eye.ray(pixel);
@@ -127,7 +132,9 @@ impl Surface for Sphere {
             let on_plane = from + along * ((1.0 - middle.dot(from)) / middle.dot(along));
             let z = on_sphere.z;
             let kappa = match eye.camera.projection {
-                Projection::Orthographic => (1.0 + z * z) / (2.0 * z.powi(3)) * eye.height_at(from.z),
+                Projection::Orthographic => {
+                    (1.0 + z * z) / (2.0 * z.powi(3)) * eye.height_at(from.z)
+                }
                 // No look is asked for curvature there.
                 Projection::Perspective => 0.0,
             };
@@ -150,7 +157,8 @@ impl Surface for Sphere {
                 let at = [theta.sin() * phi.cos(), theta.sin() * phi.sin(), theta.cos()];
                 positions.push(at.map(|x| x as f32));
                 let next = (step + 1) % AROUND;
-                let (outer, inner) = (1 + (ring - 1) * AROUND, (1 + ring.saturating_sub(2) * AROUND, ring > 1));
+                let (outer, inner) =
+                    (1 + (ring - 1) * AROUND, (1 + ring.saturating_sub(2) * AROUND, ring > 1));
                 match inner {
                     (inner, true) => {
                         indices.extend([inner + step, outer + step, outer + next]);

@@ -27,7 +27,8 @@ fn cross(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
 fn inside(corners: [[f64; 2]; 3], point: [f64; 2]) -> f64 {
     let [a, b, c] = corners;
     let side = cross(a, b, c).signum();
-    let distance = |a: [f64; 2], b: [f64; 2]| side * cross(a, b, point) / (b[0] - a[0]).hypot(b[1] - a[1]);
+    let distance =
+        |a: [f64; 2], b: [f64; 2]| side * cross(a, b, point) / (b[0] - a[0]).hypot(b[1] - a[1]);
     distance(a, b).min(distance(b, c)).min(distance(c, a))
 }
 
@@ -45,12 +46,17 @@ fn samples_inside_are_covered_and_no_others() {
                 let blur = if snap == Snap::None { 1e-9 } else { 1.0 / 256.0 };
                 for y in 0..size[1] {
                     for x in 0..size[0] {
-                        let distances =
-                            positions.iter().map(|at| inside(corners, [f64::from(x) + at[0], f64::from(y) + at[1]]));
+                        let distances = positions.iter().map(|at| {
+                            inside(corners, [f64::from(x) + at[0], f64::from(y) + at[1]])
+                        });
                         let least = distances.clone().filter(|distance| *distance > blur).count();
                         let most = distances.filter(|distance| *distance > -blur).count();
-                        let found = usize::from(raster.coverage[(y * size[0] + x) as usize].samples);
-                        assert!((least..=most).contains(&found), "round {round}, {snap:?}: ({x}, {y}) {found}");
+                        let found =
+                            usize::from(raster.coverage[(y * size[0] + x) as usize].samples);
+                        assert!(
+                            (least..=most).contains(&found),
+                            "round {round}, {snap:?}: ({x}, {y}) {found}"
+                        );
                         let alpha = raster.texels.pixel(x, y)[3];
                         assert!((alpha * f64::from(samples) - found as f64).abs() < 1e-12);
                     }
@@ -66,15 +72,20 @@ fn counted_areas_are_the_areas_of_triangles() {
     let mut random = Random::new(2);
     let mut excess = 0.0;
     for _ in 0..40 {
-        let corners = [(); 3].map(|()| size.map(|side| random.between(0.05, 0.95) * f64::from(side)));
+        let corners =
+            [(); 3].map(|()| size.map(|side| random.between(0.05, 0.95) * f64::from(side)));
         let shader = white(corners.map(|corner| at_pixel(size, corner, 0.5)).to_vec());
         let raster = draw(size, 4, &CLEAR, &[0, 1, 2], &shader, &Options::default());
         let counted: f64 = raster.texels.values.chunks_exact(4).map(|pixel| pixel[3]).sum();
         let area = 0.5 * cross(corners[0], corners[1], corners[2]).abs();
         let border: f64 = (0..3)
-            .map(|i| (corners[i][0] - corners[(i + 1) % 3][0]).hypot(corners[i][1] - corners[(i + 1) % 3][1]))
+            .map(|i| {
+                (corners[i][0] - corners[(i + 1) % 3][0])
+                    .hypot(corners[i][1] - corners[(i + 1) % 3][1])
+            })
             .sum();
-        // A sample stands for a quarter of a pixel, and the error of each along the border is as good as random.
+        // A sample stands for a quarter of a pixel, and the error of each along the border is as
+        // good as random.
         assert!((counted - area).abs() < border.sqrt(), "{counted} of {area}");
         excess += counted - area;
     }
@@ -119,13 +130,20 @@ fn meshes_without_gaps_cover_every_sample_once() {
     for round in 0..8 {
         let (points, indices) = carpet(size, 4 + 5 * round, &mut random);
         for (samples, snap) in [(1, SNAPS[0]), (1, SNAPS[1]), (4, SNAPS[0]), (4, SNAPS[1])] {
-            // Each triangle has corners of its own, nearer than those before, so that none hides another.
+            // Each triangle has corners of its own, nearer than those before, so that none hides
+            // another.
             let corners = indices.iter().enumerate().map(|(number, index)| {
-                at_pixel(size, points[*index as usize], 0.9 - 0.8 * (number / 3) as f64 / indices.len() as f64)
+                at_pixel(
+                    size,
+                    points[*index as usize],
+                    0.9 - 0.8 * (number / 3) as f64 / indices.len() as f64,
+                )
             });
             let faint = 1e-6;
-            let shader = Plain::new(corners.collect(), move |_, _| Some(vec![0.0, 0.0, 0.0, faint]));
-            let raster = draw(size, samples, &CLEAR, &in_order(indices.len()), &shader, &options(snap));
+            let shader =
+                Plain::new(corners.collect(), move |_, _| Some(vec![0.0, 0.0, 0.0, faint]));
+            let raster =
+                draw(size, samples, &CLEAR, &in_order(indices.len()), &shader, &options(snap));
             for (pixel, coverage) in raster.texels.values.chunks_exact(4).zip(&raster.coverage) {
                 assert_eq!(u32::from(coverage.samples), samples, "a gap");
                 assert!((pixel[3] / faint - 1.0).abs() < 1e-9, "twice: {}", pixel[3] / faint);
@@ -141,7 +159,9 @@ fn rectangles_own_their_left_and_top_sides() {
     let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
     let clip = corners.map(|corner| at_pixel(size, corner, 0.5)).to_vec();
     for snap in SNAPS {
-        for indices in [[0, 1, 2, 0, 2, 3], [0, 2, 1, 0, 3, 2], [0, 1, 3, 1, 2, 3], [3, 0, 1, 2, 3, 1]] {
+        for indices in
+            [[0, 1, 2, 0, 2, 3], [0, 2, 1, 0, 3, 2], [0, 1, 3, 1, 2, 3], [3, 0, 1, 2, 3, 1]]
+        {
             let raster = draw(size, 1, &CLEAR, &indices, &white(clip.clone()), &options(snap));
             for y in 0..size[1] {
                 for x in 0..size[0] {
@@ -165,11 +185,15 @@ fn the_silhouette_of_a_finer_sphere_is_rounder() {
             for segment in 0..segments {
                 let turn = 2.0 * PI * segment as f64 / segments as f64;
                 // Seen along the axis, so that the silhouette is a regular polygon.
-                let at = [200.0 + radius * polar.sin() * turn.cos(), 200.0 + radius * polar.sin() * turn.sin()];
+                let at = [
+                    200.0 + radius * polar.sin() * turn.cos(),
+                    200.0 + radius * polar.sin() * turn.sin(),
+                ];
                 clip.push(at_pixel(size, at, 0.5 - 0.4 * polar.cos()));
                 if ring < segments {
                     let next = (segment + 1) % segments;
-                    let [a, b] = [ring * segments + segment, ring * segments + next].map(|i| i as u32);
+                    let [a, b] =
+                        [ring * segments + segment, ring * segments + next].map(|i| i as u32);
                     let [c, d] = [a, b].map(|i| i + segments as u32);
                     indices.extend([a, b, d, a, d, c]);
                 }
@@ -187,7 +211,7 @@ fn the_silhouette_of_a_finer_sphere_is_rounder() {
     }
 }
 
-/// Triangles of random places, depths and colours.
+/// Triangles of random places, depths and colors.
 fn clutter(size: [u32; 2], count: usize, alpha: f64, seed: u64) -> Plain<'static> {
     let mut random = Random::new(seed);
     let mut numbers = Vec::new();
@@ -211,8 +235,9 @@ fn opaque_triangles_may_come_in_any_order() {
     let forward = in_order(360);
     let backward: Vec<u32> = forward.chunks(3).rev().flatten().copied().collect();
     for samples in [1, 4] {
-        let [one, other] = [&forward, &backward]
-            .map(|indices| draw(size, samples, &CLEAR, indices, &shader, &Options::default()).texels);
+        let [one, other] = [&forward, &backward].map(|indices| {
+            draw(size, samples, &CLEAR, indices, &shader, &Options::default()).texels
+        });
         assert_eq!(one, other);
     }
 }
@@ -225,7 +250,8 @@ fn threads_tiles_and_memory_change_nothing() {
     let draws = [(&indices[0][..], &shaders[0]), (&indices[1][..], &shaders[1])];
     for samples in [1, 4] {
         let make = |threads, tile, budget| {
-            let options = Options { threads, tile, budget, snap: Snap::Subpixel(8), ..Options::default() };
+            let options =
+                Options { threads, tile, budget, snap: Snap::Subpixel(8), ..Options::default() };
             draw_all(size, samples, &Target::Picture([0.1, 0.2, 0.3, 1.0]), &draws, &options)
         };
         let first = make(1, 64, usize::MAX);
@@ -233,7 +259,10 @@ fn threads_tiles_and_memory_change_nothing() {
         for (threads, tile, budget) in
             [(2, 64, usize::MAX), (3, 33, 1 << 16), (1, 512, 0), (2, 2, usize::MAX), (5, 8, 0)]
         {
-            assert!(make(threads, tile, budget) == first, "{threads} threads, tiles of {tile}, budget {budget}");
+            assert!(
+                make(threads, tile, budget) == first,
+                "{threads} threads, tiles of {tile}, budget {budget}"
+            );
         }
     }
 }
@@ -241,7 +270,8 @@ fn threads_tiles_and_memory_change_nothing() {
 #[test]
 fn counter_clockwise_is_the_front() {
     let size = [8, 8];
-    let clip: Vec<_> = [[0.0, 0.0], [16.0, 0.0], [0.0, 16.0]].map(|at| at_pixel(size, at, 0.5)).to_vec();
+    let clip: Vec<_> =
+        [[0.0, 0.0], [16.0, 0.0], [0.0, 16.0]].map(|at| at_pixel(size, at, 0.5)).to_vec();
     let front = |batch: &chiaro::reference::QuadBatch, lane: usize| {
         Some(vec![f64::from(batch.front() >> lane & 1 == 1), 0.0, 0.0, 1.0])
     };
@@ -259,9 +289,14 @@ fn no_position_is_too_strange() {
     let mut random = Random::new(8);
     for _ in 0..200 {
         let number = |random: &mut Random| {
-            let magnitude = 10_f64.powf(random.between(-20.0, 20.0) * f64::from(u8::from(random.chance(0.5))));
+            let magnitude =
+                10_f64.powf(random.between(-20.0, 20.0) * f64::from(u8::from(random.chance(0.5))));
             let strange = [0.0, -0.0, f64::NAN, f64::INFINITY, f64::MIN_POSITIVE, f64::MAX, -1e-12];
-            if random.chance(0.1) { *random.pick(&strange) } else { random.between(-1.0, 1.0) * magnitude }
+            if random.chance(0.1) {
+                *random.pick(&strange)
+            } else {
+                random.between(-1.0, 1.0) * magnitude
+            }
         };
         let clip = (0..30).map(|_| [(); 4].map(|()| number(&mut random))).collect();
         let shader = white(clip);

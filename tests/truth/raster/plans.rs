@@ -7,7 +7,9 @@ use chiaro::compile::Live;
 use chiaro::diag::Diagnostic;
 use chiaro::frame::{Assets, Draw, FramePlan, PassKind, PlanOptions, Planner, open};
 use chiaro::library::Library;
-use chiaro::reference::{Control, Interpolation, Options, PassImages, Shader, Shaders, Texels, execute};
+use chiaro::reference::{
+    Control, Interpolation, Options, PassImages, Shader, Shaders, Texels, execute,
+};
 use glam::DVec3;
 
 use super::shaders::Plain;
@@ -32,11 +34,17 @@ impl Shaders for Noted {
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {
         // The object stands where its mesh does, in the test's scene.
         let positions = draw.mesh.positions.iter().map(|p| DVec3::from_array(p.map(f64::from)));
-        let clip = positions.clone().map(|p| (plan.view.clip_from_world * p.extend(1.0)).to_array()).collect();
-        let seen = positions.map(|p| plan.view.camera_from_world.transform_point3(p).to_array().to_vec()).collect();
+        let clip = positions
+            .clone()
+            .map(|p| (plan.view.clip_from_world * p.extend(1.0)).to_array())
+            .collect();
+        let seen = positions
+            .map(|p| plan.view.camera_from_world.transform_point3(p).to_array().to_vec())
+            .collect();
         let shader = if *kind == PassKind::Look {
             self.note("look");
-            let curvature = images.surface.curvature.as_ref().expect("the curvature pass came before");
+            let curvature =
+                images.surface.curvature.as_ref().expect("the curvature pass came before");
             Plain::new(clip, move |batch, lane| {
                 let [x, y] = [0, 1].map(|c| batch.position(c)[lane] as u32);
                 Some(vec![curvature.pixel(x, y)[0], 0.0, 0.0, 1.0])
@@ -71,7 +79,9 @@ fn plan(look: &str, size: [u32; 2]) -> FramePlan {
     let (mut setup, _) = open(&path, Some("shape:sphere"), &mut assets).expect("an example");
     setup.objects[0].world_from_object = glam::DMat4::IDENTITY;
     let options = PlanOptions { size, samples: 4, time: 0.0 };
-    Planner::new(assets).plan(&setup, Library::built_in(), &Live::Keyed, &options).expect("an example")
+    Planner::new(assets)
+        .plan(&setup, Library::built_in(), &Live::Keyed, &options)
+        .expect("an example")
 }
 
 #[test]
@@ -88,7 +98,8 @@ fn passes_run_in_order_and_read_each_other() {
     assert_eq!(*shaders.0.lock().expect("nobody panics"), ["normals", "curvature", "look"]);
     let shares = shares.into_inner().expect("nobody panics");
     assert!(shares.is_sorted() && shares.last() == Some(&1.0), "{shares:?}");
-    // The middle shows the object's number plus 1 and the distance of the sphere; the corner what is behind it.
+    // The middle shows the object's number plus 1 and the distance of the sphere; the corner what
+    // is behind it.
     let middle = picture.straight(40, 30);
     let distance = (plan.view.eye.length() - 1.0) + 7.0;
     assert!((middle[0] - distance).abs() < 0.02, "{middle:?}, not {distance}");
@@ -96,7 +107,13 @@ fn passes_run_in_order_and_read_each_other() {
     assert!(picture.coverage(40, 30).is_inside(4));
     assert_eq!((picture.coverage(0, 0).draw, picture.object(0, 0)), (None, None));
     let backdrop = plan.backdrop.expect("the default scene has one");
-    assert!(picture.straight(0, 0).iter().zip(backdrop).all(|(found, wanted)| (found - wanted).abs() < 1e-15));
+    assert!(
+        picture
+            .straight(0, 0)
+            .iter()
+            .zip(backdrop)
+            .all(|(found, wanted)| (found - wanted).abs() < 1e-15)
+    );
     assert_eq!(picture.to_picture().rgba.len(), 81 * 60);
 }
 
@@ -104,9 +121,11 @@ fn passes_run_in_order_and_read_each_other() {
 fn a_plan_out_of_order_is_refused() {
     let mut plan = plan("figure6-comics.json", [16, 16]);
     plan.passes.remove(0);
-    let problem = execute(&plan, &Noted::default(), &Options::default(), &Control::none()).expect_err("no normals");
+    let problem = execute(&plan, &Noted::default(), &Options::default(), &Control::none())
+        .expect_err("no normals");
     assert_eq!(problem.code, "reference-plan");
     plan.passes.clear();
-    let problem = execute(&plan, &Noted::default(), &Options::default(), &Control::none()).expect_err("no picture");
+    let problem = execute(&plan, &Noted::default(), &Options::default(), &Control::none())
+        .expect_err("no picture");
     assert_eq!(problem.code, "reference-plan");
 }

@@ -2,8 +2,8 @@
 
 use chiaro::diag::Diagnostic;
 use chiaro::reference::{
-    Control, FragmentStage, Interpolation, Options, QuadBatch, Raster, Shaded, Shader, Sides, Target, Triangles,
-    Varying, VertexStage, rasterise,
+    Control, FragmentStage, Interpolation, Options, QuadBatch, Raster, Shaded, Shader, Sides,
+    Target, Triangles, Varying, VertexStage, rasterise,
 };
 
 use crate::support::random::Random;
@@ -73,7 +73,10 @@ impl FragmentStage for Fragments<'_> {
         for lane in 0..batch.lanes() {
             match (self.0.fragment)(batch, lane) {
                 Some(numbers) => {
-                    numbers.iter().enumerate().for_each(|(channel, number)| out.channel_mut(channel)[lane] = *number);
+                    numbers
+                        .iter()
+                        .enumerate()
+                        .for_each(|(channel, number)| out.channel_mut(channel)[lane] = *number);
                 }
                 None => out.discarded |= 1 << lane,
             }
@@ -107,9 +110,12 @@ pub(crate) fn draw_all(
     draws: &[(&[u32], &Plain<'_>)],
     options: &Options,
 ) -> Raster {
-    let triangles: Vec<_> =
-        draws.iter().map(|(indices, shader)| Triangles { indices, shader: *shader, sides: BOTH }).collect();
-    rasterise(size, samples, target, &triangles, options, &Control::none()).expect("it fits, and nothing fails")
+    let triangles: Vec<_> = draws
+        .iter()
+        .map(|(indices, shader)| Triangles { indices, shader: *shader, sides: BOTH })
+        .collect();
+    rasterise(size, samples, target, &triangles, options, &Control::none())
+        .expect("it fits, and nothing fails")
 }
 
 /// Clip space (w = 1) of a point of the screen in pixels from the upper left.

@@ -3,7 +3,8 @@
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use chiaro::reference::{
-    Control, Interpolation, LANES, Options, QuadBatch, Snap, Target, Triangles, rasterise, shade_all,
+    Control, Interpolation, LANES, Options, QuadBatch, Snap, Target, Triangles, rasterise,
+    shade_all,
 };
 use glam::DVec3;
 
@@ -29,7 +30,8 @@ fn ray(x: f64, y: f64) -> DVec3 {
     DVec3::new(ndc_x * f64::from(SIZE[0]) / f64::from(SIZE[1]) / ZOOM, ndc_y / ZOOM, -1.0)
 }
 
-/// Where the ray meets the plane of the triangle, and how far inside of it: the least barycentric coordinate.
+/// Where the ray meets the plane of the triangle, and how far inside of it: the least barycentric
+/// coordinate.
 fn meet([a, b, c]: [DVec3; 3], ray: DVec3) -> (DVec3, f64) {
     let normal = (b - a).cross(c - a);
     let hit = ray * (normal.dot(a) / normal.dot(ray));
@@ -49,7 +51,8 @@ fn traced(triangle: [DVec3; 3]) -> Plain<'static> {
     Plain::new(triangle.map(project).to_vec(), fragment).with(Interpolation::Perspective, numbers)
 }
 
-/// Draws each triangle, and holds every pixel against the ray through its middle. Gives how many were covered.
+/// Draws each triangle, and holds every pixel against the ray through its middle. Gives how many
+/// were covered.
 fn hold_against_rays(triangle: [DVec3; 3]) -> usize {
     hold_against_rays_on(Snap::None, triangle)
 }
@@ -71,7 +74,10 @@ fn hold_against_rays_on(snap: Snap, triangle: [DVec3; 3]) -> usize {
             }
             let (is_covered, is_inside) = (pixel[7] == 1.0, within > 0.0 && depths > 0.0);
             // A grid moves the edges, but nothing that is within them.
-            assert!(is_covered == is_inside || snap != Snap::None, "({x}, {y}): {within}, {depths}");
+            assert!(
+                is_covered == is_inside || snap != Snap::None,
+                "({x}, {y}): {within}, {depths}"
+            );
             if !(is_covered && is_inside) {
                 continue;
             }
@@ -79,7 +85,10 @@ fn hold_against_rays_on(snap: Snap, triangle: [DVec3; 3]) -> usize {
             let [_, _, z, w] = project(hit);
             let wanted = [middle_x, middle_y, z / w, 1.0 / distance, hit.x, hit.y, hit.z];
             for (found, wanted) in pixel.iter().zip(wanted) {
-                assert!((found - wanted).abs() < 1e-7 * (1.0 + wanted.abs()), "({x}, {y}): {pixel:?}, not {wanted}");
+                assert!(
+                    (found - wanted).abs() < 1e-7 * (1.0 + wanted.abs()),
+                    "({x}, {y}): {pixel:?}, not {wanted}"
+                );
             }
         }
     }
@@ -95,7 +104,8 @@ fn varyings_are_where_rays_meet_the_plane() {
             let at = random.between(1.0, 30.0);
             DVec3::new(random.between(-at, at), random.between(-at, at), -at)
         };
-        covered += hold_against_rays([corner(&mut random), corner(&mut random), corner(&mut random)]);
+        covered +=
+            hold_against_rays([corner(&mut random), corner(&mut random), corner(&mut random)]);
     }
     assert!(covered > 10_000, "{covered}");
 }
@@ -117,7 +127,8 @@ fn a_grid_decides_coverage_and_moves_no_plane() {
     assert!(covered > 1000, "{covered}");
 }
 
-/// A sliver that the grid widens or turns around gives nothing beyond its corners, however steep its own plane is.
+/// A sliver that the grid widens or turns around gives nothing beyond its corners, however steep
+/// its own plane is.
 #[test]
 fn slivers_on_a_grid_give_nothing_beyond_their_corners() {
     let mut random = Random::new(16);
@@ -146,15 +157,21 @@ fn what_is_near_or_behind_the_eye_is_cut() {
     for round in 0..80 {
         // One or two corners are behind the eye, some beyond the far plane.
         let corner = |random: &mut Random, is_behind: bool| {
-            let z = if is_behind { random.between(-0.4, 20.0) } else { random.between(-60.0, -2.0) };
+            let z =
+                if is_behind { random.between(-0.4, 20.0) } else { random.between(-60.0, -2.0) };
             DVec3::new(random.between(-20.0, 20.0), random.between(-20.0, 20.0), z)
         };
         let corners = [0, 1, 2].map(|i| corner(&mut random, i <= round % 2));
         covered += hold_against_rays(corners);
     }
     // Seen almost edge-on, and with a corner at the eye itself.
-    hold_against_rays([DVec3::new(-5.0, 0.01, 3.0), DVec3::new(5.0, 0.0, 3.0), DVec3::new(0.0, -0.01, -30.0)]);
-    covered += hold_against_rays([DVec3::ZERO, DVec3::new(4.0, 0.0, -8.0), DVec3::new(0.0, 5.0, -9.0)]);
+    hold_against_rays([
+        DVec3::new(-5.0, 0.01, 3.0),
+        DVec3::new(5.0, 0.0, 3.0),
+        DVec3::new(0.0, -0.01, -30.0),
+    ]);
+    covered +=
+        hold_against_rays([DVec3::ZERO, DVec3::new(4.0, 0.0, -8.0), DVec3::new(0.0, 5.0, -9.0)]);
     assert!(covered > 10_000, "{covered}");
 }
 
@@ -164,7 +181,8 @@ fn a_floor_under_the_eye_is_cut_without_gaps() {
     let (mut points, mut indices) = (Vec::new(), Vec::new());
     for row in 0..=20_u32 {
         for column in 0..=20_u32 {
-            let [x, z] = [column, row].map(|step| 60.0 * (f64::from(step) / 10.0 - 1.0) + random.between(-2.0, 2.0));
+            let [x, z] = [column, row]
+                .map(|step| 60.0 * (f64::from(step) / 10.0 - 1.0) + random.between(-2.0, 2.0));
             points.push(project(DVec3::new(x, -1.0, z)));
             if row < 20 && column < 20 {
                 let corner = row * 21 + column;
@@ -209,7 +227,8 @@ fn helpers_lie_on_the_triangles_plane() {
         let numbers = triangle.iter().map(|point| point.to_array().to_vec()).collect();
         let fragment = |batch: &QuadBatch, lane: usize| {
             for lane in lane & !3..(lane & !3) + 4 {
-                let (hit, _) = meet(triangle, ray(batch.position(0)[lane], batch.position(1)[lane]));
+                let (hit, _) =
+                    meet(triangle, ray(batch.position(0)[lane], batch.position(1)[lane]));
                 if -hit.z > 1.0 && -hit.z < 30.0 {
                     let found = DVec3::from_array([0, 1, 2].map(|c| batch.varying(c)[lane]));
                     assert!((found - hit).length() < 1e-6 * hit.length(), "{found}, not {hit}");
@@ -218,7 +237,8 @@ fn helpers_lie_on_the_triangles_plane() {
             }
             Some(vec![0.0; 4])
         };
-        let shader = Plain::new(triangle.map(project).to_vec(), fragment).with(Interpolation::Perspective, numbers);
+        let shader = Plain::new(triangle.map(project).to_vec(), fragment)
+            .with(Interpolation::Perspective, numbers);
         draw(SIZE, 4, &CLEAR, &[0, 1, 2], &shader, &Options::default());
     }
     assert!(seen.into_inner() > 1000, "enough of them were helpers");
@@ -232,8 +252,15 @@ fn derivatives_are_gradients() {
     let fragment = |batch: &QuadBatch, lane: usize| {
         let quad = lane & !3;
         let number = |lane: usize| batch.varying(0)[quad + lane];
-        let derivatives = [number(1) - number(0), number(3) - number(2), number(2) - number(0), number(3) - number(1)];
-        for (found, wanted) in derivatives.into_iter().zip([gradient[0], gradient[0], gradient[1], gradient[1]]) {
+        let derivatives = [
+            number(1) - number(0),
+            number(3) - number(2),
+            number(2) - number(0),
+            number(3) - number(1),
+        ];
+        for (found, wanted) in
+            derivatives.into_iter().zip([gradient[0], gradient[0], gradient[1], gradient[1]])
+        {
             assert!((found - wanted).abs() < 1e-9, "{found}, not {wanted}");
         }
         Some(vec![1.0; 4])
@@ -265,8 +292,12 @@ fn sheet(depth: f64) -> Vec<[f64; 4]> {
 
 #[test]
 fn discarded_fragments_leave_no_depth() {
-    let is_odd = |batch: &QuadBatch, lane: usize| (batch.position(0)[lane] + batch.position(1)[lane]) % 2.0 == 0.0;
-    let front = Plain::new(sheet(0.2), move |batch, lane| (!is_odd(batch, lane)).then(|| vec![1.0, 0.0, 0.0, 1.0]));
+    let is_odd = |batch: &QuadBatch, lane: usize| {
+        (batch.position(0)[lane] + batch.position(1)[lane]) % 2.0 == 0.0
+    };
+    let front = Plain::new(sheet(0.2), move |batch, lane| {
+        (!is_odd(batch, lane)).then(|| vec![1.0, 0.0, 0.0, 1.0])
+    });
     let back = Plain::new(sheet(0.7), |_, _| Some(vec![0.0, 1.0, 0.0, 1.0]));
     let indices = in_order(6);
     for order in [[&front, &back], [&back, &front]] {
@@ -274,7 +305,8 @@ fn discarded_fragments_leave_no_depth() {
         let raster = draw_all(SIZE, 4, &CLEAR, &draws, &Options::default());
         for y in 0..SIZE[1] {
             for x in 0..SIZE[0] {
-                let wanted = if (x + y + 1) % 2 == 0 { [0.0, 1.0, 0.0, 1.0] } else { [1.0, 0.0, 0.0, 1.0] };
+                let wanted =
+                    if (x + y + 1) % 2 == 0 { [0.0, 1.0, 0.0, 1.0] } else { [1.0, 0.0, 0.0, 1.0] };
                 assert_eq!(raster.texels.pixel(x, y), wanted, "({x}, {y})");
             }
         }
@@ -282,7 +314,7 @@ fn discarded_fragments_leave_no_depth() {
 }
 
 #[test]
-fn straight_colours_are_laid_over_and_samples_averaged() {
+fn straight_colors_are_laid_over_and_samples_averaged() {
     let background = [0.1, 0.2, 0.05, 0.5];
     let colors = [[0.8, 0.4, 0.2, 0.25], [0.3, 0.9, 0.6, 0.5]];
     // The second covers the left half, and of column 30 the two samples on the left.
@@ -302,7 +334,10 @@ fn straight_colours_are_laid_over_and_samples_averaged() {
     let mixed = [0, 1, 2, 3].map(|i| 0.5 * (one[i] + both[i]));
     for (x, wanted, draw) in [(10, both, 1), (30, mixed, 0), (50, one, 0)] {
         let pixel = raster.texels.pixel(x, 20);
-        assert!(pixel.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-14), "{pixel:?}");
+        assert!(
+            pixel.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-14),
+            "{pixel:?}"
+        );
         let coverage = raster.coverage[20 * SIZE[0] as usize + x as usize];
         assert_eq!((coverage.draw, coverage.samples), (Some(draw), 4));
         assert_eq!(coverage.is_inside(4), x != 30);
@@ -317,7 +352,11 @@ fn every_pixel_of_an_image_is_shaded_once() {
         count.fetch_add(batch.live() as usize >> lane & 1, Ordering::Relaxed);
         let at = [0, 1].map(|c| batch.position(c));
         let quad = lane & !3;
-        assert!(lane < LANES && at[0][quad + 1] - at[0][quad] == 1.0 && at[1][quad + 2] - at[1][quad] == 1.0);
+        assert!(
+            lane < LANES
+                && at[0][quad + 1] - at[0][quad] == 1.0
+                && at[1][quad + 2] - at[1][quad] == 1.0
+        );
         Some(vec![at[0][lane], at[1][lane]])
     });
     for (threads, tile) in [(1, 64), (3, 10), (2, 2)] {
@@ -343,7 +382,8 @@ fn the_work_can_be_stopped_and_tells_how_far_it_is() {
     let triangles = [Triangles { indices: &indices, shader: &shader, sides: BOTH }];
     let options = Options { threads: 1, snap: Snap::Subpixel(8), ..Options::default() };
     let control = Control { cancel: &cancel, progress: &|_| panic!("nothing was finished") };
-    let problem = rasterise(SIZE, 1, &CLEAR, &triangles, &options, &control).expect_err("it was stopped");
+    let problem =
+        rasterise(SIZE, 1, &CLEAR, &triangles, &options, &control).expect_err("it was stopped");
     assert_eq!(problem.code, "cancelled");
     let most = AtomicUsize::new(0);
     let shader = Plain::new(sheet(0.5), |_, _| Some(vec![1.0; 4]));
@@ -354,8 +394,10 @@ fn the_work_can_be_stopped_and_tells_how_far_it_is() {
     let control = Control { progress: &progress, ..Control::none() };
     rasterise(SIZE, 1, &CLEAR, &triangles, &options, &control).expect("it was not");
     assert_eq!(most.into_inner(), 1000);
-    let problem = rasterise([1 << 15; 2], 4, &CLEAR, &[], &options, &Control::none()).expect_err("too large");
+    let problem =
+        rasterise([1 << 15; 2], 4, &CLEAR, &[], &options, &Control::none()).expect_err("too large");
     assert_eq!(problem.code, "reference-too-large");
-    let problem = rasterise([8; 2], 2, &CLEAR, &[], &options, &Control::none()).expect_err("no such samples");
+    let problem =
+        rasterise([8; 2], 2, &CLEAR, &[], &options, &Control::none()).expect_err("no such samples");
     assert_eq!(problem.code, "reference-samples");
 }

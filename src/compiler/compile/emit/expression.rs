@@ -22,15 +22,21 @@ impl Emitter<'_> {
             Operation::Context(context, _) => self.context_expression(*context),
             Operation::Call { .. } => self.value_names.get(&id).cloned().unwrap_or_default(),
             Operation::Member { value, name, .. } => format!("{}.{name}", self.expression(*value)),
-            Operation::Convert { template, value } => Conversion::Template(template).apply(&self.expression(*value)),
+            Operation::Convert { template, value } => {
+                Conversion::Template(template).apply(&self.expression(*value))
+            }
             // Parameters that stay live are of object rate.
-            Operation::Param { value: constant, .. } => self.literal(constant, &value.ty, value.node),
+            Operation::Param { value: constant, .. } => {
+                self.literal(constant, &value.ty, value.node)
+            }
         }
     }
 
     /// A call with its arguments.
     pub(super) fn call(&self, id: ValueId) -> String {
-        let Operation::Call { function, arguments } = &self.special.values[id].operation else { return String::new() };
+        let Operation::Call { function, arguments } = &self.special.values[id].operation else {
+            return String::new();
+        };
         let arguments: Vec<String> = arguments
             .iter()
             .map(|argument| match argument {
@@ -39,7 +45,11 @@ impl Emitter<'_> {
                 Argument::Sampler(image) => format!("{}_sampler", self.image_name(*image)),
             })
             .collect();
-        format!("{}({})", self.collected.name(&function.module, &function.name), arguments.join(", "))
+        format!(
+            "{}({})",
+            self.collected.name(&function.module, &function.name),
+            arguments.join(", ")
+        )
     }
 
     /// A constant as WGSL writes it; `node` says whose structs are meant.
@@ -52,7 +62,9 @@ impl Emitter<'_> {
                     .iter()
                     .enumerate()
                     .map(|(i, part)| {
-                        let ty = declaration.and_then(|d| d.fields.get(i)).map(|field| Type::from_wgsl(&field.ty));
+                        let ty = declaration
+                            .and_then(|d| d.fields.get(i))
+                            .map(|field| Type::from_wgsl(&field.ty));
                         self.literal(part, &ty.unwrap_or(Type::Float), node)
                     })
                     .collect();
@@ -60,12 +72,14 @@ impl Emitter<'_> {
             }
             // `array(...)` takes its type from the elements, all of which are vectors.
             Value::Array(parts) => {
-                let element = if parts.first().and_then(Value::components).is_some_and(|c| c.len() == 4) {
-                    Type::Vec4
-                } else {
-                    Type::Float
-                };
-                let parts: Vec<String> = parts.iter().map(|part| self.literal(part, &element, node)).collect();
+                let element =
+                    if parts.first().and_then(Value::components).is_some_and(|c| c.len() == 4) {
+                        Type::Vec4
+                    } else {
+                        Type::Float
+                    };
+                let parts: Vec<String> =
+                    parts.iter().map(|part| self.literal(part, &element, node)).collect();
                 format!("array({})", parts.join(", "))
             }
             Value::Vector(scalars) => vector_literal(scalars),

@@ -92,8 +92,12 @@ impl super::Needs {
         let mut attributes = vec![Attribute::Position];
         for context in &self.contexts {
             match context {
-                Context::Normal | Context::KappaFast | Context::TensorFast => attributes.push(Attribute::Normal),
-                Context::Tangent | Context::Bitangent => attributes.extend([Attribute::Normal, Attribute::Tangent]),
+                Context::Normal | Context::KappaFast | Context::TensorFast => {
+                    attributes.push(Attribute::Normal)
+                }
+                Context::Tangent | Context::Bitangent => {
+                    attributes.extend([Attribute::Normal, Attribute::Tangent])
+                }
                 Context::Uv => attributes.push(Attribute::Uv),
                 Context::VertexColor => attributes.push(Attribute::Color),
                 _ => {}
@@ -138,9 +142,11 @@ struct Object {
 ";
 
 impl Emitter<'_> {
-    /// Whether the picture's colours are encoded where they leave the shader.
+    /// Whether the picture's colors are encoded where they leave the shader.
     fn encodes(&self) -> bool {
-        self.options.display && self.options.stage == Stage::Draw && self.graph.color_space == ColorSpace::Linear
+        self.options.display
+            && self.options.stage == Stage::Draw
+            && self.graph.color_space == ColorSpace::Linear
     }
 
     /// Whether the frame calls this function of the library.
@@ -152,10 +158,14 @@ impl Emitter<'_> {
             "angle_radians" => is_mesh && self.special.values[self.special.root].ty == Type::Angle,
             "finite_vec4" => is_mesh,
             "display_from_linear" => self.encodes(),
-            "curvature_on_screen" => self.options.stage == Stage::Draw && self.needs.context(Context::KappaFast),
+            "curvature_on_screen" => {
+                self.options.stage == Stage::Draw && self.needs.context(Context::KappaFast)
+            }
             "anchor_on_screen" => is_mesh && self.needs.context(Context::Anchor),
             "size_on_screen" => is_mesh && self.needs.context(Context::Magnification),
-            "tensor_on_screen" => self.options.stage == Stage::Draw && self.needs.context(Context::TensorFast),
+            "tensor_on_screen" => {
+                self.options.stage == Stage::Draw && self.needs.context(Context::TensorFast)
+            }
             "linear_from_display" => is_mesh && self.graph.color_space == ColorSpace::Linear,
             _ => false,
         }
@@ -164,7 +174,11 @@ impl Emitter<'_> {
     pub(super) fn write_structs(&mut self) {
         let is_eval = self.options.stage == Stage::Eval;
         if !is_eval {
-            self.out.push_str(if self.needs.context(Context::Pixel) { VIEW_WITH_SCREEN } else { VIEW });
+            self.out.push_str(if self.needs.context(Context::Pixel) {
+                VIEW_WITH_SCREEN
+            } else {
+                VIEW
+            });
             self.out.push('\n');
             self.out.push_str(OBJECT);
             self.out.push('\n');
@@ -175,8 +189,10 @@ impl Emitter<'_> {
             let mut lines = String::new();
             for member in &self.host.members {
                 // Uniform buffers want structs, and what follows one, on 16 bytes.
-                let is_struct =
-                    matches!(member.ty, Type::Prepared(_) | Type::Angle | Type::Light | Type::Curve | Type::Ramp);
+                let is_struct = matches!(
+                    member.ty,
+                    Type::Prepared(_) | Type::Angle | Type::Light | Type::Curve | Type::Ramp
+                );
                 let align = if is_struct || after_struct { "@align(16) " } else { "" };
                 let _ = writeln!(lines, "    {align}{}", self.member_line(member));
                 after_struct = is_struct;
@@ -185,7 +201,9 @@ impl Emitter<'_> {
             self.out.push_str("}\n\n");
         }
         if self.has_surface() {
-            self.out.push_str("/// The surface under the fragment, in world space.\nstruct Surface {\n");
+            self.out.push_str(
+                "/// The surface under the fragment, in world space.\nstruct Surface {\n",
+            );
             for context in &self.needs.contexts {
                 let ty = Type::from_wgsl(context.wgsl_type());
                 let _ = writeln!(self.out, "    {}: {},", context.word(), ty.wgsl());
@@ -211,7 +229,11 @@ impl Emitter<'_> {
             .iter()
             .find(|(_, step)| **step == member.step)
             .map_or(0, |(id, _)| self.special.values[*id].node);
-        let ty = if member.ty == Type::Bool { "u32".to_owned() } else { self.type_name(&member.ty, node) };
+        let ty = if member.ty == Type::Bool {
+            "u32".to_owned()
+        } else {
+            self.type_name(&member.ty, node)
+        };
         format!("{}: {ty},", member.name)
     }
 
@@ -222,9 +244,15 @@ impl Emitter<'_> {
     pub(super) fn write_bindings(&mut self) -> Vec<Binding> {
         let mut bindings: Vec<(BindingKind, String, String)> = Vec::new();
         let texture = "texture_2d<f32>";
-        let mut push = |kind, name: &str, declaration: String| bindings.push((kind, name.to_owned(), declaration));
+        let mut push = |kind, name: &str, declaration: String| {
+            bindings.push((kind, name.to_owned(), declaration))
+        };
         if self.options.stage == Stage::Eval {
-            push(BindingKind::Samples, "samples", "var<storage, read> samples: array<Sample>;".to_owned());
+            push(
+                BindingKind::Samples,
+                "samples",
+                "var<storage, read> samples: array<Sample>;".to_owned(),
+            );
         } else {
             push(BindingKind::View, "view", "var<uniform> view: View;".to_owned());
             push(BindingKind::Object, "object", "var<uniform> object: Object;".to_owned());
@@ -237,7 +265,11 @@ impl Emitter<'_> {
                 (Context::Kappa, BindingKind::Curvature, "curvature_map"),
                 (Context::KappaSparse, BindingKind::CurvatureSparse, "curvature_sparse_map"),
                 (Context::KappaDetail, BindingKind::CurvatureDetail, "curvature_detail_map"),
-                (Context::KappaDetailSparse, BindingKind::CurvatureDetailSparse, "curvature_detail_sparse_map"),
+                (
+                    Context::KappaDetailSparse,
+                    BindingKind::CurvatureDetailSparse,
+                    "curvature_detail_sparse_map",
+                ),
                 (Context::Tensor, BindingKind::CurvatureTensor, "curvature_tensor_map"),
                 (Context::SmoothNormal(1), BindingKind::SmoothNormal(1), "smooth_normal_1_map"),
                 (Context::SmoothNormal(2), BindingKind::SmoothNormal(2), "smooth_normal_2_map"),
@@ -252,13 +284,18 @@ impl Emitter<'_> {
         for image in 0..self.needs.images.len() {
             if self.image_is_used(image) {
                 let name = self.image_name(image);
-                let (shape, texture) = (self.needs.images[image].shape, self.needs.images[image].shape.wgsl());
+                let (shape, texture) =
+                    (self.needs.images[image].shape, self.needs.images[image].shape.wgsl());
                 let kind = match shape {
                     ImageShape::Flat => BindingKind::Image(image),
                     ImageShape::Hcbtf { .. } => BindingKind::Hcbtf(image),
                 };
                 push(kind, &name, format!("var {name}: {texture};"));
-                push(BindingKind::Sampler(image), &format!("{name}_sampler"), format!("var {name}_sampler: sampler;"));
+                push(
+                    BindingKind::Sampler(image),
+                    &format!("{name}_sampler"),
+                    format!("var {name}_sampler: sampler;"),
+                );
             }
         }
         let mut numbered = Vec::new();
@@ -298,7 +335,8 @@ impl Emitter<'_> {
         }
         out.push_str("}\n\n@vertex\nfn vs_main(vertex: Vertex) -> Varyings {\n");
         out.push_str(
-            "    let world = object.world_from_object * vec4f(vertex.position, 1.0);\n    var out: Varyings;\n",
+            "    let world = object.world_from_object * vec4f(vertex.position, 1.0);\n    var out: \
+             Varyings;\n",
         );
         out.push_str("    out.clip = view.clip_from_world * world;\n");
         for (name, _, value) in &varyings {
@@ -308,10 +346,18 @@ impl Emitter<'_> {
     }
 
     /// Name, type and value of each varying.
-    fn varyings(&self, attributes: &[Attribute]) -> Vec<(&'static str, &'static str, &'static str)> {
+    fn varyings(
+        &self,
+        attributes: &[Attribute],
+    ) -> Vec<(&'static str, &'static str, &'static str)> {
         let mut varyings = Vec::new();
-        let position =
-            [Context::Position, Context::PositionCamera, Context::View, Context::Depth, Context::Magnification];
+        let position = [
+            Context::Position,
+            Context::PositionCamera,
+            Context::View,
+            Context::Depth,
+            Context::Magnification,
+        ];
         let reads_it = |context: &Context| position.contains(context) || context.is_derived();
         if self.options.stage.is_normals() || self.needs.contexts.iter().any(reads_it) {
             varyings.push(("position", "vec3f", "world.xyz"));
@@ -323,13 +369,17 @@ impl Emitter<'_> {
                     "vec3f",
                     "vertex.position",
                 )),
-                Attribute::Normal => Some(("normal", "vec3f", "object.world_from_normal * vertex.normal")),
-                // An object that is mirrored has its bitangents on the other side of normal and tangent.
+                Attribute::Normal => {
+                    Some(("normal", "vec3f", "object.world_from_normal * vertex.normal"))
+                }
+                // An object that is mirrored has its bitangents on the other side of normal and
+                // tangent.
                 Attribute::Tangent => Some((
                     "tangent",
                     "vec4f",
                     "vec4f((object.world_from_object * vec4f(vertex.tangent.xyz, 0.0)).xyz, \
-                     select(vertex.tangent.w, -vertex.tangent.w, determinant(object.world_from_normal) < 0.0))",
+                     select(vertex.tangent.w, -vertex.tangent.w, \
+                     determinant(object.world_from_normal) < 0.0))",
                 )),
                 Attribute::Uv => Some(("uv", "vec2f", "vertex.uv")),
                 Attribute::Color => Some(("color", "vec4f", "vertex.color")),
@@ -342,21 +392,26 @@ impl Emitter<'_> {
         let is_normals = self.options.stage.is_normals();
         if is_normals {
             self.out.push_str(
-                "\nstruct Fragment {\n    /// The normal in camera axes, and the object's number plus 1.\n    \
-                 @location(0) normal: vec4f,\n    /// The distance in front of the eye.\n    @location(1) depth: f32,\n}\n",
+                "\nstruct Fragment \
+                 {\n    /// The normal in camera axes, and the object's number plus 1.\n    \
+                 @location(0) normal: vec4f,\n    /// The distance in front of the eye.\n    \
+                 @location(1) depth: f32,\n}\n",
             );
         }
         let result = if is_normals { "Fragment" } else { "@location(0) vec4f" };
         let uses_front = self.needs.contexts.iter().any(|c| {
-            matches!(c, Context::Normal | Context::Tangent | Context::Bitangent) || (c.is_derived() && !is_normals)
+            matches!(c, Context::Normal | Context::Tangent | Context::Bitangent)
+                || (c.is_derived() && !is_normals)
         });
         let front = if uses_front { ", @builtin(front_facing) is_front: bool" } else { "" };
         let _ = write!(self.out, "\n@fragment\nfn fs_main(in: Varyings{front}) -> {result} {{\n");
         if uses_front {
             self.out.push_str("    let facing = normalize_or(in.normal, vec3f(0.0, 0.0, 1.0));\n");
             self.out.push_str(if is_normals {
-                // Slivers at outlines may be taken for backs; turned around, one of them would bend all that is near.
-                "    let toward = normalize_or(view.eye.xyz - view.eye.w * in.position, facing);\n    \
+                // Slivers at outlines may be taken for backs; turned around, one of them would bend
+                // all that is near.
+                "    let toward = normalize_or(view.eye.xyz - view.eye.w * in.position, \
+                 facing);\n    \
                  let is_behind = !is_front && dot(facing, toward) < -0.1;\n    \
                  let normal = select(facing, -facing, is_behind);\n"
             } else {
@@ -379,8 +434,13 @@ impl Emitter<'_> {
         };
         let _ = writeln!(self.out, "    let shaded = shade({arguments});");
         let value = if self.special.cutoff.is_some() {
-            let cutoff = if self.options.cutout { "max(shaded.cutoff, object.cutoff)" } else { "shaded.cutoff" };
-            let _ = writeln!(self.out, "    if shaded.color.w < {cutoff} {{\n        discard;\n    }}");
+            let cutoff = if self.options.cutout {
+                "max(shaded.cutoff, object.cutoff)"
+            } else {
+                "shaded.cutoff"
+            };
+            let _ =
+                writeln!(self.out, "    if shaded.color.w < {cutoff} {{\n        discard;\n    }}");
             "shaded.value"
         } else {
             "shaded"
@@ -394,7 +454,8 @@ impl Emitter<'_> {
             )
         } else {
             let pixel = shown(&self.special.values[self.special.root].ty, value);
-            let pixel = if self.encodes() { format!("display_from_linear({pixel})") } else { pixel };
+            let pixel =
+                if self.encodes() { format!("display_from_linear({pixel})") } else { pixel };
             if self.special.cutoff.is_some() && self.options.cutout {
                 // A material with a mask is opaque wherever it is not cut out (glTF 2.0, 3.9.4).
                 writeln!(
@@ -411,10 +472,13 @@ impl Emitter<'_> {
     fn write_eval(&mut self) {
         let _ = writeln!(
             self.out,
-            "\nconst SAMPLES_PER_ROW = {SAMPLES_PER_ROW}u;\n\n@vertex\nfn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {{\n    \
-             // One triangle over a viewport of twice the target's size: it covers the target and is not clipped, for a\n    \
+            "\nconst SAMPLES_PER_ROW = {SAMPLES_PER_ROW}u;\n\n@vertex\nfn \
+             vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {{\n    \
+             // One triangle over a viewport of twice the target's size: it covers the target and \
+             is not clipped, for a\n    \
              // clipped one falls into two whose seam cuts through the pixels of a sample.\n    \
-             return vec4f(f32(index >> 1u) * 2.0 - 1.0, 1.0 - f32(index & 1u) * 2.0, 0.0, 1.0);\n}}\n\n\
+             return vec4f(f32(index >> 1u) * 2.0 - 1.0, 1.0 - f32(index & 1u) * 2.0, 0.0, \
+             1.0);\n}}\n\n\
              @fragment\nfn fs_main(@builtin(position) at: vec4f) -> @location(0) vec4f {{\n    \
              // Two by two pixels a sample: every derivative is 0.\n    \
              let index = (u32(at.y) / 2u) * SAMPLES_PER_ROW + u32(at.x) / 2u;\n    \
@@ -425,7 +489,11 @@ impl Emitter<'_> {
         }
         let arguments = if self.has_surface() { "samples[place].surface" } else { "" };
         let root = &self.special.values[self.special.root].ty;
-        let _ = writeln!(self.out, "    let value = shade({arguments});\n    return {};\n}}", raw(root, "value"));
+        let _ = writeln!(
+            self.out,
+            "    let value = shade({arguments});\n    return {};\n}}",
+            raw(root, "value")
+        );
     }
 }
 
@@ -443,47 +511,59 @@ macro_rules! smooth_normal {
 /// How a fragment's surroundings are found where a mesh is drawn.
 fn surface_value(context: Context, stage: Stage) -> &'static str {
     match context {
-        // An alpha cutoff may depend on a colour that curvature tints; before the curvature pass everything is flat.
+        // An alpha cutoff may depend on a color that curvature tints; before the curvature pass
+        // everything is flat.
         curvature if curvature.is_curvature() && stage.is_normals() => "0.0",
         vector if vector.is_measured_vector() && stage.is_normals() => "vec3f(0.0)",
         Context::Normal => "normal",
         Context::View => {
-            "normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, vec3f(0.0, 0.0, 1.0)))"
+            "normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, \
+             vec3f(0.0, 0.0, 1.0)))"
         }
         Context::Position => "in.position",
         Context::PositionObject => "in.position_object",
         Context::PositionCamera => "(view.camera_from_world * vec4f(in.position, 1.0)).xyz",
         Context::Uv => "in.uv",
         Context::VertexColor => "in.color",
-        Context::Tangent => "normalize_or(in.tangent.xyz - normal * dot(normal, in.tangent.xyz), in.tangent.xyz)",
+        Context::Tangent => {
+            "normalize_or(in.tangent.xyz - normal * dot(normal, in.tangent.xyz), in.tangent.xyz)"
+        }
         Context::Bitangent => {
-            "cross(normal, normalize_or(in.tangent.xyz - normal * dot(normal, in.tangent.xyz), in.tangent.xyz)) * in.tangent.w"
+            "cross(normal, normalize_or(in.tangent.xyz - normal * dot(normal, in.tangent.xyz), \
+             in.tangent.xyz)) * in.tangent.w"
         }
         Context::Depth => "-(view.camera_from_world * vec4f(in.position, 1.0)).z",
         Context::Kappa => "textureLoad(curvature_map, vec2i(in.clip.xy), 0).x",
         Context::KappaFast => {
             "curvature_on_screen((view.camera_from_world * vec4f(normal, 0.0)).xyz, \
              (view.camera_from_world * vec4f(in.position, 1.0)).xyz, view.eye.w, \
-             length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)))"
+             length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, \
+             view.clip_from_world[2].y)))"
         }
         Context::KappaSparse => "textureLoad(curvature_sparse_map, vec2i(in.clip.xy), 0).x",
-        Context::KappaDetailSparse => "textureLoad(curvature_detail_sparse_map, vec2i(in.clip.xy), 0).x",
+        Context::KappaDetailSparse => {
+            "textureLoad(curvature_detail_sparse_map, vec2i(in.clip.xy), 0).x"
+        }
         Context::KappaDetail => "textureLoad(curvature_detail_map, vec2i(in.clip.xy), 0).x",
         Context::Pixel => "in.clip.xy * view.screen.xy + view.screen.zw",
         Context::Anchor => {
-            "anchor_on_screen((view.camera_from_world * vec4f(object.world_from_object[3].xyz, 1.0)).xyz, view.eye.w, \
-             length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)))"
+            "anchor_on_screen((view.camera_from_world * vec4f(object.world_from_object[3].xyz, \
+             1.0)).xyz, view.eye.w, \
+             length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, \
+             view.clip_from_world[2].y)))"
         }
         Context::Magnification => {
             "size_on_screen(-(view.camera_from_world * vec4f(in.position, 1.0)).z, view.eye.w, \
-             length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)))"
+             length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, \
+             view.clip_from_world[2].y)))"
         }
         Context::WorldFromNormal => "object.world_from_normal",
         Context::Tensor => "textureLoad(curvature_tensor_map, vec2i(in.clip.xy), 0).xyz",
         Context::TensorFast => {
             "tensor_on_screen((view.camera_from_world * vec4f(normal, 0.0)).xyz, \
              (view.camera_from_world * vec4f(in.position, 1.0)).xyz, view.eye.w, \
-             length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)))"
+             length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, \
+             view.clip_from_world[2].y)))"
         }
         // Camera axes; a vector before a rotation is turned back by it.
         Context::SmoothNormal(1) => smooth_normal!(1),

@@ -1,8 +1,9 @@
 //! Writes a specialized look as WGSL.
 //!
-//! The module is: a header, the structs and bindings of the frame around it, the library's declarations that are used,
-//! then the look itself as `shade` and, for long looks, functions of bounded length that it calls, and last the entry
-//! points. Values known before the fragment stand in the `Look` uniform or as literals.
+//! The module is: a header, the structs and bindings of the frame around it, the library's
+//! declarations that are used, then the look itself as `shade` and, for long looks, functions of
+//! bounded length that it calls, and last the entry points. Values known before the fragment stand
+//! in the `Look` uniform or as literals.
 
 mod expression;
 mod frame;
@@ -16,7 +17,9 @@ use super::check::TypedGraph;
 use super::host::{Callee, HostDriver, HostProgram, Step, UniformMember, conversion_program};
 use super::items::{Collected, Items};
 use super::names::Names;
-use super::specialize::{Argument, Needs, Operation, SpecializedGraph, ValueId, operands, reachable};
+use super::specialize::{
+    Argument, Needs, Operation, SpecializedGraph, ValueId, operands, reachable,
+};
 use super::{Options, Stage};
 use crate::diag::Diagnostic;
 use crate::ids::NodePath;
@@ -113,7 +116,8 @@ impl Emitted {
         let start = error.span.as_ref().map_or(0, |span| span.start);
         let line = crate::diag::LineColumn::of(&self.text, start).line as usize;
         let source = self.text.lines().nth(line - 1).unwrap_or_default().trim();
-        let message = format!("the generated shader was refused: {} (in `{source}`)", error.message);
+        let message =
+            format!("the generated shader was refused: {} (in `{source}`)", error.message);
         let problem = Diagnostic::error("internal-invalid-wgsl", message)
             .hint("this is a mistake in Chiaro: please report the look");
         match self.spans.node_at(start) {
@@ -124,7 +128,11 @@ impl Emitted {
 }
 
 /// Writes the module.
-pub(super) fn emit(graph: &TypedGraph, specialized: &SpecializedGraph, options: &Options) -> Emitted {
+pub(super) fn emit(
+    graph: &TypedGraph,
+    specialized: &SpecializedGraph,
+    options: &Options,
+) -> Emitted {
     let mut emitter = Emitter::new(graph, specialized, options);
     emitter.plan();
     emitter.write()
@@ -202,8 +210,8 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// Depth first from the roots, so that what belongs together stands together; with a stack of its own, because a
-    /// chain may be 100,000 nodes long.
+    /// Depth first from the roots, so that what belongs together stands together; with a stack of
+    /// its own, because a chain may be 100,000 nodes long.
     fn order_calls(&mut self, roots: &[ValueId]) {
         let mut done = vec![false; self.special.values.len()];
         let mut stack: Vec<(ValueId, bool)> = roots.iter().rev().map(|&id| (id, false)).collect();
@@ -219,7 +227,9 @@ impl<'a> Emitter<'a> {
                 continue;
             }
             stack.push((id, true));
-            stack.extend(operands(&self.special.values[id].operation).rev().map(|operand| (operand, false)));
+            stack.extend(
+                operands(&self.special.values[id].operation).rev().map(|operand| (operand, false)),
+            );
         }
     }
 
@@ -268,7 +278,8 @@ impl<'a> Emitter<'a> {
             }
         }
         self.needs.contexts.sort_unstable();
-        let used: Vec<bool> = (0..self.needs.images.len()).map(|image| self.image_is_used(image)).collect();
+        let used: Vec<bool> =
+            (0..self.needs.images.len()).map(|image| self.image_is_used(image)).collect();
         if used.iter().any(|used| !used) {
             // Indices stay as they are; an image that nothing reads gets no binding.
             for (image, used) in self.needs.images.iter_mut().zip(used) {
@@ -288,11 +299,14 @@ impl<'a> Emitter<'a> {
 
     /// What fragments read of the host, and the steps that compute it.
     fn plan_host(&mut self, roots: &[ValueId]) {
-        let mut frontier: Vec<ValueId> = roots.iter().copied().filter(|&id| self.is_host(id)).collect();
+        let mut frontier: Vec<ValueId> =
+            roots.iter().copied().filter(|&id| self.is_host(id)).collect();
         let mut seen = vec![false; self.special.values.len()];
         let mut open: Vec<ValueId> = roots.to_vec();
         while let Some(id) = open.pop() {
-            if std::mem::replace(&mut seen[id], true) || self.special.values[id].rate <= Rate::Object {
+            if std::mem::replace(&mut seen[id], true)
+                || self.special.values[id].rate <= Rate::Object
+            {
                 continue;
             }
             for operand in operands(&self.special.values[id].operation) {
@@ -311,8 +325,17 @@ impl<'a> Emitter<'a> {
             self.value_names.insert(id, format!("look.{name}"));
             let value = &self.special.values[id];
             let path = &self.graph.nodes[value.node].path;
-            let origin = value.part.as_ref().map_or_else(|| path.to_string(), |part| format!("{path}.{part}"));
-            self.host.members.push(UniformMember { name, ty: value.ty.clone(), origin, step, offset: 0 });
+            let origin = value
+                .part
+                .as_ref()
+                .map_or_else(|| path.to_string(), |part| format!("{path}.{part}"));
+            self.host.members.push(UniformMember {
+                name,
+                ty: value.ty.clone(),
+                origin,
+                step,
+                offset: 0,
+            });
         }
         for (driver, &value) in self.graph.drivers.iter().zip(&self.special.drivers) {
             let step = self.host_step(value);
@@ -330,7 +353,9 @@ impl<'a> Emitter<'a> {
             }
             if !is_leaving {
                 stack.push((id, true));
-                stack.extend(operands(&self.special.values[id].operation).map(|operand| (operand, false)));
+                stack.extend(
+                    operands(&self.special.values[id].operation).map(|operand| (operand, false)),
+                );
                 continue;
             }
             let step = self.step(id);
@@ -348,7 +373,9 @@ impl<'a> Emitter<'a> {
                 Step::Param { id: *id, ty: value.ty.clone(), value: constant.clone() }
             }
             Operation::Context(context, light) => Step::Context(*context, light.clone()),
-            Operation::Member { value, index, .. } => Step::Member { value: self.host_steps[value], index: *index },
+            Operation::Member { value, index, .. } => {
+                Step::Member { value: self.host_steps[value], index: *index }
+            }
             Operation::Convert { value: from, .. } => {
                 let (from_type, to) = (self.special.values[*from].ty.clone(), value.ty.clone());
                 match conversion_program(&from_type, &to) {
@@ -367,7 +394,11 @@ impl<'a> Emitter<'a> {
                 });
                 let arguments = arguments.collect();
                 match function.module.program(&function.name) {
-                    Ok(program) => Step::Call { program, callee: Callee::Function(function.clone()), arguments },
+                    Ok(program) => Step::Call {
+                        program,
+                        callee: Callee::Function(function.clone()),
+                        arguments,
+                    },
                     // The specializer keeps what the interpreter refuses at fragment rate.
                     Err(_) => Step::Constant(crate::interp::Value::Float(0.0)),
                 }
@@ -401,7 +432,9 @@ impl<'a> Emitter<'a> {
     fn struct_constant(&self, id: ValueId) -> Option<ValueId> {
         match &self.special.values[id].operation {
             Operation::Constant(value) if value.parts().is_some() => Some(id),
-            Operation::Member { value, .. } | Operation::Convert { value, .. } => self.struct_constant(*value),
+            Operation::Member { value, .. } | Operation::Convert { value, .. } => {
+                self.struct_constant(*value)
+            }
             _ => None,
         }
     }
@@ -411,9 +444,12 @@ impl<'a> Emitter<'a> {
         let node = &self.graph.nodes[value.node];
         if let Operation::Context(context, light) = &value.operation {
             let word = context.word().replace('.', "_");
-            return light.as_ref().map_or(word.clone(), |light| word.replacen("light", light.as_str(), 1));
+            return light
+                .as_ref()
+                .map_or(word.clone(), |light| word.replacen("light", light.as_str(), 1));
         }
-        // Layers share their lights: a light goes by its own name, not by that of the first layer that it lights.
+        // Layers share their lights: a light goes by its own name, not by that of the first layer
+        // that it lights.
         let name = match &node.light {
             Some(light) if node.def.special == Special::Light => light.as_str(),
             _ => &node.name,
@@ -433,8 +469,11 @@ impl<'a> Emitter<'a> {
         self.write_constants();
         let offset = self.out.len();
         self.out.push_str(&body.text);
-        self.spans.spans =
-            body.spans.into_iter().map(|(span, path)| (span.start + offset..span.end + offset, path)).collect();
+        self.spans.spans = body
+            .spans
+            .into_iter()
+            .map(|(span, path)| (span.start + offset..span.end + offset, path))
+            .collect();
         self.write_entry_points();
         Emitted {
             root_type: self.special.values[self.special.root].ty.clone(),
@@ -450,13 +489,18 @@ impl<'a> Emitter<'a> {
         let title = if self.graph.name.is_empty() { "A look" } else { &self.graph.name };
         // A name may hold anything; a comment ends at the line's end.
         let title: String = title.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-        let _ = writeln!(self.out, "// {title}: generated by Chiaro {}.", env!("CARGO_PKG_VERSION"));
+        let _ =
+            writeln!(self.out, "// {title}: generated by Chiaro {}.", env!("CARGO_PKG_VERSION"));
         match self.options.stage {
-            Stage::Draw => self.out.push_str("// Draws a mesh with the look; the result is straight RGBA.\n\n"),
+            Stage::Draw => {
+                self.out.push_str("// Draws a mesh with the look; the result is straight RGBA.\n\n")
+            }
             Stage::Normals | Stage::DetailNormals => {
                 self.out.push_str("// Draws normals and depth, for the curvature pass.\n\n");
             }
-            Stage::Eval => self.out.push_str("// Evaluates the look at given surface samples, four pixels each.\n\n"),
+            Stage::Eval => self
+                .out
+                .push_str("// Evaluates the look at given surface samples, four pixels each.\n\n"),
         }
     }
 

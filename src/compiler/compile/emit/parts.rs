@@ -1,8 +1,9 @@
 //! The look itself as functions of bounded length.
 //!
-//! naga's front end is quadratic in a function's length and people are not much better, so a long look becomes several
-//! functions, split where the artist's groups and frames are; where there are many of those, they are gathered into
-//! longer ones in turn. What one part needs of another goes through parameters and results.
+//! naga's front end is quadratic in a function's length and people are not much better, so a long
+//! look becomes several functions, split where the artist's groups and frames are; where there are
+//! many of those, they are gathered into longer ones in turn. What one part needs of another goes
+//! through parameters and results.
 
 use std::collections::{HashMap, HashSet};
 use std::fmt::Write as _;
@@ -20,7 +21,8 @@ const SHORT: usize = 60;
 const LONGEST: usize = 50;
 /// From this many calls on, a part ends where a group or frame does.
 const WORTH_A_PART: usize = 8;
-/// A part that takes or gives more values than this ends sooner; WGSL allows 255 parameters and 1023 members.
+/// A part that takes or gives more values than this ends sooner; WGSL allows 255 parameters and
+/// 1023 members.
 const MOST_VALUES: usize = 64;
 
 /// The functions' text, with spans relative to its start.
@@ -67,11 +69,15 @@ impl Emitter<'_> {
             Stage::Draw | Stage::Eval => "/// The look at one point of the surface.",
         };
         let root = self.special.root;
-        let root_type = self.type_name(&self.special.values[root].ty, self.special.values[root].node);
+        let root_type =
+            self.type_name(&self.special.values[root].ty, self.special.values[root].node);
         let with_cutoff = self.special.cutoff.is_some();
         let result = if with_cutoff { "Shaded".to_owned() } else { root_type.clone() };
         if with_cutoff {
-            let color_type = self.special.color.map_or(Type::Color, |color| self.special.values[color].ty.clone());
+            let color_type = self
+                .special
+                .color
+                .map_or(Type::Color, |color| self.special.values[color].ty.clone());
             let _ = writeln!(
                 body.text,
                 "struct Shaded {{\n    value: {root_type},\n    color: {},\n    cutoff: f32,\n}}\n",
@@ -105,15 +111,17 @@ impl Emitter<'_> {
             let value = &self.special.values[id];
             match &value.operation {
                 Operation::Context(..) if value.rate == Rate::Fragment => return true,
-                Operation::Member { value, .. } | Operation::Convert { value, .. } => open.push(*value),
+                Operation::Member { value, .. } | Operation::Convert { value, .. } => {
+                    open.push(*value)
+                }
                 _ => {}
             }
         }
         false
     }
 
-    /// Writes one `let` a block, and from then on calls the results of parts as this function does. Gives back what the
-    /// values were called before, to be restored after the function's end.
+    /// Writes one `let` a block, and from then on calls the results of parts as this function does.
+    /// Gives back what the values were called before, to be restored after the function's end.
     fn write_blocks(&mut self, blocks: &[Block], body: &mut Body) -> HashMap<ValueId, String> {
         let mut before = HashMap::new();
         for block in blocks {
@@ -125,13 +133,24 @@ impl Emitter<'_> {
                 Block::Part(part) => part,
             };
             let surface = part.reads_surface.then(|| "surface".to_owned());
-            let arguments: Vec<String> =
-                surface.into_iter().chain(part.inputs.iter().map(|&input| self.expression(input))).collect();
-            let _ = writeln!(body.text, "    let {} = {}({});", part.variable, part.name, arguments.join(", "));
+            let arguments: Vec<String> = surface
+                .into_iter()
+                .chain(part.inputs.iter().map(|&input| self.expression(input)))
+                .collect();
+            let _ = writeln!(
+                body.text,
+                "    let {} = {}({});",
+                part.variable,
+                part.name,
+                arguments.join(", ")
+            );
             for &output in &part.outputs {
                 let member = self.value_names.get(&output).cloned().unwrap_or_default();
-                let text =
-                    if part.outputs.len() == 1 { part.variable.clone() } else { format!("{}.{member}", part.variable) };
+                let text = if part.outputs.len() == 1 {
+                    part.variable.clone()
+                } else {
+                    format!("{}.{member}", part.variable)
+                };
                 self.value_names.insert(output, text);
                 before.insert(output, member);
             }
@@ -149,7 +168,8 @@ impl Emitter<'_> {
         body.text.push('\n');
     }
 
-    /// Writes a part after the parts that it calls; their depth is the logarithm of the look's length.
+    /// Writes a part after the parts that it calls; their depth is the logarithm of the look's
+    /// length.
     fn write_part(&mut self, part: &Part, body: &mut Body) {
         for block in &part.blocks {
             if let Block::Part(inner) = block {
@@ -179,9 +199,13 @@ impl Emitter<'_> {
         }
         let _ = writeln!(body.text, "fn {}({}) -> {result} {{", part.name, parameters.join(", "));
         let inherited = self.write_blocks(&part.blocks, body);
-        let values: Vec<String> = part.outputs.iter().map(|&output| self.expression(output)).collect();
-        let value =
-            if let [one] = values.as_slice() { one.clone() } else { format!("{result}({})", values.join(", ")) };
+        let values: Vec<String> =
+            part.outputs.iter().map(|&output| self.expression(output)).collect();
+        let value = if let [one] = values.as_slice() {
+            one.clone()
+        } else {
+            format!("{result}({})", values.join(", "))
+        };
         let _ = writeln!(body.text, "    return {value};\n}}\n");
         self.value_names.extend(inherited);
     }
@@ -219,9 +243,15 @@ impl Emitter<'_> {
             let mut seen = HashSet::new();
             let (mut inputs, mut outputs) = (Vec::new(), Vec::new());
             for block in &inner {
-                inputs.extend(self.needs(block).into_iter().filter(|need| !given.contains(need) && seen.insert(*need)));
+                inputs.extend(
+                    self.needs(block)
+                        .into_iter()
+                        .filter(|need| !given.contains(need) && seen.insert(*need)),
+                );
                 given.extend(gives(block));
-                outputs.extend(gives(block).iter().filter(|value| is_used_from(&last_use, **value, range.end)));
+                outputs.extend(
+                    gives(block).iter().filter(|value| is_used_from(&last_use, **value, range.end)),
+                );
             }
             let reads_surface = inner.iter().any(|block| match block {
                 Block::Call(call) => self.reads_surface(*call),
@@ -267,7 +297,8 @@ impl Emitter<'_> {
         }
     }
 
-    /// The calls that a value reads, through members and conversions; the value itself, if it is one and `or_itself`.
+    /// The calls that a value reads, through members and conversions; the value itself, if it is
+    /// one and `or_itself`.
     fn call_operands(&self, id: ValueId, or_itself: bool) -> Vec<ValueId> {
         let is_call = |id: ValueId| {
             let value = &self.special.values[id];
@@ -288,16 +319,23 @@ impl Emitter<'_> {
         found
     }
 
-    /// Where parts begin and end: none too long, none that exchanges too many values, and where groups do.
-    fn part_ranges(&self, blocks: &[Block], last_use: &HashMap<ValueId, usize>) -> Vec<Range<usize>> {
+    /// Where parts begin and end: none too long, none that exchanges too many values, and where
+    /// groups do.
+    fn part_ranges(
+        &self,
+        blocks: &[Block],
+        last_use: &HashMap<ValueId, usize>,
+    ) -> Vec<Range<usize>> {
         let mut ranges = Vec::new();
         let mut start = 0;
         let mut inside: HashSet<ValueId> = HashSet::new();
         let mut outside: HashSet<ValueId> = HashSet::new();
         for (index, block) in blocks.iter().enumerate() {
             let length = index - start;
-            let leaves_region = index > start && self.region(block) != self.region(&blocks[index - 1]);
-            let given = inside.iter().filter(|value| is_used_from(last_use, **value, index)).count();
+            let leaves_region =
+                index > start && self.region(block) != self.region(&blocks[index - 1]);
+            let given =
+                inside.iter().filter(|value| is_used_from(last_use, **value, index)).count();
             let is_full = length >= LONGEST || outside.len() >= MOST_VALUES || given >= MOST_VALUES;
             if length > 0 && (is_full || (leaves_region && length >= WORTH_A_PART)) {
                 ranges.push(start..index);
@@ -317,7 +355,9 @@ impl Emitter<'_> {
     /// The group or frame that a call came from; parts of parts have none.
     fn region(&self, block: &Block) -> Option<&str> {
         match block {
-            Block::Call(call) => self.graph.nodes[self.special.values[*call].node].region.as_deref(),
+            Block::Call(call) => {
+                self.graph.nodes[self.special.values[*call].node].region.as_deref()
+            }
             Block::Part(_) => None,
         }
     }

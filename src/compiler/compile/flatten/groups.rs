@@ -1,6 +1,6 @@
-//! The groups that a look uses, before any is inlined: their ports by name, which of them contain themselves, and how
-//! large the look becomes. Each definition is looked at once, however often it is used, so a look whose groups multiply
-//! without bound is refused before anything is made of it.
+//! The groups that a look uses, before any is inlined: their ports by name, which of them contain
+//! themselves, and how large the look becomes. Each definition is looked at once, however often it
+//! is used, so a look whose groups multiply without bound is refused before anything is made of it.
 
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -65,18 +65,32 @@ impl Extent {
 
     /// What is too large in a graph of this extent.
     fn problem(self) -> Option<Diagnostic> {
-        let problem = |code, message: String, hint: &str| Some(Diagnostic::error(code, message).hint(hint));
+        let problem =
+            |code, message: String, hint: &str| Some(Diagnostic::error(code, message).hint(hint));
         if self.nodes > MAX_FLAT_NODES as u64 {
             let message = format!("the look has more than {MAX_FLAT_NODES} nodes");
-            return problem("too-many-nodes", message, "groups within groups multiply: use fewer copies");
+            return problem(
+                "too-many-nodes",
+                message,
+                "groups within groups multiply: use fewer copies",
+            );
         }
         if self.depth > MAX_DEPTH {
             let message = format!("groups lie in each other more than {MAX_DEPTH} deep");
-            return problem("groups-too-deep", message, "dissolve groups that hold little but another group");
+            return problem(
+                "groups-too-deep",
+                message,
+                "dissolve groups that hold little but another group",
+            );
         }
         if self.path_ids > MAX_PATH_IDS {
-            let message = "the look has too many nodes in groups that lie deep in each other".to_owned();
-            return problem("too-many-nodes", message, "dissolve outer groups, or use fewer copies");
+            let message =
+                "the look has too many nodes in groups that lie deep in each other".to_owned();
+            return problem(
+                "too-many-nodes",
+                message,
+                "dissolve outer groups, or use fewer copies",
+            );
         }
         None
     }
@@ -124,12 +138,21 @@ impl<'a> Groups<'a> {
             let kind = node.kind.as_str();
             let Entry::Vacant(entry) = self.by_kind.entry(kind) else { continue };
             let own = look.definitions.get(kind);
-            let Some(definition) = own.or_else(|| library.groups.get(kind).map(|group| &group.definition)) else {
+            let Some(definition) =
+                own.or_else(|| library.groups.get(kind).map(|group| &group.definition))
+            else {
                 continue;
             };
             entry.insert(GroupIndex(self.list.len()));
             let (inputs, outputs) = (by_name(&definition.inputs), by_name(&definition.outputs));
-            self.list.push(Group { kind, definition, inputs, outputs, ring: None, extent: Extent::default() });
+            self.list.push(Group {
+                kind,
+                definition,
+                inputs,
+                outputs,
+                ring: None,
+                extent: Extent::default(),
+            });
         }
     }
 
@@ -167,7 +190,8 @@ impl<'a> Groups<'a> {
     fn extent(&self, outer: Option<GroupIndex>, node: &Node) -> Extent {
         let inner = self.get(&node.kind);
         // A group in itself is reported, and not opened.
-        let opened = inner.filter(|&inner| !outer.is_some_and(|outer| self.is_recursive(outer, inner)));
+        let opened =
+            inner.filter(|&inner| !outer.is_some_and(|outer| self.is_recursive(outer, inner)));
         Extent::of_node(opened.map(|inner| self[inner].extent))
     }
 

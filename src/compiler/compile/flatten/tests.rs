@@ -7,13 +7,14 @@ fn look(text: &str) -> Look {
     Look::read(text, "test.json").value.unwrap()
 }
 
-/// Groups `g0`, `g1` ... each with the nodes named in `ids` of the next group, in a row from input to output; the last
-/// only passes on what it is given. The look has one `g0`.
+/// Groups `g0`, `g1` ... each with the nodes named in `ids` of the next group, in a row from input
+/// to output; the last only passes on what it is given. The look has one `g0`.
 fn nested(depth: usize, ids: &[&str]) -> String {
     let mut definitions = Vec::new();
     for level in 0..depth {
         let inner = format!("g{}", level + 1);
-        let nodes: Vec<String> = ids.iter().map(|id| format!(r#"{{"id": "{id}", "kind": "{inner}"}}"#)).collect();
+        let nodes: Vec<String> =
+            ids.iter().map(|id| format!(r#"{{"id": "{id}", "kind": "{inner}"}}"#)).collect();
         let mut from = "inputs.a".to_owned();
         let mut wires = Vec::new();
         for id in ids {
@@ -58,17 +59,24 @@ fn refused(text: &str) -> Diagnostic {
 #[test]
 fn groups_that_multiply_are_refused_before_any_is_opened() {
     let problem = refused(&nested(40, &["x", "y"]));
-    assert_eq!((problem.code, problem.place.node), ("too-many-nodes", Some(NodePath::parse("top"))));
+    assert_eq!(
+        (problem.code, problem.place.node),
+        ("too-many-nodes", Some(NodePath::parse("top")))
+    );
     // 2 to the power of 200 overflows every count.
     assert_eq!(refused(&nested(200, &["x", "y"])).code, "too-many-nodes");
     let problem = refused(&nested(2000, &["x"]));
-    assert_eq!((problem.code, problem.place.node), ("groups-too-deep", Some(NodePath::parse("top"))));
+    assert_eq!(
+        (problem.code, problem.place.node),
+        ("groups-too-deep", Some(NodePath::parse("top")))
+    );
     assert_eq!(flattened(&look(&nested(200, &["x"]))).2, []);
 }
 
 #[test]
 fn many_nodes_deep_in_groups_are_refused_for_what_their_paths_take() {
-    let leaves: Vec<String> = (0..50_000).map(|i| format!(r#"{{"id": "n{i}", "kind": "reroute"}}"#)).collect();
+    let leaves: Vec<String> =
+        (0..50_000).map(|i| format!(r#"{{"id": "n{i}", "kind": "reroute"}}"#)).collect();
     let text = nested(200, &["x"]).replace(
         r#""g200": {"inputs": [{"name": "a"}], "outputs": [{"name": "o"}],
             "nodes": []"#,
@@ -91,7 +99,10 @@ fn what_lies_behind_an_input_is_walked_to_once() {
     let wires = 8192 + 4 * 4096;
     assert!(followed <= wires, "{followed} of {wires}");
     let output = flat.by_path[&NodePath::parse("output")];
-    assert!(matches!(flat.nodes[output].inputs[0], FlatInput::Param(_)), "the open input of the first group");
+    assert!(
+        matches!(flat.nodes[output].inputs[0], FlatInput::Param(_)),
+        "the open input of the first group"
+    );
     // A row of reroutes, and as many nodes that all hang on its end.
     let reroutes = (0..3000).map(|i| format!(r#"{{"id": "r{i}", "kind": "reroute"}}"#));
     let sines = (0..3000).map(|i| format!(r#"{{"id": "s{i}", "kind": "sine"}}"#));
@@ -106,13 +117,19 @@ fn what_lies_behind_an_input_is_walked_to_once() {
     assert_eq!(problems, []);
     assert!(followed <= 6000, "{followed}");
     let first = &flat.nodes[flat.by_path[&NodePath::parse("r0")]].inputs[0];
-    assert!((0..3000).all(|i| &flat.nodes[flat.by_path[&NodePath::parse(&format!("s{i}"))]].inputs[0] == first));
+    assert!(
+        (0..3000)
+            .all(|i| &flat.nodes[flat.by_path[&NodePath::parse(&format!("s{i}"))]].inputs[0]
+                == first)
+    );
 }
 
 #[test]
 fn a_ring_is_gone_round_once_and_told_at_everything_that_it_feeds() {
-    let sines: Vec<String> = (0..500).map(|i| format!(r#"{{"id": "s{i}", "kind": "sine"}}"#)).collect();
-    let wires: Vec<String> = (0..500).map(|i| format!(r#"{{"from": "a", "to": "s{i}.angle"}}"#)).collect();
+    let sines: Vec<String> =
+        (0..500).map(|i| format!(r#"{{"id": "s{i}", "kind": "sine"}}"#)).collect();
+    let wires: Vec<String> =
+        (0..500).map(|i| format!(r#"{{"from": "a", "to": "s{i}.angle"}}"#)).collect();
     let text = format!(
         r#"{{"nodes": [{{"id": "a", "kind": "reroute"}}, {{"id": "b", "kind": "reroute"}}, {}],
             "wires": [{{"from": "a", "to": "b.value"}}, {{"from": "b", "to": "a.value"}}, {}]}}"#,
@@ -126,9 +143,11 @@ fn a_ring_is_gone_round_once_and_told_at_everything_that_it_feeds() {
 
 #[test]
 fn groups_that_all_contain_one_another_are_told_and_not_opened() {
-    let all: Vec<String> = (0..12).map(|i| format!(r#"{{"id": "n{i}", "kind": "g{i}"}}"#)).collect();
+    let all: Vec<String> =
+        (0..12).map(|i| format!(r#"{{"id": "n{i}", "kind": "g{i}"}}"#)).collect();
     let definitions: Vec<String> = (0..12).map(|level| group(level, &all.join(","), "")).collect();
-    let text = format!(r#"{{"definitions": {{{}}}, "nodes": [{{"kind": "g3"}}]}}"#, definitions.join(","));
+    let text =
+        format!(r#"{{"definitions": {{{}}}, "nodes": [{{"kind": "g3"}}]}}"#, definitions.join(","));
     let (flat, _, problems) = flattened(&look(&text));
     // One group is opened, and each of the twelve in it would lead back to it.
     assert_eq!(problems.iter().filter(|problem| problem.code == "recursive-group").count(), 12);
@@ -138,7 +157,8 @@ fn groups_that_all_contain_one_another_are_told_and_not_opened() {
 #[test]
 fn names_in_groups_stay_short() {
     let long = "lantern ".repeat(1000);
-    let text = nested(30, &["x"]).replace(r#""id": "x""#, &format!(r#""id": "x", "name": "{long}""#));
+    let text =
+        nested(30, &["x"]).replace(r#""id": "x""#, &format!(r#""id": "x", "name": "{long}""#));
     let text = text.replace(
         r#""nodes": [], "wires": [{"from": "inputs.a", "to": "outputs.o"}]"#,
         r#""nodes": [{"kind": "sine"}], "wires": []"#,
@@ -149,8 +169,12 @@ fn names_in_groups_stay_short() {
 
 #[test]
 fn of_very_many_problems_some_have_suggestions() {
-    let nodes: Vec<String> = (0..3000).map(|i| format!(r#"{{"id": "n{i}", "kind": "addx{i}"}}"#)).collect();
+    let nodes: Vec<String> =
+        (0..3000).map(|i| format!(r#"{{"id": "n{i}", "kind": "addx{i}"}}"#)).collect();
     let (_, _, problems) = flattened(&look(&format!(r#"{{"nodes": [{}]}}"#, nodes.join(","))));
     assert_eq!(problems.len(), 3000);
-    assert_eq!(problems.iter().filter(|problem| !problem.hints.is_empty()).count(), MAX_SUGGESTIONS);
+    assert_eq!(
+        problems.iter().filter(|problem| !problem.hints.is_empty()).count(),
+        MAX_SUGGESTIONS
+    );
 }

@@ -1,6 +1,8 @@
 //! What expressions may be.
 
-use naga::{BinaryOperator as Op, Expression, Handle, Literal, ScalarKind, TypeInner, UnaryOperator};
+use naga::{
+    BinaryOperator as Op, Expression, Handle, Literal, ScalarKind, TypeInner, UnaryOperator,
+};
 
 use super::layout::{part_of, parts_of, scalars_of, tops_of, zeros_of};
 use super::machine::{Frame, GiveUp, Known, Machine, Outcome, Ranges, State, joined_ranges};
@@ -8,7 +10,12 @@ use super::range::{Bools, Floats, Ints, Range};
 
 impl<'m> Machine<'m> {
     /// The ranges of an expression that is no pointer.
-    pub(super) fn value(&mut self, frame: Frame<'_>, state: &mut State, handle: Handle<Expression>) -> Outcome<Ranges> {
+    pub(super) fn value(
+        &mut self,
+        frame: Frame<'_>,
+        state: &mut State,
+        handle: Handle<Expression>,
+    ) -> Outcome<Ranges> {
         match self.expression(frame, state, handle)? {
             Known::Value(ranges) => Ok(ranges),
             _ => Err(GiveUp),
@@ -38,12 +45,19 @@ impl<'m> Machine<'m> {
         frame.info[handle].ty.inner_with(&self.valid.module.types)
     }
 
-    fn evaluate(&mut self, frame: Frame<'_>, state: &mut State, handle: Handle<Expression>) -> Outcome<Known> {
+    fn evaluate(
+        &mut self,
+        frame: Frame<'_>,
+        state: &mut State,
+        handle: Handle<Expression>,
+    ) -> Outcome<Known> {
         let module = &self.valid.module;
         let ranges = match &frame.function.expressions[handle] {
             Expression::Literal(literal) => vec![literal_range(*literal)?],
             Expression::Constant(constant) => self.global(module.constants[*constant].init)?,
-            Expression::ZeroValue(ty) => zeros_of(module, &module.types[*ty].inner).ok_or(GiveUp)?,
+            Expression::ZeroValue(ty) => {
+                zeros_of(module, &module.types[*ty].inner).ok_or(GiveUp)?
+            }
             Expression::Compose { components, .. } => {
                 let mut all = Vec::new();
                 for &component in components {
@@ -57,7 +71,8 @@ impl<'m> Machine<'m> {
             }
             Expression::Swizzle { size, vector, pattern } => {
                 let vector = self.value(frame, state, *vector)?;
-                let taken = pattern.iter().take(*size as usize).map(|&c| vector.get(c as usize).copied());
+                let taken =
+                    pattern.iter().take(*size as usize).map(|&c| vector.get(c as usize).copied());
                 taken.collect::<Option<Vec<_>>>().ok_or(GiveUp)?
             }
             Expression::LocalVariable(local) => {
@@ -70,12 +85,15 @@ impl<'m> Machine<'m> {
                 return self.access(frame, state, *base, index..index + 1);
             }
             Expression::Access { base, index } => {
-                let [Range::Int(index)] = *self.value(frame, state, *index)? else { return Err(GiveUp) };
+                let [Range::Int(index)] = *self.value(frame, state, *index)? else {
+                    return Err(GiveUp);
+                };
                 let (count, _) = self.parts(frame, *base).ok_or(GiveUp)?;
                 // An index out of bounds gives any part.
                 let whole = 0..count;
                 let is_inside = index.low >= 0 && (index.high as usize) < count;
-                let range = if is_inside { index.low as usize..index.high as usize + 1 } else { whole };
+                let range =
+                    if is_inside { index.low as usize..index.high as usize + 1 } else { whole };
                 return self.access(frame, state, *base, range);
             }
             Expression::Load { pointer } => return self.load(frame, state, handle, *pointer),
@@ -83,7 +101,9 @@ impl<'m> Machine<'m> {
                 let value = self.value(frame, state, *expr)?;
                 value.iter().map(|&x| unary(*op, x)).collect::<Outcome<Vec<_>>>()?
             }
-            Expression::Binary { op, left, right } => self.binary(frame, state, *op, *left, *right)?,
+            Expression::Binary { op, left, right } => {
+                self.binary(frame, state, *op, *left, *right)?
+            }
             Expression::Select { condition, accept, reject } => {
                 self.select(frame, state, *condition, *accept, *reject)?
             }
@@ -97,7 +117,10 @@ impl<'m> Machine<'m> {
             }
             Expression::As { expr, kind, convert } => {
                 let value = self.value(frame, state, *expr)?;
-                value.iter().map(|&x| cast(x, *kind, convert.is_some())).collect::<Outcome<Vec<_>>>()?
+                value
+                    .iter()
+                    .map(|&x| cast(x, *kind, convert.is_some()))
+                    .collect::<Outcome<Vec<_>>>()?
             }
             // Images are 8 bits a channel, from 0 to 1, and filtering stays between.
             Expression::ImageSample { depth_ref: None, .. } => {
@@ -124,7 +147,9 @@ impl<'m> Machine<'m> {
         Ok(match &module.global_expressions[handle] {
             Expression::Literal(literal) => vec![literal_range(*literal)?],
             Expression::Constant(constant) => self.global(module.constants[*constant].init)?,
-            Expression::ZeroValue(ty) => zeros_of(module, &module.types[*ty].inner).ok_or(GiveUp)?,
+            Expression::ZeroValue(ty) => {
+                zeros_of(module, &module.types[*ty].inner).ok_or(GiveUp)?
+            }
             Expression::Compose { components, .. } => {
                 let mut all = Vec::new();
                 for &component in components {
@@ -190,7 +215,8 @@ impl<'m> Machine<'m> {
                 if at.len() * places.len() > 256 {
                     return Err(GiveUp);
                 }
-                let into = at.iter().flat_map(|from| places.iter().map(move |(start, _)| from + start));
+                let into =
+                    at.iter().flat_map(|from| places.iter().map(move |(start, _)| from + start));
                 Ok(Known::Pointer { local, at: into.collect(), count: size })
             }
             Known::Elsewhere => Ok(Known::Elsewhere),
@@ -305,7 +331,11 @@ impl<'m> Machine<'m> {
 }
 
 /// Applies `f` to the scalars of both, repeating a single one.
-pub(super) fn zip(a: &[Range], b: &[Range], f: impl Fn(Range, Range) -> Outcome<Range>) -> Outcome<Vec<Range>> {
+pub(super) fn zip(
+    a: &[Range],
+    b: &[Range],
+    f: impl Fn(Range, Range) -> Outcome<Range>,
+) -> Outcome<Vec<Range>> {
     match (a, b) {
         ([], _) | (_, []) => Err(GiveUp),
         ([one], _) => b.iter().map(|&b| f(*one, b)).collect(),
@@ -315,8 +345,8 @@ pub(super) fn zip(a: &[Range], b: &[Range], f: impl Fn(Range, Range) -> Outcome<
     }
 }
 
-/// What two operands tell that hang together: a square is no less than 0, and a number differs little from its own
-/// whole part.
+/// What two operands tell that hang together: a square is no less than 0, and a number differs
+/// little from its own whole part.
 fn related(
     frame: Frame<'_>,
     op: Op,
@@ -325,7 +355,9 @@ fn related(
     a: &[Range],
 ) -> Outcome<Option<Vec<Range>>> {
     let floats = |of: &dyn Fn(Floats) -> Floats| {
-        let each = a.iter().map(|x| if let Range::Float(x) = x { Some(Range::Float(of(*x))) } else { None });
+        let each = a
+            .iter()
+            .map(|x| if let Range::Float(x) = x { Some(Range::Float(of(*x))) } else { None });
         each.collect::<Option<Vec<_>>>()
     };
     if op == Op::Multiply && left == right {
@@ -334,7 +366,9 @@ fn related(
     if op != Op::Subtract {
         return Ok(None);
     }
-    let Expression::Math { fun, arg, .. } = frame.function.expressions[right] else { return Ok(None) };
+    let Expression::Math { fun, arg, .. } = frame.function.expressions[right] else {
+        return Ok(None);
+    };
     let rest = match fun {
         naga::MathFunction::Floor => Floats::between(0.0, 1.0),
         naga::MathFunction::Round => Floats::between(-0.5, 0.5),
@@ -356,10 +390,18 @@ fn related(
     }))
 }
 
-fn matrix_product(shapes: (&TypeInner, &TypeInner), a: &[Range], b: &[Range]) -> Outcome<Option<Vec<Range>>> {
+fn matrix_product(
+    shapes: (&TypeInner, &TypeInner),
+    a: &[Range],
+    b: &[Range],
+) -> Outcome<Option<Vec<Range>>> {
     let (rows, inner, columns) = match shapes {
-        (TypeInner::Matrix { columns, rows, .. }, TypeInner::Vector { .. }) => (*rows as usize, *columns as usize, 1),
-        (TypeInner::Vector { size, .. }, TypeInner::Matrix { columns, .. }) => (1, *size as usize, *columns as usize),
+        (TypeInner::Matrix { columns, rows, .. }, TypeInner::Vector { .. }) => {
+            (*rows as usize, *columns as usize, 1)
+        }
+        (TypeInner::Vector { size, .. }, TypeInner::Matrix { columns, .. }) => {
+            (1, *size as usize, *columns as usize)
+        }
         (TypeInner::Matrix { columns, rows, .. }, TypeInner::Matrix { columns: of_b, .. }) => {
             (*rows as usize, *columns as usize, *of_b as usize)
         }
@@ -370,7 +412,8 @@ fn matrix_product(shapes: (&TypeInner, &TypeInner), a: &[Range], b: &[Range]) ->
         for row in 0..rows {
             let mut sum: Option<Floats> = None;
             for i in 0..inner {
-                let (Some(Range::Float(x)), Some(Range::Float(y))) = (a.get(i * rows + row), b.get(column * inner + i))
+                let (Some(Range::Float(x)), Some(Range::Float(y))) =
+                    (a.get(i * rows + row), b.get(column * inner + i))
                 else {
                     return Err(GiveUp);
                 };
@@ -383,8 +426,8 @@ fn matrix_product(shapes: (&TypeInner, &TypeInner), a: &[Range], b: &[Range]) ->
     Ok(Some(product))
 }
 
-/// What may have been written where naga read `x`: at f64 a constant is anything that rounds to it. Numbers of so few
-/// digits that their last bits are 0 are what they say.
+/// What may have been written where naga read `x`: at f64 a constant is anything that rounds to it.
+/// Numbers of so few digits that their last bits are 0 are what they say.
 fn written(x: f32) -> Floats {
     const PLAIN: u32 = 8;
     if !x.is_normal() || x.to_bits().trailing_zeros() >= PLAIN {
@@ -413,7 +456,9 @@ fn unary(op: UnaryOperator, x: Range) -> Outcome<Range> {
         (UnaryOperator::LogicalNot, Range::Bool(x)) => Range::Bool(x.not()),
         (UnaryOperator::BitwiseNot, Range::Int(x)) if x.low < 0 => Range::Int(Ints::all(true)),
         // The type is lost here; both kinds together hold either.
-        (UnaryOperator::BitwiseNot, Range::Int(_)) => Range::Int(Ints::between(i32::MIN.into(), u32::MAX.into())),
+        (UnaryOperator::BitwiseNot, Range::Int(_)) => {
+            Range::Int(Ints::between(i32::MIN.into(), u32::MAX.into()))
+        }
         _ => return Err(GiveUp),
     })
 }
@@ -495,10 +540,13 @@ fn compare(op: Op, a: Floats, b: Floats) -> Outcome<Bools> {
 
 fn int_binary(op: Op, a: Ints, b: Ints, is_signed: bool) -> Outcome<Range> {
     let all = Ints::all(is_signed);
-    let bools = |may_be_true: bool, may_be_false: bool| Ok(Range::Bool(Bools { may_be_false, may_be_true }));
+    let bools = |may_be_true: bool, may_be_false: bool| {
+        Ok(Range::Bool(Bools { may_be_false, may_be_true }))
+    };
     let corners = |of: fn(i64, i64) -> i64| {
         let all = [of(a.low, b.low), of(a.low, b.high), of(a.high, b.low), of(a.high, b.high)];
-        let (low, high) = all.iter().fold((i64::MAX, i64::MIN), |(low, high), x| (low.min(*x), high.max(*x)));
+        let (low, high) =
+            all.iter().fold((i64::MAX, i64::MIN), |(low, high), x| (low.min(*x), high.max(*x)));
         Ints::wrapped(low, high, is_signed)
     };
     Ok(Range::Int(match op {
@@ -511,7 +559,10 @@ fn int_binary(op: Op, a: Ints, b: Ints, is_signed: bool) -> Outcome<Range> {
         Op::Divide if b.low > 0 => corners(|a, b| a / b),
         Op::Modulo if b.low > 0 => {
             let most = b.high - 1;
-            Ints::between(if a.low < 0 { -most } else { 0 }, if a.high > 0 { most.min(a.high) } else { 0 })
+            Ints::between(
+                if a.low < 0 { -most } else { 0 },
+                if a.high > 0 { most.min(a.high) } else { 0 },
+            )
         }
         Op::And => match (a.point(), b.point()) {
             (Some(a), Some(b)) => Ints::wrapped(a & b, a & b, is_signed),
@@ -534,9 +585,17 @@ fn int_binary(op: Op, a: Ints, b: Ints, is_signed: bool) -> Outcome<Range> {
             Some(by @ 0..=31) => Ints::between(a.low >> by, a.high >> by),
             _ => all,
         },
-        Op::Equal => return bools(a.low <= b.high && b.low <= a.high, a.point().is_none() || a.point() != b.point()),
+        Op::Equal => {
+            return bools(
+                a.low <= b.high && b.low <= a.high,
+                a.point().is_none() || a.point() != b.point(),
+            );
+        }
         Op::NotEqual => {
-            return bools(a.point().is_none() || a.point() != b.point(), a.low <= b.high && b.low <= a.high);
+            return bools(
+                a.point().is_none() || a.point() != b.point(),
+                a.low <= b.high && b.low <= a.high,
+            );
         }
         Op::Less => return bools(a.low < b.high, a.high >= b.low),
         Op::LessEqual => return bools(a.low <= b.high, a.high > b.low),
@@ -588,7 +647,8 @@ fn cast(x: Range, to: ScalarKind, is_conversion: bool) -> Outcome<Range> {
             let whole = |x: f64| (x.trunc() as i64).clamp(all.low, all.high);
             let known = Ints::between(whole(x.low), whole(x.high));
             // Cards differ in what they make of NaN and of what is too large.
-            let is_inside = !x.nan && x.low >= all.low as f64 - 0.5 && x.high <= all.high as f64 - 128.0;
+            let is_inside =
+                !x.nan && x.low >= all.low as f64 - 0.5 && x.high <= all.high as f64 - 128.0;
             Range::Int(if is_inside { known } else { all })
         }
         (Range::Int(x), ScalarKind::Float) => {
@@ -608,16 +668,19 @@ fn cast(x: Range, to: ScalarKind, is_conversion: bool) -> Outcome<Range> {
                 Range::Int(Ints { magnitude: x.magnitude, ..all })
             }
         }
-        (Range::Int(x), ScalarKind::Bool) => {
-            Range::Bool(Bools { may_be_true: x.point() != Some(0), may_be_false: x.low <= 0 && x.high >= 0 })
-        }
+        (Range::Int(x), ScalarKind::Bool) => Range::Bool(Bools {
+            may_be_true: x.point() != Some(0),
+            may_be_false: x.low <= 0 && x.high >= 0,
+        }),
         (Range::Bool(x), ScalarKind::Bool) => Range::Bool(x),
         (Range::Bool(x), ScalarKind::Float) => {
             let high = f64::from(u8::from(x.may_be_true));
             let low = f64::from(u8::from(!x.may_be_false));
             Range::Float(Floats::between(low, high))
         }
-        (Range::Bool(x), _) => Range::Int(Ints::between((!x.may_be_false).into(), x.may_be_true.into())),
+        (Range::Bool(x), _) => {
+            Range::Int(Ints::between((!x.may_be_false).into(), x.may_be_true.into()))
+        }
         _ => return Err(GiveUp),
     })
 }
@@ -635,7 +698,11 @@ fn bitcast(x: Range, to: ScalarKind) -> Outcome<Range> {
             let most = if x.nan { 0x7fff_ffff } else { bits(size.high) };
             let magnitude = [bits(size.low), most];
             let is_plain = !x.nan && x.is_positive();
-            Range::Int(if is_plain { Ints::between(magnitude[0], magnitude[1]) } else { Ints { magnitude, ..all } })
+            Range::Int(if is_plain {
+                Ints::between(magnitude[0], magnitude[1])
+            } else {
+                Ints { magnitude, ..all }
+            })
         }
         (Range::Int(x), ScalarKind::Float) if x.low >= 0 && x.high <= 0x7f80_0000 => {
             let single = |bits: i64| f64::from(f32::from_bits(bits as u32));

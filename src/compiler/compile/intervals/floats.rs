@@ -1,9 +1,10 @@
-//! Arithmetic on what floats may be. Every result holds for f32 rounded either way, for f64, and for cards that flush
-//! subnormal results to 0.
+//! Arithmetic on what floats may be. Every result holds for f32 rounded either way, for f64, and
+//! for cards that flush subnormal results to 0.
 
 use super::range::{Floats, outward};
 
-/// Steps of f32 that a correctly rounded operation may be off when rounding is free to go either way.
+/// Steps of f32 that a correctly rounded operation may be off when rounding is free to go either
+/// way.
 const ROUNDED: u32 = 1;
 /// WGSL grants division and roots 2.5 steps.
 const LOOSE: u32 = 4;
@@ -17,12 +18,21 @@ impl Floats {
             (s, s.is_infinite() || (a - (s - part)) + (b - part) == 0.0)
         };
         let meets = |a: f64, b: f64| a.is_infinite() && b.is_infinite() && a != b;
-        let nan = self.nan || other.nan || meets(self.low, other.high) || meets(self.high, other.low);
+        let nan =
+            self.nan || other.nan || meets(self.low, other.high) || meets(self.high, other.low);
         if self.is_none() || other.is_none() {
             return none(nan);
         }
-        let low = if meets(self.low, other.low) { (f64::NEG_INFINITY, true) } else { sum(self.low, other.low) };
-        let high = if meets(self.high, other.high) { (f64::INFINITY, true) } else { sum(self.high, other.high) };
+        let low = if meets(self.low, other.low) {
+            (f64::NEG_INFINITY, true)
+        } else {
+            sum(self.low, other.low)
+        };
+        let high = if meets(self.high, other.high) {
+            (f64::INFINITY, true)
+        } else {
+            sum(self.high, other.high)
+        };
         let mut result = outward(low, high, ROUNDED);
         result.minus_zero |= self.minus_zero && other.minus_zero;
         result.with_nan(nan)
@@ -32,7 +42,12 @@ impl Floats {
         if self.is_none() {
             return self;
         }
-        Self { low: -self.high + 0.0, high: -self.low + 0.0, nan: self.nan, minus_zero: self.has(0.0) }
+        Self {
+            low: -self.high + 0.0,
+            high: -self.low + 0.0,
+            nan: self.nan,
+            minus_zero: self.has(0.0),
+        }
     }
 
     pub(super) fn sub(self, other: Self) -> Self {
@@ -89,7 +104,10 @@ impl Floats {
         let quotient = |a: f64, b: f64| {
             if a.is_infinite() && b.is_infinite() {
                 // The limits are told by the other corners and by 0 and infinity.
-                return (if (a > 0.0) == (b > 0.0) { f64::INFINITY } else { f64::NEG_INFINITY }, false);
+                return (
+                    if (a > 0.0) == (b > 0.0) { f64::INFINITY } else { f64::NEG_INFINITY },
+                    false,
+                );
             }
             let q = a / b;
             (q, q.is_infinite() || b.is_infinite() || q.mul_add(b, -a) == 0.0)
@@ -145,13 +163,19 @@ impl Floats {
         result.with_nan(nan)
     }
 
-    /// A function that never falls and that every number survives exactly: floor, round and their like.
+    /// A function that never falls and that every number survives exactly: floor, round and their
+    /// like.
     pub(super) fn rising(self, f: fn(f64) -> f64) -> Self {
         if self.is_none() {
             return self;
         }
         let (low, high) = (f(self.low), f(self.high));
-        Self { low: low + 0.0, high: high + 0.0, nan: self.nan, minus_zero: self.minus_zero || self.low < 0.0 }
+        Self {
+            low: low + 0.0,
+            high: high + 0.0,
+            nan: self.nan,
+            minus_zero: self.minus_zero || self.low < 0.0,
+        }
     }
 
     /// x - floor(x): rounding may make it 1.
@@ -183,8 +207,15 @@ impl Floats {
         result.with_nan(nan)
     }
 
-    /// A function that never falls, known to a relative error and an absolute one, and no further than `limits`.
-    pub(super) fn smooth(self, f: fn(f64) -> f64, relative: f64, absolute: f64, limits: [f64; 2]) -> Self {
+    /// A function that never falls, known to a relative error and an absolute one, and no further
+    /// than `limits`.
+    pub(super) fn smooth(
+        self,
+        f: fn(f64) -> f64,
+        relative: f64,
+        absolute: f64,
+        limits: [f64; 2],
+    ) -> Self {
         if self.is_none() {
             return self;
         }
@@ -193,7 +224,12 @@ impl Floats {
         let low = if low.is_finite() { low - off(low) } else { low };
         let high = if high.is_finite() { high + off(high) } else { high };
         let result = outward((low.max(limits[0]), false), (high.min(limits[1]), false), ROUNDED);
-        Self { low: result.low.max(limits[0]), high: result.high.min(limits[1]), nan: self.nan, minus_zero: true }
+        Self {
+            low: result.low.max(limits[0]),
+            high: result.high.min(limits[1]),
+            nan: self.nan,
+            minus_zero: true,
+        }
     }
 }
 
@@ -228,6 +264,7 @@ fn quotient_by_zero(a: Floats, b: Floats, nan: bool) -> Floats {
         result.high = 0.0;
     }
     // 0 / 0 where a subnormal was flushed.
-    result.nan |= a.has(0.0) || (a.low < f64::from(f32::MIN_POSITIVE) && a.high > -f64::from(f32::MIN_POSITIVE));
+    result.nan |= a.has(0.0)
+        || (a.low < f64::from(f32::MIN_POSITIVE) && a.high > -f64::from(f32::MIN_POSITIVE));
     result
 }

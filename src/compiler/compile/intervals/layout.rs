@@ -17,7 +17,8 @@ pub(super) fn scalars_of(module: &Module, inner: &TypeInner) -> Option<usize> {
             scalars_of(module, &module.types[*base].inner)?.checked_mul(count.get() as usize)?
         }
         TypeInner::Struct { members, .. } => {
-            let sizes = members.iter().map(|member| scalars_of(module, &module.types[member.ty].inner));
+            let sizes =
+                members.iter().map(|member| scalars_of(module, &module.types[member.ty].inner));
             sizes.sum::<Option<usize>>()?
         }
         _ => return None,
@@ -44,10 +45,16 @@ pub(super) fn zeros_of(module: &Module, inner: &TypeInner) -> Option<Vec<Range>>
     })
 }
 
-fn filled(module: &Module, inner: &TypeInner, of: &dyn Fn(ScalarKind) -> Range) -> Option<Vec<Range>> {
+fn filled(
+    module: &Module,
+    inner: &TypeInner,
+    of: &dyn Fn(ScalarKind) -> Range,
+) -> Option<Vec<Range>> {
     let count = scalars_of(module, inner)?;
     Some(match inner {
-        TypeInner::Scalar(scalar) | TypeInner::Vector { scalar, .. } | TypeInner::Matrix { scalar, .. } => {
+        TypeInner::Scalar(scalar)
+        | TypeInner::Vector { scalar, .. }
+        | TypeInner::Matrix { scalar, .. } => {
             vec![of(scalar.kind); count]
         }
         TypeInner::Array { base, .. } => {
@@ -55,7 +62,8 @@ fn filled(module: &Module, inner: &TypeInner, of: &dyn Fn(ScalarKind) -> Range) 
             one.iter().copied().cycle().take(count).collect()
         }
         TypeInner::Struct { members, .. } => {
-            let parts = members.iter().map(|member| filled(module, &module.types[member.ty].inner, of));
+            let parts =
+                members.iter().map(|member| filled(module, &module.types[member.ty].inner, of));
             parts.collect::<Option<Vec<_>>>()?.concat()
         }
         _ => return None,
@@ -67,7 +75,8 @@ pub(super) fn part_of(module: &Module, inner: &TypeInner, index: usize) -> Optio
     let (count, size) = parts_of(module, inner).unwrap_or((0, 0));
     match inner {
         TypeInner::Struct { members, .. } => {
-            let size = |member: &naga::StructMember| scalars_of(module, &module.types[member.ty].inner);
+            let size =
+                |member: &naga::StructMember| scalars_of(module, &module.types[member.ty].inner);
             let start = members.get(..index)?.iter().map(size).sum::<Option<usize>>()?;
             Some((start, size(members.get(index)?)?))
         }

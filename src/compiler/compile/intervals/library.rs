@@ -1,6 +1,7 @@
-//! Functions of the shader library of which intervals alone would learn too little: those that work on the bits of a
-//! float, and those whose operands hang together, as the sine and the cosine of one angle do. A function goes by its
-//! name only where its text is the library's own, and the tests run each of them against the interpreter.
+//! Functions of the shader library of which intervals alone would learn too little: those that work
+//! on the bits of a float, and those whose operands hang together, as the sine and the cosine of
+//! one angle do. A function goes by its name only where its text is the library's own, and the
+//! tests run each of them against the interpreter.
 
 use super::machine::Ranges;
 use super::range::{ALMOST_INFINITE as LARGEST, Bools, Floats, Range};
@@ -48,17 +49,23 @@ pub(super) fn result(name: &str, arguments: &[Ranges]) -> Option<Ranges> {
             vec![inside(x, -150.0, 128.0).smooth(f64::exp2, 1e-5, 1e-38, limits).with_nan(x.nan)]
         }
         // Meant for normal numbers above 0.
-        ("log_stable", [x]) if !x.nan && x.low >= f64::from(f32::MIN_POSITIVE) && x.high <= LARGEST => {
+        ("log_stable", [x])
+            if !x.nan && x.low >= f64::from(f32::MIN_POSITIVE) && x.high <= LARGEST =>
+        {
             vec![x.smooth(f64::ln, 1e-5, 1e-5, [-1e3, 1e3])]
         }
         ("log_stable", [_]) => vec![Floats::ALL],
         ("log1p_negative", [y]) if y.is_within(0.0, 1.0) => vec![Floats::between(-88.0, 0.0)],
         ("log1p_negative", [_]) => vec![Floats::ALL],
         ("sin_cos_quarter", [x]) if x.is_within(-QUARTER, QUARTER) => quarter(*x),
-        ("sin_cos", [x]) if x.is_within(-1e5, 1e5) => vec![Floats::between(-1.0 - SLACK, 1.0 + SLACK); 2],
+        ("sin_cos", [x]) if x.is_within(-1e5, 1e5) => {
+            vec![Floats::between(-1.0 - SLACK, 1.0 + SLACK); 2]
+        }
         ("sin_cos_quarter" | "sin_cos", _) => vec![Floats::ALL; 2],
         ("angle_between", [..]) => angle_between(&floats),
-        ("angle_of", [_]) => vec![Floats { minus_zero: false, ..Floats::between(0.0, 1.0 + SLACK) }; 2],
+        ("angle_of", [_]) => {
+            vec![Floats { minus_zero: false, ..Floats::between(0.0, 1.0 + SLACK) }; 2]
+        }
         ("atan2_positive", [y, x]) if y.low >= 0.0 && x.low >= 0.0 => {
             let nan = y.nan || x.nan || (y.may_be_infinite() || x.may_be_infinite());
             vec![Floats::between(0.0, std::f64::consts::FRAC_PI_2 + SLACK).with_nan(nan)]
@@ -112,8 +119,8 @@ fn finite_or(x: Floats, otherwise: Floats) -> Floats {
 fn normalized(v: [Floats; 3], otherwise: &[Floats]) -> Vec<Floats> {
     let unit = Floats::between(-1.0 - SLACK, 1.0 + SLACK);
     // Long enough, whatever it is: the fallback does not matter then.
-    let is_long =
-        v.iter().any(|x| !x.nan && (x.low > 1e-29 || x.high < -1e-29)) && v.iter().all(|x| x.is_within(-1e29, 1e29));
+    let is_long = v.iter().any(|x| !x.nan && (x.low > 1e-29 || x.high < -1e-29))
+        && v.iter().all(|x| x.is_within(-1e29, 1e29));
     let each = v.iter().zip(otherwise);
     each.map(|(x, otherwise)| {
         // A component keeps its sign.
@@ -138,7 +145,8 @@ fn quarter(x: Floats) -> Vec<Floats> {
     vec![sin, cos]
 }
 
-/// The sine and cosine of half an angle, from two chords: in [0, 1], or NaN where a direction is none.
+/// The sine and cosine of half an angle, from two chords: in [0, 1], or NaN where a direction is
+/// none.
 fn angle_between(directions: &[Floats]) -> Vec<Floats> {
     let is_plain = directions.iter().all(|x| x.is_within(-1e15, 1e15));
     let unit = Floats { minus_zero: false, ..Floats::between(0.0, 1.0 + SLACK) };

@@ -1,9 +1,10 @@
 //! Runs a function of naga IR on ranges: statements, and the states that flow through them.
 //!
-//! A state says what each expression and each local variable may be on one way through the function. Where a condition
-//! is open, both ways are followed with what the condition tells about them, and they stay apart as long as there are
-//! few: `if s <= 0.0 || kind == AMBIENT` keeps what either half says. Loops run as often as their condition says; one
-//! that is still open after many turns is run once more with everything that it writes unknown, which covers all turns.
+//! A state says what each expression and each local variable may be on one way through the
+//! function. Where a condition is open, both ways are followed with what the condition tells about
+//! them, and they stay apart as long as there are few: `if s <= 0.0 || kind == AMBIENT` keeps what
+//! either half says. Loops run as often as their condition says; one that is still open after many
+//! turns is run once more with everything that it writes unknown, which covers all turns.
 
 use std::rc::Rc;
 
@@ -35,7 +36,8 @@ pub(super) type Outcome<T> = Result<T, GiveUp>;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Known {
     Value(Ranges),
-    /// Into a local variable: the scalars that it may point at begin at these places; so many from there.
+    /// Into a local variable: the scalars that it may point at begin at these places; so many from
+    /// there.
     Pointer {
         local: Handle<naga::LocalVariable>,
         at: Rc<[usize]>,
@@ -50,7 +52,8 @@ pub(super) enum Known {
 pub(super) struct State {
     pub(super) known: Vec<Option<Known>>,
     pub(super) locals: Vec<Ranges>,
-    /// Counts the stores into each local, so that what was loaded before one is not taken for what is there after it.
+    /// Counts the stores into each local, so that what was loaded before one is not taken for what
+    /// is there after it.
     pub(super) versions: Vec<u32>,
     pub(super) loaded: Vec<u32>,
 }
@@ -91,7 +94,11 @@ impl<'m> Machine<'m> {
     }
 
     /// What a function may give.
-    pub(super) fn call(&mut self, handle: Handle<Function>, arguments: &[Ranges]) -> Outcome<Ranges> {
+    pub(super) fn call(
+        &mut self,
+        handle: Handle<Function>,
+        arguments: &[Ranges],
+    ) -> Outcome<Ranges> {
         let module = &self.valid.module;
         let function = &module.functions[handle];
         if let Some(name) = &function.name
@@ -139,9 +146,12 @@ impl<'m> Machine<'m> {
         for (_, local) in function.local_variables.iter() {
             let init = match local.init {
                 Some(init) => self.value(frame, &mut state, init)?,
-                None => super::layout::zeros_of(&self.valid.module, &self.valid.module.types[local.ty].inner)
-                    .ok_or(GiveUp)?
-                    .into(),
+                None => super::layout::zeros_of(
+                    &self.valid.module,
+                    &self.valid.module.types[local.ty].inner,
+                )
+                .ok_or(GiveUp)?
+                .into(),
             };
             state.locals.push(init);
         }
@@ -201,7 +211,9 @@ impl<'m> Machine<'m> {
                 ends.extend(self.block(frame, reject, off, exits)?);
                 Ok(ends)
             }
-            Statement::Switch { selector, cases } => self.switch(frame, *selector, cases, states, exits),
+            Statement::Switch { selector, cases } => {
+                self.switch(frame, *selector, cases, states, exits)
+            }
             Statement::Loop { body, continuing, break_if } => {
                 self.turns(frame, (body, continuing, *break_if), states, exits)
             }
@@ -296,7 +308,8 @@ impl<'m> Machine<'m> {
                 SwitchValue::U32(x) => Some(i64::from(x)),
                 SwitchValue::Default => None,
             };
-            let is_told = selected.point().is_some_and(|x| cases.iter().any(|case| number(case) == Some(x)));
+            let is_told =
+                selected.point().is_some_and(|x| cases.iter().any(|case| number(case) == Some(x)));
             for (case, starts) in cases.iter().zip(&mut starts) {
                 let may_be = match number(case) {
                     Some(x) => selected.low <= x && x <= selected.high,
@@ -342,7 +355,8 @@ impl<'m> Machine<'m> {
             let mut any = joined(states);
             for local in written(parts.0, parts.1, frame.function) {
                 let ty = frame.function.local_variables[local].ty;
-                let tops = tops_of(&self.valid.module, &self.valid.module.types[ty].inner).ok_or(GiveUp)?;
+                let tops = tops_of(&self.valid.module, &self.valid.module.types[ty].inner)
+                    .ok_or(GiveUp)?;
                 any.locals[local.index()] = tops.into();
                 any.versions[local.index()] += 1;
             }
@@ -412,7 +426,11 @@ impl<'m> Machine<'m> {
 }
 
 /// The locals that a loop may write.
-fn written(body: &Block, continuing: &Block, function: &Function) -> Vec<Handle<naga::LocalVariable>> {
+fn written(
+    body: &Block,
+    continuing: &Block,
+    function: &Function,
+) -> Vec<Handle<naga::LocalVariable>> {
     let mut locals = Vec::new();
     let mut blocks = vec![body, continuing];
     while let Some(block) = blocks.pop() {
@@ -421,7 +439,9 @@ fn written(body: &Block, continuing: &Block, function: &Function) -> Vec<Handle<
                 Statement::Store { pointer, .. } => locals.extend(root_of(*pointer, function)),
                 Statement::Block(inner) => blocks.push(inner),
                 Statement::If { accept, reject, .. } => blocks.extend([accept, reject]),
-                Statement::Switch { cases, .. } => blocks.extend(cases.iter().map(|case| &case.body)),
+                Statement::Switch { cases, .. } => {
+                    blocks.extend(cases.iter().map(|case| &case.body))
+                }
                 Statement::Loop { body, continuing, .. } => blocks.extend([body, continuing]),
                 _ => {}
             }
@@ -430,11 +450,16 @@ fn written(body: &Block, continuing: &Block, function: &Function) -> Vec<Handle<
     locals
 }
 
-fn root_of(mut pointer: Handle<Expression>, function: &Function) -> Option<Handle<naga::LocalVariable>> {
+fn root_of(
+    mut pointer: Handle<Expression>,
+    function: &Function,
+) -> Option<Handle<naga::LocalVariable>> {
     loop {
         match function.expressions[pointer] {
             Expression::LocalVariable(local) => return Some(local),
-            Expression::Access { base, .. } | Expression::AccessIndex { base, .. } => pointer = base,
+            Expression::Access { base, .. } | Expression::AccessIndex { base, .. } => {
+                pointer = base
+            }
             _ => return None,
         }
     }

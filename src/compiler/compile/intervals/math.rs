@@ -1,5 +1,5 @@
-//! WGSL's built-in functions on ranges: exact where they are exact, by the formulas of the specification where it gives
-//! some, and no more than what it promises elsewhere.
+//! WGSL's built-in functions on ranges: exact where they are exact, by the formulas of the
+//! specification where it gives some, and no more than what it promises elsewhere.
 
 use naga::{Expression, Handle, MathFunction as Math};
 
@@ -34,7 +34,8 @@ impl Machine<'_> {
         let Some(rest) = rest.iter().map(|b| floats(b)).collect::<Option<Vec<_>>>() else {
             return self.tops(frame, handle);
         };
-        let each = |of: &dyn Fn(Floats) -> Floats| Ok(a.iter().map(|&x| Range::Float(of(x))).collect());
+        let each =
+            |of: &dyn Fn(Floats) -> Floats| Ok(a.iter().map(|&x| Range::Float(of(x))).collect());
         if let Some(of) = of_one(fun) {
             return each(&of);
         }
@@ -52,7 +53,9 @@ impl Machine<'_> {
             }
             (Math::Cross, [b]) => cross(&a, b),
             (Math::Clamp, [low, high]) => three(&a, low, high, |x, low, high| x.max(low).min(high)),
-            (Math::Mix, [b, t]) => three(&a, b, t, |a, b, t| a.mul(Floats::constant(1.0).sub(t)).add(b.mul(t))),
+            (Math::Mix, [b, t]) => {
+                three(&a, b, t, |a, b, t| a.mul(Floats::constant(1.0).sub(t)).add(b.mul(t)))
+            }
             (Math::Fma, [b, c]) => three(&a, b, c, |a, b, c| a.mul(b).add(c)),
             (Math::SmoothStep, [high, x]) => three(&a, high, x, smooth_step),
             (Math::Step, [x]) => two(&a, x, step),
@@ -73,13 +76,19 @@ fn floats(ranges: &[Range]) -> Option<Vec<Floats>> {
 }
 
 /// Abs, min, max and clamp of integers.
-fn integers(fun: Math, a: &[Range], rest: &[super::machine::Ranges]) -> Outcome<Option<Vec<Range>>> {
+fn integers(
+    fun: Math,
+    a: &[Range],
+    rest: &[super::machine::Ranges],
+) -> Outcome<Option<Vec<Range>>> {
     if !matches!(a.first(), Some(Range::Int(_))) {
         return Ok(None);
     }
     let by = |of: fn(i64, i64) -> i64| {
         move |a: Range, b: Range| match (a, b) {
-            (Range::Int(a), Range::Int(b)) => Ok(Range::Int(Ints::between(of(a.low, b.low), of(a.high, b.high)))),
+            (Range::Int(a), Range::Int(b)) => {
+                Ok(Range::Int(Ints::between(of(a.low, b.low), of(a.high, b.high))))
+            }
             _ => Err(GiveUp),
         }
     };
@@ -109,10 +118,14 @@ fn of_one(fun: Math) -> Option<fn(Floats) -> Floats> {
         Math::Exp2 => |x| x.smooth(f64::exp2, 1e-2, 0.0, [0.0, f64::INFINITY]),
         Math::Log => |x| logarithm(x, f64::ln),
         Math::Log2 => |x| logarithm(x, f64::log2),
-        Math::Sin | Math::Cos => |x| Floats::between(-1.001, 1.001).with_nan(x.nan || x.may_be_infinite()),
+        Math::Sin | Math::Cos => {
+            |x| Floats::between(-1.001, 1.001).with_nan(x.nan || x.may_be_infinite())
+        }
         Math::Tanh => |x| x.smooth(f64::tanh, RELATIVE, ABSOLUTE, [-1.001, 1.001]),
         Math::Atan => |x| x.smooth(f64::atan, RELATIVE, ABSOLUTE, [-1.572, 1.572]),
-        Math::Asin | Math::Acos => |x| Floats::between(-3.15, 3.15).with_nan(x.nan || x.low < -1.0 || x.high > 1.0),
+        Math::Asin | Math::Acos => {
+            |x| Floats::between(-3.15, 3.15).with_nan(x.nan || x.low < -1.0 || x.high > 1.0)
+        }
         _ => return None,
     })
 }
@@ -124,11 +137,16 @@ fn logarithm(x: Floats, of: fn(f64) -> f64) -> Floats {
         return Floats { nan: true, ..Floats::ALL };
     }
     // Where a card flushes subnormals it takes them for 0, whose logarithm has no end.
-    let inside = if inside.low < f64::from(f32::MIN_POSITIVE) { Floats { low: 0.0, ..inside } } else { inside };
+    let inside = if inside.low < f64::from(f32::MIN_POSITIVE) {
+        Floats { low: 0.0, ..inside }
+    } else {
+        inside
+    };
     inside.smooth(of, RELATIVE, ABSOLUTE, [f64::NEG_INFINITY, f64::INFINITY]).with_nan(nan)
 }
 
-/// `exp2(e * log2(x))`: no less than 0; no more than 1 where the base is not and the exponent does not turn it around.
+/// `exp2(e * log2(x))`: no less than 0; no more than 1 where the base is not and the exponent does
+/// not turn it around.
 fn power(x: Floats, e: Floats) -> Floats {
     let nan = x.nan
         || e.nan
@@ -187,7 +205,12 @@ fn two(a: &[Floats], b: &[Floats], of: fn(Floats, Floats) -> Floats) -> Option<V
 }
 
 /// Component by component; a scalar third argument is repeated.
-fn three(a: &[Floats], b: &[Floats], c: &[Floats], of: fn(Floats, Floats, Floats) -> Floats) -> Option<Vec<Floats>> {
+fn three(
+    a: &[Floats],
+    b: &[Floats],
+    c: &[Floats],
+    of: fn(Floats, Floats, Floats) -> Floats,
+) -> Option<Vec<Floats>> {
     let third = |index: usize| if c.len() == 1 { c.first() } else { c.get(index) };
     (a.len() == b.len()).then_some(())?;
     a.iter().zip(b).enumerate().map(|(index, (a, b))| Some(of(*a, *b, *third(index)?))).collect()

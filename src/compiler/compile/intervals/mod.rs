@@ -1,12 +1,15 @@
 //! What values may be: a sound range for every scalar of every value of a look.
 //!
-//! A node's function is run as naga IR on ranges instead of numbers, so that a custom node is understood as well as one
-//! of the library, and no table of nodes is kept. Whatever a fragment computes lies within the ranges: in f32, however
-//! WGSL lets a card round, and in the interpreter's f32 and f64. What cannot be followed may be anything.
+//! A node's function is run as naga IR on ranges instead of numbers, so that a custom node is
+//! understood as well as one of the library, and no table of nodes is kept. Whatever a fragment
+//! computes lies within the ranges: in f32, however WGSL lets a card round, and in the
+//! interpreter's f32 and f64. What cannot be followed may be anything.
 //!
-//! - `range`: the domain: intervals with NaN and -0 told apart, integers with the size of a float's bits, truth values.
+//! - `range`: the domain: intervals with NaN and -0 told apart, integers with the size of a float's
+//!   bits, truth values.
 //! - `floats`: arithmetic, rounded outward.
-//! - `machine`, `expressions`, `math`, `refine`: naga IR on ranges. Conditions that stay open split the way.
+//! - `machine`, `expressions`, `math`, `refine`: naga IR on ranges. Conditions that stay open split
+//!   the way.
 //! - `library`: the few functions whose operands hang together.
 //! - `surroundings`: what is known of a context before any fragment runs.
 
@@ -35,10 +38,12 @@ pub(super) use machine::Ranges;
 pub(super) use range::Range;
 pub(super) use surroundings::context_ranges;
 
-/// What a node's function may give for arguments within these ranges; `None` where it cannot be followed.
+/// What a node's function may give for arguments within these ranges; `None` where it cannot be
+/// followed.
 pub(super) fn call(module: &NodeModule, function: &str, arguments: &[Ranges]) -> Option<Ranges> {
     let own = |name: &str| {
-        let text = module.declaration(name).and_then(|found| module.linked.text.get(found.body.clone()));
+        let text =
+            module.declaration(name).and_then(|found| module.linked.text.get(found.body.clone()));
         text.is_some_and(|text| LIBRARY_TEXTS.get(name).is_some_and(|own| own == text))
     };
     run(&module.valid, function, arguments, &own)
@@ -50,20 +55,36 @@ pub(super) struct Calls(HashMap<(usize, String, Vec<u64>), Option<Ranges>>);
 
 impl Calls {
     /// [`call`], or what it gave for the same ranges before.
-    pub(super) fn call(&mut self, module: &NodeModule, function: &str, arguments: &[Ranges]) -> Option<Ranges> {
-        let bits = arguments.iter().flat_map(|ranges| ranges.iter()).flat_map(|range| range.bits()).collect();
+    pub(super) fn call(
+        &mut self,
+        module: &NodeModule,
+        function: &str,
+        arguments: &[Ranges],
+    ) -> Option<Ranges> {
+        let bits = arguments
+            .iter()
+            .flat_map(|ranges| ranges.iter())
+            .flat_map(|range| range.bits())
+            .collect();
         let key = (std::ptr::from_ref(module) as usize, function.to_owned(), bits);
         self.0.entry(key).or_insert_with(|| call(module, function, arguments)).clone()
     }
 }
 
-/// [`call`] for a module that imports the library and declares nothing that could be taken for a part of it.
+/// [`call`] for a module that imports the library and declares nothing that could be taken for a
+/// part of it.
 pub(super) fn call_plain(valid: &Valid, function: &str, arguments: &[Ranges]) -> Option<Ranges> {
     run(valid, function, arguments, &|_| true)
 }
 
-fn run(valid: &Valid, function: &str, arguments: &[Ranges], own: &dyn Fn(&str) -> bool) -> Option<Ranges> {
-    let (handle, _) = valid.module.functions.iter().find(|(_, f)| f.name.as_deref() == Some(function))?;
+fn run(
+    valid: &Valid,
+    function: &str,
+    arguments: &[Ranges],
+    own: &dyn Fn(&str) -> bool,
+) -> Option<Ranges> {
+    let (handle, _) =
+        valid.module.functions.iter().find(|(_, f)| f.name.as_deref() == Some(function))?;
     Machine::new(valid, own).call(handle, arguments).ok()
 }
 
@@ -99,7 +120,9 @@ pub(super) fn any_like(value: &interp::Value) -> Ranges {
 fn push_scalars(value: &interp::Value, push: &mut dyn FnMut(interp::Scalar)) {
     match value {
         interp::Value::Vector(scalars) => scalars.iter().for_each(|&scalar| push(scalar)),
-        interp::Value::Matrix { components, .. } => components.iter().for_each(|&x| push(interp::Scalar::Float(x))),
+        interp::Value::Matrix { components, .. } => {
+            components.iter().for_each(|&x| push(interp::Scalar::Float(x)))
+        }
         interp::Value::Array(parts) | interp::Value::Struct(parts) => {
             parts.iter().for_each(|part| push_scalars(part, push));
         }

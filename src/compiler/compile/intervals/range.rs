@@ -9,8 +9,8 @@ const SMALLEST_NORMAL: f64 = f32::MIN_POSITIVE as f64;
 
 /// What a float may be: a closed interval, with NaN and -0 told apart.
 ///
-/// An infinite bound means that the infinity itself is possible. Where no number is possible, only NaN, `low` is above
-/// `high`.
+/// An infinite bound means that the infinity itself is possible. Where no number is possible, only
+/// NaN, `low` is above `high`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::compile) struct Floats {
     pub(in crate::compile) low: f64,
@@ -23,14 +23,21 @@ pub(in crate::compile) struct Floats {
 
 impl Floats {
     /// Anything.
-    pub(super) const ALL: Self = Self { low: f64::NEG_INFINITY, high: f64::INFINITY, nan: true, minus_zero: true };
+    pub(super) const ALL: Self =
+        Self { low: f64::NEG_INFINITY, high: f64::INFINITY, nan: true, minus_zero: true };
     pub(super) const ZERO: Self = Self { low: 0.0, high: 0.0, nan: false, minus_zero: false };
     /// No number at all.
-    const NONE: Self = Self { low: f64::INFINITY, high: f64::NEG_INFINITY, nan: false, minus_zero: false };
+    const NONE: Self =
+        Self { low: f64::INFINITY, high: f64::NEG_INFINITY, nan: false, minus_zero: false };
 
     /// Numbers between two bounds; a zero has both signs.
     pub(super) fn between(low: f64, high: f64) -> Self {
-        Self { low, high, nan: false, minus_zero: low <= 0.0 && high >= 0.0 && low < high && low < 0.0 }
+        Self {
+            low,
+            high,
+            nan: false,
+            minus_zero: low <= 0.0 && high >= 0.0 && low < high && low < 0.0,
+        }
     }
 
     pub(super) fn with_nan(self, nan: bool) -> Self {
@@ -44,10 +51,20 @@ impl Floats {
         }
         let single = f64::from(x as f32);
         let is_negative = x.is_sign_negative();
-        let range = Self { low: x.min(single), high: x.max(single), nan: false, minus_zero: x == 0.0 && is_negative };
+        let range = Self {
+            low: x.min(single),
+            high: x.max(single),
+            nan: false,
+            minus_zero: x == 0.0 && is_negative,
+        };
         // A graphics card may take a subnormal for 0.
         if x != 0.0 && x.abs() < SMALLEST_NORMAL {
-            return Self { low: range.low.min(0.0), high: range.high.max(0.0), minus_zero: is_negative, ..range };
+            return Self {
+                low: range.low.min(0.0),
+                high: range.high.max(0.0),
+                minus_zero: is_negative,
+                ..range
+            };
         }
         range
     }
@@ -100,8 +117,9 @@ impl Floats {
     }
 }
 
-/// The bounds of a result that was computed in f64: as they are where they are exact and f32 can hold them, else
-/// outward by `steps` of f32, which covers rounding either way and what WGSL allows an operation to be off.
+/// The bounds of a result that was computed in f64: as they are where they are exact and f32 can
+/// hold them, else outward by `steps` of f32, which covers rounding either way and what WGSL allows
+/// an operation to be off.
 pub(super) fn outward(low: (f64, bool), high: (f64, bool), steps: u32) -> Floats {
     let low = lower(low, steps);
     let high = upper(high, steps);
@@ -159,7 +177,11 @@ impl Ints {
 
     /// Anything of a type.
     pub(super) fn all(is_signed: bool) -> Self {
-        if is_signed { Self::between(i32::MIN.into(), i32::MAX.into()) } else { Self::between(0, u32::MAX.into()) }
+        if is_signed {
+            Self::between(i32::MIN.into(), i32::MAX.into())
+        } else {
+            Self::between(0, u32::MAX.into())
+        }
     }
 
     /// `low` to `high` where the type can hold both, else anything: integers wrap around.
@@ -176,7 +198,10 @@ impl Ints {
         Self {
             low: self.low.min(other.low),
             high: self.high.max(other.high),
-            magnitude: [self.magnitude[0].min(other.magnitude[0]), self.magnitude[1].max(other.magnitude[1])],
+            magnitude: [
+                self.magnitude[0].min(other.magnitude[0]),
+                self.magnitude[1].max(other.magnitude[1]),
+            ],
         }
     }
 }
@@ -258,7 +283,9 @@ impl Range {
             Self::Float(x) if x.nan || x.is_none() => None,
             Self::Float(x) => Some([x.low, x.high]),
             Self::Int(x) => Some([x.low as f64, x.high as f64]),
-            Self::Bool(x) => Some([f64::from(u8::from(!x.may_be_false)), f64::from(u8::from(x.may_be_true))]),
+            Self::Bool(x) => {
+                Some([f64::from(u8::from(!x.may_be_false)), f64::from(u8::from(x.may_be_true))])
+            }
         }
     }
 
@@ -284,7 +311,9 @@ impl Range {
     /// Told apart from any other range, for tables.
     pub(super) fn bits(self) -> [u64; 3] {
         match self {
-            Self::Float(x) => [x.low.to_bits(), x.high.to_bits(), u64::from(x.nan) | u64::from(x.minus_zero) << 1],
+            Self::Float(x) => {
+                [x.low.to_bits(), x.high.to_bits(), u64::from(x.nan) | u64::from(x.minus_zero) << 1]
+            }
             Self::Int(x) => {
                 let [least, most] = x.magnitude.map(|m| m as u64 & 0x7fff_ffff);
                 [x.low as u64, x.high as u64, 4 | least << 3 | most << 34]
@@ -299,7 +328,8 @@ impl Range {
             Self::Float(x) => {
                 let point = x.point()?;
                 let is_single = f64::from(point as f32) == point;
-                (is_single && !(point == 0.0 && x.minus_zero)).then_some(interp::Scalar::Float(point))
+                (is_single && !(point == 0.0 && x.minus_zero))
+                    .then_some(interp::Scalar::Float(point))
             }
             Self::Int(x) => x.point().and_then(|x| i32::try_from(x).ok()).map(interp::Scalar::I32),
             Self::Bool(x) => x.point().map(interp::Scalar::Bool),
@@ -316,8 +346,12 @@ impl Range {
                 }
                 range.has(x) && (x != 0.0 || x.is_sign_positive() || range.minus_zero)
             }
-            (Self::Int(range), interp::Scalar::I32(x)) => (range.low..=range.high).contains(&x.into()),
-            (Self::Int(range), interp::Scalar::U32(x)) => (range.low..=range.high).contains(&x.into()),
+            (Self::Int(range), interp::Scalar::I32(x)) => {
+                (range.low..=range.high).contains(&x.into())
+            }
+            (Self::Int(range), interp::Scalar::U32(x)) => {
+                (range.low..=range.high).contains(&x.into())
+            }
             (Self::Bool(range), interp::Scalar::Bool(x)) => {
                 if x {
                     range.may_be_true

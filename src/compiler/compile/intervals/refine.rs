@@ -71,9 +71,13 @@ impl Machine<'_> {
         };
         let any = Floats { nan: false, ..Floats::ALL };
         let (for_a, for_b) = match op {
-            Op::Less => (Floats { high: before(b.high), ..any }, Floats { low: after(a.low), ..any }),
+            Op::Less => {
+                (Floats { high: before(b.high), ..any }, Floats { low: after(a.low), ..any })
+            }
             Op::LessEqual => (Floats { high: b.high, ..any }, Floats { low: a.low, ..any }),
-            Op::Greater => (Floats { low: after(b.low), ..any }, Floats { high: before(a.high), ..any }),
+            Op::Greater => {
+                (Floats { low: after(b.low), ..any }, Floats { high: before(a.high), ..any })
+            }
             Op::GreaterEqual => (Floats { low: b.low, ..any }, Floats { high: a.high, ..any }),
             Op::Equal => (Floats { nan: false, ..b }, Floats { nan: false, ..a }),
             _ => return Ok(true),
@@ -82,7 +86,8 @@ impl Machine<'_> {
             && self.narrow(frame, state, right, 0, b.meet(for_b), 0)?)
     }
 
-    /// Narrows the scalar at `index` of an expression, and of what it was taken from; `false` where nothing is left.
+    /// Narrows the scalar at `index` of an expression, and of what it was taken from; `false` where
+    /// nothing is left.
     fn narrow(
         &mut self,
         frame: Frame<'_>,
@@ -113,11 +118,15 @@ impl Machine<'_> {
             Expression::AccessIndex { base, index: part } => {
                 let Some(Known::Value(_)) = &state.known[base.index()] else { return Ok(true) };
                 let inner = frame.info[base].ty.inner_with(&self.valid.module.types);
-                let (start, _) = super::layout::part_of(&self.valid.module, inner, part as usize).ok_or(GiveUp)?;
+                let (start, _) = super::layout::part_of(&self.valid.module, inner, part as usize)
+                    .ok_or(GiveUp)?;
                 self.narrow(frame, state, base, start + index, to, depth + 1)
             }
             Expression::Load { pointer } => {
-                let Known::Pointer { local, at, .. } = self.expression(frame, state, pointer)? else { return Ok(true) };
+                let Known::Pointer { local, at, .. } = self.expression(frame, state, pointer)?
+                else {
+                    return Ok(true);
+                };
                 let is_current = state.loaded[handle.index()] == state.versions[local.index()];
                 if let (true, [start]) = (is_current, &*at) {
                     let mut scalars = state.locals[local.index()].to_vec();

@@ -10,8 +10,8 @@ const UNIT: f64 = 1.0 + 2e-6;
 
 /// What each scalar of a context may be.
 ///
-/// Everything that a mesh, an interpolation or a scene says may be anything; what generated code normalizes, and what
-/// the host computes as a cosine or clamps, is known.
+/// Everything that a mesh, an interpolation or a scene says may be anything; what generated code
+/// normalizes, and what the host computes as a cosine or clamps, is known.
 pub(in crate::compile) fn context_ranges(context: Context) -> Ranges {
     let count = super::scalars_in(&Type::from_wgsl(context.wgsl_type())).unwrap_or(1);
     let one = match context {

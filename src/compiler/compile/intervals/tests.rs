@@ -40,7 +40,9 @@ impl Random {
 
     fn range(&mut self, kind: ScalarKind) -> Range {
         match kind {
-            ScalarKind::Bool => Range::Bool([Bools::ALL, Bools::of(true), Bools::of(false)][self.index(3)]),
+            ScalarKind::Bool => {
+                Range::Bool([Bools::ALL, Bools::of(true), Bools::of(false)][self.index(3)])
+            }
             ScalarKind::I32 => {
                 let low = self.index(20) as i64 - 5;
                 Range::Int(Ints::between(low, low + self.index(6) as i64))
@@ -77,7 +79,8 @@ impl Random {
                     return Scalar::Float(f64::NAN);
                 }
                 let inner = x.low.max(-1e38) + (x.high.min(1e38) - x.low.max(-1e38)) * self.unit();
-                let inner = if x.has(inner) { f64::from(inner as f32).clamp(x.low, x.high) } else { x.low };
+                let inner =
+                    if x.has(inner) { f64::from(inner as f32).clamp(x.low, x.high) } else { x.low };
                 let special = [x.low, x.high, 0.0, -0.0, 1.0, 0.5, 1e-3, -1.0];
                 let pick = special[self.index(special.len())];
                 let y = if self.index(2) == 0 && x.has(pick) { pick } else { inner };
@@ -105,14 +108,17 @@ fn built(shape: &Shape, scalars: &mut impl Iterator<Item = Scalar>) -> interp::V
             columns: *columns,
             components: scalars.take(columns * rows).map(Scalar::as_f64).collect(),
         },
-        Shape::Array { element, count } => interp::Value::Array((0..*count).map(|_| built(element, scalars)).collect()),
+        Shape::Array { element, count } => {
+            interp::Value::Array((0..*count).map(|_| built(element, scalars)).collect())
+        }
         Shape::Struct { members, .. } => {
             interp::Value::Struct(members.iter().map(|(_, shape)| built(shape, scalars)).collect())
         }
     }
 }
 
-/// Runs a function on random boxes and on points within; says how many results were followed and how many narrowed.
+/// Runs a function on random boxes and on points within; says how many results were followed and
+/// how many narrowed.
 fn hold(
     name: &str,
     program: &Program,
@@ -123,7 +129,8 @@ fn hold(
     let mut machines = [program.machine(Precision::F32), program.machine(Precision::F64)];
     let mut counts = [0; 2];
     for _ in 0..boxes {
-        let shapes: Vec<&Shape> = program.parameters().iter().map(|parameter| &parameter.shape).collect();
+        let shapes: Vec<&Shape> =
+            program.parameters().iter().map(|parameter| &parameter.shape).collect();
         let mut arguments: Vec<Ranges> = Vec::new();
         for shape in &shapes {
             let mut of = Vec::new();
@@ -132,7 +139,9 @@ fn hold(
         }
         let Some(result) = follow(&arguments) else { continue };
         counts[0] += 1;
-        counts[1] += usize::from(result.iter().any(|r| r.bounds().is_some_and(|[low, high]| high - low < 1e6)));
+        counts[1] += usize::from(
+            result.iter().any(|r| r.bounds().is_some_and(|[low, high]| high - low < 1e6)),
+        );
         for _ in 0..12 {
             let values: Vec<interp::Value> = shapes
                 .iter()
@@ -140,8 +149,11 @@ fn hold(
                 .map(|(shape, ranges)| {
                     let mut of = Vec::new();
                     kinds(shape, &mut of);
-                    let scalars: Vec<Scalar> =
-                        of.iter().zip(ranges.iter()).map(|(kind, range)| random.within(*range, *kind)).collect();
+                    let scalars: Vec<Scalar> = of
+                        .iter()
+                        .zip(ranges.iter())
+                        .map(|(kind, range)| random.within(*range, *kind))
+                        .collect();
                     built(shape, &mut scalars.into_iter())
                 })
                 .collect();
@@ -153,7 +165,8 @@ fn hold(
                 for (index, (scalar, range)) in scalars.iter().zip(result.iter()).enumerate() {
                     assert!(
                         range.contains(*scalar),
-                        "{name}: scalar {index} is {scalar:?}, outside of {range:?}\n{values:?}\n{arguments:?}"
+                        "{name}: scalar {index} is {scalar:?}, outside of \
+                         {range:?}\n{values:?}\n{arguments:?}"
                     );
                 }
             }
@@ -162,15 +175,16 @@ fn hold(
     counts
 }
 
-/// Every function of every node on random boxes; gives the functions, the boxes that were followed and those that were
-/// narrowed.
+/// Every function of every node on random boxes; gives the functions, the boxes that were followed
+/// and those that were narrowed.
 fn hold_nodes(seed: u64, boxes: usize) -> [usize; 3] {
     let library = Library::built_in();
     let mut random = Random(seed);
     let mut counts = [0; 3];
     for def in library.nodes.values() {
         let prepared = def.prepare.iter().map(|prepare| prepare.function.clone());
-        for function in def.variants.iter().map(|variant| variant.function.clone()).chain(prepared) {
+        for function in def.variants.iter().map(|variant| variant.function.clone()).chain(prepared)
+        {
             let Ok(program) = def.module.program(&function) else { continue };
             let follow = |arguments: &[Ranges]| call(&def.module, &function, arguments);
             let [followed, narrowed] = hold(&function, &program, &follow, &mut random, boxes);
@@ -180,7 +194,8 @@ fn hold_nodes(seed: u64, boxes: usize) -> [usize; 3] {
     counts
 }
 
-/// Every function of the library on random boxes, those that are known by name on ten times as many.
+/// Every function of the library on random boxes, those that are known by name on ten times as
+/// many.
 fn hold_library(seed: u64, boxes: usize) -> usize {
     let mut random = Random(seed);
     let mut known = 0;
@@ -224,7 +239,10 @@ fn every_function_of_the_library_stays_within_its_ranges() {
 fn many_more_boxes() {
     for seed in 10..20 {
         let [functions, followed, narrowed] = hold_nodes(seed, 200);
-        println!("{functions} functions, {followed} of {} boxes followed, {narrowed} narrowed", functions * 200);
+        println!(
+            "{functions} functions, {followed} of {} boxes followed, {narrowed} narrowed",
+            functions * 200
+        );
         hold_library(seed + 100, 200);
     }
 }
@@ -246,7 +264,9 @@ fn open_conditions_narrow_what_is_behind_them() {
     let valid = module("fn f(x: f32) -> f32 { if x <= 0.0 { return 1.0; } return 1.0 + x; }");
     let [low, high] = bounds_of(&valid, &[float(-3.0, 2.0)]).expect("it is followed");
     assert!((0.999_999..=1.0).contains(&low) && high == 3.0, "{low} {high}");
-    let valid = module("fn f(x: f32, k: u32) -> f32 { if x <= 0.0 || k == 2u { return 1.0; } return 0.0; }");
+    let valid = module(
+        "fn f(x: f32, k: u32) -> f32 { if x <= 0.0 || k == 2u { return 1.0; } return 0.0; }",
+    );
     let two: Ranges = [Range::Int(Ints::between(2, 2))].into();
     assert_eq!(bounds_of(&valid, &[float(-3.0, 2.0), two]), Some([1.0, 1.0]));
     let valid = module("fn f(x: f32) -> f32 { return select(x, 0.0, x < 0.0); }");
@@ -255,11 +275,15 @@ fn open_conditions_narrow_what_is_behind_them() {
 
 #[test]
 fn loops_are_followed_and_endless_ones_are_not_believed() {
-    let valid = module("fn f(x: f32) -> f32 { var s = 0.0; for (var i = 0; i < 8; i++) { s += x; } return s; }");
-    assert_eq!(bounds_of(&valid, &[float(0.0, 0.5)]), Some([0.0, 4.0]));
-    // How often it turns depends on x: whatever it writes may be anything, and what it does not write stays known.
     let valid = module(
-        "fn f(x: f32) -> f32 { var s = 0.0; var t = 3.0; loop { s += 1.0; if s > x { break; } } return t + 0.0 * min(max(s, 0.0), 1.0); }",
+        "fn f(x: f32) -> f32 { var s = 0.0; for (var i = 0; i < 8; i++) { s += x; } return s; }",
+    );
+    assert_eq!(bounds_of(&valid, &[float(0.0, 0.5)]), Some([0.0, 4.0]));
+    // How often it turns depends on x: whatever it writes may be anything, and what it does not
+    // write stays known.
+    let valid = module(
+        "fn f(x: f32) -> f32 \
+         { var s = 0.0; var t = 3.0; loop { s += 1.0; if s > x { break; } } return t + 0.0 * min(max(s, 0.0), 1.0); }",
     );
     let bounds = bounds_of(&valid, &[float(0.0, 1e9)]);
     assert!(bounds.is_none_or(|[low, high]| low <= 3.0 && high >= 3.0), "{bounds:?}");

@@ -1,9 +1,9 @@
 //! Keeps shares within 0 and 1: opacities, masks and the alpha of colors, which mix. Beyond 1 a mix
 //! goes on past what is mixed in.
 //!
-//! The bound is a call of the library's in front of a node, and not a part of the node's function, so
-//! that it is left out wherever ranges show that it changes nothing, and is computed once on the host
-//! where the share is a uniform.
+//! The bound is a call of the library's in front of a node, and not a part of the node's function,
+//! so that it is left out wherever ranges show that it changes nothing, and is computed once on the
+//! host where the share is a uniform.
 
 use super::{Argument, Builder, Function, ValueId};
 use crate::compile::check::TypedNode;
@@ -12,7 +12,12 @@ use crate::library::{Library, Type};
 
 impl Builder<'_> {
     /// Bounds the inputs that the node's file says are shares.
-    pub(super) fn bound_inputs(&mut self, index: usize, node: &TypedNode, inputs: &mut [Option<ValueId>]) {
+    pub(super) fn bound_inputs(
+        &mut self,
+        index: usize,
+        node: &TypedNode,
+        inputs: &mut [Option<ValueId>],
+    ) {
         for bound in &node.def.bounds {
             if let Some(value) = inputs[bound.input]
                 && self.are_met(node, inputs, &bound.conditions)

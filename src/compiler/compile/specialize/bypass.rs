@@ -52,16 +52,31 @@ impl Builder<'_> {
     }
 
     /// Whether all conditions hold, however that is shown.
-    pub(super) fn are_met(&self, node: &TypedNode, inputs: &[Option<ValueId>], conditions: &[Condition]) -> bool {
+    pub(super) fn are_met(
+        &self,
+        node: &TypedNode,
+        inputs: &[Option<ValueId>],
+        conditions: &[Condition],
+    ) -> bool {
         self.all_hold(node, inputs, conditions).is_some()
     }
 
-    fn all_hold(&self, node: &TypedNode, inputs: &[Option<ValueId>], conditions: &[Condition]) -> Option<Shown> {
+    fn all_hold(
+        &self,
+        node: &TypedNode,
+        inputs: &[Option<ValueId>],
+        conditions: &[Condition],
+    ) -> Option<Shown> {
         let each = conditions.iter().map(|condition| self.holds(node, inputs, condition));
         each.into_iter().try_fold(Shown::Constants, |shown, one| Some(shown.max(one?)))
     }
 
-    fn holds(&self, node: &TypedNode, inputs: &[Option<ValueId>], condition: &Condition) -> Option<Shown> {
+    fn holds(
+        &self,
+        node: &TypedNode,
+        inputs: &[Option<ValueId>],
+        condition: &Condition,
+    ) -> Option<Shown> {
         if let Test::Word(words) = &condition.test {
             let word = node.choices.get(&condition.input)?;
             return words.contains(word).then_some(Shown::Constants);
@@ -82,11 +97,15 @@ impl Builder<'_> {
             Test::Same(_) => false,
             Test::Unit if self.values[id].unit => return Some(Shown::Constants),
             Test::Unit => all(usize::MAX, 0.0, 1.0),
-            Test::AtMost(limit) => all(usize::MAX, f64::NEG_INFINITY, self.limit(inputs, limit, 0)?),
+            Test::AtMost(limit) => {
+                all(usize::MAX, f64::NEG_INFINITY, self.limit(inputs, limit, 0)?)
+            }
             Test::AtLeast(limit) => all(usize::MAX, self.limit(inputs, limit, 1)?, f64::INFINITY),
             Test::UnitAlpha => {
                 let ranges = self.values[id].ranges.as_ref()?;
-                ranges.get(3).is_none_or(|range| range.bounds().is_some_and(|[low, high]| low >= 0.0 && high <= 1.0))
+                ranges.get(3).is_none_or(|range| {
+                    range.bounds().is_some_and(|[low, high]| low >= 0.0 && high <= 1.0)
+                })
             }
             Test::Word(_) => false,
         };

@@ -5,23 +5,37 @@ use indexmap::IndexMap;
 use super::parts::{insert, remove_named};
 use super::{Applied, Edit, group, impossible, missing, nothing};
 use crate::diag::Diagnostic;
-use crate::document::{Bookmark, DirectionKeys, Frame, Graph, GraphId, Look, Node, Note, Target, Value, Wire};
+use crate::document::{
+    Bookmark, DirectionKeys, Frame, Graph, GraphId, Look, Node, Note, Target, Value, Wire,
+};
 use crate::ids::{DefinitionId, FrameId, NodeId, NodePath, NoteId, PortName};
 
 fn graph_mut<'l>(look: &'l mut Look, graph: &GraphId) -> Result<&'l mut Graph, Box<Diagnostic>> {
     match graph {
         GraphId::Look => Ok(&mut look.graph),
-        GraphId::Definition(id) => {
-            look.definitions.get_mut(id).map(|found| &mut found.graph).ok_or_else(|| missing("group", id))
-        }
+        GraphId::Definition(id) => look
+            .definitions
+            .get_mut(id)
+            .map(|found| &mut found.graph)
+            .ok_or_else(|| missing("group", id)),
     }
 }
 
-pub(super) fn node_mut<'l>(look: &'l mut Look, graph: &GraphId, id: &NodeId) -> Result<&'l mut Node, Box<Diagnostic>> {
+pub(super) fn node_mut<'l>(
+    look: &'l mut Look,
+    graph: &GraphId,
+    id: &NodeId,
+) -> Result<&'l mut Node, Box<Diagnostic>> {
     graph_mut(look, graph)?.nodes.get_mut(id).ok_or_else(|| missing("node", id))
 }
 
-pub(super) fn add_node(look: &mut Look, graph: GraphId, id: NodeId, node: Node, index: Option<usize>) -> Applied<Edit> {
+pub(super) fn add_node(
+    look: &mut Look,
+    graph: GraphId,
+    id: NodeId,
+    node: Node,
+    index: Option<usize>,
+) -> Applied<Edit> {
     insert(&mut graph_mut(look, &graph)?.nodes, "node", id.clone(), node, index)?;
     Ok(Edit::RemoveNode { graph, id })
 }
@@ -40,7 +54,9 @@ pub(super) fn remove_node(look: &mut Look, graph: GraphId, id: NodeId) -> Applie
         edits.push(Edit::SetFrame { graph: graph.clone(), id: frame_id.clone(), frame });
     }
     edits.extend(drop_targets(look, |look, target| leads_through(look, target, &graph, &id)));
-    edits.extend(drop_driven(look, |path| steps(look, path).any(|(of, step)| of == graph && step == id)));
+    edits.extend(drop_driven(look, |path| {
+        steps(look, path).any(|(of, step)| of == graph && step == id)
+    }));
     if edits.is_empty() {
         let (index, node) = remove_named(&mut graph_mut(look, &graph)?.nodes, "node", &id)?;
         return Ok(Edit::AddNode { graph, id, node, index: Some(index) });
@@ -52,7 +68,9 @@ pub(super) fn remove_node(look: &mut Look, graph: GraphId, id: NodeId) -> Applie
 /// The edits that remove what exposes or keys these targets.
 pub(super) fn drop_targets(look: &Look, drops: impl Fn(&Look, &Target) -> bool) -> Vec<Edit> {
     let mut edits = Vec::new();
-    for (index, keys) in look.time_keys.iter().enumerate().rev().filter(|(_, keys)| drops(look, &keys.target)) {
+    for (index, keys) in
+        look.time_keys.iter().enumerate().rev().filter(|(_, keys)| drops(look, &keys.target))
+    {
         let _ = keys;
         edits.push(Edit::RemoveTimeKeys { index });
     }
@@ -66,7 +84,9 @@ pub(super) fn drop_targets(look: &Look, drops: impl Fn(&Look, &Target) -> bool) 
             edits.push(Edit::SetDirectionKeys { index, keys });
         }
     }
-    for (index, _) in look.exposed.iter().enumerate().rev().filter(|(_, exposed)| drops(look, &exposed.target)) {
+    for (index, _) in
+        look.exposed.iter().enumerate().rev().filter(|(_, exposed)| drops(look, &exposed.target))
+    {
         edits.push(Edit::RemoveExposed { index });
     }
     edits
@@ -108,8 +128,7 @@ pub(super) fn set_kind(look: &mut Look, graph: GraphId, id: NodeId, kind: String
         let is_own = look.definitions.contains_key(kind.as_str());
         leads_into(look, node, &graph, &id) && (!is_own || look.find(node).is_none())
     };
-    let broken =
-        |look: &Look, target: &Target| matches!(target, Target::Input { node, .. } if leads_nowhere(look, node));
+    let broken = |look: &Look, target: &Target| matches!(target, Target::Input { node, .. } if leads_nowhere(look, node));
     let mut edits = drop_targets(look, broken);
     edits.extend(drop_driven(look, |path| leads_nowhere(look, path)));
     if edits.is_empty() {
@@ -122,7 +141,11 @@ pub(super) fn set_kind(look: &mut Look, graph: GraphId, id: NodeId, kind: String
     group(look, edits, true)
 }
 
-pub(super) fn move_nodes(look: &mut Look, graph: GraphId, positions: IndexMap<NodeId, [f64; 2]>) -> Applied<Edit> {
+pub(super) fn move_nodes(
+    look: &mut Look,
+    graph: GraphId,
+    positions: IndexMap<NodeId, [f64; 2]>,
+) -> Applied<Edit> {
     let of = graph_mut(look, &graph)?;
     if let Some(id) = positions.keys().find(|&id| !of.nodes.contains_key(id)) {
         return Err(missing("node", id));
@@ -156,7 +179,12 @@ pub(super) fn set_value(
     Ok(Edit::ClearValue { graph, id, port })
 }
 
-pub(super) fn clear_value(look: &mut Look, graph: GraphId, id: NodeId, port: PortName) -> Applied<Edit> {
+pub(super) fn clear_value(
+    look: &mut Look,
+    graph: GraphId,
+    id: NodeId,
+    port: PortName,
+) -> Applied<Edit> {
     let values = &mut node_mut(look, &graph, &id)?.values;
     if !values.contains_key(&port) {
         return Ok(nothing());
@@ -165,14 +193,22 @@ pub(super) fn clear_value(look: &mut Look, graph: GraphId, id: NodeId, port: Por
     Ok(Edit::SetValue { graph, id, port, value, index: Some(index) })
 }
 
-pub(super) fn add_wire(look: &mut Look, graph: GraphId, wire: Wire, index: Option<usize>) -> Applied<Edit> {
+pub(super) fn add_wire(
+    look: &mut Look,
+    graph: GraphId,
+    wire: Wire,
+    index: Option<usize>,
+) -> Applied<Edit> {
     let wires = &mut graph_mut(look, &graph)?.wires;
     let feeds = |other: &Wire| other.to == wire.to;
     let old: Vec<Wire> = wires.iter().filter(|other| feeds(other)).cloned().collect();
     if index.is_some() || old.is_empty() {
         let index = index.unwrap_or(wires.len());
         if index > wires.len() {
-            return Err(impossible(format!("there is no place {index} among {} wires", wires.len())));
+            return Err(impossible(format!(
+                "there is no place {index} among {} wires",
+                wires.len()
+            )));
         }
         wires.insert(index, wire.clone());
         return Ok(Edit::RemoveWire { graph, wire });
@@ -190,7 +226,9 @@ pub(super) fn add_wire(look: &mut Look, graph: GraphId, wire: Wire, index: Optio
 pub(super) fn remove_wire(look: &mut Look, graph: GraphId, wire: &Wire) -> Applied<Edit> {
     let wires = &mut graph_mut(look, &graph)?.wires;
     let index = wires.iter().position(|other| other == wire);
-    let index = index.ok_or_else(|| impossible(format!("there is no wire from `{}` to `{}`", wire.from, wire.to)))?;
+    let index = index.ok_or_else(|| {
+        impossible(format!("there is no wire from `{}` to `{}`", wire.from, wire.to))
+    })?;
     let wire = wires.remove(index);
     Ok(Edit::AddWire { graph, wire, index: Some(index) })
 }
@@ -206,7 +244,12 @@ pub(super) fn add_frame(
     Ok(Edit::RemoveFrame { graph, id })
 }
 
-pub(super) fn set_frame(look: &mut Look, graph: GraphId, id: FrameId, frame: Frame) -> Applied<Edit> {
+pub(super) fn set_frame(
+    look: &mut Look,
+    graph: GraphId,
+    id: FrameId,
+    frame: Frame,
+) -> Applied<Edit> {
     let old = graph_mut(look, &graph)?.frames.get_mut(&id).ok_or_else(|| missing("frame", &id))?;
     let frame = std::mem::replace(old, frame);
     Ok(Edit::SetFrame { graph, id, frame })
@@ -217,7 +260,13 @@ pub(super) fn remove_frame(look: &mut Look, graph: GraphId, id: FrameId) -> Appl
     Ok(Edit::AddFrame { graph, id, frame, index: Some(index) })
 }
 
-pub(super) fn add_note(look: &mut Look, graph: GraphId, id: NoteId, note: Note, index: Option<usize>) -> Applied<Edit> {
+pub(super) fn add_note(
+    look: &mut Look,
+    graph: GraphId,
+    id: NoteId,
+    note: Note,
+    index: Option<usize>,
+) -> Applied<Edit> {
     insert(&mut graph_mut(look, &graph)?.notes, "note", id.clone(), note, index)?;
     Ok(Edit::RemoveNote { graph, id })
 }
@@ -233,7 +282,11 @@ pub(super) fn remove_note(look: &mut Look, graph: GraphId, id: NoteId) -> Applie
     Ok(Edit::AddNote { graph, id, note, index: Some(index) })
 }
 
-pub(super) fn set_bookmarks(look: &mut Look, graph: GraphId, bookmarks: Vec<Bookmark>) -> Applied<Edit> {
+pub(super) fn set_bookmarks(
+    look: &mut Look,
+    graph: GraphId,
+    bookmarks: Vec<Bookmark>,
+) -> Applied<Edit> {
     let bookmarks = std::mem::replace(&mut graph_mut(look, &graph)?.bookmarks, bookmarks);
     Ok(Edit::SetBookmarks { graph, bookmarks })
 }

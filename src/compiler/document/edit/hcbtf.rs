@@ -12,8 +12,8 @@ use crate::document::{Address, Grid, Hcbtf, Rule, Tile};
 
 /// A change of an HCBTF.
 ///
-/// Steps of undo hold what changed and no more: painting over a tile is kept as a [`Patch`], a tile that goes away as
-/// itself, shared with whoever else has it.
+/// Steps of undo hold what changed and no more: painting over a tile is kept as a [`Patch`], a tile
+/// that goes away as itself, shared with whoever else has it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "edit", rename_all = "snake_case")]
 #[allow(missing_docs, reason = "the fields are named after what they set")]
@@ -25,7 +25,8 @@ pub enum HcbtfEdit {
         #[serde(with = "crate::document::image::of_hcbtf")]
         hcbtf: Box<Hcbtf>,
     },
-    /// Paints a sample, in place of what was painted of it, as pasting does; `None` leaves it to the rules again.
+    /// Paints a sample, in place of what was painted of it, as pasting does; `None` leaves it to
+    /// the rules again.
     SetTile {
         address: Address,
         #[serde(with = "crate::document::image::of_tile")]
@@ -49,13 +50,14 @@ pub enum HcbtfEdit {
     MoveRule { from: usize, to: usize },
     /// Says whether the tile repeats without a seam.
     SetTiling { is_tiling: bool },
-    /// Divides it otherwise. Nothing is resampled: painted samples whose address or size is none any more go away, and
-    /// rules that name such an address too; undo brings them back.
+    /// Divides it otherwise. Nothing is resampled: painted samples whose address or size is none
+    /// any more go away, and rules that name such an address too; undo brings them back.
     SetGrid { grid: Grid },
 }
 
 impl HcbtfEdit {
-    /// What makes a sample look like `tile`, as at the end of a stroke: only what changed, where it was painted before.
+    /// What makes a sample look like `tile`, as at the end of a stroke: only what changed, where it
+    /// was painted before.
     pub fn paint(hcbtf: &Hcbtf, address: Address, tile: Tile) -> Self {
         match hcbtf.painted(address).filter(|before| before.size() == tile.size()) {
             Some(before) => match Patch::between(before, &tile) {
@@ -69,10 +71,16 @@ impl HcbtfEdit {
     /// What undo calls it.
     pub fn label(&self) -> String {
         match self {
-            Self::Group { edits } => edits.first().map_or_else(|| "nothing".to_owned(), Self::label),
+            Self::Group { edits } => {
+                edits.first().map_or_else(|| "nothing".to_owned(), Self::label)
+            }
             Self::Replace { .. } => "load the file again".to_owned(),
-            Self::SetTile { address, tile: Some(_) } | Self::PatchTile { address, .. } => format!("paint {address}"),
-            Self::SetTile { address, tile: None } | Self::DeleteTile { address } => format!("delete {address}"),
+            Self::SetTile { address, tile: Some(_) } | Self::PatchTile { address, .. } => {
+                format!("paint {address}")
+            }
+            Self::SetTile { address, tile: None } | Self::DeleteTile { address } => {
+                format!("delete {address}")
+            }
             Self::CopyTile { to, .. } => format!("copy to {to}"),
             Self::SetRules { .. } => "change the rules".to_owned(),
             Self::AddRule { rule, .. } => format!("add the rule {}", rule.word()),
@@ -90,8 +98,8 @@ impl Hcbtf {
     /// Applies an edit and returns the one that takes it back.
     ///
     /// # Errors
-    /// A diagnostic where the edit is impossible: it names what does not exist, or sets what no HCBTF holds, such as a tile
-    /// of another size than the grid's. The HCBTF is then as it was.
+    /// A diagnostic where the edit is impossible: it names what does not exist, or sets what no
+    /// HCBTF holds, such as a tile of another size than the grid's. The HCBTF is then as it was.
     pub fn apply(&mut self, edit: HcbtfEdit) -> Applied<HcbtfEdit> {
         self.edit(edit, false)
     }
@@ -106,8 +114,12 @@ impl Editable for Hcbtf {
             check(self, &edit)?;
         }
         Ok(match edit {
-            HcbtfEdit::Group { edits } => HcbtfEdit::Group { edits: all_or_none(self, edits, is_known_good)? },
-            HcbtfEdit::Replace { hcbtf } => HcbtfEdit::Replace { hcbtf: Box::new(replace(self, *hcbtf)) },
+            HcbtfEdit::Group { edits } => {
+                HcbtfEdit::Group { edits: all_or_none(self, edits, is_known_good)? }
+            }
+            HcbtfEdit::Replace { hcbtf } => {
+                HcbtfEdit::Replace { hcbtf: Box::new(replace(self, *hcbtf)) }
+            }
             HcbtfEdit::SetTile { address, tile } => set_tile(self, address, tile),
             HcbtfEdit::PatchTile { address, patch } => patch_tile(self, address, &patch)?,
             HcbtfEdit::CopyTile { from, to } => {
@@ -118,7 +130,9 @@ impl Editable for Hcbtf {
                 self.painted(address).ok_or_else(|| unpainted(address))?;
                 set_tile(self, address, None)
             }
-            HcbtfEdit::SetRules { rules } => HcbtfEdit::SetRules { rules: replace(&mut self.rules, rules) },
+            HcbtfEdit::SetRules { rules } => {
+                HcbtfEdit::SetRules { rules: replace(&mut self.rules, rules) }
+            }
             HcbtfEdit::AddRule { rule, index } => {
                 HcbtfEdit::RemoveRule { index: insert_at(&mut self.rules, rule, index)? }
             }
@@ -192,7 +206,8 @@ fn set_tile(hcbtf: &mut Hcbtf, address: Address, tile: Option<Arc<Tile>>) -> Hcb
 
 fn patch_tile(hcbtf: &mut Hcbtf, address: Address, patch: &Patch) -> Applied<HcbtfEdit> {
     let tile = hcbtf.painted.get_mut(&address.canonical()).ok_or_else(|| unpainted(address))?;
-    let other = || impossible(format!("the sample at {address} is not what the stroke was painted on"));
+    let other =
+        || impossible(format!("the sample at {address} is not what the stroke was painted on"));
     // Before a tile that others share is copied.
     if !patch.applies_to(tile) {
         return Err(other());
@@ -240,7 +255,9 @@ fn check(hcbtf: &Hcbtf, edit: &HcbtfEdit) -> Result<(), Box<Diagnostic>> {
             check_one_more(hcbtf, *to)
         }
         HcbtfEdit::SetRules { rules } => check_rules(&hcbtf.grid, rules, 0),
-        HcbtfEdit::AddRule { rule, .. } => check_rules(&hcbtf.grid, std::slice::from_ref(rule), hcbtf.rules.len()),
+        HcbtfEdit::AddRule { rule, .. } => {
+            check_rules(&hcbtf.grid, std::slice::from_ref(rule), hcbtf.rules.len())
+        }
         HcbtfEdit::SetRule { rule, .. } => check_rules(&hcbtf.grid, std::slice::from_ref(rule), 0),
         HcbtfEdit::SetGrid { grid } => check_grid(grid),
         _ => Ok(()),
@@ -251,7 +268,11 @@ fn check_grid(grid: &Grid) -> Result<(), Box<Diagnostic>> {
     grid.check().map_err(impossible)
 }
 
-fn check_tile(grid: &Grid, address: Address, tile: Option<&Arc<Tile>>) -> Result<(), Box<Diagnostic>> {
+fn check_tile(
+    grid: &Grid,
+    address: Address,
+    tile: Option<&Arc<Tile>>,
+) -> Result<(), Box<Diagnostic>> {
     if !grid.contains(address) {
         return Err(impossible(format!("there is no sample at {address} in the grid")));
     }
@@ -259,7 +280,9 @@ fn check_tile(grid: &Grid, address: Address, tile: Option<&Arc<Tile>>) -> Result
         None => Ok(()),
         Some([width, height]) => {
             let [w, h] = grid.size;
-            Err(impossible(format!("the tile has {width} x {height} texels; the grid's tiles have {w} x {h}")))
+            Err(impossible(format!(
+                "the tile has {width} x {height} texels; the grid's tiles have {w} x {h}"
+            )))
         }
     }
 }
@@ -269,7 +292,9 @@ fn check_rules(grid: &Grid, rules: &[Rule], others: usize) -> Result<(), Box<Dia
     if rules.len() + others > Hcbtf::MAX_RULES {
         return Err(impossible(format!("there can be at most {} rules", Hcbtf::MAX_RULES)));
     }
-    rules.iter().try_for_each(|rule| rule.check(grid).map_err(|why| impossible(format!("{}: {why}", rule.word()))))
+    rules.iter().try_for_each(|rule| {
+        rule.check(grid).map_err(|why| impossible(format!("{}: {why}", rule.word())))
+    })
 }
 
 fn check_one_more(hcbtf: &Hcbtf, address: Address) -> Result<(), Box<Diagnostic>> {

@@ -10,7 +10,8 @@ pub trait Editable {
     /// A change of it.
     type Edit: Clone + PartialEq + std::fmt::Debug;
 
-    /// Applies an edit and returns the one that takes it back. What is known to be good is not checked.
+    /// Applies an edit and returns the one that takes it back. What is known to be good is not
+    /// checked.
     ///
     /// # Errors
     /// A diagnostic where the edit is impossible; the document is then as it was.
@@ -22,7 +23,8 @@ pub trait Editable {
     /// Whether an edit changes nothing.
     fn does_nothing(edit: &Self::Edit) -> bool;
 
-    /// Whether the older of two inverses also takes back what the newer one would: both set the same thing.
+    /// Whether the older of two inverses also takes back what the newer one would: both set the
+    /// same thing.
     fn covers(older: &Self::Edit, newer: &Self::Edit) -> bool;
 }
 
@@ -82,8 +84,8 @@ impl<D: Editable> History<D> {
         self.apply_to_step(edit, None)
     }
 
-    /// Applies an edit of a gesture: consecutive edits of the same gesture, such as all of one drag, are undone at
-    /// once.
+    /// Applies an edit of a gesture: consecutive edits of the same gesture, such as all of one
+    /// drag, are undone at once.
     ///
     /// # Errors
     /// A diagnostic where the edit is impossible; nothing is changed then.
@@ -91,7 +93,11 @@ impl<D: Editable> History<D> {
         self.apply_to_step(edit, Some(gesture))
     }
 
-    fn apply_to_step(&mut self, edit: D::Edit, gesture: Option<u64>) -> Result<(), Box<Diagnostic>> {
+    fn apply_to_step(
+        &mut self,
+        edit: D::Edit,
+        gesture: Option<u64>,
+    ) -> Result<(), Box<Diagnostic>> {
         let label = D::label(&edit);
         let repeated = edit.clone();
         let inverse = self.document.edit(edit, false)?;
@@ -106,7 +112,8 @@ impl<D: Editable> History<D> {
         self.undone.clear();
         match self.done.last_mut() {
             Some(step) if gesture.is_some() && step.gesture == gesture => {
-                // A drag sets the same value a hundred times; the first inverse takes all of them back.
+                // A drag sets the same value a hundred times; the first inverse takes all of them
+                // back.
                 if !step.edits.first().is_some_and(|older| D::covers(older, &inverse)) {
                     step.edits.insert(0, inverse);
                 }
@@ -152,7 +159,8 @@ impl<D: Editable> History<D> {
         self.undone.last().map(|step| step.label.as_str())
     }
 
-    /// What undo calls every step, the first one first: those that were done, then those that were taken back.
+    /// What undo calls every step, the first one first: those that were done, then those that were
+    /// taken back.
     pub fn labels(&self) -> impl Iterator<Item = &str> {
         self.done.iter().chain(self.undone.iter().rev()).map(|step| step.label.as_str())
     }
@@ -179,8 +187,9 @@ impl<D: Editable> History<D> {
         self.saved = self.revision;
     }
 
-    /// Puts another document in place of this one, and changes what is known of its past to suit: as when what all of them
-    /// speak of gets another name. It is no step, and nothing takes it back.
+    /// Puts another document in place of this one, and changes what is known of its past to suit:
+    /// as when what all of them speak of gets another name. It is no step, and nothing takes it
+    /// back.
     pub fn amend(&mut self, document: D, change: impl FnMut(&mut D::Edit)) {
         self.document = document;
         self.revision += 1;
@@ -193,13 +202,14 @@ impl<D: Editable> History<D> {
         self.saved == self.state
     }
 
-    /// How many steps lie between the document as it was saved and as it is: what losing it would lose. `None` where
-    /// no undo or redo leads to the saved state.
+    /// How many steps lie between the document as it was saved and as it is: what losing it would
+    /// lose. `None` where no undo or redo leads to the saved state.
     pub fn unsaved_steps(&self) -> Option<usize> {
         if self.is_saved() {
             return Some(0);
         }
-        let to_saved = |steps: &[Step<D::Edit>]| steps.iter().rev().position(|step| step.state == self.saved);
+        let to_saved =
+            |steps: &[Step<D::Edit>]| steps.iter().rev().position(|step| step.state == self.saved);
         to_saved(&self.done).or_else(|| to_saved(&self.undone)).map(|index| index + 1)
     }
 
@@ -240,16 +250,17 @@ impl<D: Editable> History<D> {
         }
     }
 
-    /// Lets go of steps that do not apply to the document, and of what lies beyond them; says how many. A history that
-    /// was made by edits has none; one that was read from a damaged file may.
+    /// Lets go of steps that do not apply to the document, and of what lies beyond them; says how
+    /// many. A history that was made by edits has none; one that was read from a damaged file may.
     pub(in crate::document) fn drop_impossible_steps(&mut self) -> usize
     where
         D: Clone,
     {
         let possible = |steps: &[Step<D::Edit>]| {
             let mut document = self.document.clone();
-            let mut applies =
-                |step: &Step<D::Edit>| super::all_or_none(&mut document, step.edits.clone(), true).is_ok();
+            let mut applies = |step: &Step<D::Edit>| {
+                super::all_or_none(&mut document, step.edits.clone(), true).is_ok()
+            };
             steps.iter().rev().take_while(|step| applies(step)).count()
         };
         let (done, undone) = (possible(&self.done), possible(&self.undone));

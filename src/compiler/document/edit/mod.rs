@@ -1,11 +1,12 @@
 //! The one way in which documents change: edits that know their inverses.
 //!
-//! [`Look::apply`] checks an [`Edit`], applies it and returns the edit that takes it back; scenes and HCBTFs have edits of
-//! their own ([`SceneEdit`], [`HcbtfEdit`]). [`History`] owns a document
+//! [`Look::apply`] checks an [`Edit`], applies it and returns the edit that takes it back; scenes
+//! and HCBTFs have edits of their own ([`SceneEdit`], [`HcbtfEdit`]). [`History`] owns a document
 //! and keeps those, so that everything can be undone; serialized edits are what a journal holds.
 //!
-//! An edit that takes away what other parts name (a node with its wires, a light with its keys) is first spelled out
-//! as a group of single edits, so that its inverse restores all of it in its old order.
+//! An edit that takes away what other parts name (a node with its wires, a light with its keys) is
+//! first spelled out as a group of single edits, so that its inverse restores all of it in its old
+//! order.
 
 mod graph;
 mod hcbtf;
@@ -19,8 +20,8 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Bookmark, ColorSpace, Definition, DirectionKeys, Exposed, Frame, GraphId, InterfacePort, Light, Look, Node, Note,
-    Tier, TimeKeys, Value, Wire,
+    Bookmark, ColorSpace, Definition, DirectionKeys, Exposed, Frame, GraphId, InterfacePort, Light,
+    Look, Node, Note, Tier, TimeKeys, Value, Wire,
 };
 use crate::diag::Diagnostic;
 use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NoteId, PortName};
@@ -34,7 +35,8 @@ pub use scene::SceneEdit;
 /// What an edit comes to: the edit that takes it back.
 pub type Applied<E> = Result<E, Box<Diagnostic>>;
 
-/// A change of a look. Edits of nodes, wires and frames name the graph; without one it is the look's own.
+/// A change of a look. Edits of nodes, wires and frames name the graph; without one it is the
+/// look's own.
 ///
 /// An `index` says where something new lies among its like; without one it comes last.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -52,7 +54,7 @@ pub enum Edit {
     SetLookName { name: String },
     /// Says what the look shows and how it is built.
     SetLookAbout { about: String },
-    /// Says what colours mean.
+    /// Says what colors mean.
     SetColorSpace { color_space: ColorSpace },
     /// Asks for another implementation of nodes that do not say their own.
     SetLookTier { tier: Tier },
@@ -63,7 +65,8 @@ pub enum Edit {
     RemoveNode { graph: GraphId, id: NodeId },
     /// Gives a node the artist's name; the id stays.
     SetName { graph: GraphId, id: NodeId, name: String },
-    /// Makes a node another kind; values and wires stay. What is exposed or keyed in a group that goes away goes too.
+    /// Makes a node another kind; values and wires stay. What is exposed or keyed in a group that
+    /// goes away goes too.
     SetKind { graph: GraphId, id: NodeId, kind: String },
     /// Asks for another implementation of a node, or for that of what it lies in.
     SetTier { graph: GraphId, id: NodeId, tier: Option<Tier> },
@@ -85,14 +88,14 @@ pub enum Edit {
 
     /// Adds a frame under a new id.
     AddFrame { graph: GraphId, id: FrameId, frame: Frame, index: Option<usize> },
-    /// Changes a frame's title, colour or nodes.
+    /// Changes a frame's title, color or nodes.
     SetFrame { graph: GraphId, id: FrameId, frame: Frame },
     /// Removes a frame; its nodes stay.
     RemoveFrame { graph: GraphId, id: FrameId },
 
     /// Adds a note under a new id.
     AddNote { graph: GraphId, id: NoteId, note: Note, index: Option<usize> },
-    /// Changes a note's text, place, width or colour.
+    /// Changes a note's text, place, width or color.
     SetNote { graph: GraphId, id: NoteId, note: Note },
     /// Removes a note.
     RemoveNote { graph: GraphId, id: NoteId },
@@ -145,11 +148,13 @@ impl Edit {
     /// What undo calls it, e.g. `add rim`.
     pub fn label(&self) -> String {
         match self {
-            Self::Group { edits } => edits.first().map_or_else(|| "nothing".to_owned(), Self::label),
+            Self::Group { edits } => {
+                edits.first().map_or_else(|| "nothing".to_owned(), Self::label)
+            }
             Self::Replace { .. } => "load the file again".to_owned(),
             Self::SetLookName { .. } => "rename the look".to_owned(),
             Self::SetLookAbout { .. } => "describe the look".to_owned(),
-            Self::SetColorSpace { .. } => "change the colour space".to_owned(),
+            Self::SetColorSpace { .. } => "change the color space".to_owned(),
             Self::SetLookTier { .. } => "change the look's tier".to_owned(),
             Self::AddNode { id, .. } => format!("add {id}"),
             Self::RemoveNode { id, .. } => format!("remove {id}"),
@@ -186,7 +191,9 @@ impl Edit {
             Self::RemoveExposed { .. } => "remove a parameter".to_owned(),
             Self::AddDirectionKeys { .. } | Self::AddTimeKeys { .. } => "add keys".to_owned(),
             Self::SetDirectionKeys { .. } | Self::SetTimeKeys { .. } => "change keys".to_owned(),
-            Self::RemoveDirectionKeys { .. } | Self::RemoveTimeKeys { .. } => "remove keys".to_owned(),
+            Self::RemoveDirectionKeys { .. } | Self::RemoveTimeKeys { .. } => {
+                "remove keys".to_owned()
+            }
         }
     }
 }
@@ -195,8 +202,8 @@ impl Look {
     /// Applies an edit and returns the one that takes it back.
     ///
     /// # Errors
-    /// A diagnostic where the edit is impossible: it names what does not exist, or sets what no document holds. The
-    /// look is then as it was.
+    /// A diagnostic where the edit is impossible: it names what does not exist, or sets what no
+    /// document holds. The look is then as it was.
     pub fn apply(&mut self, edit: Edit) -> Applied<Edit> {
         apply(self, edit, false)
     }
@@ -227,11 +234,19 @@ impl Editable for Look {
             | (Edit::SetLookAbout { .. }, Edit::SetLookAbout { .. }) => true,
             (Edit::SetLight { id: i, .. }, Edit::SetLight { id, .. }) => i == id,
             (Edit::MoveNodes { graph: g, positions: p }, Edit::MoveNodes { graph, positions }) => {
-                g == graph && p.len() == positions.len() && positions.keys().all(|id| p.contains_key(id))
+                g == graph
+                    && p.len() == positions.len()
+                    && positions.keys().all(|id| p.contains_key(id))
             }
-            (Edit::SetName { graph: g, id: i, .. }, Edit::SetName { graph, id, .. }) => (g, i) == (graph, id),
-            (Edit::SetFrame { graph: g, id: i, .. }, Edit::SetFrame { graph, id, .. }) => (g, i) == (graph, id),
-            (Edit::SetNote { graph: g, id: i, .. }, Edit::SetNote { graph, id, .. }) => (g, i) == (graph, id),
+            (Edit::SetName { graph: g, id: i, .. }, Edit::SetName { graph, id, .. }) => {
+                (g, i) == (graph, id)
+            }
+            (Edit::SetFrame { graph: g, id: i, .. }, Edit::SetFrame { graph, id, .. }) => {
+                (g, i) == (graph, id)
+            }
+            (Edit::SetNote { graph: g, id: i, .. }, Edit::SetNote { graph, id, .. }) => {
+                (g, i) == (graph, id)
+            }
             (Edit::SetDirectionKeys { index: i, .. }, Edit::SetDirectionKeys { index, .. })
             | (Edit::SetTimeKeys { index: i, .. }, Edit::SetTimeKeys { index, .. }) => i == index,
             _ => false,
@@ -239,22 +254,30 @@ impl Editable for Look {
     }
 }
 
-/// Applies one edit. What is known to be good, because it takes back or repeats an edit, is not checked: a document
-/// that was broken before an edit is as broken after its undoing.
+/// Applies one edit. What is known to be good, because it takes back or repeats an edit, is not
+/// checked: a document that was broken before an edit is as broken after its undoing.
 fn apply(look: &mut Look, edit: Edit, is_known_good: bool) -> Applied<Edit> {
     if !is_known_good {
         trial::check(look, &edit)?;
     }
     match edit {
         Edit::Group { edits } => group(look, edits, is_known_good),
-        Edit::Replace { look: new } => Ok(Edit::Replace { look: Box::new(std::mem::replace(look, *new)) }),
-        Edit::SetLookName { name } => Ok(Edit::SetLookName { name: std::mem::replace(&mut look.name, name) }),
-        Edit::SetLookAbout { about } => Ok(Edit::SetLookAbout { about: std::mem::replace(&mut look.about, about) }),
+        Edit::Replace { look: new } => {
+            Ok(Edit::Replace { look: Box::new(std::mem::replace(look, *new)) })
+        }
+        Edit::SetLookName { name } => {
+            Ok(Edit::SetLookName { name: std::mem::replace(&mut look.name, name) })
+        }
+        Edit::SetLookAbout { about } => {
+            Ok(Edit::SetLookAbout { about: std::mem::replace(&mut look.about, about) })
+        }
         Edit::SetColorSpace { color_space } => {
             let color_space = std::mem::replace(&mut look.color_space, color_space);
             Ok(Edit::SetColorSpace { color_space })
         }
-        Edit::SetLookTier { tier } => Ok(Edit::SetLookTier { tier: std::mem::replace(&mut look.tier, tier) }),
+        Edit::SetLookTier { tier } => {
+            Ok(Edit::SetLookTier { tier: std::mem::replace(&mut look.tier, tier) })
+        }
         Edit::AddNode { graph, id, node, index } => graph::add_node(look, graph, id, node, index),
         Edit::RemoveNode { graph, id } => graph::remove_node(look, graph, id),
         Edit::SetName { graph, id, name } => {
@@ -271,15 +294,20 @@ fn apply(look: &mut Look, edit: Edit, is_known_good: bool) -> Applied<Edit> {
             Ok(Edit::SetMuted { graph, id, muted })
         }
         Edit::SetCollapsed { graph, id, collapsed } => {
-            let collapsed = std::mem::replace(&mut graph::node_mut(look, &graph, &id)?.collapsed, collapsed);
+            let collapsed =
+                std::mem::replace(&mut graph::node_mut(look, &graph, &id)?.collapsed, collapsed);
             Ok(Edit::SetCollapsed { graph, id, collapsed })
         }
         Edit::MoveNodes { graph, positions } => graph::move_nodes(look, graph, positions),
-        Edit::SetValue { graph, id, port, value, index } => graph::set_value(look, graph, id, port, value, index),
+        Edit::SetValue { graph, id, port, value, index } => {
+            graph::set_value(look, graph, id, port, value, index)
+        }
         Edit::ClearValue { graph, id, port } => graph::clear_value(look, graph, id, port),
         Edit::AddWire { graph, wire, index } => graph::add_wire(look, graph, wire, index),
         Edit::RemoveWire { graph, wire } => graph::remove_wire(look, graph, &wire),
-        Edit::AddFrame { graph, id, frame, index } => graph::add_frame(look, graph, id, frame, index),
+        Edit::AddFrame { graph, id, frame, index } => {
+            graph::add_frame(look, graph, id, frame, index)
+        }
         Edit::SetFrame { graph, id, frame } => graph::set_frame(look, graph, id, frame),
         Edit::RemoveFrame { graph, id } => graph::remove_frame(look, graph, id),
         Edit::AddNote { graph, id, note, index } => graph::add_note(look, graph, id, note, index),
@@ -295,9 +323,13 @@ fn group(look: &mut Look, edits: Vec<Edit>, is_known_good: bool) -> Applied<Edit
     all_or_none(look, edits, is_known_good).map(|edits| Edit::Group { edits })
 }
 
-/// Applies edits in order; where one fails, those before it are taken back. Returns the inverses in the order in which
-/// they are to be applied.
-fn all_or_none<D: Editable>(document: &mut D, edits: Vec<D::Edit>, is_known_good: bool) -> Applied<Vec<D::Edit>> {
+/// Applies edits in order; where one fails, those before it are taken back. Returns the inverses in
+/// the order in which they are to be applied.
+fn all_or_none<D: Editable>(
+    document: &mut D,
+    edits: Vec<D::Edit>,
+    is_known_good: bool,
+) -> Applied<Vec<D::Edit>> {
     let mut inverses = Vec::with_capacity(edits.len());
     let mut failure = None;
     for edit in edits {

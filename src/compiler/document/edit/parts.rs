@@ -64,7 +64,10 @@ fn apply_keys(look: &mut Look, edit: Edit) -> Applied<Edit> {
         }
         Edit::RemoveDirectionKeys { index } => {
             at(&mut look.direction_keys, index)?;
-            Ok(Edit::AddDirectionKeys { keys: look.direction_keys.remove(index), index: Some(index) })
+            Ok(Edit::AddDirectionKeys {
+                keys: look.direction_keys.remove(index),
+                index: Some(index),
+            })
         }
         Edit::AddTimeKeys { keys, index } => {
             let index = insert_at(&mut look.time_keys, keys, index)?;
@@ -86,8 +89,17 @@ fn remove_light(look: &mut Look, id: LightId) -> Applied<Edit> {
     if !look.lights.contains_key(&id) {
         return Err(missing("light", id));
     }
-    let mut edits = drop_targets(look, |_, target| matches!(target, Target::Light { light, .. } if *light == id));
-    for (index, _) in look.direction_keys.iter().enumerate().rev().filter(|(_, keys)| keys.by.lights().contains(&&id)) {
+    let mut edits = drop_targets(
+        look,
+        |_, target| matches!(target, Target::Light { light, .. } if *light == id),
+    );
+    for (index, _) in look
+        .direction_keys
+        .iter()
+        .enumerate()
+        .rev()
+        .filter(|(_, keys)| keys.by.lights().contains(&&id))
+    {
         edits.push(Edit::RemoveDirectionKeys { index });
     }
     if edits.is_empty() {
@@ -133,7 +145,11 @@ pub(super) fn remove_named<K: Hash + Eq + Display, V>(
     Ok((index, value))
 }
 
-pub(super) fn insert_at<T>(list: &mut Vec<T>, item: T, index: Option<usize>) -> Result<usize, Box<Diagnostic>> {
+pub(super) fn insert_at<T>(
+    list: &mut Vec<T>,
+    item: T,
+    index: Option<usize>,
+) -> Result<usize, Box<Diagnostic>> {
     let index = index.unwrap_or(list.len());
     if index > list.len() {
         return Err(impossible(format!("there is no place {index} among {}", list.len())));
@@ -144,5 +160,6 @@ pub(super) fn insert_at<T>(list: &mut Vec<T>, item: T, index: Option<usize>) -> 
 
 pub(super) fn at<T>(list: &mut [T], index: usize) -> Result<&mut T, Box<Diagnostic>> {
     let count = list.len();
-    list.get_mut(index).ok_or_else(|| impossible(format!("there is no number {index} among {count}")))
+    list.get_mut(index)
+        .ok_or_else(|| impossible(format!("there is no number {index} among {count}")))
 }

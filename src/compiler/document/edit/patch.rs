@@ -1,13 +1,15 @@
 //! What a stroke changed of a tile.
 //!
-//! It is kept as the exclusive or of before and after, over the rectangle around what changed, and packed: texels that
-//! are equal are zeros, of which thousands pack into a few bytes, so that a thin stroke across a whole tile is small, and
-//! one that goes around a seam is as well. The same bytes lead back and forth, so undoing and redoing share them. Hashes
-//! of the rectangle see to it that a patch is laid only on the texels that it was made of.
+//! It is kept as the exclusive or of before and after, over the rectangle around what changed, and
+//! packed: texels that are equal are zeros, of which thousands pack into a few bytes, so that a
+//! thin stroke across a whole tile is small, and one that goes around a seam is as well. The same
+//! bytes lead back and forth, so undoing and redoing share them. Hashes of the rectangle see to it
+//! that a patch is laid only on the texels that it was made of.
 //!
-//! A stroke takes about as much memory as its changed texels do packed, and hardly more than 4 bytes for each: measured
-//! across a tile of 512 x 512, a hard stroke of 32 texels over one colour takes 10 KiB, a soft one of 64 texels 68 KiB,
-//! and the same over noise, which does not pack, 154 KiB, where a copy of the tile would take 1 MiB.
+//! A stroke takes about as much memory as its changed texels do packed, and hardly more than 4
+//! bytes for each: measured across a tile of 512 x 512, a hard stroke of 32 texels over one color
+//! takes 10 KiB, a soft one of 64 texels 68 KiB, and the same over noise, which does not pack, 154
+//! KiB, where a copy of the tile would take 1 MiB.
 
 use serde::{Deserialize, Serialize};
 
@@ -52,7 +54,8 @@ impl Patch {
         cut(tile, self.place).is_some_and(|texels| hash(&texels) == self.from)
     }
 
-    /// Changes the tile and returns what takes that back; `None` where it was made for other texels, which stay.
+    /// Changes the tile and returns what takes that back; `None` where it was made for other
+    /// texels, which stay.
     pub(super) fn apply(&self, tile: &mut Tile) -> Option<Self> {
         let was = cut(tile, self.place).filter(|texels| hash(texels) == self.from)?;
         let change = self.texels.unpack(was.len())?;
@@ -90,8 +93,9 @@ fn changed(before: &Tile, after: &Tile) -> Option<[u32; 4]> {
 /// The bytes of a rectangle, row by row; `None` where it is empty or not on the tile.
 fn cut(tile: &Tile, [x, y, width, height]: [u32; 4]) -> Option<Vec<u8>> {
     let size = tile.size();
-    let is_in =
-        |start: u32, count: u32, side: u32| count > 0 && start.checked_add(count).is_some_and(|end| end <= side);
+    let is_in = |start: u32, count: u32, side: u32| {
+        count > 0 && start.checked_add(count).is_some_and(|end| end <= side)
+    };
     if !is_in(x, width, size[0]) || !is_in(y, height, size[1]) {
         return None;
     }

@@ -66,10 +66,18 @@ impl Editable for Scene {
             trial::check_scene(&edit)?;
         }
         Ok(match edit {
-            SceneEdit::Group { edits } => SceneEdit::Group { edits: all_or_none(self, edits, is_known_good)? },
-            SceneEdit::Replace { scene } => SceneEdit::Replace { scene: Box::new(replace(self, *scene)) },
-            SceneEdit::SetSceneName { name } => SceneEdit::SetSceneName { name: replace(&mut self.name, name) },
-            SceneEdit::SetSceneAbout { about } => SceneEdit::SetSceneAbout { about: replace(&mut self.about, about) },
+            SceneEdit::Group { edits } => {
+                SceneEdit::Group { edits: all_or_none(self, edits, is_known_good)? }
+            }
+            SceneEdit::Replace { scene } => {
+                SceneEdit::Replace { scene: Box::new(replace(self, *scene)) }
+            }
+            SceneEdit::SetSceneName { name } => {
+                SceneEdit::SetSceneName { name: replace(&mut self.name, name) }
+            }
+            SceneEdit::SetSceneAbout { about } => {
+                SceneEdit::SetSceneAbout { about: replace(&mut self.about, about) }
+            }
             SceneEdit::AddObject { id, object, index } => {
                 insert(&mut self.objects, "object", id.clone(), object, index)?;
                 SceneEdit::RemoveObject { id }
@@ -97,15 +105,23 @@ impl Editable for Scene {
             SceneEdit::SetIllumination { rotation } => {
                 SceneEdit::SetIllumination { rotation: replace(&mut self.illumination, rotation) }
             }
-            SceneEdit::SetCamera { camera } => SceneEdit::SetCamera { camera: replace(&mut self.camera, camera) },
-            SceneEdit::SetBackdrop { color } => SceneEdit::SetBackdrop { color: replace(&mut self.backdrop, color) },
-            SceneEdit::SetTime { time } => SceneEdit::SetTime { time: replace(&mut self.time, time) },
+            SceneEdit::SetCamera { camera } => {
+                SceneEdit::SetCamera { camera: replace(&mut self.camera, camera) }
+            }
+            SceneEdit::SetBackdrop { color } => {
+                SceneEdit::SetBackdrop { color: replace(&mut self.backdrop, color) }
+            }
+            SceneEdit::SetTime { time } => {
+                SceneEdit::SetTime { time: replace(&mut self.time, time) }
+            }
         })
     }
 
     fn label(edit: &SceneEdit) -> String {
         match edit {
-            SceneEdit::Group { edits } => edits.first().map_or_else(|| "nothing".to_owned(), Self::label),
+            SceneEdit::Group { edits } => {
+                edits.first().map_or_else(|| "nothing".to_owned(), Self::label)
+            }
             SceneEdit::Replace { .. } => "load the file again".to_owned(),
             SceneEdit::SetSceneName { .. } => "rename the scene".to_owned(),
             SceneEdit::SetSceneAbout { .. } => "describe the scene".to_owned(),

@@ -1,14 +1,15 @@
-//! Whether an edit may be applied: what it sets must be something that a document can hold, and it must name things
-//! that exist.
+//! Whether an edit may be applied: what it sets must be something that a document can hold, and it
+//! must name things that exist.
 //!
-//! The first is tried rather than written down again: a small document with nothing but the new part is written and
-//! read, so that an edit obeys every bound of the reader.
+//! The first is tried rather than written down again: a small document with nothing but the new
+//! part is written and read, so that an edit obeys every bound of the reader.
 
 use super::{Edit, SceneEdit, impossible, missing};
 use crate::diag::Diagnostic;
 use crate::document::check::{check_output, check_target};
 use crate::document::{
-    DirectionKeys, Endpoint, Exposed, Frame, Graph, GraphId, Look, Node, Object, Scene, Target, TimeKeys, Wire,
+    DirectionKeys, Endpoint, Exposed, Frame, Graph, GraphId, Look, Node, Object, Scene, Target,
+    TimeKeys, Wire,
 };
 use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, NodePath, is_slug};
 
@@ -28,9 +29,9 @@ pub(super) fn check(look: &Look, edit: &Edit) -> Check {
         }
         Edit::SetName { name, .. } => readable_node(Node { name: name.clone(), ..Node::default() }),
         Edit::SetKind { kind, .. } => readable_node(Node { kind: kind.clone(), ..Node::default() }),
-        Edit::MoveNodes { positions, .. } => {
-            positions.values().try_for_each(|&position| readable_node(Node { position, ..Node::default() }))
-        }
+        Edit::MoveNodes { positions, .. } => positions
+            .values()
+            .try_for_each(|&position| readable_node(Node { position, ..Node::default() })),
         Edit::SetValue { port, value, .. } => {
             slug(port.as_str())?;
             let values = [(port.clone(), value.clone())].into_iter().collect();
@@ -46,8 +47,12 @@ pub(super) fn check(look: &Look, edit: &Edit) -> Check {
             slug(id.as_str())?;
             readable(|trial| drop(trial.graph.notes.insert("trial".into(), note.clone())))
         }
-        Edit::SetNote { note, .. } => readable(|trial| drop(trial.graph.notes.insert("trial".into(), note.clone()))),
-        Edit::SetBookmarks { bookmarks, .. } => readable(|trial| trial.graph.bookmarks.clone_from(bookmarks)),
+        Edit::SetNote { note, .. } => {
+            readable(|trial| drop(trial.graph.notes.insert("trial".into(), note.clone())))
+        }
+        Edit::SetBookmarks { bookmarks, .. } => {
+            readable(|trial| trial.graph.bookmarks.clone_from(bookmarks))
+        }
         Edit::AddLight { id, light, .. } | Edit::SetLight { id, light } => {
             slug(id.as_str())?;
             readable(|trial| drop(trial.lights.insert(id.clone(), light.clone())))
@@ -65,7 +70,9 @@ pub(super) fn check(look: &Look, edit: &Edit) -> Check {
         Edit::RemoveDefinition { id } => check_unused(look, id),
         Edit::AddExposed { exposed, .. } => check_exposed(look, exposed, usize::MAX),
         Edit::SetExposed { exposed, index } => check_exposed(look, exposed, *index),
-        Edit::AddDirectionKeys { keys, .. } | Edit::SetDirectionKeys { keys, .. } => check_direction_keys(look, keys),
+        Edit::AddDirectionKeys { keys, .. } | Edit::SetDirectionKeys { keys, .. } => {
+            check_direction_keys(look, keys)
+        }
         Edit::AddTimeKeys { keys, .. } => check_time_keys(look, keys, usize::MAX),
         Edit::SetTimeKeys { keys, index } => check_time_keys(look, keys, *index),
         _ => Ok(()),
@@ -145,7 +152,11 @@ fn check_wire(look: &Look, graph: &GraphId, wire: &Wire, needs_free_input: bool)
     let of = graph_of(look, graph)?;
     let end = |end: &Endpoint, own: &str| {
         let is_own = *graph != GraphId::Look && end.node.as_str() == own;
-        if is_own || of.nodes.contains_key(&end.node) { Ok(()) } else { Err(missing("node", &end.node)) }
+        if is_own || of.nodes.contains_key(&end.node) {
+            Ok(())
+        } else {
+            Err(missing("node", &end.node))
+        }
     };
     end(&wire.from, GROUP_INPUTS)?;
     end(&wire.to, GROUP_OUTPUTS)?;
@@ -167,12 +178,15 @@ fn check_frame(look: &Look, graph: &GraphId, frame: &Frame) -> Check {
     readable_alone(|trial| drop(trial.graph.frames.insert("trial".into(), frame.clone())))
 }
 
-/// A group that is used stays. Taking back that one was added, which may stand before the library's of the same name,
-/// leaves its nodes to that; so inverses are not asked.
+/// A group that is used stays. Taking back that one was added, which may stand before the library's
+/// of the same name, leaves its nodes to that; so inverses are not asked.
 fn check_unused(look: &Look, id: &DefinitionId) -> Check {
-    let uses = |graph: &Graph| graph.nodes.iter().find(|(_, node)| node.kind == id.as_str()).map(|(id, _)| id.clone());
+    let uses = |graph: &Graph| {
+        graph.nodes.iter().find(|(_, node)| node.kind == id.as_str()).map(|(id, _)| id.clone())
+    };
     let others = look.definitions.iter().filter(|(other, _)| *other != id);
-    let graphs = std::iter::once(&look.graph).chain(others.map(|(_, definition)| &definition.graph));
+    let graphs =
+        std::iter::once(&look.graph).chain(others.map(|(_, definition)| &definition.graph));
     match graphs.filter_map(uses).next() {
         Some(user) => {
             let problem = impossible(format!("the node `{user}` is of the group `{id}`"));
@@ -186,17 +200,24 @@ fn check_unused(look: &Look, id: &DefinitionId) -> Check {
 fn keeps_targets(look: &Look, id: &DefinitionId, graph: &Graph) -> Check {
     let targets = look.exposed.iter().map(|exposed| &exposed.target);
     let targets = targets.chain(look.time_keys.iter().map(|keys| &keys.target));
-    let keyed = look.direction_keys.iter().flat_map(|keys| keys.keys.iter().flat_map(|key| key.values.keys()));
+    let keyed = look
+        .direction_keys
+        .iter()
+        .flat_map(|keys| keys.keys.iter().flat_map(|key| key.values.keys()));
     for target in targets.chain(keyed) {
         let Target::Input { node, .. } = target else { continue };
         let ids = node.ids();
         let loses = (1..ids.len()).any(|depth| {
-            let around = ids[1..depth].iter().fold(NodePath::root(ids[0].clone()), |path, id| path.join(id.clone()));
+            let around = ids[1..depth]
+                .iter()
+                .fold(NodePath::root(ids[0].clone()), |path, id| path.join(id.clone()));
             look.find(&around).is_some_and(|found| found.node.kind == id.as_str())
                 && !graph.nodes.contains_key(&ids[depth])
         });
         if loses {
-            return Err(impossible(format!("the group `{id}` has nothing for `{target}`, which is exposed or keyed")));
+            return Err(impossible(format!(
+                "the group `{id}` has nothing for `{target}`, which is exposed or keyed"
+            )));
         }
     }
     Ok(())
@@ -213,7 +234,9 @@ fn check_exposed(look: &Look, exposed: &Exposed, own: usize) -> Check {
 }
 
 fn check_direction_keys(look: &Look, keys: &DirectionKeys) -> Check {
-    if let Some(light) = keys.by.lights().into_iter().find(|light| !look.lights.contains_key(*light)) {
+    if let Some(light) =
+        keys.by.lights().into_iter().find(|light| !look.lights.contains_key(*light))
+    {
         return Err(missing("light", light));
     }
     for output in keys.by.outputs() {

@@ -4,8 +4,12 @@ use std::collections::HashMap;
 
 use super::targets::{follow, path_of, step_in};
 use crate::diag::Diagnostic;
-use crate::document::{Definition, Edit, Endpoint, Graph, GraphId, Look, Node, OutputPort, Target, Value, Wire};
-use crate::ids::{DefinitionId, FrameId, GROUP_INPUTS, GROUP_OUTPUTS, NodeId, NoteId, PortName, make_slug};
+use crate::document::{
+    Definition, Edit, Endpoint, Graph, GraphId, Look, Node, OutputPort, Target, Value, Wire,
+};
+use crate::ids::{
+    DefinitionId, FrameId, GROUP_INPUTS, GROUP_OUTPUTS, NodeId, NoteId, PortName, make_slug,
+};
 
 /// A group that is to be dissolved.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,8 +20,9 @@ pub struct Dissolved {
     pub nodes: Vec<NodeId>,
 }
 
-/// Replaces a node by the nodes of its `definition` (of the document or of the library). Values, keys and what is exposed
-/// go along. A definition of the document that nothing uses any more goes too.
+/// Replaces a node by the nodes of its `definition` (of the document or of the library). Values,
+/// keys and what is exposed go along. A definition of the document that nothing uses any more goes
+/// too.
 ///
 /// # Errors
 /// A diagnostic where there is no such node, or where it is muted, as then it is not what is in it.
@@ -36,7 +41,11 @@ pub fn dissolve(
     }
     let opened = Opened { of, graph, id, node, definition, ids: new_ids(of, definition) };
     let mut edits = opened.nodes();
-    edits.extend(follow(look, |path, port| opened.target(look, path, port), |output| opened.output(look, output)));
+    edits.extend(follow(
+        look,
+        |path, port| opened.target(look, path, port),
+        |output| opened.output(look, output),
+    ));
     edits.extend(opened.wires());
     edits.extend(opened.frames());
     edits.push(Edit::RemoveNode { graph: graph.clone(), id: id.clone() });
@@ -53,8 +62,11 @@ fn new_ids<'l>(of: &Graph, definition: &'l Definition) -> Ids<'l> {
     let mut taken: std::collections::HashSet<NodeId> = of.nodes.keys().cloned().collect();
     for id in definition.graph.nodes.keys() {
         let new = NodeId::new(make_slug(id.as_str(), |slug| taken.contains(slug)));
-        let new =
-            if taken.contains(id) || matches!(id.as_str(), GROUP_INPUTS | GROUP_OUTPUTS) { new } else { id.clone() };
+        let new = if taken.contains(id) || matches!(id.as_str(), GROUP_INPUTS | GROUP_OUTPUTS) {
+            new
+        } else {
+            id.clone()
+        };
         taken.insert(new.clone());
         ids.insert(id, new);
     }
@@ -74,7 +86,8 @@ struct Opened<'l> {
 impl Opened<'_> {
     /// The value that an interface input has while nothing feeds it.
     fn value(&self, port: &PortName) -> Option<&Value> {
-        let default = || self.definition.inputs.iter().find(|known| known.name == *port)?.default.as_ref();
+        let default =
+            || self.definition.inputs.iter().find(|known| known.name == *port)?.default.as_ref();
         self.node.values.get(port).or_else(default)
     }
 
@@ -112,8 +125,13 @@ impl Opened<'_> {
         let nodes = &self.definition.graph.nodes;
         let of = |axis: usize| {
             let places = || nodes.values().map(|node| node.position[axis]);
-            let (least, most) = (places().fold(f64::MAX, f64::min), places().fold(f64::MIN, f64::max));
-            if nodes.is_empty() { 0.0 } else { (self.node.position[axis] - (least + most) / 2.0).round() }
+            let (least, most) =
+                (places().fold(f64::MAX, f64::min), places().fold(f64::MIN, f64::max));
+            if nodes.is_empty() {
+                0.0
+            } else {
+                (self.node.position[axis] - (least + most) / 2.0).round()
+            }
         };
         [of(0), of(1)]
     }
@@ -127,7 +145,11 @@ impl Opened<'_> {
     }
 
     fn wires(&self) -> Vec<Edit> {
-        let add = |from, to| Edit::AddWire { graph: self.graph.clone(), wire: Wire { from, to }, index: None };
+        let add = |from, to| Edit::AddWire {
+            graph: self.graph.clone(),
+            wire: Wire { from, to },
+            index: None,
+        };
         let inner = &self.definition.graph.wires;
         let mut edits = Vec::new();
         for wire in inner.iter().filter(|wire| wire.to.node.as_str() != GROUP_OUTPUTS) {
@@ -135,10 +157,12 @@ impl Opened<'_> {
             let to = Endpoint { node: to.clone(), port: wire.to.port.clone() };
             edits.extend(self.outside(&wire.from).map(|from| add(from, to)));
         }
-        let first = self.definition.outputs.first().map(|port| port.name.clone()).unwrap_or_default();
+        let first =
+            self.definition.outputs.first().map(|port| port.name.clone()).unwrap_or_default();
         for wire in self.of.wires.iter().filter(|wire| wire.from.node == *self.id) {
             let port = if wire.from.port.as_str().is_empty() { &first } else { &wire.from.port };
-            let is_it = |inner: &&Wire| inner.to.node.as_str() == GROUP_OUTPUTS && inner.to.port == *port;
+            let is_it =
+                |inner: &&Wire| inner.to.node.as_str() == GROUP_OUTPUTS && inner.to.port == *port;
             let Some(inner) = inner.iter().find(is_it) else { continue };
             match self.outside(&inner.from) {
                 Some(from) => edits.push(add(from, wire.to.clone())),
@@ -156,7 +180,12 @@ impl Opened<'_> {
     }
 
     /// What a target in the group, or on the group's own inputs, becomes.
-    fn target(&self, look: &Look, path: &crate::ids::NodePath, port: &PortName) -> Option<Vec<Target>> {
+    fn target(
+        &self,
+        look: &Look,
+        path: &crate::ids::NodePath,
+        port: &PortName,
+    ) -> Option<Vec<Target>> {
         let step = step_in(look, path, self.graph).filter(|&step| path.ids()[step] == *self.id)?;
         let ids = path.ids();
         if let Some(inner) = ids.get(step + 1) {
@@ -165,7 +194,8 @@ impl Opened<'_> {
             outer.extend_from_slice(&ids[step + 2..]);
             return Some(vec![Target::Input { node: path_of(&outer)?, port: port.clone() }]);
         }
-        let is_it = |wire: &&Wire| wire.from.node.as_str() == GROUP_INPUTS && wire.from.port == *port;
+        let is_it =
+            |wire: &&Wire| wire.from.node.as_str() == GROUP_INPUTS && wire.from.port == *port;
         let target = |wire: &Wire| {
             let mut outer = ids[..step].to_vec();
             outer.push(self.ids.get(&wire.to.node)?.clone());
@@ -198,7 +228,9 @@ impl Opened<'_> {
     fn frames(&self) -> Vec<Edit> {
         let mut edits = Vec::new();
         let inner = &self.definition.graph;
-        let outside = |nodes: &[NodeId]| nodes.iter().filter_map(|id| self.ids.get(id).cloned()).collect::<Vec<_>>();
+        let outside = |nodes: &[NodeId]| {
+            nodes.iter().filter_map(|id| self.ids.get(id).cloned()).collect::<Vec<_>>()
+        };
         let mut framed = Vec::new();
         let mut taken: Vec<String> = self.of.frames.keys().map(ToString::to_string).collect();
         for (id, frame) in &inner.frames {
@@ -214,7 +246,8 @@ impl Opened<'_> {
             });
             taken.push(slug);
         }
-        for (id, frame) in self.of.frames.iter().filter(|(_, frame)| frame.nodes.contains(self.id)) {
+        for (id, frame) in self.of.frames.iter().filter(|(_, frame)| frame.nodes.contains(self.id))
+        {
             let mut frame = frame.clone();
             frame.nodes.extend(self.ids.values().filter(|id| !framed.contains(id)).cloned());
             edits.push(Edit::SetFrame { graph: self.graph.clone(), id: id.clone(), frame });
@@ -225,7 +258,12 @@ impl Opened<'_> {
             let slug = make_slug(id.as_str(), |slug| taken.iter().any(|known| known == slug));
             let mut note = note.clone();
             note.position = [note.position[0] + shift[0], note.position[1] + shift[1]];
-            edits.push(Edit::AddNote { graph: self.graph.clone(), id: NoteId::new(slug.as_str()), note, index: None });
+            edits.push(Edit::AddNote {
+                graph: self.graph.clone(),
+                id: NoteId::new(slug.as_str()),
+                note,
+                index: None,
+            });
             taken.push(slug);
         }
         edits
@@ -237,10 +275,13 @@ fn unused(look: &Look, graph: &GraphId, id: &NodeId, node: &Node) -> Option<Edit
     let own = DefinitionId::from(node.kind.as_str());
     look.definitions.get(&own)?;
     let definitions = look.definitions.iter().filter(|(id, _)| **id != own);
-    let definitions = definitions.map(|(id, definition)| (GraphId::Definition(id.clone()), &definition.graph));
+    let definitions =
+        definitions.map(|(id, definition)| (GraphId::Definition(id.clone()), &definition.graph));
     let mut graphs = std::iter::once((GraphId::Look, &look.graph)).chain(definitions);
     let is_used = graphs.any(|(of_id, of)| {
-        of.nodes.iter().any(|(other, of_other)| of_other.kind == node.kind && (other, &of_id) != (id, graph))
+        of.nodes
+            .iter()
+            .any(|(other, of_other)| of_other.kind == node.kind && (other, &of_id) != (id, graph))
     });
     (!is_used).then_some(Edit::RemoveDefinition { id: own })
 }

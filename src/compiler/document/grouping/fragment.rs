@@ -19,26 +19,31 @@ pub struct Pasted {
     pub notes: Vec<NoteId>,
 }
 
-/// Nodes and notes of a graph as text: with the wires between them, the frames that hold none but them, and the groups and
-/// lights that they name.
+/// Nodes and notes of a graph as text: with the wires between them, the frames that hold none but
+/// them, and the groups and lights that they name.
 pub fn copy_text(look: &Look, graph: &Graph, nodes: &[NodeId], notes: &[NoteId]) -> String {
     let chosen: HashSet<&NodeId> = nodes.iter().collect();
     let inside = |end: &Endpoint| chosen.contains(&end.node) && graph.nodes.contains_key(&end.node);
     let mut part = Look::default();
     let of_nodes = graph.nodes.iter().filter(|(id, _)| chosen.contains(id));
     part.graph.nodes = of_nodes.map(|(id, node)| (id.clone(), node.clone())).collect();
-    part.graph.wires = graph.wires.iter().filter(|wire| inside(&wire.from) && inside(&wire.to)).cloned().collect();
-    let is_whole = |nodes: &[NodeId]| !nodes.is_empty() && nodes.iter().all(|id| chosen.contains(id));
+    part.graph.wires =
+        graph.wires.iter().filter(|wire| inside(&wire.from) && inside(&wire.to)).cloned().collect();
+    let is_whole =
+        |nodes: &[NodeId]| !nodes.is_empty() && nodes.iter().all(|id| chosen.contains(id));
     let frames = graph.frames.iter().filter(|(_, frame)| is_whole(&frame.nodes));
     part.graph.frames = frames.map(|(id, frame)| (id.clone(), frame.clone())).collect();
     let of_notes = graph.notes.iter().filter(|(id, _)| notes.contains(id));
     part.graph.notes = of_notes.map(|(id, note)| (id.clone(), note.clone())).collect();
     part.color_space = look.color_space;
     part.definitions = definitions(look, &part.graph);
-    let graphs = std::iter::once(&part.graph).chain(part.definitions.values().map(|definition| &definition.graph));
-    let values = graphs.flat_map(|graph| graph.nodes.values()).flat_map(|node| node.values.values());
-    let texts: HashSet<&str> =
-        values.filter_map(|value| if let Value::Text(text) = value { Some(text.as_str()) } else { None }).collect();
+    let graphs = std::iter::once(&part.graph)
+        .chain(part.definitions.values().map(|definition| &definition.graph));
+    let values =
+        graphs.flat_map(|graph| graph.nodes.values()).flat_map(|node| node.values.values());
+    let texts: HashSet<&str> = values
+        .filter_map(|value| if let Value::Text(text) = value { Some(text.as_str()) } else { None })
+        .collect();
     let lights = look.lights.iter().filter(|(id, _)| texts.contains(id.as_str()));
     part.lights = lights.map(|(id, light)| (id.clone(), light.clone())).collect();
     part.to_text()
@@ -61,17 +66,28 @@ fn definitions(look: &Look, graph: &Graph) -> IndexMap<DefinitionId, Definition>
     definitions.map(|(id, definition)| (id.clone(), definition.clone())).collect()
 }
 
-/// Adds what [`copy_text`] wrote, or any other look's nodes, to a graph, with its middle at `at` or, without one, a little
-/// off its own place. Groups and lights that the document has already are used; others come along.
+/// Adds what [`copy_text`] wrote, or any other look's nodes, to a graph, with its middle at `at`
+/// or, without one, a little off its own place. Groups and lights that the document has already are
+/// used; others come along.
 ///
 /// # Errors
 /// A diagnostic where the text is no look, or where there is nothing in it to add.
-pub fn paste_text(look: &Look, graph: &GraphId, text: &str, at: Option<[f64; 2]>) -> Result<Pasted, Box<Diagnostic>> {
+pub fn paste_text(
+    look: &Look,
+    graph: &GraphId,
+    text: &str,
+    at: Option<[f64; 2]>,
+) -> Result<Pasted, Box<Diagnostic>> {
     const NOTHING: &str = "the clipboard holds no nodes";
-    let nothing =
-        || Box::new(Diagnostic::error("nothing-to-paste", NOTHING).hint("copy nodes first, or a look's JSON"));
+    let nothing = || {
+        Box::new(
+            Diagnostic::error("nothing-to-paste", NOTHING)
+                .hint("copy nodes first, or a look's JSON"),
+        )
+    };
     let of = look.graph_of(graph).ok_or_else(nothing)?;
-    let part = if text.trim_start().starts_with('{') { Look::read(text, "clipboard").value } else { None };
+    let part =
+        if text.trim_start().starts_with('{') { Look::read(text, "clipboard").value } else { None };
     let mut part = part.ok_or_else(nothing)?;
     // There is one output, and it is the look's.
     let has_output = *graph != GraphId::Look || of.nodes.values().any(|node| node.kind == OUTPUT);
@@ -118,21 +134,26 @@ fn add_definitions(look: &Look, part: &Look, edits: &mut Vec<Edit>) -> HashMap<S
                 node.kind.clone_from(new);
             }
         }
-        let id = kinds.get(id.as_str()).map_or_else(|| id.clone(), |new| DefinitionId::from(new.as_str()));
+        let id = kinds
+            .get(id.as_str())
+            .map_or_else(|| id.clone(), |new| DefinitionId::from(new.as_str()));
         edits.push(Edit::AddDefinition { id, definition, index: None });
     }
     kinds
 }
 
-/// Groups before those that use them, so that undoing, which goes the other way, never takes away what is in use.
+/// Groups before those that use them, so that undoing, which goes the other way, never takes away
+/// what is in use.
 fn inner_first(all: &IndexMap<DefinitionId, Definition>) -> Vec<(&DefinitionId, &Definition)> {
     let mut rest: Vec<_> = all.iter().collect();
     let mut sorted: Vec<(&DefinitionId, &Definition)> = Vec::with_capacity(rest.len());
     while !rest.is_empty() {
         let open: HashSet<&str> = rest.iter().map(|(id, _)| id.as_str()).collect();
-        let is_ready =
-            |definition: &Definition| !definition.graph.nodes.values().any(|node| open.contains(node.kind.as_str()));
-        let (ready, others): (Vec<_>, Vec<_>) = rest.iter().copied().partition(|(_, definition)| is_ready(definition));
+        let is_ready = |definition: &Definition| {
+            !definition.graph.nodes.values().any(|node| open.contains(node.kind.as_str()))
+        };
+        let (ready, others): (Vec<_>, Vec<_>) =
+            rest.iter().copied().partition(|(_, definition)| is_ready(definition));
         if ready.is_empty() {
             // A ring, which the compiler tells of.
             sorted.extend(others);
@@ -150,7 +171,8 @@ fn shift(part: &Graph, at: Option<[f64; 2]>) -> [f64; 2] {
     const COPY_OFFSET: f64 = 32.0;
     let Some(at) = at else { return [COPY_OFFSET; 2] };
     let nodes = part.nodes.values().map(|node| node.position);
-    let places: Vec<[f64; 2]> = nodes.chain(part.notes.values().map(|note| note.position)).collect();
+    let places: Vec<[f64; 2]> =
+        nodes.chain(part.notes.values().map(|note| note.position)).collect();
     let of = |axis: usize| {
         let along = || places.iter().map(|place| place[axis]);
         let (least, most) = (along().fold(f64::MAX, f64::min), along().fold(f64::MIN, f64::max));
@@ -173,21 +195,35 @@ impl<'a> Adder<'a> {
         [0, 1].map(|axis| (place[axis] + self.shift[axis]).clamp(-FAR, FAR))
     }
 
-    fn nodes(&self, kinds: &HashMap<String, String>, edits: &mut Vec<Edit>) -> IndexMap<&'a NodeId, NodeId> {
+    fn nodes(
+        &self,
+        kinds: &HashMap<String, String>,
+        edits: &mut Vec<Edit>,
+    ) -> IndexMap<&'a NodeId, NodeId> {
         let mut ids: IndexMap<&NodeId, NodeId> = IndexMap::new();
         let ends = [crate::ids::GROUP_INPUTS, crate::ids::GROUP_OUTPUTS];
-        let mut taken: HashSet<NodeId> = self.of.nodes.keys().cloned().chain(ends.map(NodeId::from)).collect();
+        let mut taken: HashSet<NodeId> =
+            self.of.nodes.keys().cloned().chain(ends.map(NodeId::from)).collect();
         for (id, node) in &self.part.nodes {
-            let base = id.as_str().trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('_');
+            let base =
+                id.as_str().trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('_');
             let base = if base.is_empty() || !taken.contains(id) { id.as_str() } else { base };
-            let new =
-                if taken.contains(id) { NodeId::new(make_slug(base, |slug| taken.contains(slug))) } else { id.clone() };
+            let new = if taken.contains(id) {
+                NodeId::new(make_slug(base, |slug| taken.contains(slug)))
+            } else {
+                id.clone()
+            };
             let mut node = node.clone();
             node.position = self.shifted(node.position);
             if let Some(kind) = kinds.get(&node.kind) {
                 node.kind.clone_from(kind);
             }
-            edits.push(Edit::AddNode { graph: self.graph.clone(), id: new.clone(), node, index: None });
+            edits.push(Edit::AddNode {
+                graph: self.graph.clone(),
+                id: new.clone(),
+                node,
+                index: None,
+            });
             taken.insert(new.clone());
             ids.insert(id, new);
         }
@@ -196,10 +232,16 @@ impl<'a> Adder<'a> {
 
     fn wires(&self, ids: &IndexMap<&NodeId, NodeId>, edits: &mut Vec<Edit>) {
         for Wire { from, to } in &self.part.wires {
-            let (Some(from_id), Some(to_id)) = (ids.get(&from.node), ids.get(&to.node)) else { continue };
+            let (Some(from_id), Some(to_id)) = (ids.get(&from.node), ids.get(&to.node)) else {
+                continue;
+            };
             let from = Endpoint { node: from_id.clone(), port: from.port.clone() };
             let to = Endpoint { node: to_id.clone(), port: to.port.clone() };
-            edits.push(Edit::AddWire { graph: self.graph.clone(), wire: Wire { from, to }, index: None });
+            edits.push(Edit::AddWire {
+                graph: self.graph.clone(),
+                wire: Wire { from, to },
+                index: None,
+            });
         }
     }
 
@@ -210,7 +252,12 @@ impl<'a> Adder<'a> {
             taken.insert(new.clone());
             let mut frame = frame.clone();
             frame.nodes = frame.nodes.iter().filter_map(|id| ids.get(id).cloned()).collect();
-            edits.push(Edit::AddFrame { graph: self.graph.clone(), id: FrameId::from(new), frame, index: None });
+            edits.push(Edit::AddFrame {
+                graph: self.graph.clone(),
+                id: FrameId::from(new),
+                frame,
+                index: None,
+            });
         }
     }
 
@@ -223,7 +270,12 @@ impl<'a> Adder<'a> {
             let mut note = note.clone();
             note.position = self.shifted(note.position);
             let id = NoteId::from(new);
-            edits.push(Edit::AddNote { graph: self.graph.clone(), id: id.clone(), note, index: None });
+            edits.push(Edit::AddNote {
+                graph: self.graph.clone(),
+                id: id.clone(),
+                note,
+                index: None,
+            });
             ids.push(id);
         }
         ids

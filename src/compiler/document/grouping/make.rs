@@ -4,9 +4,12 @@ use std::collections::{HashMap, HashSet};
 
 use super::targets::{follow, path_of, step_in};
 use crate::document::{
-    Definition, Edit, Endpoint, Frame, Graph, GraphId, InterfacePort, Look, Node, OutputPort, Target, Wire,
+    Definition, Edit, Endpoint, Frame, Graph, GraphId, InterfacePort, Look, Node, OutputPort,
+    Target, Wire,
 };
-use crate::ids::{DefinitionId, FrameId, GROUP_INPUTS, GROUP_OUTPUTS, NodeId, NodePath, PortName, make_slug};
+use crate::ids::{
+    DefinitionId, FrameId, GROUP_INPUTS, GROUP_OUTPUTS, NodeId, NodePath, PortName, make_slug,
+};
 
 /// A group that is to be made.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,11 +22,12 @@ pub struct Grouped {
     pub definition: DefinitionId,
 }
 
-/// Makes a group of nodes of a graph. Every output outside that feeds them becomes an input of the group, every output of
-/// theirs that is used outside becomes an output; values, places, frames and what is keyed or exposed go along.
+/// Makes a group of nodes of a graph. Every output outside that feeds them becomes an input of the
+/// group, every output of theirs that is used outside becomes an output; values, places, frames and
+/// what is keyed or exposed go along.
 ///
-/// `taken` says which kinds there are already; `first_output` names a node's first output, for wires that do not.
-/// `None` where none of `nodes` exists.
+/// `taken` says which kinds there are already; `first_output` names a node's first output, for
+/// wires that do not. `None` where none of `nodes` exists.
 pub fn group(
     look: &Look,
     graph: &GraphId,
@@ -40,7 +44,8 @@ pub fn group(
     let named = if label.is_empty() { "group" } else { label };
     let is_taken = |slug: &str| look.definitions.contains_key(slug) || taken(slug);
     let definition_id = DefinitionId::new(make_slug(named, is_taken));
-    let node_id = NodeId::new(make_slug(named, |slug| of.nodes.contains_key(slug) || is_group_end(slug)));
+    let node_id =
+        NodeId::new(make_slug(named, |slug| of.nodes.contains_key(slug) || is_group_end(slug)));
 
     let mut parts = Parts::default();
     let mut outer = Vec::new();
@@ -60,7 +65,10 @@ pub fn group(
             }
             (true, false) => {
                 let port = parts.output(&from);
-                outer.push(Wire { from: Endpoint { node: node_id.clone(), port }, to: wire.to.clone() });
+                outer.push(Wire {
+                    from: Endpoint { node: node_id.clone(), port },
+                    to: wire.to.clone(),
+                });
             }
             (false, false) => {}
         }
@@ -97,7 +105,11 @@ pub fn group(
     // In the order of the document, so that undoing puts each back where it was.
     let removed = of.nodes.keys().filter(|id| moved.contains(id));
     edits.extend(removed.map(|id| Edit::RemoveNode { graph: graph.clone(), id: id.clone() }));
-    edits.extend(outer.into_iter().map(|wire| Edit::AddWire { graph: graph.clone(), wire, index: None }));
+    edits.extend(outer.into_iter().map(|wire| Edit::AddWire {
+        graph: graph.clone(),
+        wire,
+        index: None,
+    }));
     Some(Grouped { edit: Edit::Group { edits }, node: node_id, definition: definition_id })
 }
 
@@ -106,7 +118,11 @@ fn is_group_end(id: &str) -> bool {
 }
 
 /// A wire's start, with the name of its port.
-fn with_port(of: &Graph, from: &Endpoint, first_output: &impl Fn(&Node) -> Option<PortName>) -> Endpoint {
+fn with_port(
+    of: &Graph,
+    from: &Endpoint,
+    first_output: &impl Fn(&Node) -> Option<PortName>,
+) -> Endpoint {
     if !from.port.as_str().is_empty() {
         return from.clone();
     }
@@ -172,9 +188,15 @@ fn middle(graph: &Graph) -> [f64; 2] {
     [of(0), of(1)]
 }
 
-/// Frames whose nodes all move go along; of others the moved nodes leave, and the group takes their place where one frame
-/// held all of them.
-fn frames(of: &Graph, moved: &HashSet<&NodeId>, node: &NodeId, graph: &GraphId, inner: &mut Graph) -> Vec<Edit> {
+/// Frames whose nodes all move go along; of others the moved nodes leave, and the group takes their
+/// place where one frame held all of them.
+fn frames(
+    of: &Graph,
+    moved: &HashSet<&NodeId>,
+    node: &NodeId,
+    graph: &GraphId,
+    inner: &mut Graph,
+) -> Vec<Edit> {
     let mut edits = Vec::new();
     let mut around: Vec<(&FrameId, &Frame)> = Vec::new();
     for (id, frame) in &of.frames {

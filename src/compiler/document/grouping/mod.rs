@@ -1,7 +1,8 @@
-//! Groups made of nodes and dissolved again, and parts of a graph as text for the clipboard: each as one edit.
+//! Groups made of nodes and dissolved again, and parts of a graph as text for the clipboard: each
+//! as one edit.
 //!
-//! All of it is said in [`Edit`](super::Edit)s, so that it is undone, journalled and checked as everything else is. What
-//! exposes or keys an input follows it into a group and out of it.
+//! All of it is said in [`Edit`](super::Edit)s, so that it is undone, journalled and checked as
+//! everything else is. What exposes or keys an input follows it into a group and out of it.
 
 mod dissolve;
 mod fragment;

@@ -22,8 +22,9 @@ pub(super) fn path_of(ids: &[NodeId]) -> Option<NodePath> {
     Some(rest.iter().fold(NodePath::root(first.clone()), |path, id| path.join(id.clone())))
 }
 
-/// The edits that let everything that is exposed or keyed follow `moved`, which gives every input that a target becomes,
-/// and what drives keys `moved_output`; `None` leaves a target or an output alone.
+/// The edits that let everything that is exposed or keyed follow `moved`, which gives every input
+/// that a target becomes, and what drives keys `moved_output`; `None` leaves a target or an output
+/// alone.
 pub(super) fn follow(
     look: &Look,
     moved: impl Fn(&NodePath, &PortName) -> Option<Vec<Target>>,

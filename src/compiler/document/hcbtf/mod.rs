@@ -12,17 +12,21 @@ mod strokes;
 
 pub use relief::Relief;
 pub use rule::{Rule, RuleAbout};
-pub use strokes::{Bundle, Placement, StrokeGround, StrokeHighlight, StrokeShadow, StrokeShape, StrokeTones, Strokes};
+pub use strokes::{
+    Bundle, Placement, StrokeGround, StrokeHighlight, StrokeShadow, StrokeShape, StrokeTones,
+    Strokes,
+};
 
 /// The most texels along a side of a tile.
 pub const MAX_TILE_SIDE: u32 = 4095;
 /// The most steps of an angle.
 pub const MAX_ANGLE_STEPS: u32 = 255;
 
-/// How many directions there are over the hemisphere: rings from the normal down to the horizon, and steps around it.
+/// How many directions there are over the hemisphere: rings from the normal down to the horizon,
+/// and steps around it.
 ///
-/// Ring `theta` of `n` lies `theta / (n - 1)` of a quarter turn from the normal (thesis 10.2: 6 rings, 18 degrees
-/// apart); step `phi` of `n` lies `phi / n` of a turn from v toward u.
+/// Ring `theta` of `n` lies `theta / (n - 1)` of a quarter turn from the normal (thesis 10.2: 6
+/// rings, 18 degrees apart); step `phi` of `n` lies `phi / n` of a turn from v toward u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct Directions {
     /// Rings: 1 is the normal alone.
@@ -39,7 +43,9 @@ impl Directions {
 
     /// All of them that differ: the normal only once.
     pub fn distinct(self) -> impl Iterator<Item = Direction> {
-        let ring = move |theta| (0..if theta == 0 { 1 } else { self.phi }).map(move |phi| Direction { theta, phi });
+        let ring = move |theta| {
+            (0..if theta == 0 { 1 } else { self.phi }).map(move |phi| Direction { theta, phi })
+        };
         (0..self.theta).flat_map(ring)
     }
 
@@ -52,7 +58,9 @@ impl Directions {
     pub fn index(self, direction: Direction) -> u64 {
         match direction.canonical() {
             Direction { theta: 0, .. } => 0,
-            Direction { theta, phi } => 1 + u64::from(theta - 1) * u64::from(self.phi) + u64::from(phi),
+            Direction { theta, phi } => {
+                1 + u64::from(theta - 1) * u64::from(self.phi) + u64::from(phi)
+            }
         }
     }
 
@@ -109,7 +117,9 @@ impl Grid {
     /// Every sample that differs from the others by its directions, by view and then by light.
     pub fn addresses(&self) -> impl Iterator<Item = Address> {
         let light = self.light;
-        self.view.distinct().flat_map(move |view| light.distinct().map(move |light| Address { light, view }))
+        self.view
+            .distinct()
+            .flat_map(move |view| light.distinct().map(move |light| Address { light, view }))
     }
 
     /// How many samples [`Self::addresses`] gives.
@@ -119,7 +129,10 @@ impl Grid {
 
     /// Where a sample stands in [`Self::addresses`]; `None` outside the grid.
     pub fn index(&self, address: Address) -> Option<u64> {
-        let index = || self.view.index(address.view) * self.light.distinct_count() + self.light.index(address.light);
+        let index = || {
+            self.view.index(address.view) * self.light.distinct_count()
+                + self.light.index(address.light)
+        };
         self.contains(address).then(index)
     }
 
@@ -136,7 +149,9 @@ impl Grid {
             ("view's phi", self.view.phi),
         ];
         for (most, numbers) in [(MAX_TILE_SIDE, &sides[..]), (MAX_ANGLE_STEPS, &angles[..])] {
-            if let Some((name, number)) = numbers.iter().find(|(_, number)| *number == 0 || *number > most) {
+            if let Some((name, number)) =
+                numbers.iter().find(|(_, number)| *number == 0 || *number > most)
+            {
                 return Err(format!("the grid's {name} is {number}; it must be from 1 to {most}"));
             }
         }
@@ -182,7 +197,8 @@ impl Address {
         Self { light: direction(light), view: direction(view) }.canonical()
     }
 
-    /// The address by which the sample is kept: at the normal there is one sample, whatever the step around it.
+    /// The address by which the sample is kept: at the normal there is one sample, whatever the
+    /// step around it.
     pub fn canonical(self) -> Self {
         Self { view: self.view.canonical(), light: self.light.canonical() }
     }
@@ -214,7 +230,7 @@ impl Tile {
         (rgba.len() == count && count > 0).then_some(Self { size, rgba })
     }
 
-    /// A tile of one colour.
+    /// A tile of one color.
     pub fn filled(size: [u32; 2], color: [u8; 4]) -> Self {
         let size = size.map(|side| side.max(1));
         Self { size, rgba: color.repeat(size[0] as usize * size[1] as usize) }
@@ -235,8 +251,8 @@ impl Tile {
         &mut self.rgba
     }
 
-    /// The smallest rectangle (x, y, width, height) around the texels that another tile has otherwise; `None` where it has
-    /// all of them alike. All of it where that has another size.
+    /// The smallest rectangle (x, y, width, height) around the texels that another tile has
+    /// otherwise; `None` where it has all of them alike. All of it where that has another size.
     pub fn difference(&self, other: &Self) -> Option<[u32; 4]> {
         let [width, height] = self.size;
         if self.size != other.size {
@@ -256,12 +272,17 @@ impl Tile {
         Some([left, top, right + 1 - left, bottom + 1 - top].map(|n| n as u32))
     }
 
-    /// A hash of what is seen: of two tiles that differ in it the texels differ, too, and of others but for an accident not.
-    /// It is the same on every machine, and takes no notice of the colour of what is transparent, which programs change as
-    /// they like.
+    /// A hash of what is seen: of two tiles that differ in it the texels differ, too, and of others
+    /// but for an accident not. It is the same on every machine, and takes no notice of the color
+    /// of what is transparent, which programs change as they like.
     pub fn digest(&self) -> u64 {
-        let seen: Vec<u8> =
-            self.rgba.as_chunks::<4>().0.iter().flat_map(|texel| if texel[3] == 0 { [0; 4] } else { *texel }).collect();
+        let seen: Vec<u8> = self
+            .rgba
+            .as_chunks::<4>()
+            .0
+            .iter()
+            .flat_map(|texel| if texel[3] == 0 { [0; 4] } else { *texel })
+            .collect();
         hash(&seen)
     }
 
@@ -273,8 +294,8 @@ impl Tile {
     }
 }
 
-/// A hash that tells any two rows of texels apart that differ in one texel, and others but for an accident. It is the same on
-/// every machine.
+/// A hash that tells any two rows of texels apart that differ in one texel, and others but for an
+/// accident. It is the same on every machine.
 pub(super) fn hash(texels: &[u8]) -> u64 {
     let (texels, _) = texels.as_chunks::<4>();
     texels.iter().fold(0, |hash: u64, texel| {

@@ -1,10 +1,11 @@
-//! One record a line: its number, the length and the checksum of what it says, and that as JSON. A line that was cut off,
-//! changed, lost or put in twice is told from a whole one.
+//! One record a line: its number, the length and the checksum of what it says, and that as JSON. A
+//! line that was cut off, changed, lost or put in twice is told from a whole one.
 
 use std::fmt::Write as _;
 use std::io::{self, BufRead, Read as _};
 
-/// The longest line that is read, in bytes: a snapshot's document at its bound, every character of it escaped.
+/// The longest line that is read, in bytes: a snapshot's document at its bound, every character of
+/// it escaped.
 pub(super) const MAX_LINE: u64 = 256 << 20;
 
 /// CRC-32 as in Ethernet, gzip and PNG (polynomial 0x04C11DB7, reflected), by the byte.
@@ -24,7 +25,9 @@ fn checksum(bytes: &[u8]) -> u32 {
         }
         table
     };
-    !bytes.iter().fold(!0, |crc, &byte| TABLE[((crc ^ u32::from(byte)) & 0xFF) as usize] ^ (crc >> 8))
+    !bytes
+        .iter()
+        .fold(!0, |crc, &byte| TABLE[((crc ^ u32::from(byte)) & 0xFF) as usize] ^ (crc >> 8))
 }
 
 /// Writes record `number`; `json` is one line.
@@ -39,7 +42,8 @@ fn parse(line: &str) -> Option<(u64, &str)> {
     let (number, rest) = line.split_once(' ')?;
     let (length, rest) = rest.split_once(' ')?;
     let (crc, json) = rest.split_once(' ')?;
-    let is_whole = length.parse() == Ok(json.len()) && u32::from_str_radix(crc, 16) == Ok(checksum(json.as_bytes()));
+    let is_whole = length.parse() == Ok(json.len())
+        && u32::from_str_radix(crc, 16) == Ok(checksum(json.as_bytes()));
     let is_whole = is_whole && crc.len() == 8;
     number.parse().ok().filter(|_| is_whole).map(|number| (number, json))
 }
@@ -66,8 +70,8 @@ impl<R: BufRead> Lines<R> {
         Self { from, next: 0 }
     }
 
-    /// The next record. After a damaged line the following one is looked at all the same: whether there is a good one
-    /// tells damage from an end that was cut off.
+    /// The next record. After a damaged line the following one is looked at all the same: whether
+    /// there is a good one tells damage from an end that was cut off.
     ///
     /// # Errors
     /// The file cannot be read.
@@ -158,7 +162,10 @@ mod tests {
                 bytes[at] ^= change;
                 let (whole, end) = read(&bytes);
                 // The case of the checksum's digits says nothing.
-                assert!(whole.len() == 1 && end == Line::Damaged || whole[1] == r#"{"a":"ü"}"#, "byte {at}");
+                assert!(
+                    whole.len() == 1 && end == Line::Damaged || whole[1] == r#"{"a":"ü"}"#,
+                    "byte {at}"
+                );
             }
         }
     }

@@ -1,12 +1,14 @@
-//! What was done to a document that is not saved, in a file, so that neither a crash nor a full stop loses it.
+//! What was done to a document that is not saved, in a file, so that neither a crash nor a full
+//! stop loses it.
 //!
-//! A [`Journal`] begins with where a [`History`] stands (the document, what can be undone and redone, and the text of
-//! its file), and every edit, undo and redo is added to it as one line. Reading it applies them again, by the same code
-//! in the same order, and so comes to the same history. Lines carry their number, length and checksum: an end that was
-//! cut off is recognised and left out. When a journal has grown long it is begun anew.
+//! A [`Journal`] begins with where a [`History`] stands (the document, what can be undone and
+//! redone, and the text of its file), and every edit, undo and redo is added to it as one line.
+//! Reading it applies them again, by the same code in the same order, and so comes to the same
+//! history. Lines carry their number, length and checksum: an end that was cut off is recognised
+//! and left out. When a journal has grown long it is begun anew.
 //!
-//! Journals lie in one folder, each in a [`Slot`] that the program using it holds by a lock of the system's.
-//! docs/format.md describes the file.
+//! Journals lie in one folder, each in a [`Slot`] that the program using it holds by a lock of the
+//! system's. docs/format.md describes the file.
 
 mod line;
 mod read;
@@ -28,7 +30,8 @@ pub use slot::{Slot, left_behind};
 
 /// A journal may grow by so many bytes, or by as much as it began with, before it is begun anew.
 const GROWTH: u64 = 8 << 20;
-/// As many bytes of steps that can be taken back are kept when a journal is begun; of more, the newest.
+/// As many bytes of steps that can be taken back are kept when a journal is begun; of more, the
+/// newest.
 const MAX_PAST: usize = 32 << 20;
 /// As many bytes of steps share a line.
 const STEPS_LINE: usize = 1 << 20;
@@ -49,8 +52,8 @@ pub struct Journal {
 }
 
 impl Journal {
-    /// Begins the journal of a slot with a document as it stands and all its past, in place of what was there, at once.
-    /// `source` is what its file held when it was read or saved last.
+    /// Begins the journal of a slot with a document as it stands and all its past, in place of what
+    /// was there, at once. `source` is what its file held when it was read or saved last.
     ///
     /// # Errors
     /// The disk is full, or the folder cannot be written. What was there stays.
@@ -61,8 +64,10 @@ impl Journal {
         history: &History<D>,
     ) -> io::Result<Self> {
         let mut builder = tempfile::Builder::new();
-        let unfinished = builder.prefix("new-").suffix(slot::UNFINISHED).tempfile_in(slot.folder())?;
-        let mut lines = Lines { to: BufWriter::new(unfinished), number: 0, size: 0, line: String::new() };
+        let unfinished =
+            builder.prefix("new-").suffix(slot::UNFINISHED).tempfile_in(slot.folder())?;
+        let mut lines =
+            Lines { to: BufWriter::new(unfinished), number: 0, size: 0, line: String::new() };
         let numbers = history.numbers();
         lines.write::<D::Edit>(&Record::Begin {
             version: VERSION,
@@ -84,12 +89,12 @@ impl Journal {
         Ok(Self { file, number, size, begun_size: size, line })
     }
 
-    /// Adds what was done, all of it or nothing; the system has it when this returns, and a program that is killed
-    /// afterwards loses none of it.
+    /// Adds what was done, all of it or nothing; the system has it when this returns, and a program
+    /// that is killed afterwards loses none of it.
     ///
     /// # Errors
-    /// The disk is full, say, or this is more than a line holds. The journal is then as it was, and more may be tried, or it
-    /// is begun anew.
+    /// The disk is full, say, or this is more than a line holds. The journal is then as it was, and
+    /// more may be tried, or it is begun anew.
     pub fn append<E: Clone + Serialize>(&mut self, ops: &[Op<E>]) -> io::Result<()> {
         if ops.is_empty() {
             return Ok(());
@@ -97,12 +102,15 @@ impl Journal {
         self.push(&Record::Ops(Cow::Borrowed(ops)))
     }
 
-    /// Notes what the window wants back now, such as where it looks from: each member takes the place of the one that
-    /// [`About::window`] has.
+    /// Notes what the window wants back now, such as where it looks from: each member takes the
+    /// place of the one that [`About::window`] has.
     ///
     /// # Errors
     /// As [`append`](Self::append).
-    pub fn note_window(&mut self, members: &serde_json::Map<String, serde_json::Value>) -> io::Result<()> {
+    pub fn note_window(
+        &mut self,
+        members: &serde_json::Map<String, serde_json::Value>,
+    ) -> io::Result<()> {
         self.push::<()>(&Record::Window(Cow::Borrowed(members)))
     }
 
@@ -120,7 +128,11 @@ impl Journal {
     }
 
     /// Adds a record of at most so many bytes: a longer one could not be read again.
-    fn push_within<E: Clone + Serialize>(&mut self, record: &Record<'_, E>, most: u64) -> io::Result<()> {
+    fn push_within<E: Clone + Serialize>(
+        &mut self,
+        record: &Record<'_, E>,
+        most: u64,
+    ) -> io::Result<()> {
         let json = serde_json::to_string(record)?;
         self.line.clear();
         line::push(&mut self.line, self.number, &json);
@@ -236,7 +248,12 @@ mod tests {
         let to = File::create(&path).unwrap();
         let mut lines = Lines { to, number: 0, size: 0, line: String::new() };
         let kind = "hcbtf".into();
-        let begin = Record::Begin { version: VERSION, kind, numbers: history.numbers(), about: Cow::Borrowed(&about) };
+        let begin = Record::Begin {
+            version: VERSION,
+            kind,
+            numbers: history.numbers(),
+            about: Cow::Borrowed(&about),
+        };
         lines.write::<HcbtfEdit>(&begin).unwrap();
         lines.image::<HcbtfEdit>(&history.document().to_image().unwrap(), 7).unwrap();
         lines.write::<HcbtfEdit>(&Record::Ready).unwrap();
@@ -251,7 +268,8 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let slot = Slot::new(folder.path()).unwrap();
         let mut journal =
-            Journal::begin(&slot, &About::default(), None, &History::new(Hcbtf::new(Grid::THESIS))).unwrap();
+            Journal::begin(&slot, &About::default(), None, &History::new(Hcbtf::new(Grid::THESIS)))
+                .unwrap();
         let size = journal.size();
         let ops = [Op::Edit { gesture: None, edit: HcbtfEdit::SetTiling { is_tiling: false } }];
         let record = Record::Ops(Cow::Borrowed(&ops[..]));

@@ -22,7 +22,8 @@ pub struct Recovered<D: Editable> {
     pub about: About,
     /// What its file held when it was read or saved last.
     pub source: Option<String>,
-    /// What could not be brought back, and why. An end that was cut off, as a crash leaves it, is none.
+    /// What could not be brought back, and why. An end that was cut off, as a crash leaves it, is
+    /// none.
     pub damage: Vec<Diagnostic>,
     /// Whether the window was closed as windows are, and did not crash.
     pub is_closed: bool,
@@ -67,8 +68,10 @@ pub fn recover<D: Journaled>(path: &Path) -> Result<Recovered<D>, Box<Diagnostic
     let mut reader = Reader { lines: Lines::new(BufReader::new(file)), damage: Vec::new() };
     let begun = reader.beginning::<D>().map_err(fail)?;
     let Some(Beginning { numbers, mut about, source, document, done, undone }) = begun else {
-        let message = "the journal of unsaved work is damaged where it begins, and nothing can be brought back from it";
-        let problem = Diagnostic::error("damaged-journal", message).in_file(path.display().to_string());
+        let message = "the journal of unsaved work is damaged where it begins, and nothing can be \
+                       brought back from it";
+        let problem =
+            Diagnostic::error("damaged-journal", message).in_file(path.display().to_string());
         return Err(Box::new(problem.hint("it is kept until you throw it away")));
     };
     let mut history = History::restored(document, done, undone, numbers);
@@ -76,7 +79,9 @@ pub fn recover<D: Journaled>(path: &Path) -> Result<Recovered<D>, Box<Diagnostic
     history.end_gesture();
     let dropped = history.drop_impossible_steps();
     if dropped > 0 {
-        reader.damage.push(damage(format!("{dropped} older steps can no longer be undone or redone")));
+        reader
+            .damage
+            .push(damage(format!("{dropped} older steps can no longer be undone or redone")));
     }
     Ok(Recovered { history, about, source, damage: reader.damage, is_closed })
 }
@@ -103,7 +108,9 @@ struct Reader {
 impl Reader {
     /// `None` where it is not whole. It is put in its place whole, so that is damage.
     fn beginning<D: Journaled>(&mut self) -> io::Result<Option<Beginning<D>>> {
-        let Some(Record::Begin { version, kind, numbers, about }) = self.record::<D>()? else { return Ok(None) };
+        let Some(Record::Begin { version, kind, numbers, about }) = self.record::<D>()? else {
+            return Ok(None);
+        };
         if version != VERSION || kind != D::KIND {
             return Ok(None);
         }
@@ -133,9 +140,14 @@ impl Reader {
         }
     }
 
-    /// Does again what was done. What follows something that cannot be done is left out: it was made for another
-    /// document. Notes what the window wanted back last. Returns whether the window was closed.
-    fn ops<D: Journaled>(&mut self, history: &mut History<D>, window: &mut serde_json::Value) -> io::Result<bool> {
+    /// Does again what was done. What follows something that cannot be done is left out: it was
+    /// made for another document. Notes what the window wanted back last. Returns whether the
+    /// window was closed.
+    fn ops<D: Journaled>(
+        &mut self,
+        history: &mut History<D>,
+        window: &mut serde_json::Value,
+    ) -> io::Result<bool> {
         let mut is_closed = false;
         loop {
             let json = match self.lines.next()? {
@@ -143,7 +155,9 @@ impl Reader {
                 Line::End => return Ok(is_closed),
                 Line::Damaged => {
                     if self.lines.has_more() {
-                        self.damage.push(damage("a part of the journal is damaged; what was done after it is lost"));
+                        self.damage.push(damage(
+                            "a part of the journal is damaged; what was done after it is lost",
+                        ));
                     }
                     return Ok(false);
                 }
@@ -166,7 +180,9 @@ impl Reader {
                 _ => false,
             };
             if !is_done {
-                self.damage.push(damage("an edit in the journal cannot be repeated; what was done after it is lost"));
+                self.damage.push(damage(
+                    "an edit in the journal cannot be repeated; what was done after it is lost",
+                ));
                 return Ok(false);
             }
         }

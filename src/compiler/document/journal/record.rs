@@ -71,7 +71,9 @@ pub struct About {
 }
 
 /// A document that a journal can be of.
-pub trait Journaled: Editable<Edit: Serialize + serde::de::DeserializeOwned + 'static> + Clone {
+pub trait Journaled:
+    Editable<Edit: Serialize + serde::de::DeserializeOwned + 'static> + Clone
+{
     /// What kind of document it is, as files say it.
     const KIND: &'static str;
 

@@ -1,5 +1,6 @@
-//! Where journals lie: one folder, and in it for each open document a journal and a lock. The lock is the system's own
-//! and ends with the program that holds it, however that ends; so a journal without a holder was left behind.
+//! Where journals lie: one folder, and in it for each open document a journal and a lock. The lock
+//! is the system's own and ends with the program that holds it, however that ends; so a journal
+//! without a holder was left behind.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io;
@@ -13,7 +14,8 @@ pub(super) const UNFINISHED: &str = ".tmp";
 /// Nobody takes so long between making a lock and writing the journal, or to write one.
 const OLD: Duration = Duration::from_secs(24 * 60 * 60);
 
-/// A place for one journal, held by this program. Dropping it lets go of the journal and leaves it where it is.
+/// A place for one journal, held by this program. Dropping it lets go of the journal and leaves it
+/// where it is.
 #[derive(Debug)]
 pub struct Slot {
     /// The journal, which need not be there yet.
@@ -29,9 +31,14 @@ impl Slot {
     /// The folder cannot be made or written.
     pub fn new(folder: &Path) -> io::Result<Self> {
         make_folder(folder)?;
-        let lock = tempfile::Builder::new().prefix("work-").suffix(".lock").rand_bytes(10).tempfile_in(folder)?;
+        let lock = tempfile::Builder::new()
+            .prefix("work-")
+            .suffix(".lock")
+            .rand_bytes(10)
+            .tempfile_in(folder)?;
         let (lock, path) = lock.keep().map_err(|error| error.error)?;
-        // A window that just looks whether somebody holds it lets go at once. Where there are no locks, go without.
+        // A window that just looks whether somebody holds it lets go at once. Where there are no
+        // locks, go without.
         let _ = lock.lock();
         Ok(Self { path: path.with_extension(JOURNAL), _lock: lock })
     }
@@ -66,8 +73,8 @@ impl Drop for Slot {
     }
 }
 
-/// The journals in a folder that nobody holds, the newest first; they are held from then on. Removes what is old and
-/// half written.
+/// The journals in a folder that nobody holds, the newest first; they are held from then on.
+/// Removes what is old and half written.
 pub fn left_behind(folder: &Path) -> Vec<Slot> {
     let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };
     let mut slots = Vec::new();
@@ -87,10 +94,16 @@ pub fn left_behind(folder: &Path) -> Vec<Slot> {
 
 /// Holds the journal, unless somebody does.
 fn take(path: PathBuf) -> Option<Slot> {
-    let lock = OpenOptions::new().write(true).create(true).truncate(false).open(path.with_extension(LOCK)).ok()?;
+    let lock = OpenOptions::new()
+        .write(true)
+        .create(true)
+        .truncate(false)
+        .open(path.with_extension(LOCK))
+        .ok()?;
     match lock.try_lock() {
         Err(TryLockError::WouldBlock) => return None,
-        // Where a file system knows no locks, work that is offered twice is better than work that is lost.
+        // Where a file system knows no locks, work that is offered twice is better than work that
+        // is lost.
         Ok(()) | Err(TryLockError::Error(_)) => {}
     }
     // It may have been thrown away between listing and locking.

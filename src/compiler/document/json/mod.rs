@@ -1,7 +1,9 @@
-//! JSON with a place for every value: a parser that goes on after mistakes, and a writer of the canonical form.
+//! JSON with a place for every value: a parser that goes on after mistakes, and a writer of the
+//! canonical form.
 //!
-//! A parsed text is a flat list of [`Item`]s in document order; each knows its span, its key's span and where its
-//! subtree ends. Strings and numbers stay in the text until somebody asks, so 100,000 nodes cost a few megabytes.
+//! A parsed text is a flat list of [`Item`]s in document order; each knows its span, its key's span
+//! and where its subtree ends. Strings and numbers stay in the text until somebody asks, so 100,000
+//! nodes cost a few megabytes.
 
 mod parser;
 mod scan;
@@ -131,17 +133,23 @@ impl Tree {
     pub(super) fn children(&self, at: At) -> impl Iterator<Item = At> + '_ {
         let end = self.item(at).next;
         let within = move |child: u32| (child < end).then_some(child);
-        std::iter::successors(within(at.0 + 1), move |&child| within(self.items[child as usize].next)).map(At)
+        std::iter::successors(within(at.0 + 1), move |&child| {
+            within(self.items[child as usize].next)
+        })
+        .map(At)
     }
 
     /// The member of that name, if there is one.
     pub(super) fn member(&self, at: At, name: &str) -> Option<At> {
-        (self.kind(at) == Kind::Object).then(|| self.children(at).find(|&child| self.key(child) == name)).flatten()
+        (self.kind(at) == Kind::Object)
+            .then(|| self.children(at).find(|&child| self.key(child) == name))
+            .flatten()
     }
 
     /// The value with everything in it, as serde_json holds it; what is no JSON becomes null.
     ///
-    /// Recursive, which is safe: the parser lets nothing through that is nested deeper than [`parser::MAX_DEPTH`].
+    /// Recursive, which is safe: the parser lets nothing through that is nested deeper than
+    /// [`parser::MAX_DEPTH`].
     pub(super) fn to_json(&self, at: At) -> serde_json::Value {
         match self.kind(at) {
             Kind::Null | Kind::Bad => serde_json::Value::Null,
@@ -150,7 +158,9 @@ impl Tree {
             Kind::Text => scan::unquote(self.raw(at)).into_owned().into(),
             Kind::List => self.children(at).map(|child| self.to_json(child)).collect(),
             Kind::Object => serde_json::Value::Object(
-                self.children(at).map(|child| (self.key(child).into_owned(), self.to_json(child))).collect(),
+                self.children(at)
+                    .map(|child| (self.key(child).into_owned(), self.to_json(child)))
+                    .collect(),
             ),
         }
     }

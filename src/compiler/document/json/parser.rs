@@ -1,6 +1,8 @@
-//! A JSON parser that tells every mistake and goes on behind it, so that an editor can open what is left.
+//! A JSON parser that tells every mistake and goes on behind it, so that an editor can open what is
+//! left.
 //!
-//! It keeps its own stack of open lists and objects, so nesting costs no call stack, and it stops at stated bounds.
+//! It keeps its own stack of open lists and objects, so nesting costs no call stack, and it stops
+//! at stated bounds.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -25,13 +27,25 @@ pub(in crate::document) fn parse(text: &Arc<str>, lines: &Lines, problems: &mut 
     let mut tree = Tree { text: text.clone(), items: Vec::new(), cut: true };
     if text.len() > MAX_BYTES {
         let mib = text.len().div_ceil(1 << 20);
-        let message = format!("the file is {mib} MiB long; a document has at most {} MiB", MAX_BYTES >> 20);
-        problems
-            .push(0, Diagnostic::error("too-large", message).hint("keep big data in files that the document names"));
+        let message =
+            format!("the file is {mib} MiB long; a document has at most {} MiB", MAX_BYTES >> 20);
+        problems.push(
+            0,
+            Diagnostic::error("too-large", message)
+                .hint("keep big data in files that the document names"),
+        );
         return tree;
     }
-    let mut parser =
-        Parser { text, lines, problems, at: 0, items: Vec::new(), open: Vec::new(), mistakes: 0, reading: None };
+    let mut parser = Parser {
+        text,
+        lines,
+        problems,
+        at: 0,
+        items: Vec::new(),
+        open: Vec::new(),
+        mistakes: 0,
+        reading: None,
+    };
     let cut = !parser.document();
     tree.items = parser.items;
     tree.cut = cut;
@@ -89,16 +103,23 @@ impl<'t> Parser<'t> {
         let is_string = self.peek() == Some(b'"');
         self.value(0..0);
         if is_string && self.items.iter().all(|item| item.kind == Kind::Bad) && self.mistakes == 0 {
-            self.problem(self.at, Diagnostic::error("truncated", "the file ends in the middle of a string"));
+            self.problem(
+                self.at,
+                Diagnostic::error("truncated", "the file ends in the middle of a string"),
+            );
         }
         while !self.open.is_empty() {
             if self.mistakes > MAX_MISTAKES {
-                let message = format!("more than {MAX_MISTAKES} mistakes: the rest of the file is not looked at");
+                let message = format!(
+                    "more than {MAX_MISTAKES} mistakes: the rest of the file is not looked at"
+                );
                 self.problems.push(self.at, Diagnostic::error("too-many-mistakes", message));
             } else if self.items.len() > MAX_VALUES {
                 let message = format!("the document has more than {MAX_VALUES} values");
-                self.problems
-                    .push(self.at, Diagnostic::error("too-many", message).hint("split it into several documents"));
+                self.problems.push(
+                    self.at,
+                    Diagnostic::error("too-many", message).hint("split it into several documents"),
+                );
             } else if self.step() {
                 continue;
             }
@@ -107,7 +128,8 @@ impl<'t> Parser<'t> {
         }
         self.space();
         if self.peek().is_some() {
-            let problem = Diagnostic::error("syntax", "there is more text after the end of the document");
+            let problem =
+                Diagnostic::error("syntax", "there is more text after the end of the document");
             self.problems.push(self.at, problem.hint("remove it; a file holds one document"));
         }
         true
@@ -137,7 +159,11 @@ impl<'t> Parser<'t> {
             (Some(_), Expects::Comma) if begins_value(next) => {
                 open.expects = Expects::AfterComma(self.at);
                 let end = self.text[..self.at].trim_end().len();
-                self.mistake(end, "a comma is missing here", "write `,` between one item and the next");
+                self.mistake(
+                    end,
+                    "a comma is missing here",
+                    "write `,` between one item and the next",
+                );
             }
             (Some(_), Expects::Comma) => self.unexpected(),
             (Some(_), _) => return self.item(),
@@ -183,7 +209,11 @@ impl<'t> Parser<'t> {
             }
             Some(_) => {
                 let name = short(&self.text[key.clone()]);
-                self.mistake(self.at, &format!("{name} has no `:` and no value"), "write `\"name\": value`");
+                self.mistake(
+                    self.at,
+                    &format!("{name} has no `:` and no value"),
+                    "write `\"name\": value`",
+                );
                 if !begins_value(self.peek()) {
                     self.push(Kind::Bad, self.at, key);
                     return true;
@@ -193,23 +223,27 @@ impl<'t> Parser<'t> {
         self.space();
         if matches!(self.peek(), Some(b',' | b'}' | b']')) {
             let name = short(&self.text[key.clone()]);
-            self.mistake(self.at, &format!("{name} has no value"), "write one, or remove the field");
+            self.mistake(
+                self.at,
+                &format!("{name} has no value"),
+                "write one, or remove the field",
+            );
             self.push(Kind::Bad, self.at, key);
             return true;
         }
         self.value(key)
     }
 
-    /// Whether a list's last string is followed by `:`, so that it is the next name of the object around the list.
+    /// Whether a list's last string is followed by `:`, so that it is the next name of the object
+    /// around the list.
     fn is_name_in_list(&self) -> bool {
         let [.., around, list] = &self.open[..] else { return false };
         self.peek() == Some(b':')
             && around.is_object
             && !list.is_object
-            && self
-                .items
-                .last()
-                .is_some_and(|last| last.kind == Kind::Text && self.text[last.end as usize..self.at].trim().is_empty())
+            && self.items.last().is_some_and(|last| {
+                last.kind == Kind::Text && self.text[last.end as usize..self.at].trim().is_empty()
+            })
     }
 
     /// Closes a list that somebody forgot to close, and goes on with the member after it.
@@ -250,8 +284,12 @@ impl<'t> Parser<'t> {
 
     fn open(&mut self, is_object: bool, key: Range<usize>) -> bool {
         if self.open.len() >= MAX_DEPTH {
-            let message = format!("lists and objects lie in each other more than {MAX_DEPTH} deep here");
-            self.problem(self.at, Diagnostic::error("too-deep", message).hint("no field of a document needs this"));
+            let message =
+                format!("lists and objects lie in each other more than {MAX_DEPTH} deep here");
+            self.problem(
+                self.at,
+                Diagnostic::error("too-deep", message).hint("no field of a document needs this"),
+            );
             return false;
         }
         let item = self.items.len();
@@ -267,7 +305,11 @@ impl<'t> Parser<'t> {
         let is_object = self.text.as_bytes()[self.at] == b'}';
         let Some(depth) = self.open.iter().rposition(|open| open.is_object == is_object) else {
             let found = &self.text[self.at..=self.at];
-            self.mistake(self.at, &format!("there is a `{found}` that nothing has opened"), "remove it");
+            self.mistake(
+                self.at,
+                &format!("there is a `{found}` that nothing has opened"),
+                "remove it",
+            );
             self.at += 1;
             return;
         };
@@ -305,9 +347,15 @@ impl<'t> Parser<'t> {
         let Some(open) = self.open.last() else { return };
         let what = if open.is_object { "object" } else { "list" };
         let from = self.lines.at(self.text, self.items[open.item].start as usize);
-        let message = format!("the file ends in the middle: the {what} opened at {} is not closed", line_column(from));
+        let message = format!(
+            "the file ends in the middle: the {what} opened at {} is not closed",
+            line_column(from)
+        );
         let problem = Diagnostic::error("truncated", message);
-        self.problem(self.at, problem.hint("take the whole file from where it came from, or close what is open"));
+        self.problem(
+            self.at,
+            problem.hint("take the whole file from where it came from, or close what is open"),
+        );
     }
 
     fn push(&mut self, kind: Kind, start: usize, key: Range<usize>) {
@@ -366,7 +414,8 @@ fn empty() -> Diagnostic {
 }
 
 fn not_json(text: &str, at: usize) -> Diagnostic {
-    let begin: String = text[at..].chars().take(12).map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let begin: String =
+        text[at..].chars().take(12).map(|c| if c.is_control() { ' ' } else { c }).collect();
     let message = format!("this is not JSON: it begins with `{}`", begin.trim_end());
     Diagnostic::error("not-json", message).hint("a document is JSON and begins with `{`")
 }

@@ -2,7 +2,8 @@
 
 use std::borrow::Cow;
 
-/// The text of a string literal, without its quotes; mistakes become U+FFFD. A bare word is taken as it is.
+/// The text of a string literal, without its quotes; mistakes become U+FFFD. A bare word is taken
+/// as it is.
 pub(super) fn unquote(raw: &str) -> Cow<'_, str> {
     let Some(quote) = raw.chars().next().filter(|c| matches!(c, '"' | '\'')) else {
         return Cow::Borrowed(raw);
@@ -24,7 +25,8 @@ pub(super) fn unquote(raw: &str) -> Cow<'_, str> {
     Cow::Owned(text)
 }
 
-/// The character that an escape at the beginning of `text` stands for, and the escape's length in bytes.
+/// The character that an escape at the beginning of `text` stands for, and the escape's length in
+/// bytes.
 pub(super) fn escape(text: &str) -> Option<(char, usize)> {
     let c = match text.as_bytes().get(1)? {
         b'"' => '"',
@@ -45,7 +47,11 @@ pub(super) fn escape(text: &str) -> Option<(char, usize)> {
 fn unicode_escape(text: &str) -> Option<(char, usize)> {
     let unit = |text: &str| {
         let digits = text.strip_prefix("\\u")?.get(..4)?;
-        digits.bytes().all(|b| b.is_ascii_hexdigit()).then(|| u32::from_str_radix(digits, 16).ok()).flatten()
+        digits
+            .bytes()
+            .all(|b| b.is_ascii_hexdigit())
+            .then(|| u32::from_str_radix(digits, 16).ok())
+            .flatten()
     };
     let first = unit(text)?;
     if let Some(c) = char::from_u32(first) {
@@ -57,7 +63,8 @@ fn unicode_escape(text: &str) -> Option<(char, usize)> {
     is_pair.then(|| char::from_u32(code).map(|c| (c, 12))).flatten()
 }
 
-/// Whether the text is a number as JSON spells it: no leading `+`, `.` or `0`, digits on both sides of a point.
+/// Whether the text is a number as JSON spells it: no leading `+`, `.` or `0`, digits on both sides
+/// of a point.
 pub(super) fn is_json_number(text: &str) -> bool {
     let digits = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
     let text = text.strip_prefix('-').unwrap_or(text);
@@ -72,7 +79,8 @@ pub(super) fn is_json_number(text: &str) -> bool {
     digits(whole)
         && (whole.len() == 1 || !whole.starts_with('0'))
         && fraction.is_none_or(digits)
-        && exponent.is_none_or(|exponent| digits(exponent.strip_prefix(['+', '-']).unwrap_or(exponent)))
+        && exponent
+            .is_none_or(|exponent| digits(exponent.strip_prefix(['+', '-']).unwrap_or(exponent)))
 }
 
 /// A number as serde_json holds it: whole ones of up to 64 bits stay whole.
@@ -91,5 +99,9 @@ pub(super) fn json_number(raw: &str) -> serde_json::Value {
 /// The shortest text that reads back as the same number: `1`, `0.35`, `1e-7`.
 pub(super) fn format_number(number: f64) -> String {
     let magnitude = number.abs();
-    if magnitude == 0.0 || (1e-5..1e16).contains(&magnitude) { format!("{number}") } else { format!("{number:e}") }
+    if magnitude == 0.0 || (1e-5..1e16).contains(&magnitude) {
+        format!("{number}")
+    } else {
+        format!("{number:e}")
+    }
 }

@@ -15,7 +15,9 @@ fn parsed(text: &str) -> (Tree, Vec<Diagnostic>) {
 
 /// The messages of what is wrong, with line and column.
 fn told(text: &str) -> Vec<String> {
-    let at = |d: &Diagnostic| d.place.at.map_or_else(String::new, |at| format!("{}:{} ", at.line, at.column));
+    let at = |d: &Diagnostic| {
+        d.place.at.map_or_else(String::new, |at| format!("{}:{} ", at.line, at.column))
+    };
     parsed(text).1.iter().map(|d| at(d) + &d.message).collect()
 }
 
@@ -33,7 +35,8 @@ proptest! {
         }
     }
 
-    /// Whatever the text, the items make a tree: children lie in their parents, one after the other.
+    /// Whatever the text, the items make a tree: children lie in their parents, one after the
+    /// other.
     #[test]
     fn items_make_a_tree(text in r#"(\{|\}|\[|\]|,|:|"a"|'b|"|1|x|/\*|//|\n|é){0,40}"#) {
         let (tree, _) = parsed(&text);
@@ -71,13 +74,20 @@ fn mistakes_are_told_and_the_rest_is_read() {
     assert_eq!(told("[\"a\n, 1]"), ["1:2 the string is not closed on its line"]);
     assert_eq!(told("[\"C:\\models\"]"), ["1:5 `\\m` is no escape of JSON"]);
     assert_eq!(told("{\"a\": [1, 2}"), ["1:12 the list opened at line 1, column 7 is not closed"]);
-    assert_eq!(told("{\"a\": [1,\n \"b\": 2}"), ["2:2 the list opened at line 1, column 7 is not closed"]);
+    assert_eq!(
+        told("{\"a\": [1,\n \"b\": 2}"),
+        ["2:2 the list opened at line 1, column 7 is not closed"]
+    );
     assert_eq!(told("[1]]"), ["1:4 there is more text after the end of the document"]);
-    assert_eq!(told("[-Infinity, nan]"), ["1:2 `-Infinity` is no finite number", "1:13 `nan` is no finite number"]);
+    assert_eq!(
+        told("[-Infinity, nan]"),
+        ["1:2 `-Infinity` is no finite number", "1:13 `nan` is no finite number"]
+    );
 
     let (tree, _) = parsed("{'a': [1, 2 3,], b = {\"c\": .5, \"d\": tru}, \"e\": [4, \"f\": 5}");
     let json = tree.to_json(tree.root().unwrap());
-    let expected = serde_json::json!({ "a": [1, 2, 3], "b": { "c": null, "d": null }, "e": [4], "f": 5 });
+    let expected =
+        serde_json::json!({ "a": [1, 2, 3], "b": { "c": null, "d": null }, "e": [4], "f": 5 });
     assert_eq!(json, expected);
 }
 
@@ -102,7 +112,8 @@ fn strings_are_unquoted() {
     let (tree, problems) = parsed(r#"["\u0041\n\"\\\/\ud83d\ude00", "plain é"]"#);
     assert!(problems.is_empty());
     let root = tree.root().unwrap();
-    let strings: Vec<_> = tree.children(root).map(|at| tree.string(at).unwrap().into_owned()).collect();
+    let strings: Vec<_> =
+        tree.children(root).map(|at| tree.string(at).unwrap().into_owned()).collect();
     assert_eq!(strings, ["A\n\"\\/😀", "plain é"]);
     assert_eq!(tree.kind(root), Kind::List);
 }

@@ -1,4 +1,5 @@
-//! What the parser reads without looking at what is open: strings, numbers, words, white space, and what is none of them.
+//! What the parser reads without looking at what is open: strings, numbers, words, white space, and
+//! what is none of them.
 
 use super::Kind;
 use super::parser::{Parser, short};
@@ -32,7 +33,11 @@ impl<'t> Parser<'t> {
                 }
                 0..0x20 if !has_control => {
                     has_control = true;
-                    self.mistake(self.at, "there is a control character in the string", "write a tab as `\\t`");
+                    self.mistake(
+                        self.at,
+                        "there is a control character in the string",
+                        "write a tab as `\\t`",
+                    );
                     self.at += 1;
                 }
                 _ if c == quote => {
@@ -56,15 +61,24 @@ impl<'t> Parser<'t> {
             Some('\n' | '\r') => self.at += 1,
             Some(c) => {
                 let message = format!("`\\{c}` is no escape of JSON");
-                self.mistake(self.at, &message, "write a backslash itself as `\\\\`; paths may use `/`");
-                self.at += if c.is_ascii() && !c.is_ascii_control() { 1 + usize::from(c != '"') } else { 1 };
+                self.mistake(
+                    self.at,
+                    &message,
+                    "write a backslash itself as `\\\\`; paths may use `/`",
+                );
+                self.at += if c.is_ascii() && !c.is_ascii_control() {
+                    1 + usize::from(c != '"')
+                } else {
+                    1
+                };
             }
         }
     }
 
     pub(super) fn number(&mut self) -> Kind {
         let start = self.at;
-        let end = self.text[start..].find(|c: char| !(c.is_ascii_alphanumeric() || "+-._".contains(c)));
+        let end =
+            self.text[start..].find(|c: char| !(c.is_ascii_alphanumeric() || "+-._".contains(c)));
         self.at = end.map_or(self.text.len(), |end| start + end);
         let text = &self.text[start..self.at];
         if self.at == self.text.len() && self.is_inside() {
@@ -93,7 +107,8 @@ impl<'t> Parser<'t> {
         let message = format!("`{}` is no finite number", short(text));
         self.problem(
             start,
-            Diagnostic::error("not-finite", message).hint("write a number that is not beyond all bounds"),
+            Diagnostic::error("not-finite", message)
+                .hint("write a number that is not beyond all bounds"),
         );
     }
 
@@ -108,7 +123,9 @@ impl<'t> Parser<'t> {
             _ if self.at == self.text.len() && self.is_inside() => return Kind::Bad, // Cut off.
             "True" | "TRUE" | "yes" | "on" => "write true".to_owned(),
             "False" | "FALSE" | "no" | "off" => "write false".to_owned(),
-            "None" | "nil" | "undefined" | "NULL" | "Null" => "leave the field out, or write null".to_owned(),
+            "None" | "nil" | "undefined" | "NULL" | "Null" => {
+                "leave the field out, or write null".to_owned()
+            }
             _ if is_not_finite(word) => {
                 self.not_finite(start, word);
                 return Kind::Bad;
@@ -132,8 +149,9 @@ impl<'t> Parser<'t> {
         let start = self.at;
         let rest = &self.text[start..];
         let first = rest.chars().next().map_or(0, char::len_utf8);
-        let more =
-            rest[first..].find(|c: char| c.is_whitespace() || "{}[],\"".contains(c)).unwrap_or(rest.len() - first);
+        let more = rest[first..]
+            .find(|c: char| c.is_whitespace() || "{}[],\"".contains(c))
+            .unwrap_or(rest.len() - first);
         self.at += first + more;
         let message = format!("did not expect `{}` here", short(&self.text[start..self.at]));
         self.mistake(start, &message, "remove it");
@@ -152,7 +170,11 @@ impl<'t> Parser<'t> {
             } else {
                 return;
             };
-            self.mistake(self.at, "JSON has no comments", "remove it, or say it in a `name`, `title` or `help`");
+            self.mistake(
+                self.at,
+                "JSON has no comments",
+                "remove it, or say it in a `name`, `title` or `help`",
+            );
             self.at += length;
         }
     }

@@ -110,7 +110,9 @@ impl Writer {
 
     /// The members that the shape does not know, at the end of its object.
     pub(in crate::document) fn unknown(&mut self, shape: &Shape, unknown: Option<&Unknown>) {
-        for (name, value) in unknown.into_iter().flatten().filter(|(name, _)| shape.field(name).is_none()) {
+        for (name, value) in
+            unknown.into_iter().flatten().filter(|(name, _)| shape.field(name).is_none())
+        {
             self.member(name, |w| w.json(value));
         }
     }

@@ -7,19 +7,24 @@ use flate2::Crc;
 pub struct OutputKind<'a> {
     /// What people read, such as "a picture"; empty where no earlier output can be known.
     pub name: &'a str,
-    /// Whether bytes are those of an earlier output of this kind, as Chiaro wrote it. Such a file is replaced unasked.
+    /// Whether bytes are those of an earlier output of this kind, as Chiaro wrote it. Such a file
+    /// is replaced unasked.
     pub is_own: &'a dyn Fn(&[u8]) -> bool,
     /// Whether files of this kind are PNGs that are written with a seal.
     pub has_seal: bool,
 }
 
 impl OutputKind<'_> {
-    /// What people work on: a look, a scene, an HCBTF, or what is exported to be painted on. It is never replaced unasked.
-    pub const DOCUMENT: OutputKind<'static> = OutputKind { name: "", is_own: &|_| false, has_seal: false };
+    /// What people work on: a look, a scene, an HCBTF, or what is exported to be painted on. It is
+    /// never replaced unasked.
+    pub const DOCUMENT: OutputKind<'static> =
+        OutputKind { name: "", is_own: &|_| false, has_seal: false };
     /// A picture that was rendered.
-    pub const PICTURE: OutputKind<'static> = OutputKind { name: "a picture", is_own: &is_sealed, has_seal: true };
+    pub const PICTURE: OutputKind<'static> =
+        OutputKind { name: "a picture", is_own: &is_sealed, has_seal: true };
     /// A drawing of a graph or a plot, as SVG.
-    pub const DRAWING: OutputKind<'static> = OutputKind { name: "a drawing", is_own: &is_drawing, has_seal: false };
+    pub const DRAWING: OutputKind<'static> =
+        OutputKind { name: "a drawing", is_own: &is_drawing, has_seal: false };
 
     pub(super) fn is_document(&self) -> bool {
         self.name.is_empty()
@@ -34,8 +39,9 @@ const SEAL: &[u8] = b"tEXtSoftware\0Chiaro ";
 /// A chunk's length and its checksum, the words, and the number in hexadecimal.
 const SEAL_BYTES: usize = 4 + SEAL.len() + 8 + 4;
 
-/// A PNG with a seal: the program that made it, which a PNG may say, and a checksum of all the rest. A picture that was
-/// painted on since does not match it, even if the painting program keeps the text. Other bytes are left as they are.
+/// A PNG with a seal: the program that made it, which a PNG may say, and a checksum of all the
+/// rest. A picture that was painted on since does not match it, even if the painting program keeps
+/// the text. Other bytes are left as they are.
 pub(super) fn sealed(png: &[u8]) -> Vec<u8> {
     if !png.starts_with(SIGNATURE) || png.len() < AFTER_HEADER || is_sealed(png) {
         return png.to_vec();
@@ -50,7 +56,8 @@ pub(super) fn sealed(png: &[u8]) -> Vec<u8> {
 fn is_sealed(png: &[u8]) -> bool {
     let Some((head, rest)) = png.split_at_checked(AFTER_HEADER) else { return false };
     let Some((seal, rest)) = rest.split_at_checked(SEAL_BYTES) else { return false };
-    let number = seal[4..].strip_prefix(SEAL).and_then(|rest| std::str::from_utf8(rest.get(..8)?).ok());
+    let number =
+        seal[4..].strip_prefix(SEAL).and_then(|rest| std::str::from_utf8(rest.get(..8)?).ok());
     let number = number.and_then(|digits| u32::from_str_radix(digits, 16).ok());
     head.starts_with(SIGNATURE) && number == Some(checksum(&[head, rest]))
 }
@@ -62,12 +69,14 @@ fn checksum(parts: &[&[u8]]) -> u32 {
     crc.sum()
 }
 
-/// Whether a text is an SVG as Chiaro writes its graphs and plots: other programs begin in other ways, and one that was
-/// edited in such a program begins as that has it.
+/// Whether a text is an SVG as Chiaro writes its graphs and plots: other programs begin in other
+/// ways, and one that was edited in such a program begins as that has it.
 fn is_drawing(bytes: &[u8]) -> bool {
     const BEGINS: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"";
-    const FACES: [&str; 2] =
-        ["font-family=\"system-ui, sans-serif\" font-size=\"", "font-family=\"sans-serif\" font-size=\""];
+    const FACES: [&str; 2] = [
+        "font-family=\"system-ui, sans-serif\" font-size=\"",
+        "font-family=\"sans-serif\" font-size=\"",
+    ];
     let head = String::from_utf8_lossy(&bytes[..bytes.len().min(400)]);
     let line = head.lines().next().unwrap_or_default();
     line.starts_with(BEGINS) && line.ends_with('>') && FACES.iter().any(|face| line.contains(face))
@@ -96,7 +105,8 @@ mod tests {
         for cut in 0..with_seal.len() {
             assert!(!is_sealed(&with_seal[..cut]), "{cut}");
         }
-        // The text is kept, as by programs that keep what they do not know, and the picture is another one.
+        // The text is kept, as by programs that keep what they do not know, and the picture is
+        // another one.
         let last = with_seal.len() - 20;
         with_seal[last] ^= 1;
         assert!(!is_sealed(&with_seal));
@@ -110,7 +120,8 @@ mod tests {
         for other in [
             "",
             "{\"chiaro\": \"look\"}",
-            "<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 1 1\" font-family=\"sans-serif\"/>",
+            "<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 1 \
+             1\" font-family=\"sans-serif\"/>",
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 1 1\"></svg>",
         ] {
             assert!(!is_drawing(other.as_bytes()), "{other}");

@@ -1,8 +1,9 @@
 //! What commands write, guarded: nothing that somebody made is lost by a mistyped name.
 //!
-//! [`Outputs`] is the one way by which a command, or the window for it, writes files. It knows what the command reads and
-//! refuses to write over that; over anything else that is there it writes only what it knows for an earlier output of the
-//! same [`OutputKind`], unless it is forced. All files of one [`Outputs::commit`] come together.
+//! [`Outputs`] is the one way by which a command, or the window for it, writes files. It knows what
+//! the command reads and refuses to write over that; over anything else that is there it writes
+//! only what it knows for an earlier output of the same [`OutputKind`], unless it is forced. All
+//! files of one [`Outputs::commit`] come together.
 
 mod kind;
 mod staging;
@@ -25,7 +26,8 @@ const MAX_KNOWN: u64 = 1 << 30;
 /// A file by what it is and not by what it is called: links and `..` lead to the same.
 #[derive(Clone, Debug)]
 struct Identity {
-    /// Its place, without links: another program may put another file there while the command works.
+    /// Its place, without links: another program may put another file there while the command
+    /// works.
     place: PathBuf,
     /// The numbers of its device and of itself, which all of its names have in common.
     #[cfg(unix)]
@@ -71,30 +73,36 @@ pub struct Outputs {
 }
 
 impl Outputs {
-    /// Outputs of a command that reads nothing yet. With `is_forced`, files that somebody made are replaced, too; but not
-    /// what the command reads.
+    /// Outputs of a command that reads nothing yet. With `is_forced`, files that somebody made are
+    /// replaced, too; but not what the command reads.
     pub fn new(is_forced: bool) -> Self {
         Self { is_forced, ..Self::default() }
     }
 
-    /// A file that the command reads, or a folder: of that, the documents and nodes in it. What there is not is no matter.
+    /// A file that the command reads, or a folder: of that, the documents and nodes in it. What
+    /// there is not is no matter.
     pub fn reads(&mut self, path: &Path) {
         let mut open = vec![(path.to_owned(), 0)];
         while let Some((path, depth)) = open.pop() {
             if path.is_dir() {
-                let entries = fs::read_dir(&path).into_iter().flatten().flatten().map(|entry| entry.path());
+                let entries =
+                    fs::read_dir(&path).into_iter().flatten().flatten().map(|entry| entry.path());
                 let is_read = |path: &PathBuf| {
-                    let is_source = path.extension().is_some_and(|ending| ending == "json" || ending == "wgsl");
+                    let is_source =
+                        path.extension().is_some_and(|ending| ending == "json" || ending == "wgsl");
                     is_source || depth < MAX_DEPTH && path.is_dir()
                 };
                 open.extend(entries.filter(is_read).map(|path| (path, depth + 1)));
-            } else if let Some(identity) = Identity::of(&path).filter(|_| self.inputs.len() < MAX_FILES) {
+            } else if let Some(identity) =
+                Identity::of(&path).filter(|_| self.inputs.len() < MAX_FILES)
+            {
                 self.inputs.push((identity, path));
             }
         }
     }
 
-    /// A document that the command reads and writes back: a document may replace it, under whatever name, and nothing else.
+    /// A document that the command reads and writes back: a document may replace it, under whatever
+    /// name, and nothing else.
     pub fn changes(&mut self, path: &Path) {
         self.changed.extend(Identity::of(path).map(|identity| (identity, path.to_owned())));
     }
@@ -112,13 +120,19 @@ impl Outputs {
     ///
     /// # Errors
     /// As [`check`](Self::check), and `cannot-write`.
-    pub fn add(&mut self, path: &Path, kind: OutputKind<'_>, bytes: &[u8]) -> Result<(), Diagnostic> {
+    pub fn add(
+        &mut self,
+        path: &Path,
+        kind: OutputKind<'_>,
+        bytes: &[u8],
+    ) -> Result<(), Diagnostic> {
         let sealed = kind.has_seal.then(|| kind::sealed(bytes));
         let bytes = sealed.as_deref().unwrap_or(bytes);
         self.check_bytes(path, kind, Some(bytes))?;
         if self.added.iter().any(|added| added == path) {
             let message = "the same command would write two different files here";
-            return Err(in_file(Diagnostic::error("would-overwrite", message), path).hint("choose two names"));
+            return Err(in_file(Diagnostic::error("would-overwrite", message), path)
+                .hint("choose two names"));
         }
         self.set.add(path, bytes).map_err(|problem| *problem)?;
         self.added.push(path.to_owned());
@@ -130,7 +144,8 @@ impl Outputs {
         self.set.remove(path);
     }
 
-    /// Lets all files that were added be seen, in that order. More may be added afterwards, to be seen together later.
+    /// Lets all files that were added be seen, in that order. More may be added afterwards, to be
+    /// seen together later.
     ///
     /// # Errors
     /// `cannot-write`, as [`FileSet::commit`].
@@ -143,12 +158,22 @@ impl Outputs {
     ///
     /// # Errors
     /// As [`add`](Self::add) and [`commit`](Self::commit).
-    pub fn write(&mut self, path: &Path, kind: OutputKind<'_>, bytes: &[u8]) -> Result<(), Diagnostic> {
+    pub fn write(
+        &mut self,
+        path: &Path,
+        kind: OutputKind<'_>,
+        bytes: &[u8],
+    ) -> Result<(), Diagnostic> {
         self.add(path, kind, bytes)?;
         self.commit()
     }
 
-    fn check_bytes(&self, path: &Path, kind: OutputKind<'_>, new: Option<&[u8]>) -> Result<(), Diagnostic> {
+    fn check_bytes(
+        &self,
+        path: &Path,
+        kind: OutputKind<'_>,
+        new: Option<&[u8]>,
+    ) -> Result<(), Diagnostic> {
         let Some(identity) = Identity::of(path) else { return Ok(()) };
         let is_it = |(input, _): &&(Identity, PathBuf)| input.is(&identity);
         let changed = self.changed.iter().find(is_it);
@@ -159,7 +184,10 @@ impl Outputs {
             let message = if input == path {
                 "the same command reads this file, and would write over it".to_owned()
             } else {
-                format!("this is `{}`, which the same command reads and would write over", input.display())
+                format!(
+                    "this is `{}`, which the same command reads and would write over",
+                    input.display()
+                )
             };
             let problem = Diagnostic::error("would-overwrite", message);
             return Err(in_file(problem, path).hint("choose another name for what is written"));
@@ -186,7 +214,8 @@ fn in_file(problem: Diagnostic, path: &Path) -> Diagnostic {
     problem.in_file(path.display().to_string())
 }
 
-/// What a file holds; `None` where that cannot be read, or is too much for anything that Chiaro writes.
+/// What a file holds; `None` where that cannot be read, or is too much for anything that Chiaro
+/// writes.
 fn known_bytes(path: &Path) -> Option<Vec<u8>> {
     let mut bytes = Vec::new();
     File::open(path).ok()?.take(MAX_KNOWN + 1).read_to_end(&mut bytes).ok()?;
@@ -197,8 +226,11 @@ fn known_bytes(path: &Path) -> Option<Vec<u8>> {
 mod tests {
     use super::*;
 
-    const NOTE: OutputKind<'static> =
-        OutputKind { name: "a note", is_own: &|bytes| bytes.starts_with(b"note:"), has_seal: false };
+    const NOTE: OutputKind<'static> = OutputKind {
+        name: "a note",
+        is_own: &|bytes| bytes.starts_with(b"note:"),
+        has_seal: false,
+    };
 
     #[test]
     fn what_somebody_made_is_kept_and_what_was_written_before_is_replaced() {
@@ -212,11 +244,20 @@ mod tests {
         assert!(problem.code == "file-exists" && problem.message.contains("a note"), "{problem}");
         assert!(problem.hints[0].contains("--force"), "{problem}");
         assert_eq!(fs::read(&path).unwrap(), b"mine");
-        assert!(Outputs::new(false).write(&path, NOTE, b"mine").is_ok(), "nothing is lost by the same again");
-        assert_eq!(Outputs::new(false).check(&path, OutputKind::DOCUMENT).unwrap_err().code, "file-exists");
+        assert!(
+            Outputs::new(false).write(&path, NOTE, b"mine").is_ok(),
+            "nothing is lost by the same again"
+        );
+        assert_eq!(
+            Outputs::new(false).check(&path, OutputKind::DOCUMENT).unwrap_err().code,
+            "file-exists"
+        );
         Outputs::new(true).write(&path, NOTE, b"note: 4").unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"note: 4");
-        assert_eq!(Outputs::new(true).write(folder.path(), NOTE, b"").unwrap_err().code, "cannot-write");
+        assert_eq!(
+            Outputs::new(true).write(folder.path(), NOTE, b"").unwrap_err().code,
+            "cannot-write"
+        );
     }
 
     #[test]
@@ -228,8 +269,11 @@ mod tests {
             fs::write(path(name), "note: an input").unwrap();
         }
         let mut outputs = Outputs::new(true);
-        [path("look.json"), path("nodes"), path("there/is/none")].iter().for_each(|path| outputs.reads(path));
-        let mut names = vec!["look.json", "nodes/../look.json", "nodes/own.wgsl", "nodes/inner/group.json"];
+        [path("look.json"), path("nodes"), path("there/is/none")]
+            .iter()
+            .for_each(|path| outputs.reads(path));
+        let mut names =
+            vec!["look.json", "nodes/../look.json", "nodes/own.wgsl", "nodes/inner/group.json"];
         #[cfg(unix)]
         {
             std::os::unix::fs::symlink("look.json", path("link")).unwrap();
@@ -244,12 +288,18 @@ mod tests {
         }
         outputs.write(&path("nodes/image.png"), NOTE, b"note: new").unwrap();
         outputs.add(&path("twice"), NOTE, b"note: 1").unwrap();
-        assert_eq!(outputs.add(&path("twice"), NOTE, b"note: 2").unwrap_err().code, "would-overwrite");
+        assert_eq!(
+            outputs.add(&path("twice"), NOTE, b"note: 2").unwrap_err().code,
+            "would-overwrite"
+        );
 
         let mut changing = Outputs::new(false);
         changing.changes(&path("look.json"));
         changing.write(&path("nodes/../look.json"), OutputKind::DOCUMENT, b"changed").unwrap();
         assert_eq!(fs::read(path("look.json")).unwrap(), b"changed");
-        assert_eq!(changing.write(&path("look.json"), NOTE, b"note: new").unwrap_err().code, "would-overwrite");
+        assert_eq!(
+            changing.write(&path("look.json"), NOTE, b"note: new").unwrap_err().code,
+            "would-overwrite"
+        );
     }
 }

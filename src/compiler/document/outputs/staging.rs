@@ -1,11 +1,12 @@
-//! Files on their way into a folder: each is written under a temporary name beside its place, and all of a set then take
-//! their names one after another.
+//! Files on their way into a folder: each is written under a temporary name beside its place, and
+//! all of a set then take their names one after another.
 //!
 //! # Whose temporary files these are
-//! A set has one lock file in each folder, `.chiaro-RANDOM.tmp`, which its program holds locked while it lives; what the
-//! set writes there is called `.chiaro-RANDOM-NUMBER.tmp`. The system lets go of the lock when the program ends, however it
-//! ends, so whoever can lock such a file knows that its program is gone, and removes what is left of the set. Process
-//! numbers would not tell: they are used again, and differ between containers that share a folder.
+//! A set has one lock file in each folder, `.chiaro-RANDOM.tmp`, which its program holds locked
+//! while it lives; what the set writes there is called `.chiaro-RANDOM-NUMBER.tmp`. The system lets
+//! go of the lock when the program ends, however it ends, so whoever can lock such a file knows
+//! that its program is gone, and removes what is left of the set. Process numbers would not tell:
+//! they are used again, and differ between containers that share a folder.
 
 use std::collections::{BTreeSet, HashSet};
 use std::fs::{self, File, OpenOptions, Permissions, TryLockError};
@@ -23,7 +24,8 @@ use crate::diag::Diagnostic;
 const PREFIX: &str = ".chiaro-";
 const SUFFIX: &str = ".tmp";
 
-/// How often a lock file is made anew that another program took for one left behind before it was locked.
+/// How often a lock file is made anew that another program took for one left behind before it was
+/// locked.
 const TRIES: u32 = 16;
 
 /// What is half written by this program.
@@ -34,14 +36,16 @@ struct Unfinished {
     is_ending: bool,
 }
 
-static UNFINISHED: Mutex<Unfinished> = Mutex::new(Unfinished { files: BTreeSet::new(), is_ending: false });
+static UNFINISHED: Mutex<Unfinished> =
+    Mutex::new(Unfinished { files: BTreeSet::new(), is_ending: false });
 
 fn unfinished() -> MutexGuard<'static, Unfinished> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Removes files that are half written, for a program that is about to end in the middle of its work (Ctrl-C). A set whose
-/// files are just taking their names has taken them all when this returns.
+/// Removes files that are half written, for a program that is about to end in the middle of its
+/// work (Ctrl-C). A set whose files are just taking their names has taken them all when this
+/// returns.
 pub fn remove_unfinished() {
     let mut unfinished = unfinished();
     unfinished.is_ending = true;
@@ -55,9 +59,10 @@ fn ending() -> io::Error {
     io::Error::new(io::ErrorKind::Interrupted, "the program is ending")
 }
 
-/// Files that are seen together or not at all, as far as a file system has it: until [`commit`](Self::commit) there are
-/// temporary files only, and a set that is dropped before leaves nothing. Between two names that are taken only the end of
-/// the machine or of the program by force can come; the file that describes the others is added last, for it is seen last.
+/// Files that are seen together or not at all, as far as a file system has it: until
+/// [`commit`](Self::commit) there are temporary files only, and a set that is dropped before leaves
+/// nothing. Between two names that are taken only the end of the machine or of the program by force
+/// can come; the file that describes the others is added last, for it is seen last.
 #[derive(Debug, Default)]
 pub struct FileSet {
     folders: Vec<Folder>,
@@ -86,9 +91,9 @@ struct StagedFile {
 }
 
 impl FileSet {
-    /// Writes a file under a temporary name in the folder that `path` leads to. It will take the old file's permissions and,
-    /// as far as the system lets us, its owner and group. A link stays a link, and the file that it leads to is replaced, or
-    /// made where there is none.
+    /// Writes a file under a temporary name in the folder that `path` leads to. It will take the
+    /// old file's permissions and, as far as the system lets us, its owner and group. A link stays
+    /// a link, and the file that it leads to is replaced, or made where there is none.
     ///
     /// Not kept: other names of the same file (hard links), access lists, and extended attributes.
     ///
@@ -103,18 +108,20 @@ impl FileSet {
         self.removed.push(path);
     }
 
-    /// Lets every file take its name, in the order in which they were added. When this returns, the disk has the files
-    /// and their names.
+    /// Lets every file take its name, in the order in which they were added. When this returns, the
+    /// disk has the files and their names.
     ///
     /// # Errors
-    /// A diagnostic that names the file that could not; files of the set that replace none are then gone again.
+    /// A diagnostic that names the file that could not; files of the set that replace none are then
+    /// gone again.
     pub fn commit(mut self) -> Result<(), Box<Diagnostic>> {
         for file in &self.files {
             check_place(&file.target).map_err(|error| cannot_write(&file.named, &error))?;
         }
         self.take_names()?;
         for folder in &self.folders {
-            // New names are on the disk once the folder is. Not every system can do this, and the files are safe.
+            // New names are on the disk once the folder is. Not every system can do this, and the
+            // files are safe.
             if let Ok(folder) = File::open(&folder.path) {
                 let _ = folder.sync_all();
             }
@@ -152,9 +159,12 @@ impl FileSet {
             return Err(cannot_write(&file.named, &ending()));
         }
         let kept: HashSet<&Path> = self.files.iter().map(|file| file.target.as_path()).collect();
-        for path in self.removed.iter().filter(|path| !kept.contains(follow_links(path).as_path())) {
+        for path in self.removed.iter().filter(|path| !kept.contains(follow_links(path).as_path()))
+        {
             match fs::remove_file(path) {
-                Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(cannot_write(path, &error)),
+                Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                    return Err(cannot_write(path, &error));
+                }
                 _ => {}
             }
         }
@@ -218,20 +228,23 @@ impl Folder {
     /// Begins a file.
     fn create(&mut self) -> io::Result<(PathBuf, File)> {
         let lock = self.lock.path().to_string_lossy();
-        let temporary = PathBuf::from(format!("{}-{}{SUFFIX}", lock.trim_end_matches(SUFFIX), self.count));
+        let temporary =
+            PathBuf::from(format!("{}-{}{SUFFIX}", lock.trim_end_matches(SUFFIX), self.count));
         self.count += 1;
         let mut unfinished = unfinished();
         if unfinished.is_ending {
             return Err(ending());
         }
-        // As any other program would make it here: the system's mask takes away from its permissions.
+        // As any other program would make it here: the system's mask takes away from its
+        // permissions.
         let file = OpenOptions::new().write(true).create_new(true).open(&temporary)?;
         unfinished.files.insert(temporary.clone());
         Ok((temporary, file))
     }
 }
 
-/// What is at a place that a file is to be written to. Refuses a folder and what may not be written.
+/// What is at a place that a file is to be written to. Refuses a folder and what may not be
+/// written.
 fn check_place(target: &Path) -> io::Result<Option<fs::Metadata>> {
     let Ok(old) = fs::metadata(target) else { return Ok(None) };
     if old.is_dir() {
@@ -245,7 +258,10 @@ fn check_place(target: &Path) -> io::Result<Option<fs::Metadata>> {
 
 fn cannot_write(path: &Path, error: &io::Error) -> Box<Diagnostic> {
     let missing = path.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.exists());
-    let why = missing.map_or_else(|| reason(error), |folder| format!("there is no folder `{}`", folder.display()));
+    let why = missing.map_or_else(
+        || reason(error),
+        |folder| format!("there is no folder `{}`", folder.display()),
+    );
     let hint = match error.kind() {
         io::ErrorKind::NotFound => "make the folder first, or choose another place",
         io::ErrorKind::PermissionDenied => "you may not write here: choose another place",
@@ -255,7 +271,9 @@ fn cannot_write(path: &Path, error: &io::Error) -> Box<Diagnostic> {
     };
     let state = if path.exists() { "; the old file is as it was" } else { "" };
     let message = format!("cannot write the file: {why}{state}");
-    Box::new(Diagnostic::error("cannot-write", message).in_file(path.display().to_string()).hint(hint))
+    Box::new(
+        Diagnostic::error("cannot-write", message).in_file(path.display().to_string()).hint(hint),
+    )
 }
 
 /// Why a write failed, without the name of the temporary file, which would tell nobody anything.
@@ -279,7 +297,8 @@ fn follow_links(path: &Path) -> PathBuf {
     target
 }
 
-/// Gives a file the owner, group and permissions of another. A group that cannot be kept gets no more than everybody has.
+/// Gives a file the owner, group and permissions of another. A group that cannot be kept gets no
+/// more than everybody has.
 #[cfg(unix)]
 fn keep_owner_and_permissions(file: &File, old: &fs::Metadata) -> io::Result<()> {
     use std::os::unix::fs::{MetadataExt, PermissionsExt, fchown};
@@ -306,7 +325,9 @@ pub fn remove_abandoned(folder: &Path) {
     let mut files: Vec<(String, PathBuf)> = Vec::new();
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         let name = entry.file_name();
-        let Some(own) = name.to_str().and_then(|name| name.strip_prefix(PREFIX)?.strip_suffix(SUFFIX)) else {
+        let Some(own) =
+            name.to_str().and_then(|name| name.strip_prefix(PREFIX)?.strip_suffix(SUFFIX))
+        else {
             continue;
         };
         let set = own.split_once('-').map_or(own, |(set, _)| set);
@@ -317,7 +338,8 @@ pub fn remove_abandoned(folder: &Path) {
     }
     for set in sets {
         let lock = folder.join(format!("{PREFIX}{set}{SUFFIX}"));
-        let of_set: Vec<&Path> = files.iter().filter(|(of, _)| *of == set).map(|(_, path)| path.as_path()).collect();
+        let of_set: Vec<&Path> =
+            files.iter().filter(|(of, _)| *of == set).map(|(_, path)| path.as_path()).collect();
         let newest = of_set.last().copied().unwrap_or(&lock);
         if_abandoned(&lock, newest, || {
             // What cannot be removed does no harm. The lock goes last, while it is held.
@@ -328,8 +350,8 @@ pub fn remove_abandoned(folder: &Path) {
     }
 }
 
-/// Calls `remove` where the program whose lock this is has gone, and holds the lock meanwhile, against others that look for
-/// what was left behind. `file` is one of the set.
+/// Calls `remove` where the program whose lock this is has gone, and holds the lock meanwhile,
+/// against others that look for what was left behind. `file` is one of the set.
 fn if_abandoned(lock: &Path, file: &Path, remove: impl FnOnce()) {
     // Opened for writing, because some file systems lock no other.
     match OpenOptions::new().read(true).write(true).open(lock) {
@@ -357,7 +379,8 @@ mod tests {
 
     fn names(folder: &Path) -> Vec<String> {
         let entries = fs::read_dir(folder).unwrap();
-        let mut names: Vec<String> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        let mut names: Vec<String> =
+            entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
         names.sort();
         names
     }
@@ -379,10 +402,17 @@ mod tests {
         };
         let set = stage();
         let seen = names(folder.path());
-        assert_eq!(seen.iter().filter(|name| !name.starts_with(PREFIX)).collect::<Vec<_>>(), ["old.txt", "stale.txt"]);
+        assert_eq!(
+            seen.iter().filter(|name| !name.starts_with(PREFIX)).collect::<Vec<_>>(),
+            ["old.txt", "stale.txt"]
+        );
         assert_eq!(fs::read_to_string(path("old.txt")).unwrap(), "before");
         drop(set);
-        assert_eq!(names(folder.path()), ["old.txt", "stale.txt"], "nothing is left of what was not committed");
+        assert_eq!(
+            names(folder.path()),
+            ["old.txt", "stale.txt"],
+            "nothing is left of what was not committed"
+        );
         stage().commit().unwrap();
         assert_eq!(names(folder.path()), ["index.txt", "new.txt", "old.txt"]);
         assert_eq!(fs::read_to_string(path("old.txt")).unwrap(), "after");
@@ -412,13 +442,18 @@ mod tests {
         let beside: Vec<String> = names(folder.path());
         assert_eq!(beside.len(), 2, "a lock and a file");
         // Of a program that was killed, and of one that was killed while it ended.
-        for name in [".chiaro-dead.tmp", ".chiaro-dead-0.tmp", ".chiaro-dead-1.tmp", ".chiaro-gone-7.tmp"] {
+        for name in
+            [".chiaro-dead.tmp", ".chiaro-dead-0.tmp", ".chiaro-dead-1.tmp", ".chiaro-gone-7.tmp"]
+        {
             fs::write(path(name), "half").unwrap();
         }
         let mut other = FileSet::default();
         other.add(&path("other.txt"), b"other").unwrap();
         let left = names(folder.path());
-        assert!(!left.iter().any(|name| name.contains("dead") || name.contains("gone")), "{left:?}");
+        assert!(
+            !left.iter().any(|name| name.contains("dead") || name.contains("gone")),
+            "{left:?}"
+        );
         assert!(beside.iter().all(|name| left.contains(name)), "{left:?}");
         other.commit().unwrap();
         living.commit().unwrap();
@@ -432,7 +467,8 @@ mod tests {
         let write = |number: u32| {
             let mut set = FileSet::default();
             for part in ["a", "b"] {
-                set.add(&folder.path().join(format!("{part}{}", number % 20)), part.as_bytes()).unwrap();
+                set.add(&folder.path().join(format!("{part}{}", number % 20)), part.as_bytes())
+                    .unwrap();
             }
             set.commit().unwrap();
         };

@@ -26,7 +26,9 @@ impl Reader<'_> {
             }
             let tree = r.tree;
             let most = r.bounded(at, kind);
-            let read_item = |(index, item)| r.at_index(index, |r| read(r, item)).map(|value| (index as u32, value));
+            let read_item = |(index, item)| {
+                r.at_index(index, |r| read(r, item)).map(|value| (index as u32, value))
+            };
             Some(tree.children(at).take(most).enumerate().filter_map(read_item).collect())
         });
         items.unwrap_or_default()
@@ -39,12 +41,14 @@ impl Reader<'_> {
         name: &'static str,
         read: impl FnMut(&mut Self, At) -> Option<T>,
     ) -> Vec<T> {
-        let (indices, items): (Vec<u32>, Vec<T>) = self.list(fields, name, read).into_iter().unzip();
+        let (indices, items): (Vec<u32>, Vec<T>) =
+            self.list(fields, name, read).into_iter().unzip();
         self.keep(name, indices);
         items
     }
 
-    /// Remembers which items of a list the value has, if it does not have all before the last of them.
+    /// Remembers which items of a list the value has, if it does not have all before the last of
+    /// them.
     pub(super) fn keep(&mut self, name: &'static str, indices: Vec<u32>) {
         if indices.iter().enumerate().any(|(own, &index)| own as u32 != index) {
             self.path.push(Step::Field(name));

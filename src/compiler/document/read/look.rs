@@ -6,12 +6,13 @@ use super::reader::{Fields, Reader};
 use crate::diag::Diagnostic;
 use crate::document::json::{At, Kind};
 use crate::document::shape::{
-    self, BOOKMARK, DEFINITION, DIRECTION_KEY, DIRECTION_KEYS, EXPOSED, FRAME, INTERFACE_PORT, LIGHT, LOOK, NODE, NOTE,
-    TIME_KEY, TIME_KEYS, WIRE,
+    self, BOOKMARK, DEFINITION, DIRECTION_KEY, DIRECTION_KEYS, EXPOSED, FRAME, INTERFACE_PORT,
+    LIGHT, LOOK, NODE, NOTE, TIME_KEY, TIME_KEYS, WIRE,
 };
 use crate::document::{
-    Bookmark, Definition, DirectionKey, DirectionKeys, Driver, Exposed, Frame, Graph, InterfacePort, KeyDirection,
-    Light, Look, Node, Note, OutputPort, Target, TimeKey, TimeKeys, Unknown, Value, Wire,
+    Bookmark, Definition, DirectionKey, DirectionKeys, Driver, Exposed, Frame, Graph,
+    InterfacePort, KeyDirection, Light, Look, Node, Note, OutputPort, Target, TimeKey, TimeKeys,
+    Unknown, Value, Wire,
 };
 use crate::ids::{NodeId, ObjectId, is_slug, make_slug};
 
@@ -89,7 +90,8 @@ fn graph(r: &mut Reader<'_>, fields: &mut Fields) -> Graph {
     }
     graph.frames = r.map(fields, "frames", frame);
     graph.notes = r.map(fields, "notes", note);
-    graph.bookmarks = parts(r, fields, "bookmarks", |bookmark: &Bookmark| bookmark.key.to_string(), bookmark);
+    graph.bookmarks =
+        parts(r, fields, "bookmarks", |bookmark: &Bookmark| bookmark.key.to_string(), bookmark);
     graph
 }
 
@@ -110,12 +112,19 @@ fn nodes(r: &mut Reader<'_>, fields: &mut Fields) -> indexmap::IndexMap<NodeId, 
         let id = id.unwrap_or_else(|| node.kind.as_str().into());
         let problem = if !is_slug(id.as_str()) {
             Diagnostic::error("missing-field", "the node needs an `id`, as its kind cannot be one")
-                .hint(format!("write \"id\": \"{}\"", make_slug(id.as_str(), |slug| given.contains(slug))))
+                .hint(format!(
+                    "write \"id\": \"{}\"",
+                    make_slug(id.as_str(), |slug| given.contains(slug))
+                ))
         } else if nodes.contains_key(&id) || (!is_given && given.contains(&id)) {
-            let free = make_slug(id.as_str(), |slug| given.contains(slug) || nodes.contains_key(slug));
+            let free =
+                make_slug(id.as_str(), |slug| given.contains(slug) || nodes.contains_key(slug));
             let which = if is_given { "" } else { " (the node's kind, as no `id` is given)" };
-            Diagnostic::error("duplicate-id", format!("another node has the id `{id}`{which}; this one is left out"))
-                .hint(format!("write \"id\": \"{free}\""))
+            Diagnostic::error(
+                "duplicate-id",
+                format!("another node has the id `{id}`{which}; this one is left out"),
+            )
+            .hint(format!("write \"id\": \"{free}\""))
         } else {
             kept.push(index);
             nodes.insert(id, node);
@@ -131,7 +140,8 @@ fn node(r: &mut Reader<'_>, at: At) -> Option<(Option<NodeId>, Node)> {
     let mut fields = r.object(at, &NODE)?;
     let id = r.slug::<NodeId>(&fields, "id");
     let kind = r.text(&fields, "kind");
-    // A node whose id is broken has none; one without a kind can be told by its id until it gets one.
+    // A node whose id is broken has none; one without a kind can be told by its id until it gets
+    // one.
     let has_broken_id = id.is_none() && fields.get("id").is_some();
     let is_some = !has_broken_id && (id.is_some() || kind.is_some());
     let node = Node {
@@ -149,7 +159,7 @@ fn node(r: &mut Reader<'_>, at: At) -> Option<(Option<NodeId>, Node)> {
 
 fn frame(r: &mut Reader<'_>, at: At, extras: &mut Unknown) -> Option<Frame> {
     let fields = r.object(at, &FRAME)?;
-    // Frames are part of the editor, not of the picture: their colours are always as shown.
+    // Frames are part of the editor, not of the picture: their colors are always as shown.
     let space = std::mem::take(&mut r.color_space);
     let frame = Frame {
         title: r.text(&fields, "title").unwrap_or_default(),
@@ -263,7 +273,11 @@ fn direction_key(r: &mut Reader<'_>, at: At, axes: Option<usize>) -> Option<Dire
     for (key, extras) in shadows {
         fields.shadow("values", Some(&key), extras);
     }
-    Some(DirectionKey { direction: direction?, values: values.unwrap_or_default(), unknown: fields.unknown })
+    Some(DirectionKey {
+        direction: direction?,
+        values: values.unwrap_or_default(),
+        unknown: fields.unknown,
+    })
 }
 
 fn direction_of_key(r: &mut Reader<'_>, at: At, fields: &Fields) -> Option<[f64; 3]> {
@@ -279,7 +293,12 @@ fn place_of_key(r: &mut Reader<'_>, at: At, fields: &Fields, axes: usize) -> Opt
     let numbers = ["0"; Driver::MOST][..axes.min(Driver::MOST)].join(", ");
     if fields.get("at").is_none() {
         let problem = Diagnostic::error("missing-field", "`at` is missing");
-        r.report(at, problem.hint(format!("write where the key lies, one number a driver: \"at\": [{numbers}]")));
+        r.report(
+            at,
+            problem.hint(format!(
+                "write where the key lies, one number a driver: \"at\": [{numbers}]"
+            )),
+        );
         return None;
     }
     r.field(fields, "at", |r, at, _| {
@@ -292,10 +311,16 @@ fn place_of_key(r: &mut Reader<'_>, at: At, fields: &Fields, axes: usize) -> Opt
 
 fn drivers(r: &mut Reader<'_>, at: At) -> Option<KeyDirection> {
     let tree = r.tree;
-    let items: Vec<At> = if tree.kind(at) == Kind::List { tree.children(at).collect() } else { Vec::new() };
+    let items: Vec<At> =
+        if tree.kind(at) == Kind::List { tree.children(at).collect() } else { Vec::new() };
     if items.is_empty() || items.len() > Driver::MOST {
         let problem = Diagnostic::error("wrong-count", "one to three drivers decide between keys");
-        r.report(at, problem.hint("write a list, such as [\"distance\"] or [\"facing\", {\"height\": \"key\"}]"));
+        r.report(
+            at,
+            problem.hint(
+                "write a list, such as [\"distance\"] or [\"facing\", {\"height\": \"key\"}]",
+            ),
+        );
         return None;
     }
     let read: Vec<Option<Driver>> = items.into_iter().map(|at| driver(r, at)).collect();
@@ -322,7 +347,8 @@ fn driver(r: &mut Reader<'_>, at: At) -> Option<Driver> {
         return output(r, wire).map(Driver::Wire);
     }
     let problem = Diagnostic::error("wrong-type", "this names no driver");
-    let hint = "write \"distance\", \"facing\", {\"height\": \"a light's id\"}, {\"near\": \"another object's id\"} or \
+    let hint = "write \"distance\", \"facing\", {\"height\": \"a light's id\"}, \
+                {\"near\": \"another object's id\"} or \
                 {\"wire\": \"node.output\"}";
     r.report(at, problem.hint(hint));
     None
@@ -333,12 +359,15 @@ fn output(r: &mut Reader<'_>, at: At) -> Option<OutputPort> {
     let text = r.tree.string(at).unwrap_or_default();
     let is_port = |port: &str| port.is_empty() || is_slug(port);
     let is_one = |output: &OutputPort| {
-        output.node.ids().iter().all(|id| is_slug(id.as_str())) && is_port(output.port.as_str()) && !text.ends_with('.')
+        output.node.ids().iter().all(|id| is_slug(id.as_str()))
+            && is_port(output.port.as_str())
+            && !text.ends_with('.')
     };
     let output = OutputPort::parse(&text).filter(is_one);
     if output.is_none() && r.tree.kind(at) != Kind::Bad {
         let shown: String = text.chars().take(80).collect();
-        let problem = Diagnostic::error("bad-output", format!("`{shown}` names no output of a node"));
+        let problem =
+            Diagnostic::error("bad-output", format!("`{shown}` names no output of a node"));
         r.report(at, problem.hint("write `node`, `node.output` or `group/node.output`"));
     }
     output
@@ -359,7 +388,12 @@ fn key_direction(r: &mut Reader<'_>, at: At) -> Option<KeyDirection> {
         _ => {}
     }
     let problem = Diagnostic::error("wrong-type", "this names no direction");
-    r.report(at, problem.hint("write \"view\", {\"light\": \"the light's id\"}, or {\"drivers\": [\"distance\"]}"));
+    r.report(
+        at,
+        problem.hint(
+            "write \"view\", {\"light\": \"the light's id\"}, or {\"drivers\": [\"distance\"]}",
+        ),
+    );
     None
 }
 

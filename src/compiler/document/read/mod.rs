@@ -1,7 +1,7 @@
 //! Reading documents: text to value, with everything that is wrong told at once.
 //!
-//! The parser makes a tree with a place for every value, [`Reader`](reader::Reader) takes typed fields out of it, and
-//! one file a document says which fields there are.
+//! The parser makes a tree with a place for every value, [`Reader`](reader::Reader) takes typed
+//! fields out of it, and one file a document says which fields there are.
 
 mod lists;
 mod look;
@@ -30,14 +30,16 @@ pub enum Document {
 }
 
 impl Document {
-    /// Reads a text that may hold either: a scene where it says so or has `objects`, otherwise a look.
+    /// Reads a text that may hold either: a scene where it says so or has `objects`, otherwise a
+    /// look.
     pub fn read(text: &str, file: &str) -> Self {
         let parsed = Parsed::new(text, file);
         let is_scene = parsed.kind() == Some("scene");
         if is_scene { Self::Scene(parsed.scene()) } else { Self::Look(parsed.look()) }
     }
 
-    /// Reads a file that may hold either. Where the file cannot be read, the diagnostics of a look say why.
+    /// Reads a file that may hold either. Where the file cannot be read, the diagnostics of a look
+    /// say why.
     pub fn load(path: &Path) -> Self {
         match store::read_text(path) {
             Ok(text) => Self::read(&text, &path.display().to_string()),
@@ -109,7 +111,10 @@ impl Parsed {
         let mut problems = Problems::new();
         let lines = Lines::new(text);
         let tree = json::parse(&Arc::from(text), &lines, &mut problems);
-        Self { source: SourceMap { file: file.to_owned(), lines, tree, kept: Default::default() }, problems }
+        Self {
+            source: SourceMap { file: file.to_owned(), lines, tree, kept: Default::default() },
+            problems,
+        }
     }
 
     /// What the document says it is, or seems to be.
@@ -139,7 +144,11 @@ impl Parsed {
         with_structure(loaded, Scene::check)
     }
 
-    fn read<T>(mut self, shape: &'static Shape, read: fn(&mut Reader<'_>, At) -> Option<T>) -> Loaded<T> {
+    fn read<T>(
+        mut self,
+        shape: &'static Shape,
+        read: fn(&mut Reader<'_>, At) -> Option<T>,
+    ) -> Loaded<T> {
         let mut value = None;
         if let Some(root) = self.root(shape) {
             let mut reader = Reader::new(&self.source.tree, &mut self.problems);
@@ -147,7 +156,8 @@ impl Parsed {
             let kept = std::mem::take(&mut reader.kept);
             self.source.kept = kept;
         }
-        let diagnostics = self.problems.finish(&self.source.file, self.source.text(), &self.source.lines);
+        let diagnostics =
+            self.problems.finish(&self.source.file, self.source.text(), &self.source.lines);
         Loaded { value, source: self.source, diagnostics }
     }
 
@@ -156,8 +166,13 @@ impl Parsed {
         let tree = &self.source.tree;
         let root = tree.root()?;
         if tree.kind(root) != Kind::Object {
-            let message = format!("expected a {}, which is an object, found {}", shape.name, tree.kind(root).noun());
-            let problem = Diagnostic::error("wrong-document", message).hint("a document begins with `{`");
+            let message = format!(
+                "expected a {}, which is an object, found {}",
+                shape.name,
+                tree.kind(root).noun()
+            );
+            let problem =
+                Diagnostic::error("wrong-document", message).hint("a document begins with `{`");
             self.problems.push(tree.start(root), problem);
             return None;
         }
@@ -167,14 +182,18 @@ impl Parsed {
                 "scene" => "open it as a scene",
                 _ => "open it as a look, or name it in the `looks` of a scene's object",
             };
-            let problem = Diagnostic::error("wrong-document", format!("this is a {kind}, not a {}", shape.name));
+            let problem = Diagnostic::error(
+                "wrong-document",
+                format!("this is a {kind}, not a {}", shape.name),
+            );
             self.problems.push(tree.start(root), problem.hint(hint));
             return None;
         }
         let version = tree.member(root, "version");
         match version.and_then(|at| tree.number(at).map(|number| (at, number))) {
             Some((at, version)) if version > VERSION as f64 && version.fract() == 0.0 => {
-                let message = format!("this file is version {version}; this Chiaro reads up to {VERSION}");
+                let message =
+                    format!("this file is version {version}; this Chiaro reads up to {VERSION}");
                 let problem = Diagnostic::error("newer-version", message).json_path("version");
                 self.problems.push(tree.key_start(at), problem.hint("update Chiaro to open it"));
                 None
@@ -184,7 +203,8 @@ impl Parsed {
     }
 }
 
-/// Adds what is wrong with the document as a whole, unless parts of it are missing because the text is cut off.
+/// Adds what is wrong with the document as a whole, unless parts of it are missing because the text
+/// is cut off.
 fn with_structure<T>(mut loaded: Loaded<T>, check: impl Fn(&T) -> Vec<Diagnostic>) -> Loaded<T> {
     if let Some(value) = loaded.value.as_ref().filter(|_| !loaded.source.tree.cut) {
         let mut found = check(value);

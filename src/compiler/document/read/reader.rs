@@ -1,4 +1,5 @@
-//! Typed access to the fields of a parsed document. Whatever is wrong is told with its place and left out.
+//! Typed access to the fields of a parsed document. Whatever is wrong is told with its place and
+//! left out.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -28,7 +29,7 @@ pub(super) struct Reader<'t> {
     pub(super) path: Vec<Step>,
     /// See [`SourceMap`](crate::document::source::SourceMap).
     pub(super) kept: BTreeMap<String, Vec<u32>>,
-    /// What colours are; decides what `#rrggbb` becomes.
+    /// What colors are; decides what `#rrggbb` becomes.
     pub(super) color_space: ColorSpace,
 }
 
@@ -37,8 +38,8 @@ pub(super) struct Fields {
     shape: &'static Shape,
     at: At,
     found: [Option<At>; 24],
-    /// What the shape does not know. Unknown fields of a field's own parts lie here too, under the field's name and
-    /// the part's id, so that each part's type need not hold them.
+    /// What the shape does not know. Unknown fields of a field's own parts lie here too, under the
+    /// field's name and the part's id, so that each part's type need not hold them.
     pub(super) unknown: Unknown,
 }
 
@@ -69,10 +70,17 @@ impl Fields {
 
 impl<'t> Reader<'t> {
     pub(super) fn new(tree: &'t Tree, problems: &'t mut Problems) -> Self {
-        Self { tree, problems, path: Vec::new(), kept: BTreeMap::new(), color_space: ColorSpace::Display }
+        Self {
+            tree,
+            problems,
+            path: Vec::new(),
+            kept: BTreeMap::new(),
+            color_space: ColorSpace::Display,
+        }
     }
 
-    /// Reports a problem at a value. Where the end of a list or an object is missing, that is what is wrong with it.
+    /// Reports a problem at a value. Where the end of a list or an object is missing, that is what
+    /// is wrong with it.
     pub(super) fn report(&mut self, at: At, problem: Diagnostic) {
         if self.tree.is_cut(at) {
             return;
@@ -98,7 +106,13 @@ impl<'t> Reader<'t> {
     }
 
     /// Reports a problem with an item of a list.
-    pub(super) fn report_item(&mut self, list: &'static str, index: u32, at: At, problem: Diagnostic) {
+    pub(super) fn report_item(
+        &mut self,
+        list: &'static str,
+        index: u32,
+        at: At,
+        problem: Diagnostic,
+    ) {
         self.path.push(Step::Field(list));
         self.at_index(index as usize, |r| r.report(at, problem));
         self.path.pop();
@@ -109,11 +123,14 @@ impl<'t> Reader<'t> {
         if kind == Kind::Bad {
             return; // The parser has told it.
         }
-        let mut problem = Diagnostic::error("wrong-type", format!("expected {expected}, found {}", kind.noun()));
+        let mut problem =
+            Diagnostic::error("wrong-type", format!("expected {expected}, found {}", kind.noun()));
         let is_item = matches!(self.path.last(), Some(Step::Index(_)));
         if kind == Kind::Null && !is_item {
             problem = problem.hint("leave the field out for its default");
-        } else if let Some(number) = self.tree.string(at).filter(|text| text.parse::<f64>().is_ok_and(f64::is_finite)) {
+        } else if let Some(number) =
+            self.tree.string(at).filter(|text| text.parse::<f64>().is_ok_and(f64::is_finite))
+        {
             problem = problem.hint(format!("write {number} without quotes"));
         }
         self.report(at, problem);
@@ -130,7 +147,9 @@ impl<'t> Reader<'t> {
         for member in tree.children(at) {
             let name = tree.key(member);
             match shape.field(&name) {
-                Some((index, _)) if fields.found[index].is_none() => fields.found[index] = Some(member),
+                Some((index, _)) if fields.found[index].is_none() => {
+                    fields.found[index] = Some(member)
+                }
                 None if !fields.unknown.contains_key(&*name) => {
                     self.unknown_field(member, &name, shape);
                     fields.unknown.insert(name.into_owned(), tree.to_json(member));
@@ -142,7 +161,8 @@ impl<'t> Reader<'t> {
     }
 
     fn unknown_field(&mut self, at: At, name: &str, shape: &Shape) {
-        let message = format!("{} has no field `{name}`; it is kept as it is", with_article(shape.name));
+        let message =
+            format!("{} has no field `{name}`; it is kept as it is", with_article(shape.name));
         let known = shape.fields.iter().map(|field| field.name);
         self.path.push(Step::Key(at));
         let problem = Diagnostic::warning("unknown-field", message);
@@ -179,7 +199,10 @@ impl<'t> Reader<'t> {
         let Some((_, field)) = fields.shape.field(name) else { return };
         if matches!(field.default, shape::Default::Required) {
             let message = format!("{} needs the field `{name}`", with_article(fields.shape.name));
-            self.report(fields.at, Diagnostic::error("missing-field", message).hint(format!("{name}: {}", field.help)));
+            self.report(
+                fields.at,
+                Diagnostic::error("missing-field", message).hint(format!("{name}: {}", field.help)),
+            );
         }
     }
 
@@ -214,10 +237,16 @@ impl<'t> Reader<'t> {
     }
 
     /// `N` numbers.
-    pub(super) fn array<const N: usize>(&mut self, fields: &Fields, name: &'static str) -> Option<[f64; N]> {
+    pub(super) fn array<const N: usize>(
+        &mut self,
+        fields: &Fields,
+        name: &'static str,
+    ) -> Option<[f64; N]> {
         self.field(fields, name, |r, at, kind| match kind {
             shape::Kind::Numbers(_, _, bounds) => r.array_at(at, *bounds),
-            shape::Kind::Direction => r.array_at(at, shape::FAR).filter(|direction| r.is_direction(at, direction)),
+            shape::Kind::Direction => {
+                r.array_at(at, shape::FAR).filter(|direction| r.is_direction(at, direction))
+            }
             _ => None,
         })
     }
@@ -227,8 +256,18 @@ impl<'t> Reader<'t> {
     }
 
     /// From `least` to `most` numbers.
-    pub(super) fn numbers_at(&mut self, at: At, least: usize, most: usize, bounds: Bounds) -> Option<Vec<f64>> {
-        let expected = if least == most { format!("{least} numbers") } else { format!("{least} to {most} numbers") };
+    pub(super) fn numbers_at(
+        &mut self,
+        at: At,
+        least: usize,
+        most: usize,
+        bounds: Bounds,
+    ) -> Option<Vec<f64>> {
+        let expected = if least == most {
+            format!("{least} numbers")
+        } else {
+            format!("{least} to {most} numbers")
+        };
         if self.tree.kind(at) != Kind::List {
             self.wrong_type(at, &format!("a list of {expected}"));
             return None;
@@ -236,7 +275,10 @@ impl<'t> Reader<'t> {
         let tree = self.tree;
         let count = tree.children(at).count();
         if !(least..=most).contains(&count) {
-            self.report(at, Diagnostic::error("wrong-count", format!("expected {expected}, found {count}")));
+            self.report(
+                at,
+                Diagnostic::error("wrong-count", format!("expected {expected}, found {count}")),
+            );
             return None;
         }
         // Every number is looked at, so that all that are wrong are told.
@@ -260,7 +302,8 @@ impl<'t> Reader<'t> {
     fn is_direction(&mut self, at: At, direction: &[f64]) -> bool {
         let is_zero = direction.iter().all(|x| x.abs() < 1e-12);
         if is_zero {
-            let problem = Diagnostic::error("zero-vector", "a direction of length 0 points nowhere");
+            let problem =
+                Diagnostic::error("zero-vector", "a direction of length 0 points nowhere");
             self.report(at, problem.hint("write any other length, e.g. [0, 0, 1]"));
         }
         !is_zero
@@ -287,7 +330,11 @@ impl<'t> Reader<'t> {
     }
 
     /// An id.
-    pub(super) fn slug<T: From<String>>(&mut self, fields: &Fields, name: &'static str) -> Option<T> {
+    pub(super) fn slug<T: From<String>>(
+        &mut self,
+        fields: &Fields,
+        name: &'static str,
+    ) -> Option<T> {
         self.field(fields, name, |r, at, _| r.slug_at(at).map(T::from))
     }
 
@@ -307,18 +354,26 @@ impl<'t> Reader<'t> {
 
     pub(super) fn no_slug(text: &str) -> Diagnostic {
         let shown: String = text.chars().take(80).collect();
-        let message = format!("`{shown}` is no id: one has 1 to 64 of a-z A-Z 0-9 _ - and begins with a letter or _");
+        let message = format!(
+            "`{shown}` is no id: one has 1 to 64 of a-z A-Z 0-9 _ - and begins with a letter or _"
+        );
         let hint = format!("write `{}`", make_slug(text, |_| false));
         Diagnostic::error("bad-id", message).hint(hint)
     }
 
     /// One of some words.
     pub(super) fn word<T: Word>(&mut self, fields: &Fields, name: &'static str) -> Option<T> {
-        self.field(fields, name, |r, at, _| r.word_at(at, T::WORDS).and_then(|word| T::from_word(&word)))
+        self.field(fields, name, |r, at, _| {
+            r.word_at(at, T::WORDS).and_then(|word| T::from_word(&word))
+        })
     }
 
     /// One of these words.
-    pub(super) fn word_at(&mut self, at: At, words: &'static [(&'static str, &'static str)]) -> Option<Cow<'t, str>> {
+    pub(super) fn word_at(
+        &mut self,
+        at: At,
+        words: &'static [(&'static str, &'static str)],
+    ) -> Option<Cow<'t, str>> {
         let text = self.text_at(at, shape::LONG)?;
         if words.iter().any(|(word, _)| *word == text) {
             return Some(text);
@@ -330,13 +385,14 @@ impl<'t> Reader<'t> {
         None
     }
 
-    /// A colour of three numbers, or of three or four.
+    /// A color of three numbers, or of three or four.
     pub(super) fn color_at(&mut self, at: At, alpha: bool) -> Option<Vec<f64>> {
         if let Some(text) = self.tree.string(at) {
             let Some(hex) = parse_hex(&text).filter(|_| alpha || text.len() == 7) else {
-                let hint = if alpha { "write \"#rrggbb\" or \"#rrggbbaa\"" } else { "write \"#rrggbb\"" };
+                let hint =
+                    if alpha { "write \"#rrggbb\" or \"#rrggbbaa\"" } else { "write \"#rrggbb\"" };
                 let shown: String = text.chars().take(40).collect();
-                let problem = Diagnostic::error("bad-color", format!("`{shown}` is no colour"));
+                let problem = Diagnostic::error("bad-color", format!("`{shown}` is no color"));
                 self.report(at, problem.hint(format!("{hint}, or the numbers [r, g, b]")));
                 return None;
             };
@@ -347,7 +403,7 @@ impl<'t> Reader<'t> {
             return Some(color);
         }
         if self.tree.kind(at) != Kind::List {
-            self.wrong_type(at, "a colour: [r, g, b] or \"#rrggbb\"");
+            self.wrong_type(at, "a color: [r, g, b] or \"#rrggbb\"");
             return None;
         }
         self.numbers_at(at, 3, if alpha { 4 } else { 3 }, shape::FAR)

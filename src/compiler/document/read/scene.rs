@@ -24,7 +24,9 @@ pub(super) fn scene(r: &mut Reader<'_>, at: At) -> Option<Scene> {
         lights: r.map(&mut fields, "lights", light),
         illumination: r.rotation(&mut fields, "illumination").unwrap_or(normal.illumination),
         camera: camera(r, &mut fields).unwrap_or_default(),
-        backdrop: r.field(&fields, "backdrop", |r, at, _| backdrop(r, at)).unwrap_or(normal.backdrop),
+        backdrop: r
+            .field(&fields, "backdrop", |r, at, _| backdrop(r, at))
+            .unwrap_or(normal.backdrop),
         time: time_range(r, &mut fields).unwrap_or_default(),
         unknown: fields.unknown,
     })
@@ -32,20 +34,24 @@ pub(super) fn scene(r: &mut Reader<'_>, at: At) -> Option<Scene> {
 
 /// The objects by id; who gives no id gets one from its mesh.
 fn objects(r: &mut Reader<'_>, fields: &mut Fields) -> IndexMap<ObjectId, Object> {
-    let found = r.list(fields, "objects", |r, at| object(r, at).map(|(id, object)| (at, id, object)));
-    let mut taken: HashSet<ObjectId> = found.iter().filter_map(|(_, (_, id, _))| id.clone()).collect();
+    let found =
+        r.list(fields, "objects", |r, at| object(r, at).map(|(id, object)| (at, id, object)));
+    let mut taken: HashSet<ObjectId> =
+        found.iter().filter_map(|(_, (_, id, _))| id.clone()).collect();
     let mut objects = IndexMap::with_capacity(found.len());
     let mut kept = Vec::with_capacity(found.len());
     for (index, (at, id, object)) in found {
         let id = id.unwrap_or_else(|| {
-            let made = ObjectId::from(make_slug(mesh_name(&object.mesh), |slug| taken.contains(slug)));
+            let made =
+                ObjectId::from(make_slug(mesh_name(&object.mesh), |slug| taken.contains(slug)));
             taken.insert(made.clone());
             made
         });
         if objects.contains_key(&id) {
             let free = make_slug(id.as_str(), |slug| taken.contains(slug));
             let message = format!("another object has the id `{id}`; this one is left out");
-            let problem = Diagnostic::error("duplicate-id", message).hint(format!("write \"id\": \"{free}\""));
+            let problem = Diagnostic::error("duplicate-id", message)
+                .hint(format!("write \"id\": \"{free}\""));
             r.report_item("objects", index, at, problem);
         } else {
             kept.push(index);
@@ -78,9 +84,15 @@ fn object(r: &mut Reader<'_>, at: At) -> Option<(Option<ObjectId>, Object)> {
 }
 
 /// A path for everything, or paths by material.
-fn looks(r: &mut Reader<'_>, at: At, kind: &'static crate::document::shape::Kind) -> Option<IndexMap<String, String>> {
+fn looks(
+    r: &mut Reader<'_>,
+    at: At,
+    kind: &'static crate::document::shape::Kind,
+) -> Option<IndexMap<String, String>> {
     match r.tree.kind(at) {
-        Kind::Text => r.text_at(at, 4096).map(|path| IndexMap::from([("*".to_owned(), path.into_owned())])),
+        Kind::Text => {
+            r.text_at(at, 4096).map(|path| IndexMap::from([("*".to_owned(), path.into_owned())]))
+        }
         _ => r.members(at, kind, |r, member, key| {
             r.text_at(member, 4096).map(|path| (key.to_owned(), path.into_owned()))
         }),
@@ -94,8 +106,13 @@ fn transform(r: &mut Reader<'_>, of: &mut Fields) -> Option<Transform> {
         let scale = r.field(&fields, "scale", |r, at, _| {
             let scale = r.array_at::<3>(at, FAR)?;
             if scale.iter().any(|s| s.abs() < 1e-9) {
-                let problem = Diagnostic::error("out-of-range", "a scale of 0 leaves nothing of the mesh");
-                r.report(at, problem.hint("write any other number, or \"visible\": false to hide the object"));
+                let problem =
+                    Diagnostic::error("out-of-range", "a scale of 0 leaves nothing of the mesh");
+                r.report(
+                    at,
+                    problem
+                        .hint("write any other number, or \"visible\": false to hide the object"),
+                );
                 return None;
             }
             Some(scale)
@@ -154,8 +171,13 @@ fn backdrop(r: &mut Reader<'_>, at: At) -> Option<Option<[f64; 4]>> {
         Kind::Text => {
             let hex = r.tree.string(at).and_then(|text| parse_hex(&text));
             if hex.is_none() {
-                let problem = Diagnostic::error("bad-color", "this is no colour");
-                r.report(at, problem.hint("write \"#rrggbb\", \"#rrggbbaa\", [r, g, b, a], or null for transparent"));
+                let problem = Diagnostic::error("bad-color", "this is no color");
+                r.report(
+                    at,
+                    problem.hint(
+                        "write \"#rrggbb\", \"#rrggbbaa\", [r, g, b, a], or null for transparent",
+                    ),
+                );
             }
             hex.map(Some)
         }

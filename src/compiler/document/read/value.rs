@@ -28,11 +28,16 @@ impl Reader<'_> {
             Kind::Number => self.number_at(at, F32).map(Value::Number),
             Kind::Text => self.text_at(at, LONG).map(|text| Value::Text(text.into_owned())),
             Kind::List => self.numbers_at(at, 1, MAX_NUMBERS, F32).map(Value::Vector),
-            Kind::Object if self.tree.member(at, "stops").is_some() => self.ramp(at, extras).map(Value::Ramp),
-            Kind::Object if self.tree.member(at, "points").is_some() => self.curve(at, extras).map(Value::Curve),
+            Kind::Object if self.tree.member(at, "stops").is_some() => {
+                self.ramp(at, extras).map(Value::Ramp)
+            }
+            Kind::Object if self.tree.member(at, "points").is_some() => {
+                self.curve(at, extras).map(Value::Curve)
+            }
             Kind::Object => {
                 let problem = Diagnostic::error("wrong-type", "this object is no value");
-                let hint = "a curve is {\"points\": [[x, y], ...]}, a ramp {\"stops\": [{\"at\": x, \"color\": [r, g, b]}, ...]}";
+                let hint = "a curve is {\"points\": [[x, y], ...]}, a ramp \
+                            {\"stops\": [{\"at\": x, \"color\": [r, g, b]}, ...]}";
                 self.report(at, problem.hint(hint));
                 None
             }
@@ -84,7 +89,10 @@ impl Reader<'_> {
         }
         if let Some(pair) = places.windows(2).find(|pair| pair[0] >= pair[1]) {
             let message = format!("`{what}` must increase, but {} follows {}", pair[1], pair[0]);
-            self.report(at, Diagnostic::error("not-increasing", message).hint("sort them, and remove doubles"));
+            self.report(
+                at,
+                Diagnostic::error("not-increasing", message).hint("sort them, and remove doubles"),
+            );
             return None;
         }
         Some(())
@@ -103,13 +111,20 @@ impl Reader<'_> {
             let problem = if node.is_empty() {
                 Diagnostic::error("wire-to-nothing", "this end of the wire leads to nothing")
             } else if needs_port && port.is_empty() {
-                Diagnostic::error("wire-to-nothing", format!("the wire leads to `{node}`, but to no input of it"))
+                Diagnostic::error(
+                    "wire-to-nothing",
+                    format!("the wire leads to `{node}`, but to no input of it"),
+                )
             } else if is_slug(node) && (port.is_empty() || is_slug(port)) {
                 return Some(end);
             } else {
                 Diagnostic::error("bad-wire", format!("`{text}` is no port"))
             };
-            let hint = if needs_port { "write \"node.input\"" } else { "write \"node.output\", or \"node\"" };
+            let hint = if needs_port {
+                "write \"node.input\""
+            } else {
+                "write \"node.output\", or \"node\""
+            };
             r.report(at, problem.hint(hint));
             None
         })
@@ -125,13 +140,19 @@ impl Reader<'_> {
 
     pub(super) fn target_from(&mut self, at: At, text: &str) -> Option<Target> {
         let target = Target::parse(text).filter(|target| match target {
-            Target::Input { node, port } => node.ids().iter().all(|id| is_slug(id.as_str())) && is_slug(port.as_str()),
+            Target::Input { node, port } => {
+                node.ids().iter().all(|id| is_slug(id.as_str())) && is_slug(port.as_str())
+            }
             Target::Light { light, .. } => is_slug(light.as_str()),
         });
         if target.is_none() {
             let shown: String = text.chars().take(80).collect();
-            let problem = Diagnostic::error("bad-target", format!("`{shown}` names nothing that can be set"));
-            self.report(at, problem.hint("write `node.input`, `group/node.input` or `lights.light.field`"));
+            let problem =
+                Diagnostic::error("bad-target", format!("`{shown}` names nothing that can be set"));
+            self.report(
+                at,
+                problem.hint("write `node.input`, `group/node.input` or `lights.light.field`"),
+            );
         }
         target
     }
@@ -144,16 +165,25 @@ impl Reader<'_> {
     fn rotation_at(&mut self, at: At) -> Option<[f64; 4]> {
         let found = match self.tree.kind(at) {
             Kind::Object => self.axis_angle(at)?,
-            Kind::List if self.tree.children(at).next().is_some_and(|row| self.tree.kind(row) == Kind::List) => {
+            Kind::List
+                if self
+                    .tree
+                    .children(at)
+                    .next()
+                    .is_some_and(|row| self.tree.kind(row) == Kind::List) =>
+            {
                 rotation::from_matrix(self.matrix(at)?)
             }
-            Kind::List if self.tree.children(at).count() == 4 => rotation::from_quaternion(self.array_at(at, FAR)?),
+            Kind::List if self.tree.children(at).count() == 4 => {
+                rotation::from_quaternion(self.array_at(at, FAR)?)
+            }
             Kind::Bad => return None,
             _ => Err("this is no rotation"),
         };
         found
             .map_err(|message| {
-                let hint = "write a quaternion [x, y, z, w], a 3x3 matrix as three rows, or {\"axis\": [x, y, z], \"angle\": radians}";
+                let hint = "write a quaternion [x, y, z, w], a 3x3 matrix as three rows, or \
+                            {\"axis\": [x, y, z], \"angle\": radians}";
                 self.report(at, Diagnostic::error("bad-rotation", message).hint(hint));
             })
             .ok()
@@ -170,7 +200,12 @@ impl Reader<'_> {
         let rows: Vec<[f64; 3]> = rows.into_iter().collect::<Option<_>>()?;
         let count = rows.len();
         rows.try_into()
-            .map_err(|_| self.report(at, Diagnostic::error("wrong-count", format!("expected 3 rows, found {count}"))))
+            .map_err(|_| {
+                self.report(
+                    at,
+                    Diagnostic::error("wrong-count", format!("expected 3 rows, found {count}")),
+                )
+            })
             .ok()
     }
 

@@ -4,16 +4,24 @@ use std::f64::consts::PI;
 
 use super::Default::{Json, Required, Words};
 use super::Kind::{
-    Bool, Color, Direction, Input, KeyDirection, List, Map, Number, Numbers, Object, Output, Slug, TargetValues, Text,
-    Value, Word,
+    Bool, Color, Direction, Input, KeyDirection, List, Map, Number, Numbers, Object, Output, Slug,
+    TargetValues, Text, Value, Word,
 };
-use super::{Bounds, F32, FAR, Field, Kind, LINE, LONG, MAX_NODES, MAX_WIRES, POSITIVE, Shape, field};
+use super::{
+    Bounds, F32, FAR, Field, Kind, LINE, LONG, MAX_NODES, MAX_WIRES, POSITIVE, Shape, field,
+};
 use crate::document::word::Word as _;
-use crate::document::{ColorSpace, Curve, Interpolation, KeyScheme, LightKind, LightSpace, Ramp, Tier};
+use crate::document::{
+    ColorSpace, Curve, Interpolation, KeyScheme, LightKind, LightSpace, Ramp, Tier,
+};
 
 const NAME: Field = field("name", Text(LINE), Json("\"\""), "What the artist calls it.");
-pub(super) const ABOUT: Field =
-    field("about", Text(LONG), Json("\"\""), "What it shows and how it is built: a paragraph for who finds it.");
+pub(super) const ABOUT: Field = field(
+    "about",
+    Text(LONG),
+    Json("\"\""),
+    "What it shows and how it is built: a paragraph for who finds it.",
+);
 const A_NODE: &Kind = &Object(&NODE);
 const A_WIRE: &Kind = &Object(&WIRE);
 const A_FRAME: &Kind = &Object(&FRAME);
@@ -21,10 +29,15 @@ const A_NOTE: &Kind = &Object(&NOTE);
 const A_BOOKMARK: &Kind = &Object(&BOOKMARK);
 const NODES: Field = field("nodes", List(A_NODE, MAX_NODES), Json("[]"), "The nodes of the graph.");
 const WIRES: Field = field("wires", List(A_WIRE, MAX_WIRES), Json("[]"), "The wires between them.");
-const FRAMES: Field = field("frames", Map(A_FRAME, 10_000), Json("{}"), "Titled frames on the canvas, by id.");
+const FRAMES: Field =
+    field("frames", Map(A_FRAME, 10_000), Json("{}"), "Titled frames on the canvas, by id.");
 const NOTES: Field = field("notes", Map(A_NOTE, 10_000), Json("{}"), "Texts on the canvas, by id.");
-const BOOKMARKS: Field =
-    field("bookmarks", List(A_BOOKMARK, 9), Json("[]"), "Views of the canvas that a key brings back.");
+const BOOKMARKS: Field = field(
+    "bookmarks",
+    List(A_BOOKMARK, 9),
+    Json("[]"),
+    "Views of the canvas that a key brings back.",
+);
 const AT: Field = field(
     "at",
     Numbers(2, 2, Bounds::new(-1e9, 1e9)),
@@ -42,20 +55,40 @@ pub(in crate::document) static LOOK: Shape = Shape {
     name: "look",
     help: "One shading graph with its lights, groups and keys.",
     fields: &[
-        field("chiaro", Word(&[("look", "a look")]), Words("what it is opened as"), "What the document is."),
+        field(
+            "chiaro",
+            Word(&[("look", "a look")]),
+            Words("what it is opened as"),
+            "What the document is.",
+        ),
         super::scene::VERSION,
         super::scene::SCHEMA,
         NAME,
         ABOUT,
-        field("color_space", Word(ColorSpace::WORDS), Json("\"display\""), "What the numbers of colours mean."),
+        field(
+            "color_space",
+            Word(ColorSpace::WORDS),
+            Json("\"display\""),
+            "What the numbers of colors mean.",
+        ),
         field(
             "tier",
             Word(Tier::WORDS),
             Json("\"exact\""),
             "Which implementation is asked for of nodes that do not say their own.",
         ),
-        field("tuned", Text(LINE), Json("\"\""), "What `chiaro tune` measured when it chose tiers."),
-        field("lights", Map(&Object(&LIGHT), 1000), Json("{}"), "The lights that Light nodes name, by id."),
+        field(
+            "tuned",
+            Text(LINE),
+            Json("\"\""),
+            "What `chiaro tune` measured when it chose tiers.",
+        ),
+        field(
+            "lights",
+            Map(&Object(&LIGHT), 1000),
+            Json("{}"),
+            "The lights that Light nodes name, by id.",
+        ),
         NODES,
         WIRES,
         FRAMES,
@@ -79,7 +112,12 @@ pub(in crate::document) static LOOK: Shape = Shape {
             Json("[]"),
             "Values that change with a direction.",
         ),
-        field("time_keys", List(&Object(&TIME_KEYS), 10_000), Json("[]"), "Values that change with time."),
+        field(
+            "time_keys",
+            List(&Object(&TIME_KEYS), 10_000),
+            Json("[]"),
+            "Values that change with time.",
+        ),
     ],
 };
 
@@ -95,8 +133,18 @@ pub(in crate::document) static LIGHT: Shape = Shape {
             Json("\"illumination\""),
             "The frame of `direction`, `position` and `aim`.",
         ),
-        field("direction", Direction, Json("[0, 0, 1]"), "Directional lights: toward the light; any length but 0."),
-        field("position", Numbers(3, 3, FAR), Json("[0, 0, 3]"), "Point and spot lights: where it is, in scene units."),
+        field(
+            "direction",
+            Direction,
+            Json("[0, 0, 1]"),
+            "Directional lights: toward the light; any length but 0.",
+        ),
+        field(
+            "position",
+            Numbers(3, 3, FAR),
+            Json("[0, 0, 3]"),
+            "Point and spot lights: where it is, in scene units.",
+        ),
         field(
             "aim",
             Direction,
@@ -115,20 +163,27 @@ pub(in crate::document) static LIGHT: Shape = Shape {
             Json("0.5"),
             "Spot lights: the half-angle at which nothing is left, in radians.",
         ),
-        field("color", Color { alpha: false }, Json("[1, 1, 1]"), "Straight RGB in the look's colour space."),
+        field(
+            "color",
+            Color { alpha: false },
+            Json("[1, 1, 1]"),
+            "Straight RGB in the look's color space.",
+        ),
         field("intensity", Number(POSITIVE), Json("1"), "A factor."),
         field(
             "half_distance",
             Number(POSITIVE),
             Json("0"),
-            "Point and spot lights: the distance at which half the intensity is left, in scene units; 0 for no fading, \
+            "Point and spot lights: the distance at which half the intensity is left, in scene \
+             units; 0 for no fading, \
              and 1e-30 for less than that.",
         ),
         field(
             "range",
             Number(POSITIVE),
             Json("0"),
-            "Point and spot lights: the distance beyond which nothing is left, in scene units; 0 for no end, and \
+            "Point and spot lights: the distance beyond which nothing is left, in scene units; 0 \
+             for no end, and \
              1e-30 for less than that.",
         ),
     ],
@@ -145,7 +200,12 @@ pub(in crate::document) static NODE: Shape = Shape {
             "Its id within the graph; wires and keys name it.",
         ),
         field("kind", Text(64), Required, "A node of the library, or the id of a definition."),
-        field("name", Text(LINE), Json("\"\""), "What the artist calls it; empty for the kind's label."),
+        field(
+            "name",
+            Text(LINE),
+            Json("\"\""),
+            "What the artist calls it; empty for the kind's label.",
+        ),
         AT,
         field("values", Map(&Value, 1000), Json("{}"), "The values of unwired inputs, by port."),
         field(
@@ -154,8 +214,18 @@ pub(in crate::document) static NODE: Shape = Shape {
             Words("that of the group's node it lies in, or else the look's"),
             "Which implementation is asked for; of a group's node, for every node in it.",
         ),
-        field("muted", Bool, Json("false"), "Whether it is left out: what comes in goes out as it is."),
-        field("collapsed", Bool, Json("false"), "Whether the canvas shows no more of it than its title."),
+        field(
+            "muted",
+            Bool,
+            Json("false"),
+            "Whether it is left out: what comes in goes out as it is.",
+        ),
+        field(
+            "collapsed",
+            Bool,
+            Json("false"),
+            "Whether the canvas shows no more of it than its title.",
+        ),
     ],
 };
 
@@ -163,7 +233,12 @@ pub(in crate::document) static WIRE: Shape = Shape {
     name: "wire",
     help: "A wire from an output to an input.",
     fields: &[
-        field("from", Output, Required, "The output, `node.port`; `node` alone is its only or first output."),
+        field(
+            "from",
+            Output,
+            Required,
+            "The output, `node.port`; `node` alone is its only or first output.",
+        ),
         field("to", Input, Required, "The input, `node.port`."),
     ],
 };
@@ -172,7 +247,12 @@ pub(in crate::document) static FRAME: Shape = Shape {
     name: "frame",
     help: "A titled rectangle behind nodes.",
     fields: &[
-        field("title", Text(LINE), Json("\"\""), "What is written on it; names the function that its nodes become."),
+        field(
+            "title",
+            Text(LINE),
+            Json("\"\""),
+            "What is written on it; names the function that its nodes become.",
+        ),
         field("color", Color { alpha: false }, Words("the theme's own"), "Straight RGB, as shown."),
         field("nodes", List(&Slug, MAX_NODES), Json("[]"), "The ids of the nodes in it."),
     ],
@@ -237,14 +317,20 @@ pub(in crate::document) static DEFINITION: Shape = Shape {
 
 pub(in crate::document) static INTERFACE_PORT: Shape = Shape {
     name: "interface port",
-    help: "An input or output of a group. What is left out comes from the inner port that it is wired to first.",
+    help: "An input or output of a group. What is left out comes from the inner port that it is \
+           wired to first.",
     fields: &[
         field("name", Slug, Required, "Its name."),
         field("label", Text(LINE), Words("the inner port's"), "What is written beside the socket."),
         field("help", Text(LONG), Words("the inner port's"), "What is said about it."),
         field("default", Value, Words("the inner port's"), "Its value while unwired."),
         field("min", Number(F32), Words("the inner port's"), "The least value."),
-        field("max", Number(F32), Words("the inner port's"), "The greatest value, not below `min`."),
+        field(
+            "max",
+            Number(F32),
+            Words("the inner port's"),
+            "The greatest value, not below `min`.",
+        ),
     ],
 };
 
@@ -254,7 +340,12 @@ pub(in crate::document) static EXPOSED: Shape = Shape {
     fields: &[
         field("name", Slug, Required, "The parameter's name, used once."),
         field("target", super::Kind::Target, Required, "What it sets."),
-        field("label", Text(LINE), Json("\"\""), "What is written beside it; empty for the port's label."),
+        field(
+            "label",
+            Text(LINE),
+            Json("\"\""),
+            "What is written beside it; empty for the port's label.",
+        ),
     ],
 };
 
@@ -263,8 +354,18 @@ pub(in crate::document) static DIRECTION_KEYS: Shape = Shape {
     help: "Values pinned at directions and interpolated over the sphere between them.",
     fields: &[
         field("name", Text(LINE), Json("\"\""), "What the artist calls it."),
-        field("by", KeyDirection, Required, "Which direction decides, or which numbers: see [drivers](#drivers)."),
-        field("scheme", Word(KeyScheme::WORDS), Json("\"biharmonic\""), "How weights are computed."),
+        field(
+            "by",
+            KeyDirection,
+            Required,
+            "Which direction decides, or which numbers: see [drivers](#drivers).",
+        ),
+        field(
+            "scheme",
+            Word(KeyScheme::WORDS),
+            Json("\"biharmonic\""),
+            "How weights are computed.",
+        ),
         field("keys", List(&Object(&DIRECTION_KEY), 1000), Json("[]"), "The keys."),
     ],
 };
@@ -277,7 +378,9 @@ pub(in crate::document) static DIRECTION_KEY: Shape = Shape {
             "direction",
             Direction,
             Words("required, unless drivers decide"),
-            "Where, unless drivers decide; any length but 0. By a light: in camera axes (x right, y up, z toward the viewer). By view: from the object's centre to the eye, in world space.",
+            "Where, unless drivers decide; any length but 0. By a light: in camera axes (x right, \
+             y up, z toward the viewer). By view: from the object's centre to the eye, in world \
+             space.",
         ),
         field(
             "at",
@@ -299,7 +402,12 @@ pub(in crate::document) static TIME_KEYS: Shape = Shape {
     help: "The values of one target over time.",
     fields: &[
         field("target", super::Kind::Target, Required, "What changes."),
-        field("keys", List(&Object(&TIME_KEY), 100_000), Json("[]"), "The keys, in increasing time."),
+        field(
+            "keys",
+            List(&Object(&TIME_KEY), 100_000),
+            Json("[]"),
+            "The keys, in increasing time.",
+        ),
     ],
 };
 
@@ -329,18 +437,28 @@ pub(in crate::document) static CURVE: Shape = Shape {
 
 pub(in crate::document) static RAMP: Shape = Shape {
     name: "ramp",
-    help: "A colour that changes along one number.",
+    help: "A color that changes along one number.",
     fields: &[
-        field("stops", List(&Object(&RAMP_STOP), Ramp::MAX_STOPS), Required, "In increasing `at`; at least one."),
+        field(
+            "stops",
+            List(&Object(&RAMP_STOP), Ramp::MAX_STOPS),
+            Required,
+            "In increasing `at`; at least one.",
+        ),
         INTERPOLATION,
     ],
 };
 
 pub(in crate::document) static RAMP_STOP: Shape = Shape {
     name: "ramp stop",
-    help: "One colour of a ramp.",
+    help: "One color of a ramp.",
     fields: &[
         field("at", Number(F32), Required, "Where along the ramp."),
-        field("color", Color { alpha: true }, Required, "Straight RGB or RGBA in the look's colour space."),
+        field(
+            "color",
+            Color { alpha: true },
+            Required,
+            "Straight RGB or RGBA in the look's color space.",
+        ),
     ],
 };

@@ -1,4 +1,5 @@
-//! What fields a document has: one table that the reader, the writer, the JSON Schemas and docs/format.md share.
+//! What fields a document has: one table that the reader, the writer, the JSON Schemas and
+//! docs/format.md share.
 
 mod look;
 mod scene;
@@ -6,8 +7,8 @@ mod schema;
 mod tables;
 
 pub(super) use look::{
-    BOOKMARK, CURVE, DEFINITION, DIRECTION_KEY, DIRECTION_KEYS, EXPOSED, FRAME, INTERFACE_PORT, LIGHT, LOOK, NODE,
-    NOTE, RAMP, RAMP_STOP, TIME_KEY, TIME_KEYS, WIRE,
+    BOOKMARK, CURVE, DEFINITION, DIRECTION_KEY, DIRECTION_KEYS, EXPOSED, FRAME, INTERFACE_PORT,
+    LIGHT, LOOK, NODE, NOTE, RAMP, RAMP_STOP, TIME_KEY, TIME_KEYS, WIRE,
 };
 pub(super) use scene::{AXIS_ANGLE, CAMERA, OBJECT, SCENE, TIME_RANGE, TRANSFORM};
 pub use schema::{look_schema, scene_schema};
@@ -143,7 +144,7 @@ pub(super) fn say_number(number: f64) -> String {
     }
 }
 
-/// Lengths, colours and places: whatever is beyond is a mistake.
+/// Lengths, colors and places: whatever is beyond is a mistake.
 pub(super) const FAR: Bounds = Bounds::new(-1e6, 1e6);
 /// Lengths and factors.
 pub(super) const POSITIVE: Bounds = Bounds::new(0.0, 1e6);

@@ -2,23 +2,38 @@
 
 use super::Default::{Json, Required, Words};
 use super::Kind::{
-    Backdrop, Bool, Direction, List, Looks, Map, Number, Numbers, Object, Rotation, Slug, Text, Value, Word,
+    Backdrop, Bool, Direction, List, Looks, Map, Number, Numbers, Object, Rotation, Slug, Text,
+    Value, Word,
 };
 use super::look::LIGHT;
 use super::{Bounds, FAR, Field, LINE, Shape, field};
 use crate::document::word::Word as _;
 use crate::document::{Camera, Projection, VERSION as CURRENT};
 
-pub(super) const VERSION: Field =
-    field("version", Number(Bounds::whole(1.0, CURRENT as f64)), Json("1"), "The version of the format.");
-pub(super) const SCHEMA: Field =
-    field("$schema", Text(LINE), Words("none"), "A JSON Schema for text editors; kept, and not looked at.");
+pub(super) const VERSION: Field = field(
+    "version",
+    Number(Bounds::whole(1.0, CURRENT as f64)),
+    Json("1"),
+    "The version of the format.",
+);
+pub(super) const SCHEMA: Field = field(
+    "$schema",
+    Text(LINE),
+    Words("none"),
+    "A JSON Schema for text editors; kept, and not looked at.",
+);
 
 pub(in crate::document) static SCENE: Shape = Shape {
     name: "scene",
-    help: "Objects with looks, shared lights, the illumination frame, a camera, a backdrop and a time range.",
+    help: "Objects with looks, shared lights, the illumination frame, a camera, a backdrop and a \
+           time range.",
     fields: &[
-        field("chiaro", Word(&[("scene", "a scene")]), Words("what it is opened as"), "What the document is."),
+        field(
+            "chiaro",
+            Word(&[("scene", "a scene")]),
+            Words("what it is opened as"),
+            "What the document is.",
+        ),
         VERSION,
         SCHEMA,
         field("name", Text(LINE), Json("\"\""), "What the artist calls it."),
@@ -41,7 +56,7 @@ pub(in crate::document) static SCENE: Shape = Shape {
             "backdrop",
             Backdrop,
             Json("[0.16, 0.165, 0.18, 1]"),
-            "Straight RGBA behind the objects, in display colours; null for transparent.",
+            "Straight RGBA behind the objects, in display colors; null for transparent.",
         ),
         field("time", Object(&TIME_RANGE), Json("{}"), "Which times there are."),
     ],
@@ -63,9 +78,15 @@ pub(in crate::document) static OBJECT: Shape = Shape {
             "looks",
             Looks,
             Json("{}"),
-            "A look's path, relative to the scene's file; or such paths by material name, where `*` is for every other material.",
+            "A look's path, relative to the scene's file; or such paths by material name, where \
+             `*` is for every other material.",
         ),
-        field("values", Map(&Value, 10_000), Json("{}"), "Values of exposed parameters, over those of the looks."),
+        field(
+            "values",
+            Map(&Value, 10_000),
+            Json("{}"),
+            "Values of exposed parameters, over those of the looks.",
+        ),
         field("visible", Bool, Json("true"), "Whether it is drawn."),
     ],
 };
@@ -76,7 +97,12 @@ pub(in crate::document) static TRANSFORM: Shape = Shape {
     fields: &[
         field("translate", Numbers(3, 3, FAR), Json("[0, 0, 0]"), "In scene units."),
         field("rotate", Rotation, Json("[0, 0, 0, 1]"), "World from object."),
-        field("scale", Numbers(3, 3, FAR), Json("[1, 1, 1]"), "Along each axis of the object; none of them 0."),
+        field(
+            "scale",
+            Numbers(3, 3, FAR),
+            Json("[1, 1, 1]"),
+            "Along each axis of the object; none of them 0.",
+        ),
         field(
             "fit",
             Bool,
@@ -100,14 +126,24 @@ pub(in crate::document) static CAMERA: Shape = Shape {
     help: "Where the picture is taken from.",
     fields: &[
         field("eye", Numbers(3, 3, FAR), Json("[0, 0, 4.4]"), "The eye, in scene units."),
-        field("target", Numbers(3, 3, FAR), Json("[0, 0, 0]"), "What it looks at, in scene units; not the eye."),
+        field(
+            "target",
+            Numbers(3, 3, FAR),
+            Json("[0, 0, 0]"),
+            "What it looks at, in scene units; not the eye.",
+        ),
         field(
             "up",
             Direction,
             Json("[0, 1, 0]"),
             "What is up in the picture; any length but 0, and not along the view.",
         ),
-        field("projection", Word(Projection::WORDS), Json("\"perspective\""), "How depth becomes smaller."),
+        field(
+            "projection",
+            Word(Projection::WORDS),
+            Json("\"perspective\""),
+            "How depth becomes smaller.",
+        ),
         field(
             "fov",
             Number(Bounds::new(Camera::FOV[0], Camera::FOV[1])),
@@ -124,7 +160,8 @@ pub(in crate::document) static CAMERA: Shape = Shape {
             "aspect",
             Number(Bounds::new(0.0, 100.0)),
             Json("0"),
-            "The width over the height of the picture that it was placed for: a narrower one shows as much in width, and \
+            "The width over the height of the picture that it was placed for: a narrower one shows \
+             as much in width, and \
              more above and below. 0 for any.",
         ),
     ],

@@ -9,10 +9,8 @@ use super::{Bounds, CURVE, Default, F32, FAR, Field, Kind, LONG, MAX_NUMBERS, RA
 const SLUG: &str = "^[A-Za-z_][A-Za-z0-9_-]{0,63}$";
 const INPUT: &str = r"^[A-Za-z_][A-Za-z0-9_-]{0,63}\.[A-Za-z_][A-Za-z0-9_-]{0,63}$";
 const OUTPUT: &str = r"^[A-Za-z_][A-Za-z0-9_-]{0,63}(\.[A-Za-z_][A-Za-z0-9_-]{0,63})?$";
-const OUTPUT_IN_GROUPS: &str =
-    r"^[A-Za-z_][A-Za-z0-9_-]{0,63}(/[A-Za-z_][A-Za-z0-9_-]{0,63})*(\.[A-Za-z_][A-Za-z0-9_-]{0,63})?$";
-const TARGET: &str =
-    r"^(lights\.[A-Za-z_][A-Za-z0-9_-]{0,63}\.[a-z_]+|[A-Za-z_][A-Za-z0-9_/-]*\.[A-Za-z_][A-Za-z0-9_-]{0,63})$";
+const OUTPUT_IN_GROUPS: &str = r"^[A-Za-z_][A-Za-z0-9_-]{0,63}(/[A-Za-z_][A-Za-z0-9_-]{0,63})*(\.[A-Za-z_][A-Za-z0-9_-]{0,63})?$";
+const TARGET: &str = r"^(lights\.[A-Za-z_][A-Za-z0-9_-]{0,63}\.[a-z_]+|[A-Za-z_][A-Za-z0-9_/-]*\.[A-Za-z_][A-Za-z0-9_-]{0,63})$";
 
 /// The JSON Schema of looks, as `docs/look.schema.json` has it.
 pub fn look_schema() -> Value {
@@ -52,7 +50,8 @@ fn object(shape: &Shape, definitions: &mut Definitions) -> Map<String, Value> {
         properties.insert(field.name.into(), property);
     }
     let is_required = |field: &&Field| matches!(field.default, Default::Required);
-    let required: Vec<&str> = shape.fields.iter().filter(is_required).map(|field| field.name).collect();
+    let required: Vec<&str> =
+        shape.fields.iter().filter(is_required).map(|field| field.name).collect();
     let mut object = Map::new();
     object.insert("description".into(), shape.help.into());
     object.insert("type".into(), "object".into());
@@ -64,7 +63,11 @@ fn object(shape: &Shape, definitions: &mut Definitions) -> Map<String, Value> {
 }
 
 /// A reference to a definition, which is made where it is not there yet.
-fn refer(name: &str, definitions: &mut Definitions, make: impl FnOnce(&mut Definitions) -> Value) -> Value {
+fn refer(
+    name: &str,
+    definitions: &mut Definitions,
+    make: impl FnOnce(&mut Definitions) -> Value,
+) -> Value {
     let name = name.replace(' ', "_");
     if !definitions.contains_key(&name) {
         // It is there before it is made, so that it may refer to itself.
@@ -119,9 +122,15 @@ fn kind(of: &Kind, definitions: &mut Definitions) -> Value {
             }
         ] }),
         Kind::Value => refer("value", definitions, value),
-        Kind::Looks => json!({ "anyOf": [path(), { "type": "object", "additionalProperties": path() }] }),
-        Kind::Object(shape) => refer(shape.name, definitions, |definitions| object(shape, definitions).into()),
-        Kind::List(item, most) => json!({ "type": "array", "items": kind(item, definitions), "maxItems": most }),
+        Kind::Looks => {
+            json!({ "anyOf": [path(), { "type": "object", "additionalProperties": path() }] })
+        }
+        Kind::Object(shape) => {
+            refer(shape.name, definitions, |definitions| object(shape, definitions).into())
+        }
+        Kind::List(item, most) => {
+            json!({ "type": "array", "items": kind(item, definitions), "maxItems": most })
+        }
         Kind::Map(item, most) => json!({
             "type": "object",
             "propertyNames": { "pattern": SLUG },
@@ -149,7 +158,11 @@ fn number(bounds: &Bounds) -> Value {
 
 /// A number without a needless point.
 fn plain(number: f64) -> Value {
-    if number.fract() == 0.0 && number.abs() < 1e15 { (number as i64).into() } else { number.into() }
+    if number.fract() == 0.0 && number.abs() < 1e15 {
+        (number as i64).into()
+    } else {
+        number.into()
+    }
 }
 
 fn numbers(least: usize, most: usize, bounds: &Bounds) -> Value {
@@ -157,7 +170,8 @@ fn numbers(least: usize, most: usize, bounds: &Bounds) -> Value {
 }
 
 fn choice(words: &[(&str, &str)]) -> Value {
-    let words: Vec<Value> = words.iter().map(|(word, help)| json!({ "const": word, "description": help })).collect();
+    let words: Vec<Value> =
+        words.iter().map(|(word, help)| json!({ "const": word, "description": help })).collect();
     json!({ "anyOf": words })
 }
 

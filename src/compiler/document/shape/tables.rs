@@ -33,7 +33,8 @@ pub fn field_tables() -> Vec<(&'static str, String)> {
 }
 
 fn table(shape: &Shape) -> String {
-    let mut table = String::from("| field | takes | default | meaning |\n| --- | --- | --- | --- |\n");
+    let mut table =
+        String::from("| field | takes | default | meaning |\n| --- | --- | --- | --- |\n");
     for field in shape.fields {
         let default = match field.default {
             Default::Required => "required".to_owned(),
@@ -44,7 +45,8 @@ fn table(shape: &Shape) -> String {
         if let Kind::Word(words) = &field.kind
             && words.len() > 1
         {
-            let all: Vec<String> = words.iter().map(|(word, meaning)| format!("`{word}`: {meaning}")).collect();
+            let all: Vec<String> =
+                words.iter().map(|(word, meaning)| format!("`{word}`: {meaning}")).collect();
             help = format!("{help} {}.", all.join("; "));
         }
         table += &format!("| `{}` | {} | {default} | {help} |\n", field.name, say(&field.kind));
@@ -57,16 +59,19 @@ fn say(kind: &Kind) -> String {
         Kind::Bool => "`true` or `false`".to_owned(),
         Kind::Number(bounds) => bounds.say(),
         Kind::Numbers(least, most, bounds) => {
-            let count = if least == most { format!("{least}") } else { format!("{least} to {most}") };
+            let count =
+                if least == most { format!("{least}") } else { format!("{least} to {most}") };
             format!("{count} numbers from {} to {}", say_number(bounds.min), say_number(bounds.max))
         }
         Kind::Direction => "3 numbers, not all 0".to_owned(),
-        Kind::Color { alpha: false } => "a [colour](#colours) without alpha".to_owned(),
-        Kind::Color { alpha: true } | Kind::Backdrop => "a [colour](#colours)".to_owned(),
+        Kind::Color { alpha: false } => "a [color](#colors) without alpha".to_owned(),
+        Kind::Color { alpha: true } | Kind::Backdrop => "a [color](#colors)".to_owned(),
         Kind::Rotation => "a [rotation](#rotations)".to_owned(),
         Kind::Text(most) => format!("a string of at most {most} bytes"),
         Kind::Slug => "an [id](#ids)".to_owned(),
-        Kind::Word(words) => words.iter().map(|(word, _)| format!("`\"{word}\"`")).collect::<Vec<_>>().join(", "),
+        Kind::Word(words) => {
+            words.iter().map(|(word, _)| format!("`\"{word}\"`")).collect::<Vec<_>>().join(", ")
+        }
         Kind::Output => "`\"node.port\"` or `\"node\"`".to_owned(),
         Kind::Input => "`\"node.port\"`".to_owned(),
         Kind::Target => "a [target](#targets)".to_owned(),
@@ -76,7 +81,9 @@ fn say(kind: &Kind) -> String {
         Kind::Object(shape) => format!("{}, an object", linked(shape)),
         Kind::List(item, most) => format!("a list of {}, at most {most}", plural(item)),
         Kind::Map(item, most) => format!("an object of {} by id, at most {most}", plural(item)),
-        Kind::TargetValues => "an object of [values](#values) by [target](#targets), at most 10000".to_owned(),
+        Kind::TargetValues => {
+            "an object of [values](#values) by [target](#targets), at most 10000".to_owned()
+        }
     }
 }
 

@@ -4,12 +4,12 @@ use super::value::{value, values};
 use super::{part, top};
 use crate::document::json::{Layout, Writer};
 use crate::document::shape::{
-    BOOKMARK, DEFINITION, DIRECTION_KEY, DIRECTION_KEYS, EXPOSED, FRAME, INTERFACE_PORT, LIGHT, LOOK, NODE, NOTE,
-    TIME_KEY, TIME_KEYS, WIRE,
+    BOOKMARK, DEFINITION, DIRECTION_KEY, DIRECTION_KEYS, EXPOSED, FRAME, INTERFACE_PORT, LIGHT,
+    LOOK, NODE, NOTE, TIME_KEY, TIME_KEYS, WIRE,
 };
 use crate::document::{
-    Definition, DirectionKey, DirectionKeys, Driver, Graph, Interpolation, KeyDirection, KeyScheme, Light, Look, Node,
-    Note, Tier, TimeKeys, Unknown,
+    Definition, DirectionKey, DirectionKeys, Driver, Graph, Interpolation, KeyDirection, KeyScheme,
+    Light, Look, Node, Note, Tier, TimeKeys, Unknown,
 };
 use crate::ids::{LightId, NodeId};
 use indexmap::IndexMap;
@@ -35,11 +35,16 @@ pub(super) fn look(w: &mut Writer, look: &Look) {
             });
         }
         w.lines("exposed", &look.exposed, |w, exposed| {
-            w.shaped(Layout::Inline, &EXPOSED, part(Some(unknown), "exposed", Some(exposed.name.as_str())), |w| {
-                w.member("name", |w| w.string(exposed.name.as_str()));
-                w.member("target", |w| w.string(&exposed.target.to_string()));
-                w.text_unless_empty("label", &exposed.label);
-            });
+            w.shaped(
+                Layout::Inline,
+                &EXPOSED,
+                part(Some(unknown), "exposed", Some(exposed.name.as_str())),
+                |w| {
+                    w.member("name", |w| w.string(exposed.name.as_str()));
+                    w.member("target", |w| w.string(&exposed.target.to_string()));
+                    w.text_unless_empty("label", &exposed.label);
+                },
+            );
         });
         w.lines("direction_keys", &look.direction_keys, direction_keys);
         w.lines("time_keys", &look.time_keys, time_keys);
@@ -81,7 +86,9 @@ fn light(w: &mut Writer, light: &Light, unknown: Option<&Unknown>) {
 
 fn graph(w: &mut Writer, graph: &Graph, unknown: &Unknown) {
     if !graph.nodes.is_empty() {
-        w.member("nodes", |w| w.list(Layout::Lines, &graph.nodes, |w, (id, of_id)| node(w, id, of_id)));
+        w.member("nodes", |w| {
+            w.list(Layout::Lines, &graph.nodes, |w, (id, of_id)| node(w, id, of_id))
+        });
     }
     w.lines("wires", &graph.wires, |w, wire| {
         let to = wire.to.to_string();
@@ -110,12 +117,17 @@ fn notes(w: &mut Writer, graph: &Graph, unknown: &Unknown) {
         w.object(Layout::Lines, |w| {
             for (id, note) in &graph.notes {
                 w.member(id.as_str(), |w| {
-                    w.shaped(Layout::Inline, &NOTE, part(Some(unknown), "notes", Some(id.as_str())), |w| {
-                        w.text_unless_empty("text", &note.text);
-                        w.numbers_unless("at", &note.position, &[0.0; 2]);
-                        w.number_unless("width", note.width, Note::WIDTH);
-                        w.numbers_unless("color", &note.color, &[]);
-                    });
+                    w.shaped(
+                        Layout::Inline,
+                        &NOTE,
+                        part(Some(unknown), "notes", Some(id.as_str())),
+                        |w| {
+                            w.text_unless_empty("text", &note.text);
+                            w.numbers_unless("at", &note.position, &[0.0; 2]);
+                            w.number_unless("width", note.width, Note::WIDTH);
+                            w.numbers_unless("color", &note.color, &[]);
+                        },
+                    );
                 });
             }
         });
@@ -130,13 +142,22 @@ fn frames(w: &mut Writer, graph: &Graph, unknown: &Unknown) {
         w.object(Layout::Lines, |w| {
             for (id, frame) in &graph.frames {
                 w.member(id.as_str(), |w| {
-                    w.shaped(Layout::Inline, &FRAME, part(Some(unknown), "frames", Some(id.as_str())), |w| {
-                        w.text_unless_empty("title", &frame.title);
-                        w.numbers_unless("color", &frame.color, &[]);
-                        if !frame.nodes.is_empty() {
-                            w.member("nodes", |w| w.list(Layout::Inline, &frame.nodes, |w, id| w.string(id.as_str())));
-                        }
-                    });
+                    w.shaped(
+                        Layout::Inline,
+                        &FRAME,
+                        part(Some(unknown), "frames", Some(id.as_str())),
+                        |w| {
+                            w.text_unless_empty("title", &frame.title);
+                            w.numbers_unless("color", &frame.color, &[]);
+                            if !frame.nodes.is_empty() {
+                                w.member("nodes", |w| {
+                                    w.list(Layout::Inline, &frame.nodes, |w, id| {
+                                        w.string(id.as_str())
+                                    })
+                                });
+                            }
+                        },
+                    );
                 });
             }
         });
@@ -195,9 +216,13 @@ fn direction_keys(w: &mut Writer, keys: &DirectionKeys) {
         w.text_unless_empty("name", &keys.name);
         w.member("by", |w| match &keys.by {
             KeyDirection::View => w.string("view"),
-            KeyDirection::Light(id) => w.object(Layout::Inline, |w| w.member("light", |w| w.string(id.as_str()))),
+            KeyDirection::Light(id) => {
+                w.object(Layout::Inline, |w| w.member("light", |w| w.string(id.as_str())))
+            }
             KeyDirection::Drivers(drivers) => {
-                w.object(Layout::Inline, |w| w.member("drivers", |w| w.list(Layout::Inline, drivers, driver)));
+                w.object(Layout::Inline, |w| {
+                    w.member("drivers", |w| w.list(Layout::Inline, drivers, driver))
+                });
             }
         });
         w.word_unless("scheme", keys.scheme, KeyScheme::default());
@@ -206,8 +231,9 @@ fn direction_keys(w: &mut Writer, keys: &DirectionKeys) {
 }
 
 fn driver(w: &mut Writer, driver: &Driver) {
-    let named =
-        |w: &mut Writer, kind: &'static str, id: &str| w.object(Layout::Inline, |w| w.member(kind, |w| w.string(id)));
+    let named = |w: &mut Writer, kind: &'static str, id: &str| {
+        w.object(Layout::Inline, |w| w.member(kind, |w| w.string(id)))
+    };
     match driver {
         Driver::Distance => w.string("distance"),
         Driver::Facing => w.string("facing"),
@@ -231,7 +257,9 @@ fn direction_key(w: &mut Writer, key: &DirectionKey, axes: Option<usize>) {
             w.object(Layout::Inline, |w| {
                 for (target, of_target) in &key.values {
                     let target = target.to_string();
-                    w.member(&target, |w| value(w, of_target, part(unknown, "values", Some(&target))));
+                    w.member(&target, |w| {
+                        value(w, of_target, part(unknown, "values", Some(&target)))
+                    });
                 }
             });
         });

@@ -1,5 +1,5 @@
-//! Writing documents in the canonical form: fields in a fixed order, defaults left out, and one node, one wire, one
-//! light on each line, so that files compare and merge well.
+//! Writing documents in the canonical form: fields in a fixed order, defaults left out, and one
+//! node, one wire, one light on each line, so that files compare and merge well.
 
 mod look;
 mod scene;
@@ -13,8 +13,8 @@ use super::source::SourceMap;
 use super::{Look, Scene, Unknown, VERSION, store};
 use crate::diag::Diagnostic;
 
-/// What every document can be written by. Methods of the types themselves, and no trait's, so that whoever has a document
-/// can save it without importing anything.
+/// What every document can be written by. Methods of the types themselves, and no trait's, so that
+/// whoever has a document can save it without importing anything.
 macro_rules! written {
     ($document:ty, $write:path) => {
         impl $document {
@@ -23,25 +23,37 @@ macro_rules! written {
                 self.write(Writer::new())
             }
 
-            /// As [`to_text`](Self::to_text), but numbers that are none are written as such, which no reader takes.
+            /// As [`to_text`](Self::to_text), but numbers that are none are written as such, which
+            /// no reader takes.
             pub(super) fn to_trial_text(&self) -> String {
                 self.write(Writer::trial())
             }
 
-            /// The text that the document was read from, byte for byte, where that says the same; else the canonical form.
+            /// The text that the document was read from, byte for byte, where that says the same;
+            /// else the canonical form.
             pub fn to_text_like(&self, source: &SourceMap) -> String {
                 let own = self.to_text();
                 let read = Self::read(source.text(), source.file()).value;
-                if read.is_some_and(|read| read.to_text() == own) { source.text().to_string() } else { own }
+                if read.is_some_and(|read| read.to_text() == own) {
+                    source.text().to_string()
+                } else {
+                    own
+                }
             }
 
-            /// Saves the document, whole or not at all; unchanged text stays as it is where `source` is what the document
-            /// was read from.
+            /// Saves the document, whole or not at all; unchanged text stays as it is where
+            /// `source` is what the document was read from.
             ///
             /// # Errors
-            /// A diagnostic that says why the file could not be written; the old one is then as it was.
-            pub fn save(&self, path: &Path, source: Option<&SourceMap>) -> Result<(), Box<Diagnostic>> {
-                let text = source.map_or_else(|| self.to_text(), |source| self.to_text_like(source));
+            /// A diagnostic that says why the file could not be written; the old one is then as it
+            /// was.
+            pub fn save(
+                &self,
+                path: &Path,
+                source: Option<&SourceMap>,
+            ) -> Result<(), Box<Diagnostic>> {
+                let text =
+                    source.map_or_else(|| self.to_text(), |source| self.to_text_like(source));
                 store::write_atomic(path, text.as_bytes())
             }
 
@@ -111,7 +123,13 @@ impl Writer {
     }
 
     /// An object whose unknown members come last.
-    fn shaped(&mut self, layout: Layout, shape: &Shape, unknown: Option<&Unknown>, write: impl FnOnce(&mut Self)) {
+    fn shaped(
+        &mut self,
+        layout: Layout,
+        shape: &Shape,
+        unknown: Option<&Unknown>,
+        write: impl FnOnce(&mut Self),
+    ) {
         self.object(layout, |w| {
             write(w);
             w.unknown(shape, unknown);
@@ -119,7 +137,12 @@ impl Writer {
     }
 
     /// A list member with one item on each line, not written where it is empty.
-    fn lines<'a, T: 'a>(&mut self, name: &str, items: &'a [T], write: impl FnMut(&mut Self, &'a T)) {
+    fn lines<'a, T: 'a>(
+        &mut self,
+        name: &str,
+        items: &'a [T],
+        write: impl FnMut(&mut Self, &'a T),
+    ) {
         if !items.is_empty() {
             self.member(name, |w| w.list(Layout::Lines, items, write));
         }

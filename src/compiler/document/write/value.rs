@@ -43,10 +43,15 @@ fn ramp(w: &mut Writer, ramp: &Ramp, unknown: Option<&Unknown>) {
         let mut index = 0;
         w.member("stops", |w| {
             w.list(Layout::Inline, &ramp.stops, |w, stop| {
-                w.shaped(Layout::Inline, &RAMP_STOP, part(unknown, "stops", Some(&index.to_string())), |w| {
-                    w.member("at", |w| w.number(stop.at));
-                    w.member("color", |w| w.numbers(&stop.color));
-                });
+                w.shaped(
+                    Layout::Inline,
+                    &RAMP_STOP,
+                    part(unknown, "stops", Some(&index.to_string())),
+                    |w| {
+                        w.member("at", |w| w.number(stop.at));
+                        w.member("color", |w| w.numbers(&stop.color));
+                    },
+                );
                 index += 1;
             });
         });

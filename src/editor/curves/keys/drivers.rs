@@ -1,8 +1,8 @@
 //! Keys by drivers: which numbers decide, what they are now, and where each key lies among them.
 
 use eframe::egui::{
-    Button, Color32, ComboBox, DragValue, Grid, Rect, RichText, Role, ScrollArea, Sense, Stroke, TextWrapMode, Ui,
-    WidgetInfo, pos2, vec2,
+    Button, Color32, ComboBox, DragValue, Grid, Rect, RichText, Role, ScrollArea, Sense, Stroke,
+    TextWrapMode, Ui, WidgetInfo, pos2, vec2,
 };
 use glam::DVec3;
 
@@ -16,42 +16,59 @@ use crate::document::{Driver, KeyDirection};
 /// How tall a menu of drivers grows before it scrolls, in points.
 pub(super) const MENU: f32 = 360.0;
 
-/// How many pieces a strip of colours has.
+/// How many pieces a strip of colors has.
 const PIECES: usize = 96;
 
 /// Shows the drivers of a set and the places of its keys; along one driver also who weighs where.
-pub(super) fn show(ui: &mut Ui, shown: &Shown<'_>, axes: &[Driver], ground: &mut Ground, out: &mut Vec<Command>) {
+pub(super) fn show(
+    ui: &mut Ui,
+    shown: &Shown<'_>,
+    axes: &[Driver],
+    ground: &mut Ground,
+    out: &mut Vec<Command>,
+) {
     if axes.len() == 1 {
         strip(ui, shown, ground, out);
     }
     let colors = theme::of(ui);
-    Grid::new(("drivers", shown.set)).num_columns(shown.keys.keys.len() + 3).spacing([10.0, 4.0]).show(ui, |ui| {
-        ui.label(RichText::new("Driver").small().color(colors.dim));
-        ui.label(RichText::new("Now").small().color(colors.dim));
-        for key in 0..shown.keys.keys.len() {
-            ui.label(RichText::new(format!("Key {}", key + 1)).color(colors.hue(key)));
-        }
-        ui.end_row();
-        for axis in 0..axes.len() {
-            ui.push_id(axis, |ui| chosen(ui, shown, axes, axis, out));
-            let now = ui.label(said(&axes[axis], shown.now[axis]));
-            let text =
-                format!("{} now: {}", shown.session.driver_name(&axes[axis]), said(&axes[axis], shown.now[axis]));
-            now.widget_info(|| WidgetInfo::labeled(Role::Label, true, text.clone()));
+    Grid::new(("drivers", shown.set))
+        .num_columns(shown.keys.keys.len() + 3)
+        .spacing([10.0, 4.0])
+        .show(ui, |ui| {
+            ui.label(RichText::new("Driver").small().color(colors.dim));
+            ui.label(RichText::new("Now").small().color(colors.dim));
             for key in 0..shown.keys.keys.len() {
-                ui.push_id((axis, key), |ui| place(ui, shown, &axes[axis], (axis, key), out));
-            }
-            if axes.len() > 1 {
-                let remove = ui.add(Button::new("×").small().frame(false)).on_hover_text("Decides no more");
-                let called = format!("Remove the driver {}", shown.session.driver_name(&axes[axis]));
-                remove.widget_info(|| WidgetInfo::labeled(Role::Button, true, called.clone()));
-                if remove.clicked() {
-                    out.push(Command::Edit(shown.session.change_set(shown.set, |keys| remove_axis(keys, axis))));
-                }
+                ui.label(RichText::new(format!("Key {}", key + 1)).color(colors.hue(key)));
             }
             ui.end_row();
-        }
-    });
+            for axis in 0..axes.len() {
+                ui.push_id(axis, |ui| chosen(ui, shown, axes, axis, out));
+                let now = ui.label(said(&axes[axis], shown.now[axis]));
+                let text = format!(
+                    "{} now: {}",
+                    shown.session.driver_name(&axes[axis]),
+                    said(&axes[axis], shown.now[axis])
+                );
+                now.widget_info(|| WidgetInfo::labeled(Role::Label, true, text.clone()));
+                for key in 0..shown.keys.keys.len() {
+                    ui.push_id((axis, key), |ui| place(ui, shown, &axes[axis], (axis, key), out));
+                }
+                if axes.len() > 1 {
+                    let remove = ui
+                        .add(Button::new("×").small().frame(false))
+                        .on_hover_text("Decides no more");
+                    let called =
+                        format!("Remove the driver {}", shown.session.driver_name(&axes[axis]));
+                    remove.widget_info(|| WidgetInfo::labeled(Role::Button, true, called.clone()));
+                    if remove.clicked() {
+                        out.push(Command::Edit(
+                            shown.session.change_set(shown.set, |keys| remove_axis(keys, axis)),
+                        ));
+                    }
+                }
+                ui.end_row();
+            }
+        });
     if axes.len() < Driver::MOST {
         add(ui, shown, axes, out);
     }
@@ -71,7 +88,9 @@ fn chosen(ui: &mut Ui, shown: &Shown<'_>, axes: &[Driver], axis: usize, out: &mu
     let combo = combo.show_ui(ui, |ui| {
         for driver in all(shown) {
             let is_free = !axes.contains(&driver);
-            if ui.selectable_label(axes[axis] == driver, session.driver_name(&driver)).clicked() && is_free {
+            if ui.selectable_label(axes[axis] == driver, session.driver_name(&driver)).clicked()
+                && is_free
+            {
                 out.push(Command::Edit(session.change_set(shown.set, |keys| {
                     if let KeyDirection::Drivers(axes) = &mut keys.by {
                         axes[axis] = driver;
@@ -81,13 +100,19 @@ fn chosen(ui: &mut Ui, shown: &Shown<'_>, axes: &[Driver], axis: usize, out: &mu
         }
     });
     name(&combo.response, Role::ComboBox, &format!("Driver {}", axis + 1));
-    combo
-        .response
-        .on_hover_text("Which number of the scene, or which wire of the look, decides; keys stay where they are");
+    combo.response.on_hover_text(
+        "Which number of the scene, or which wire of the look, decides; keys stay where they are",
+    );
 }
 
 /// Where a key lies along an axis.
-fn place(ui: &mut Ui, shown: &Shown<'_>, driver: &Driver, (axis, key): (usize, usize), out: &mut Vec<Command>) {
+fn place(
+    ui: &mut Ui,
+    shown: &Shown<'_>,
+    driver: &Driver,
+    (axis, key): (usize, usize),
+    out: &mut Vec<Command>,
+) {
     let own = shown.keys.keys[key].direction[axis];
     let per_unit = if driver.is_angle() { 1f64.to_radians() } else { 1.0 };
     let mut value = own / per_unit;
@@ -97,7 +122,8 @@ fn place(ui: &mut Ui, shown: &Shown<'_>, driver: &Driver, (axis, key): (usize, u
     drag.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, called.clone()));
     if drag.changed() && value.is_finite() {
         let moved = (value * per_unit).clamp(-1e6, 1e6);
-        let edit = shown.session.change_set(shown.set, |keys| keys.keys[key].direction[axis] = moved);
+        let edit =
+            shown.session.change_set(shown.set, |keys| keys.keys[key].direction[axis] = moved);
         out.push(Command::EditHeld(drag.id, edit));
     }
 }
@@ -140,10 +166,12 @@ pub(super) fn beside(place: [f64; 3]) -> [f64; 3] {
     [moved, rest[0], rest[1]]
 }
 
-/// Who weighs where along the one driver, with the keys and where it is now. A press chooses the nearest key.
+/// Who weighs where along the one driver, with the keys and where it is now. A press chooses the
+/// nearest key.
 fn strip(ui: &mut Ui, shown: &Shown<'_>, ground: &mut Ground, out: &mut Vec<Command>) {
     let colors = theme::of(ui);
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width().max(80.0), 34.0), Sense::click());
+    let (rect, response) =
+        ui.allocate_exact_size(vec2(ui.available_width().max(80.0), 34.0), Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "Keys along the driver"));
     let places = || shown.keys.keys.iter().map(|key| key.direction[0]).chain([shown.now.x]);
     let (low, high) = (places().fold(f64::MAX, f64::min), places().fold(f64::MIN, f64::max));
@@ -156,7 +184,8 @@ fn strip(ui: &mut Ui, shown: &Shown<'_>, ground: &mut Ground, out: &mut Vec<Comm
     for piece in 0..PIECES {
         let share = |piece: usize| piece as f32 / PIECES as f32;
         let value = low + span * (piece as f64 + 0.5) / PIECES as f64;
-        let color = mixed(&weights.weights(DVec3::new(value, 0.0, 0.0)), &inks, colors.canvas, 0.72);
+        let color =
+            mixed(&weights.weights(DVec3::new(value, 0.0, 0.0)), &inks, colors.canvas, 0.72);
         let [left, right] = [piece, piece + 1].map(|piece| bar.left() + bar.width() * share(piece));
         let part = Rect::from_min_max(pos2(left, bar.top()), pos2(right, bar.bottom()));
         ui.painter().rect_filled(part, 0.0, color);
@@ -176,6 +205,7 @@ fn strip(ui: &mut Ui, shown: &Shown<'_>, ground: &mut Ground, out: &mut Vec<Comm
         out.push(Command::SelectKey(nearest.map(|key| (shown.set, key))));
     }
     response.on_hover_text(
-        "Coloured by the key that weighs there; the line is where the driver is now. Press a key to select it",
+        "Colored by the key that weighs there; the line is where the driver is now. Press a key to \
+         select it",
     );
 }

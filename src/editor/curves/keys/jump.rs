@@ -1,4 +1,5 @@
-//! Bringing a light or the view to a key, to compare: what the window shows is turned, the document stays as it is.
+//! Bringing a light or the view to a key, to compare: what the window shows is turned, the document
+//! stays as it is.
 
 use glam::{DQuat, DVec3};
 
@@ -7,7 +8,8 @@ use super::super::super::orbit::Orbit;
 use super::super::super::session::Session;
 use crate::document::{KeyDirection, LightSpace};
 
-/// The view, or the illumination frame, in which `direction` decides; `None` where turning it does not move the light.
+/// The view, or the illumination frame, in which `direction` decides; `None` where turning it does
+/// not move the light.
 pub(super) fn to(session: &Session, by: &KeyDirection, direction: DVec3) -> Option<Orbit> {
     let direction = direction.try_normalize()?;
     let mut view = session.view.clone();
@@ -19,7 +21,11 @@ pub(super) fn to(session: &Session, by: &KeyDirection, direction: DVec3) -> Opti
         }
         KeyDirection::Drivers(_) => return None,
         KeyDirection::Light(id) => {
-            session.look().lights.get(id).filter(|light| light.space == LightSpace::Illumination)?;
+            session
+                .look()
+                .lights
+                .get(id)
+                .filter(|light| light.space == LightSpace::Illumination)?;
             let world_from_camera = camera_from_world(&view).transpose();
             let now = (world_from_camera * session.direction_of(by)).try_normalize()?;
             let turn = DQuat::from_rotation_arc(now, (world_from_camera * direction).normalize());

@@ -38,11 +38,14 @@ pub(super) fn key_handle(
             let stays = ui.data(|data| data.get_temp::<bool>(side)).unwrap_or(is_front);
             Some(globe.direction(to, stays))
         }
-        None if handled.steps != egui::Vec2::ZERO => Some(globe.nudge(direction, handled.steps, STEP)),
+        None if handled.steps != egui::Vec2::ZERO => {
+            Some(globe.nudge(direction, handled.steps, STEP))
+        }
         None => None,
     };
     if let Some(moved) = moved {
-        let edit = shown.session.change_set(shown.set, |keys| keys.keys[index].direction = rounded(moved));
+        let edit =
+            shown.session.change_set(shown.set, |keys| keys.keys[index].direction = rounded(moved));
         out.push(Command::EditHeld(handled.response.id, edit));
     }
     if handle::pressed(ui, &handled.response, Key::Delete) {
@@ -70,7 +73,8 @@ pub(super) fn key_handle(
     if !handled.response.dragged() {
         let percent = weight * 100.0;
         handled.response.on_hover_text(format!(
-            "Key {}, {percent:.0}% now. Drag it over the sphere (arrow keys: 2°), D copies it, Delete removes it.",
+            "Key {}, {percent:.0}% now. Drag it over the sphere (arrow keys: 2°), D copies it, \
+             Delete removes it.",
             index + 1
         ));
     }
@@ -105,7 +109,8 @@ pub(super) fn graticule(ui: &Ui, globe: Globe, is_front: bool) {
         for i in 0..PIECES {
             let (a, b) = (at(i), at(i + 1));
             if globe.is_front(a) == is_front && globe.is_front(b) == is_front {
-                ui.painter().line_segment([globe.project(a), globe.project(b)], Stroke::new(1.0, color));
+                ui.painter()
+                    .line_segment([globe.project(a), globe.project(b)], Stroke::new(1.0, color));
             }
         }
     }
@@ -131,7 +136,10 @@ pub(super) fn names_of_places(ui: &Ui, rect: Rect, globe: Globe, is_view: bool) 
         let out = away.normalized();
         let wished: Pos2 = globe.center + out * (globe.radius + 7.0);
         let room = rect.shrink2(galley.size() / 2.0);
-        let at = pos2(wished.x.clamp(room.left(), room.right()), wished.y.clamp(room.top(), room.bottom()));
+        let at = pos2(
+            wished.x.clamp(room.left(), room.right()),
+            wished.y.clamp(room.top(), room.bottom()),
+        );
         ui.painter().galley(at - galley.size() / 2.0, galley, theme::of(ui).dim);
     }
 }

@@ -1,5 +1,5 @@
-//! Direction keys (BADF 3.4): the sphere of a light's or the view's directions with the keys on it, and what each key
-//! sets. Keys by drivers lie along one to three numbers instead, which are typed.
+//! Direction keys (BADF 3.4): the sphere of a light's or the view's directions with the keys on it,
+//! and what each key sets. Keys by drivers lie along one to three numbers instead, which are typed.
 
 mod drivers;
 mod jump;
@@ -9,8 +9,8 @@ mod table;
 
 use eframe::egui;
 use eframe::egui::{
-    Align2, Color32, ComboBox, CursorIcon, FontId, Rect, Role, ScrollArea, Sense, Stroke, TextEdit, TextWrapMode, Ui,
-    WidgetInfo, pos2, vec2,
+    Align2, Color32, ComboBox, CursorIcon, FontId, Rect, Role, ScrollArea, Sense, Stroke, TextEdit,
+    TextWrapMode, Ui, WidgetInfo, pos2, vec2,
 };
 use glam::DVec3;
 
@@ -66,7 +66,8 @@ impl Keys {
             nothing(ui, session, &mut commands);
             return commands;
         };
-        let weights = session.decided(self.set).map(|(_, weights)| weights.clone()).unwrap_or_default();
+        let weights =
+            session.decided(self.set).map(|(_, weights)| weights.clone()).unwrap_or_default();
         let now = session.direction_of(&keys.by);
         let key = session.key_at(self.set);
         let shown = Shown { session, set: self.set, keys, key, weights, now };
@@ -97,7 +98,10 @@ impl Keys {
     fn beside(&mut self, ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
         shares(ui, shown);
         self.buttons(ui, shown, out);
-        ScrollArea::both().id_salt("values").auto_shrink([false, false]).show(ui, |ui| table::show(ui, shown, out));
+        ScrollArea::both()
+            .id_salt("values")
+            .auto_shrink([false, false])
+            .show(ui, |ui| table::show(ui, shown, out));
     }
 
     /// Which set, what decides between its keys, and how they are weighed.
@@ -106,7 +110,11 @@ impl Keys {
         ui.horizontal_wrapped(|ui| {
             let sets = &session.look().direction_keys;
             if sets.len() > 1 {
-                let combo = ComboBox::from_id_salt("set").selected_text(format!("{} of {}", set + 1, sets.len()));
+                let combo = ComboBox::from_id_salt("set").selected_text(format!(
+                    "{} of {}",
+                    set + 1,
+                    sets.len()
+                ));
                 let combo = combo.width(56.0).show_ui(ui, |ui| {
                     for (index, keys) in sets.iter().enumerate() {
                         if ui.selectable_label(index == *set, &keys.name).clicked() {
@@ -119,10 +127,18 @@ impl Keys {
                 name(&combo.response, Role::ComboBox, "Set of keys");
             }
             let mut called = keys.name.clone();
-            let edit = ui.add(TextEdit::singleline(&mut called).desired_width(104.0).hint_text("Name").char_limit(80));
+            let edit = ui.add(
+                TextEdit::singleline(&mut called)
+                    .desired_width(104.0)
+                    .hint_text("Name")
+                    .char_limit(80),
+            );
             name(&edit, Role::TextInput, "Name of the keys");
             if edit.changed() {
-                out.push(Command::EditHeld(edit.id, session.change_set(*set, |keys| keys.name = called)));
+                out.push(Command::EditHeld(
+                    edit.id,
+                    session.change_set(*set, |keys| keys.name = called),
+                ));
             }
             if keys.by.axes().is_none() {
                 by(ui, shown, out);
@@ -142,7 +158,8 @@ impl Keys {
         let Shown { session, set, keys, key, .. } = shown;
         let can_edit = !keys.keys.is_empty();
         ui.horizontal_wrapped(|ui| {
-            let help = "Adds a key where the light or the view is now, with the values that are seen now";
+            let help = "Adds a key where the light or the view is now, with the values that are \
+                        seen now";
             if ui.button("Add key here").on_hover_text(help).clicked() {
                 out.push(Command::Edit(add_here(shown)));
                 out.push(Command::SelectKey(Some((*set, keys.keys.len()))));
@@ -156,7 +173,8 @@ impl Keys {
             }
             let to = keys.keys.get(*key).and_then(|key| jump::to(session, &keys.by, key.direction.into()));
             let help =
-                "Brings the light or the view to this key, to compare; Back returns. The document is not changed";
+                "Brings the light or the view to this key, to compare; Back returns. The document \
+                 is not changed";
             let go = ui.add_enabled(to.is_some(), egui::Button::new("Go to key")).on_hover_text(help);
             let help = "This light does not turn with the illumination frame: move it itself";
             if go.on_disabled_hover_text(help).clicked()
@@ -179,7 +197,11 @@ impl Keys {
         let (rect, response) = ui.allocate_exact_size(vec2(side, side), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Sphere of directions"));
         let is_view = shown.keys.by == KeyDirection::View;
-        let turned = self.turned[usize::from(is_view)].get_or_insert(if is_view { [0.5, 0.35] } else { [0.0, 0.0] });
+        let turned = self.turned[usize::from(is_view)].get_or_insert(if is_view {
+            [0.5, 0.35]
+        } else {
+            [0.0, 0.0]
+        });
         if response.dragged() {
             let delta = response.drag_delta() / side * 3.0;
             let [yaw, pitch] = *turned;
@@ -195,10 +217,15 @@ impl Keys {
         marks::graticule(ui, globe, false);
         ui.painter().add(self.ground.mesh(shown.keys, globe, turned, &inks, colors.canvas));
         marks::graticule(ui, globe, true);
-        ui.painter().circle_stroke(globe.center, globe.radius, Stroke::new(1.0, colors.swatch_edge));
+        ui.painter().circle_stroke(
+            globe.center,
+            globe.radius,
+            Stroke::new(1.0, colors.swatch_edge),
+        );
         marks::names_of_places(ui, rect, globe, is_view);
         response.on_hover_cursor(CursorIcon::Move).on_hover_text(
-            "Every direction of the light or the view, coloured by the key that weighs there. Drag a key; drag beside \
+            "Every direction of the light or the view, colored by the key that weighs there. Drag \
+             a key; drag beside \
              the keys to turn the sphere, double-click to turn it back. Keys behind are rings.",
         );
         for is_front in [false, true] {
@@ -218,14 +245,19 @@ impl Keys {
         let colors = theme::of(ui);
         let radius = (rect.width() * 0.11).clamp(14.0, 34.0);
         let turned = [yaw + std::f64::consts::PI, -pitch];
-        let globe = Globe::new(rect.right_bottom() - vec2(radius + 5.0, radius + 5.0), radius, turned);
+        let globe =
+            Globe::new(rect.right_bottom() - vec2(radius + 5.0, radius + 5.0), radius, turned);
         let place = Rect::from_center_size(globe.center, egui::Vec2::splat(2.0 * radius));
         let response = ui.interact(place, ui.scope_id().with("other side"), Sense::click());
         name(&response, Role::Button, "Turn to the other side");
         let inks: Vec<Color32> = (0..shown.keys.keys.len()).map(|key| colors.hue(key)).collect();
         ui.painter().circle_filled(globe.center, radius + 2.0, colors.canvas);
         ui.painter().add(self.other_side.mesh(shown.keys, globe, turned, &inks, colors.canvas));
-        let edge = if response.hovered() || response.has_focus() { colors.accent } else { colors.swatch_edge };
+        let edge = if response.hovered() || response.has_focus() {
+            colors.accent
+        } else {
+            colors.swatch_edge
+        };
         ui.painter().circle_stroke(globe.center, radius, Stroke::new(1.0, edge));
         for (index, key) in shown.keys.keys.iter().enumerate() {
             let direction = DVec3::from(key.direction).normalize_or_zero();
@@ -249,8 +281,10 @@ fn name(response: &egui::Response, role: Role, text: &str) {
 fn nothing(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     dock::hint(
         ui,
-        "Direction keys change a look with where the light, or the view, is: a rim light that turns violet as it comes \
-         around, a highlight that goes out from behind. Begin with what decides, or with the diamond beside any value.",
+        "Direction keys change a look with where the light, or the view, is: a rim light that \
+         turns violet as it comes \
+         around, a highlight that goes out from behind. Begin with what decides, or with the \
+         diamond beside any value.",
     );
     add_menu(ui, session, "Add direction keys", out);
 }
@@ -265,7 +299,11 @@ fn add_menu(ui: &mut Ui, session: &Session, text: &str, out: &mut Vec<Command>) 
             }
         };
         for id in session.look().lights.keys() {
-            add(ui, format!("By the light \"{}\"", session.light_name(id)), KeyDirection::Light(id.clone()));
+            add(
+                ui,
+                format!("By the light \"{}\"", session.light_name(id)),
+                KeyDirection::Light(id.clone()),
+            );
         }
         add(ui, "By the view".to_owned(), KeyDirection::View);
         ui.separator();
@@ -284,8 +322,11 @@ fn add_menu(ui: &mut Ui, session: &Session, text: &str, out: &mut Vec<Command>) 
         still_wires::note(ui, session, &still);
     })
     .response
-    .on_hover_text("Another set of keys, by the direction of a light or of the view, by a number of the scene, or by a wire of the \
-         look that is one number for the whole object");
+    .on_hover_text(
+        "Another set of keys, by the direction of a light or of the view, by a number \
+                    of the scene, or by a wire of the \
+         look that is one number for the whole object",
+    );
 }
 
 fn by(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
@@ -309,15 +350,20 @@ fn by(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
         });
     name(&combo.response, Role::ComboBox, "What decides between the keys");
     combo.response.on_hover_text(
-        "Whose direction decides: a light's as the camera sees it (it changes too when you orbit), or that to the eye",
+        "Whose direction decides: a light's as the camera sees it (it changes too when you orbit), \
+         or that to the eye",
     );
 }
 
 fn scheme(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
     let Shown { session, set, keys, .. } = shown;
     let text = |scheme| match scheme {
-        KeyScheme::Biharmonic => ("Biharmonic", "The smoothest weights on a sphere, in closed form"),
-        KeyScheme::AppendixB => ("Appendix B", "The energy of the BADF paper's Appendix B, in closed form"),
+        KeyScheme::Biharmonic => {
+            ("Biharmonic", "The smoothest weights on a sphere, in closed form")
+        }
+        KeyScheme::AppendixB => {
+            ("Appendix B", "The energy of the BADF paper's Appendix B, in closed form")
+        }
         KeyScheme::Tessellated => ("Tessellated", "The paper's own mesh; slow, for comparison"),
     };
     let combo = ComboBox::from_id_salt("scheme")
@@ -342,7 +388,11 @@ fn shares(ui: &mut Ui, shown: &Shown<'_>) {
     let colors = theme::of(ui);
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 12.0), Sense::hover());
     response.widget_info(|| {
-        let each = shown.weights.iter().enumerate().map(|(key, weight)| format!("{} {:.0}%", key + 1, weight * 100.0));
+        let each = shown
+            .weights
+            .iter()
+            .enumerate()
+            .map(|(key, weight)| format!("{} {:.0}%", key + 1, weight * 100.0));
         let said = format!("Weights of the keys now: {}", each.collect::<Vec<_>>().join(", "));
         WidgetInfo::labeled(Role::Image, true, said)
     });
@@ -370,7 +420,9 @@ fn add_here(shown: &Shown<'_>) -> Edit {
         .filter_map(|target| Some((target.clone(), session.value_now(&target)?)))
         .collect();
     let direction = rounded(*now);
-    session.change_set(*set, |keys| keys.keys.push(DirectionKey { direction, values, unknown: Default::default() }))
+    session.change_set(*set, |keys| {
+        keys.keys.push(DirectionKey { direction, values, unknown: Default::default() })
+    })
 }
 
 fn copy(shown: &Shown<'_>, out: &mut Vec<Command>) {

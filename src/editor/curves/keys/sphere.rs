@@ -1,4 +1,5 @@
-//! The sphere of all directions, in perspective: where it is on the screen, and the keys' weights on it as colours.
+//! The sphere of all directions, in perspective: where it is on the screen, and the keys' weights
+//! on it as colors.
 
 use eframe::egui::epaint::{Mesh, Vertex};
 use eframe::egui::{Color32, Pos2, Shape, Vec2, lerp, vec2};
@@ -9,7 +10,7 @@ use crate::document::{DirectionKeys, KeyScheme};
 
 /// The eye, in radii from the middle.
 const EYE: f64 = 3.4;
-/// Rings and spokes of the mesh that carries the colours.
+/// Rings and spokes of the mesh that carries the colors.
 const RINGS: usize = 22;
 const SPOKES: usize = 80;
 
@@ -47,11 +48,13 @@ impl Globe {
     /// Where a direction is on the screen; those behind are seen through the sphere.
     pub(super) fn project(self, direction: DVec3) -> Pos2 {
         let scale = self.scale() / (EYE - direction.dot(self.toward));
-        let offset = [direction.dot(self.right), -direction.dot(self.up)].map(|x| (x * scale) as f32);
+        let offset =
+            [direction.dot(self.right), -direction.dot(self.up)].map(|x| (x * scale) as f32);
         self.center + vec2(offset[0], offset[1])
     }
 
-    /// The direction at a point of the screen, on the near or the far side; beside the sphere it is that of its rim.
+    /// The direction at a point of the screen, on the near or the far side; beside the sphere it is
+    /// that of its rim.
     pub(super) fn direction(self, at: Pos2, is_front: bool) -> DVec3 {
         let offset = at - self.center;
         let inside = offset * (self.radius * 0.999_999 / offset.length().max(self.radius));
@@ -65,18 +68,19 @@ impl Globe {
 
     /// A direction turned to the right and up as they are on the screen, by angles.
     pub(super) fn nudge(self, direction: DVec3, steps: Vec2, radians: f64) -> DVec3 {
-        let moved = direction + (self.right * f64::from(steps.x) + self.up * f64::from(steps.y)) * radians;
+        let moved =
+            direction + (self.right * f64::from(steps.x) + self.up * f64::from(steps.y)) * radians;
         moved.try_normalize().unwrap_or(direction)
     }
 }
 
-/// The colours of the sphere, kept until the keys or the view of it change.
+/// The colors of the sphere, kept until the keys or the view of it change.
 #[derive(Default)]
 pub(super) struct Ground {
     weights: Option<(Vec<[f64; 3]>, KeyScheme, KeyWeights)>,
     turned: [f64; 2],
     inks: Vec<Color32>,
-    /// For each vertex its place in the unit disc, and its colour.
+    /// For each vertex its place in the unit disc, and its color.
     vertices: Vec<(Vec2, Color32)>,
 }
 
@@ -84,7 +88,8 @@ impl Ground {
     /// The weights of a set's keys at a direction.
     pub(super) fn weights(&mut self, keys: &DirectionKeys) -> &KeyWeights {
         let places: Vec<[f64; 3]> = keys.keys.iter().map(|key| key.direction).collect();
-        let is_known = |(known, scheme, _): &(Vec<[f64; 3]>, _, _)| *known == places && *scheme == keys.scheme;
+        let is_known =
+            |(known, scheme, _): &(Vec<[f64; 3]>, _, _)| *known == places && *scheme == keys.scheme;
         if !self.weights.as_ref().is_some_and(is_known) {
             let directions: Vec<DVec3> = places.iter().map(|&place| place.into()).collect();
             let solved = match keys.by.axes() {
@@ -97,7 +102,7 @@ impl Ground {
         &self.weights.as_ref().expect("just solved").2
     }
 
-    /// The sphere as a mesh; `inks` has one colour a key, `ground` what no key colours.
+    /// The sphere as a mesh; `inks` has one color a key, `ground` what no key colors.
     pub(super) fn mesh(
         &mut self,
         keys: &DirectionKeys,
@@ -130,7 +135,12 @@ impl Ground {
     }
 }
 
-fn vertices(weights: &KeyWeights, turned: [f64; 2], inks: &[Color32], ground: Color32) -> Vec<(Vec2, Color32)> {
+fn vertices(
+    weights: &KeyWeights,
+    turned: [f64; 2],
+    inks: &[Color32],
+    ground: Color32,
+) -> Vec<(Vec2, Color32)> {
     let globe = Globe::new(Pos2::ZERO, 1.0, turned);
     let mut row = vec![0.0; weights.len()];
     let mut found = Vec::with_capacity((RINGS + 1) * SPOKES);
@@ -148,7 +158,7 @@ fn vertices(weights: &KeyWeights, turned: [f64; 2], inks: &[Color32], ground: Co
     found
 }
 
-/// The mean of the keys' colours by their weights, over the ground.
+/// The mean of the keys' colors by their weights, over the ground.
 pub(super) fn mixed(weights: &[f64], inks: &[Color32], ground: Color32, strength: f32) -> Color32 {
     let mut sum = [0.0_f32; 3];
     let mut total = 0.0;
@@ -163,7 +173,8 @@ pub(super) fn mixed(weights: &[f64], inks: &[Color32], ground: Color32, strength
         return ground;
     }
     let own = [ground.r(), ground.g(), ground.b()];
-    let [r, g, b] = [0, 1, 2].map(|i| lerp(f32::from(own[i])..=sum[i] / total, strength).round() as u8);
+    let [r, g, b] =
+        [0, 1, 2].map(|i| lerp(f32::from(own[i])..=sum[i] / total, strength).round() as u8);
     Color32::from_rgb(r, g, b)
 }
 
@@ -185,6 +196,9 @@ mod tests {
             assert!(back.distance(direction) < 5e-3, "{direction} {back}");
             assert!(globe.project(direction).distance(globe.center) <= 70.01);
         }
-        assert!(globe.direction(pos2(400.0, 80.0), true).dot(globe.toward) < 0.31, "beside it is the rim");
+        assert!(
+            globe.direction(pos2(400.0, 80.0), true).dot(globe.toward) < 0.31,
+            "beside it is the rim"
+        );
     }
 }

@@ -14,14 +14,21 @@ use crate::library::Type;
 /// Shows the table.
 pub(super) fn show(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
     let targets = targets_of(shown.keys);
-    Grid::new(("keyed values", shown.set)).num_columns(shown.keys.keys.len() + 2).spacing([10.0, 4.0]).show(ui, |ui| {
-        head(ui, shown, out);
-        for target in &targets {
-            row(ui, shown, target, out);
-        }
-    });
+    Grid::new(("keyed values", shown.set))
+        .num_columns(shown.keys.keys.len() + 2)
+        .spacing([10.0, 4.0])
+        .show(ui, |ui| {
+            head(ui, shown, out);
+            for target in &targets {
+                row(ui, shown, target, out);
+            }
+        });
     if targets.is_empty() {
-        dock::hint(ui, "These keys change nothing yet: add a value, or press the diamond beside one in the inspector.");
+        dock::hint(
+            ui,
+            "These keys change nothing yet: add a value, or press the diamond beside one in the \
+             inspector.",
+        );
     }
     add_value(ui, shown, &targets, out);
 }
@@ -37,12 +44,19 @@ fn head(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
         let is_it = shown.key == index;
         let text = RichText::new(format!("Key {}", index + 1)).color(colors.hue(index)).strong();
         let response = ui.add(Button::selectable(is_it, text).small());
-        response
-            .widget_info(|| WidgetInfo::selected(egui::Role::Button, true, is_it, format!("Select key {}", index + 1)));
+        response.widget_info(|| {
+            WidgetInfo::selected(
+                egui::Role::Button,
+                true,
+                is_it,
+                format!("Select key {}", index + 1),
+            )
+        });
         if is_it && is_new {
             response.scroll_to_me(Some(egui::Align::Center));
         }
-        let help = "Values set elsewhere in the window are set at this key; press again to follow the heaviest key";
+        let help = "Values set elsewhere in the window are set at this key; press again to follow \
+                    the heaviest key";
         if response.on_hover_text(help).clicked() {
             let is_held = shown.session.key == Some((shown.set, index));
             out.push(Command::SelectKey((!is_held).then_some((shown.set, index))));
@@ -55,7 +69,9 @@ fn row(ui: &mut Ui, shown: &Shown<'_>, target: &Target, out: &mut Vec<Command>) 
     let Shown { session, set, keys, .. } = shown;
     let [owner, what] = session.names_of(target);
     let called = format!("{owner}: {what}");
-    let link = ui.link(RichText::new(&called).color(theme::of(ui).text)).on_hover_text("Shows what has this value");
+    let link = ui
+        .link(RichText::new(&called).color(theme::of(ui).text))
+        .on_hover_text("Shows what has this value");
     if link.clicked()
         && let Target::Input { node, .. } = target
     {
@@ -72,21 +88,29 @@ fn row(ui: &mut Ui, shown: &Shown<'_>, target: &Target, out: &mut Vec<Command>) 
                 let own = key.values.get(target);
                 let Some(now) = own.cloned().or_else(|| session.own_value(target)) else { return };
                 if own.is_none() {
-                    let help = "This key leaves the look's own value; press to give it one of its own";
+                    let help =
+                        "This key leaves the look's own value; press to give it one of its own";
                     let text = RichText::new("the look's").color(theme::of(ui).dim);
                     let response = ui.add(Button::new(text).small()).on_hover_text(help);
-                    response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, format!("Set {name}")));
+                    response.widget_info(|| {
+                        WidgetInfo::labeled(egui::Role::Button, true, format!("Set {name}"))
+                    });
                     if response.clicked() {
                         out.push(Command::Edit(session.set_in_key(*set, index, target, now)));
                     }
                     return;
                 }
-                if let Some((id, value)) = value::cell(ui, &name, &port, &now, session.look().color_space) {
+                if let Some((id, value)) =
+                    value::cell(ui, &name, &port, &now, session.look().color_space)
+                {
                     out.push(Command::EditHeld(id, session.set_in_key(*set, index, target, value)));
                 }
-                let is_only = keys.keys.iter().filter(|key| key.values.contains_key(target)).count() < 2;
+                let is_only =
+                    keys.keys.iter().filter(|key| key.values.contains_key(target)).count() < 2;
                 let clear = ui.add_enabled(!is_only, Button::new("×").small().frame(false));
-                clear.widget_info(|| WidgetInfo::labeled(egui::Role::Button, !is_only, format!("Clear {name}")));
+                clear.widget_info(|| {
+                    WidgetInfo::labeled(egui::Role::Button, !is_only, format!("Clear {name}"))
+                });
                 if clear.on_hover_text("Leaves the look's own value at this key").clicked() {
                     out.push(Command::Edit(session.change_set(*set, |keys| {
                         keys.keys[index].values.shift_remove(target);
@@ -97,7 +121,8 @@ fn row(ui: &mut Ui, shown: &Shown<'_>, target: &Target, out: &mut Vec<Command>) 
     }
     let unkey = ui.add(Button::new("Unkey").small());
     unkey.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, format!("Unkey {called}")));
-    if unkey.on_hover_text("Keys change this no more; it keeps the value that it has now").clicked() {
+    if unkey.on_hover_text("Keys change this no more; it keeps the value that it has now").clicked()
+    {
         out.push(Command::Edit(session.unkey(target)));
     }
     ui.end_row();
@@ -121,10 +146,12 @@ fn add_value(ui: &mut Ui, shown: &Shown<'_>, known: &[Target], out: &mut Vec<Com
                 dock::hint(ui, "Select a node to key its values.");
             }
             for (id, light) in &session.look().lights {
-                // Where a light is, or shines from, is no value of a table; the diamond beside it keys it.
+                // Where a light is, or shines from, is no value of a table; the diamond beside it
+                // keys it.
                 let is_cell = |field: &LightField| Type::of_light_field(*field) != Type::Vec3;
                 for field in LightField::of(light.kind).filter(is_cell) {
-                    let target = Target::Light { light: id.clone(), field: field.name().to_owned() };
+                    let target =
+                        Target::Light { light: id.clone(), field: field.name().to_owned() };
                     let is_new = !known.contains(&target);
                     entry(ui, shown, &target, is_new, out);
                 }
@@ -137,7 +164,10 @@ fn add_value(ui: &mut Ui, shown: &Shown<'_>, known: &[Target], out: &mut Vec<Com
 
 fn entry(ui: &mut Ui, shown: &Shown<'_>, target: &Target, is_new: bool, out: &mut Vec<Command>) {
     let [owner, what] = shown.session.names_of(target);
-    if is_new && shown.session.value_now(target).is_some() && ui.button(format!("{owner}: {what}")).clicked() {
+    if is_new
+        && shown.session.value_now(target).is_some()
+        && ui.button(format!("{owner}: {what}")).clicked()
+    {
         out.extend(shown.session.key_in_set(shown.set, target).map(Command::Edit));
     }
 }

@@ -1,5 +1,5 @@
-//! The profile of a layer as a curve over the angle, with its offset, fall-off and cut-off as handles, and the colours
-//! that come of it from convex to concave.
+//! The profile of a layer as a curve over the angle, with its offset, fall-off and cut-off as
+//! handles, and the colors that come of it from convex to concave.
 
 mod plot;
 mod sample;
@@ -25,7 +25,12 @@ use sample::{Bend, Sampler, Shape};
 
 /// The inputs that make a profile, in order, with their marks.
 const PARTS: [Part; 3] = [
-    Part { port: "offset", label: "Offset", symbol: "τ", help: "Up to this angle the tone is full" },
+    Part {
+        port: "offset",
+        label: "Offset",
+        symbol: "τ",
+        help: "Up to this angle the tone is full",
+    },
     Part { port: "falloff", label: "Fall-off", symbol: "f", help: "Where the tone falls fastest" },
     Part { port: "cutoff", label: "Cut-off", symbol: "c", help: "Where the tone reaches 0" },
 ];
@@ -83,9 +88,12 @@ impl<'a> Layer<'a> {
         if !has_profile(kind) {
             return None;
         }
-        let of = |part: &Part| values::number(session.value_at(&session.target(id, &part.port.into())).as_ref());
+        let of = |part: &Part| {
+            values::number(session.value_at(&session.target(id, &part.port.into())).as_ref())
+        };
         let [offset, falloff, cutoff] = PARTS.each_ref().map(of);
-        let wired = PARTS.each_ref().map(|part| session.graph().wire_into(id, &part.port.into()).is_some());
+        let wired =
+            PARTS.each_ref().map(|part| session.graph().wire_into(id, &part.port.into()).is_some());
         Some(Self { session, id, node, kind, shape: Shape { offset, falloff, cutoff }, wired })
     }
 
@@ -101,7 +109,8 @@ impl<'a> Layer<'a> {
 
     /// How far curvature moves the profile at most, in radians; 0 where it moves nothing.
     fn warp(&self) -> f64 {
-        let is_wired = |port: &str| self.session.graph().wire_into(self.id, &PortName::from(port)).is_some();
+        let is_wired =
+            |port: &str| self.session.graph().wire_into(self.id, &PortName::from(port)).is_some();
         let bends = is_wired("slope") || self.number("slope").is_some_and(|slope| slope != 0.0);
         if bends { self.number("amount").unwrap_or(0.0).clamp(-PI, PI) } else { 0.0 }
     }
@@ -121,7 +130,9 @@ impl<'a> Layer<'a> {
             KeyedBy::Direction(set) => Some(set),
             _ => None,
         });
-        let Some(keys) = set.and_then(|set| session.look().direction_keys.get(set)) else { return Vec::new() };
+        let Some(keys) = set.and_then(|set| session.look().direction_keys.get(set)) else {
+            return Vec::new();
+        };
         let shape_at = |key: &crate::document::DirectionKey| {
             let of = |part: &Part| {
                 let target = self.target(part.port);
@@ -136,7 +147,9 @@ impl<'a> Layer<'a> {
 }
 
 fn has_profile(kind: &Kind) -> bool {
-    PARTS.iter().all(|part| kind.input(part.port).is_some_and(|index| kind.inputs[index].unit == "rad"))
+    PARTS
+        .iter()
+        .all(|part| kind.input(part.port).is_some_and(|index| kind.inputs[index].unit == "rad"))
 }
 
 fn name_of<'a>(node: &'a Node, kind: &'a Kind) -> &'a str {
@@ -153,10 +166,16 @@ impl Profile {
         let id = id.or_else(|| session.graph().nodes.keys().find(has_one).cloned());
         let layer = id.as_ref().and_then(|id| Layer::new(session, id));
         let Some(layer) = layer else {
-            dock::hint(ui, "Nothing here has a profile yet. Add a Light layer: its tone over the angle is drawn here.");
+            dock::hint(
+                ui,
+                "Nothing here has a profile yet. Add a Light layer: its tone over the angle is \
+                 drawn here.",
+            );
             return commands;
         };
-        ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| self.layer(ui, &layer, &mut commands));
+        ScrollArea::vertical()
+            .auto_shrink([false, false])
+            .show(ui, |ui| self.layer(ui, &layer, &mut commands));
         self.shown = id;
         commands
     }
@@ -173,10 +192,17 @@ impl Profile {
         let height = (ui.available_height() - strip - note_height - 8.0).max(110.0);
         let curves = plot::Curves {
             own: self.curve(layer, layer.shape, 0.0),
-            warped: [1.0, -1.0].map(|way| layer.warp() * way).map(|shift| self.curve(layer, layer.shape, shift)),
-            keys: layer.shapes_of_keys().into_iter().map(|(key, shape)| (key, self.curve(layer, shape, 0.0))).collect(),
+            warped: [1.0, -1.0]
+                .map(|way| layer.warp() * way)
+                .map(|shift| self.curve(layer, layer.shape, shift)),
+            keys: layer
+                .shapes_of_keys()
+                .into_iter()
+                .map(|(key, shape)| (key, self.curve(layer, shape, 0.0)))
+                .collect(),
         };
-        let area = plot::show(ui, layer, &curves, vec2(ui.available_width(), height), can_edit, out);
+        let area =
+            plot::show(ui, layer, &curves, vec2(ui.available_width(), height), can_edit, out);
         let rows = strip::ROWS.map(|convexity| {
             let shift = (2.0 * convexity - 1.0) * layer.warp();
             self.curve(layer, layer.shape, shift)
@@ -192,7 +218,11 @@ impl Profile {
         const COUNT: usize = 240;
         let tier = layer.tier();
         let library: &Arc<Library> = &layer.session.library;
-        if !self.sampler.as_ref().is_some_and(|(known, of, _)| Arc::ptr_eq(known, library) && *of == tier) {
+        if !self
+            .sampler
+            .as_ref()
+            .is_some_and(|(known, of, _)| Arc::ptr_eq(known, library) && *of == tier)
+        {
             self.sampler = Some((library.clone(), tier, Sampler::new(library, tier)));
             self.curves.clear();
         }
@@ -225,25 +255,42 @@ fn head(ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
                 }
             }
         };
-        let combo = ComboBox::from_id_salt("profile").selected_text(layer.name()).width(84.0).show_ui(ui, name);
-        combo.response.on_hover_text("The layer whose profile this is; selecting a layer shows its own").widget_info(
-            || egui::WidgetInfo::labeled(egui::Role::ComboBox, true, format!("Profile of {}", layer.name())),
-        );
-        let presets = session.catalog.get("profile").map(|kind| kind.presets.as_slice()).unwrap_or_default();
+        let combo = ComboBox::from_id_salt("profile")
+            .selected_text(layer.name())
+            .width(84.0)
+            .show_ui(ui, name);
+        combo
+            .response
+            .on_hover_text("The layer whose profile this is; selecting a layer shows its own")
+            .widget_info(|| {
+                egui::WidgetInfo::labeled(
+                    egui::Role::ComboBox,
+                    true,
+                    format!("Profile of {}", layer.name()),
+                )
+            });
+        let presets =
+            session.catalog.get("profile").map(|kind| kind.presets.as_slice()).unwrap_or_default();
         for preset in presets {
             let is_it = preset.values.iter().all(|(port, value)| {
-                let now = PARTS.iter().zip([layer.shape.offset, layer.shape.falloff, layer.shape.cutoff]);
-                now.into_iter()
-                    .any(|(part, now)| part.port == port.as_str() && (now - values::number(Some(value))).abs() < 1e-6)
+                let now =
+                    PARTS.iter().zip([layer.shape.offset, layer.shape.falloff, layer.shape.cutoff]);
+                now.into_iter().any(|(part, now)| {
+                    part.port == port.as_str() && (now - values::number(Some(value))).abs() < 1e-6
+                })
             });
             let button = Button::new(&preset.label).small().selected(is_it);
-            let response = ui.add(button).on_hover_text("Sets offset, fall-off and cut-off to this shading's");
+            let response =
+                ui.add(button).on_hover_text("Sets offset, fall-off and cut-off to this shading's");
             response.widget_info(|| {
                 let name = format!("Profile preset {}", preset.label);
                 egui::WidgetInfo::selected(egui::Role::Button, true, is_it, name)
             });
             if response.clicked() {
-                let values = preset.values.iter().map(|(port, value)| (layer.target(port.as_str()), value.clone()));
+                let values = preset
+                    .values
+                    .iter()
+                    .map(|(port, value)| (layer.target(port.as_str()), value.clone()));
                 out.push(Command::Edit(session.set_all_at(values)));
             }
         }
@@ -271,7 +318,9 @@ fn numbers(ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
                 .suffix("°");
             let response = ui.add(drag).labelled_by(label).on_hover_text(help);
             if response.changed() && degrees.is_finite() {
-                let edit = layer.session.set_at(&layer.target(part.port), Value::Number(degrees.to_radians()));
+                let edit = layer
+                    .session
+                    .set_at(&layer.target(part.port), Value::Number(degrees.to_radians()));
                 out.push(Command::EditHeld(response.id, edit));
             }
             mark(ui, layer, part);
@@ -284,7 +333,8 @@ fn mark(ui: &mut Ui, layer: &Layer<'_>, part: &Part) {
     let target = layer.target(part.port);
     if layer.session.keyed_by(&target) != KeyedBy::Nothing {
         let name = format!("Keys of {}", part.label.to_lowercase());
-        mark::of(ui, layer.session, &target, &name).on_hover_text(mark::help(layer.session, &target));
+        mark::of(ui, layer.session, &target, &name)
+            .on_hover_text(mark::help(layer.session, &target));
     }
 }
 
@@ -294,7 +344,11 @@ fn notes(layer: &Layer<'_>, curve: &Curve) -> Vec<String> {
     let sane = shape.sanitized();
     let degrees = |radians: f64| format!("{}°", values::number_text(radians.to_degrees(), 1));
     let mut notes = Vec::new();
-    let pairs = [shape.offset, shape.falloff, shape.cutoff].into_iter().zip([sane.offset, sane.falloff, sane.cutoff]);
+    let pairs = [shape.offset, shape.falloff, shape.cutoff].into_iter().zip([
+        sane.offset,
+        sane.falloff,
+        sane.cutoff,
+    ]);
     for (part, (own, counts)) in PARTS.iter().zip(pairs) {
         if (own - counts).abs() > 1e-9 && sane.offset < PI - 1e-5 {
             notes.push(format!(
@@ -305,10 +359,12 @@ fn notes(layer: &Layer<'_>, curve: &Curve) -> Vec<String> {
             ));
         }
     }
-    let steepest = || sample::steepest(&curve.angles, &curve.tones).map(degrees).unwrap_or_default();
+    let steepest =
+        || sample::steepest(&curve.angles, &curve.tones).map(degrees).unwrap_or_default();
     match Bend::of(shape) {
         Bend::Twice(second) => notes.push(format!(
-            "A fall-off more than 90° past the offset is not the only bend: the curve bends at {} and at {}, and is steepest at {}.",
+            "A fall-off more than 90° past the offset is not the only bend: the curve bends at {} \
+             and at {}, and is steepest at {}.",
             degrees(sane.falloff),
             degrees(second),
             steepest()

@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use eframe::egui::epaint::PathShape;
 use eframe::egui::{
-    Align2, Color32, FontId, Key, Pos2, Rect, Role, Sense, Shape as Drawn, Stroke, Ui, Vec2, WidgetInfo,
+    Align2, Color32, FontId, Key, Pos2, Rect, Role, Sense, Shape as Drawn, Stroke, Ui, Vec2,
+    WidgetInfo,
 };
 use eframe::egui::{pos2, vec2};
 
@@ -57,7 +58,7 @@ impl Axes {
     }
 }
 
-/// The colour of offset, fall-off or cut-off.
+/// The color of offset, fall-off or cut-off.
 pub(super) fn color_of(ui: &Ui, part: usize) -> Color32 {
     let colors = theme::of(ui);
     [colors.accent, colors.second, colors.third][part]
@@ -73,8 +74,9 @@ pub(super) fn show(
     out: &mut Vec<Command>,
 ) -> Rect {
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
-    response
-        .widget_info(|| WidgetInfo::labeled(Role::Canvas, true, format!("Tone of {} over the angle", layer.name())));
+    response.widget_info(|| {
+        WidgetInfo::labeled(Role::Canvas, true, format!("Tone of {} over the angle", layer.name()))
+    });
     let area = Rect::from_min_max(rect.min + vec2(LEFT, TOP), rect.max - vec2(RIGHT, BOTTOM));
     let axes = Axes(area);
     ground(ui, rect, axes);
@@ -87,7 +89,9 @@ pub(super) fn show(
         paint_handle(ui, layer, axes, index, *at, handled);
     }
     labels(ui, layer, axes, &handles);
-    if let (Some(pointer), true) = (response.hover_pos(), handles.iter().all(|(_, h)| !h.response.dragged())) {
+    if let (Some(pointer), true) =
+        (response.hover_pos(), handles.iter().all(|(_, h)| !h.response.dragged()))
+    {
         read_off(ui, axes, &curves.own, pointer);
     }
     area
@@ -102,9 +106,19 @@ fn ground(ui: &Ui, rect: Rect, Axes(area): Axes) {
     for step in 0..=6 {
         let u = f64::from(step) * PI / 6.0;
         let strength = if step == 3 { 1.0 } else { 0.6 };
-        painter.vline(axes.x(u), area.y_range(), Stroke::new(1.0, colors.grid.gamma_multiply(strength)));
+        painter.vline(
+            axes.x(u),
+            area.y_range(),
+            Stroke::new(1.0, colors.grid.gamma_multiply(strength)),
+        );
         let text = format!("{}°", 30 * step);
-        painter.text(pos2(axes.x(u), area.bottom() + 3.0), Align2::CENTER_TOP, text, font.clone(), colors.dim);
+        painter.text(
+            pos2(axes.x(u), area.bottom() + 3.0),
+            Align2::CENTER_TOP,
+            text,
+            font.clone(),
+            colors.dim,
+        );
     }
     for (tone, text) in [(0.0, "0"), (0.5, ""), (1.0, "1")] {
         painter.hline(area.x_range(), axes.y(tone), Stroke::new(1.0, colors.grid));
@@ -119,17 +133,30 @@ fn paint_curves(ui: &Ui, layer: &Layer<'_>, axes: Axes, curves: &Curves) {
     if layer.warp() != 0.0 {
         let [convex, concave] = &curves.warped;
         painter.add(PathShape::line(axes.line(convex), Stroke::new(1.0, colors.dim)));
-        painter.extend(Drawn::dashed_line(&axes.line(concave), Stroke::new(1.0, colors.dim), 4.0, 3.0));
+        painter.extend(Drawn::dashed_line(
+            &axes.line(concave),
+            Stroke::new(1.0, colors.dim),
+            4.0,
+            3.0,
+        ));
         legend(ui, axes);
     }
     for (key, curve) in &curves.keys {
-        painter.add(PathShape::line(axes.line(curve), Stroke::new(1.5, colors.hue(*key).gamma_multiply(0.75))));
+        painter.add(PathShape::line(
+            axes.line(curve),
+            Stroke::new(1.5, colors.hue(*key).gamma_multiply(0.75)),
+        ));
     }
     painter.add(PathShape::line(axes.line(&curves.own), Stroke::new(2.0, colors.text)));
     if let Bend::Twice(second) | Bend::Elsewhere(second) = Bend::of(layer.shape) {
         let at = axes.at(second, tone_at(&curves.own, second));
-        let diamond = [vec2(0.0, -5.0), vec2(5.0, 0.0), vec2(0.0, 5.0), vec2(-5.0, 0.0)].map(|d| at + d);
-        painter.add(Drawn::convex_polygon(diamond.to_vec(), colors.canvas, Stroke::new(1.5, colors.warning)));
+        let diamond =
+            [vec2(0.0, -5.0), vec2(5.0, 0.0), vec2(0.0, 5.0), vec2(-5.0, 0.0)].map(|d| at + d);
+        painter.add(Drawn::convex_polygon(
+            diamond.to_vec(),
+            colors.canvas,
+            Stroke::new(1.5, colors.warning),
+        ));
         let font = FontId::proportional(theme::SMALL_TEXT);
         painter.text(at + vec2(8.0, -8.0), Align2::LEFT_CENTER, "bends here", font, colors.warning);
     }
@@ -141,7 +168,13 @@ fn legend(ui: &Ui, axes: Axes) {
     let (painter, font) = (ui.painter(), FontId::proportional(theme::SMALL_TEXT));
     for (row, text) in ["most convex", "most concave"].into_iter().enumerate() {
         let y = axes.0.top() + 9.0 + 14.0 * row as f32;
-        let rect = painter.text(pos2(axes.0.right() - 4.0, y), Align2::RIGHT_CENTER, text, font.clone(), colors.dim);
+        let rect = painter.text(
+            pos2(axes.0.right() - 4.0, y),
+            Align2::RIGHT_CENTER,
+            text,
+            font.clone(),
+            colors.dim,
+        );
         let line = [pos2(rect.left() - 24.0, y), pos2(rect.left() - 6.0, y)];
         let stroke = Stroke::new(1.0, colors.dim);
         match row {
@@ -153,13 +186,20 @@ fn legend(ui: &Ui, axes: Axes) {
 
 /// The tone of a sampled curve at an angle.
 fn tone_at(curve: &Curve, u: f64) -> f64 {
-    let index = curve.angles.partition_point(|&known| known < u).min(curve.angles.len().saturating_sub(1));
+    let index =
+        curve.angles.partition_point(|&known| known < u).min(curve.angles.len().saturating_sub(1));
     curve.tones.get(index).copied().unwrap_or(0.0)
 }
 
-/// The handles and where they are: the offset on top, the cut-off below, the fall-off on the curve, but never on one of
-/// the others.
-fn handles(ui: &Ui, layer: &Layer<'_>, axes: Axes, curves: &Curves, can_edit: bool) -> [(Pos2, Handled); 3] {
+/// The handles and where they are: the offset on top, the cut-off below, the fall-off on the curve,
+/// but never on one of the others.
+fn handles(
+    ui: &Ui,
+    layer: &Layer<'_>,
+    axes: Axes,
+    curves: &Curves,
+    can_edit: bool,
+) -> [(Pos2, Handled); 3] {
     let shape = layer.shape.sanitized();
     let is_step = Bend::of(layer.shape) == Bend::Step;
     let middle = if is_step { 0.5 } else { tone_at(&curves.own, shape.falloff).clamp(0.16, 0.84) };
@@ -180,8 +220,15 @@ fn limits(layer: &Layer<'_>, part: usize) -> [f64; 2] {
     [row[part], row[part + 2]]
 }
 
-/// The edit that a hand on a handle asks for: within its neighbours, or with Shift all three together.
-fn moved(ui: &Ui, layer: &Layer<'_>, axes: Axes, part: usize, handled: &Handled) -> Option<Command> {
+/// The edit that a hand on a handle asks for: within its neighbours, or with Shift all three
+/// together.
+fn moved(
+    ui: &Ui,
+    layer: &Layer<'_>,
+    axes: Axes,
+    part: usize,
+    handled: &Handled,
+) -> Option<Command> {
     let shape = layer.shape.sanitized();
     let own = [shape.offset, shape.falloff, shape.cutoff];
     let wished = match handled.to {
@@ -197,7 +244,9 @@ fn moved(ui: &Ui, layer: &Layer<'_>, axes: Axes, part: usize, handled: &Handled)
     let is_free = !layer.wired.contains(&true);
     let edit = if ui.input(|input| input.modifiers.shift) && handled.to.is_some() && is_free {
         let shift = (to_grid(wished) - own[part]).clamp(-own[0], PI - own[2]);
-        layer.session.set_all_at([0, 1, 2].map(|index| (target(index), Value::Number(own[index] + shift))))
+        layer
+            .session
+            .set_all_at([0, 1, 2].map(|index| (target(index), Value::Number(own[index] + shift))))
     } else {
         let [low, high] = limits(layer, part);
         layer.session.set_at(&target(part), Value::Number(to_grid(wished).clamp(low, high)))
@@ -205,14 +254,26 @@ fn moved(ui: &Ui, layer: &Layer<'_>, axes: Axes, part: usize, handled: &Handled)
     Some(Command::EditHeld(handled.response.id, edit))
 }
 
-fn paint_handle(ui: &mut Ui, layer: &Layer<'_>, axes: Axes, part: usize, at: Pos2, handled: &Handled) {
+fn paint_handle(
+    ui: &mut Ui,
+    layer: &Layer<'_>,
+    axes: Axes,
+    part: usize,
+    at: Pos2,
+    handled: &Handled,
+) {
     let colors = theme::of(ui);
     let color = color_of(ui, part);
     let is_held = handled.response.dragged();
     let is_hot = is_held || handled.response.hovered() || handled.response.has_focus();
     let painter = ui.painter();
     let stem = Stroke::new(1.0, color.gamma_multiply(if is_hot { 0.9 } else { 0.45 }));
-    painter.extend(Drawn::dashed_line(&[pos2(at.x, axes.0.top()), pos2(at.x, axes.0.bottom())], stem, 3.0, 3.0));
+    painter.extend(Drawn::dashed_line(
+        &[pos2(at.x, axes.0.top()), pos2(at.x, axes.0.bottom())],
+        stem,
+        3.0,
+        3.0,
+    ));
     if is_held {
         reach(ui, layer, axes, part, handled);
     }
@@ -220,8 +281,10 @@ fn paint_handle(ui: &mut Ui, layer: &Layer<'_>, axes: Axes, part: usize, at: Pos
     let fill = if is_held { color } else { colors.canvas };
     painter.circle(at, radius, fill, Stroke::new(2.0, color));
     handle::focus_ring(ui, &handled.response, at, radius);
-    let help =
-        format!("{}. Drag, or arrow keys (Shift: a tenth); Shift-drag moves all three.", PARTS[part].explained());
+    let help = format!(
+        "{}. Drag, or arrow keys (Shift: a tenth); Shift-drag moves all three.",
+        PARTS[part].explained()
+    );
     if !is_held {
         handled.response.clone().on_hover_text(help);
     }
@@ -231,26 +294,36 @@ fn paint_handle(ui: &mut Ui, layer: &Layer<'_>, axes: Axes, part: usize, at: Pos
     }
 }
 
-/// Names the handles, each beside its own where no other's name or handle is: a cartoon's three are at one place nearly.
+/// Names the handles, each beside its own where no other's name or handle is: a cartoon's three are
+/// at one place nearly.
 fn labels(ui: &Ui, layer: &Layer<'_>, axes: Axes, handles: &[(Pos2, Handled); 3]) {
     let shape = layer.shape.sanitized();
     let values = [shape.offset, shape.falloff, shape.cutoff];
     let font = FontId::proportional(theme::SMALL_TEXT);
     let room = axes.0.expand2(vec2(RIGHT, TOP + 4.0));
-    let mut taken: Vec<Rect> = handles.iter().map(|(at, _)| Rect::from_center_size(*at, Vec2::splat(13.0))).collect();
+    let mut taken: Vec<Rect> =
+        handles.iter().map(|(at, _)| Rect::from_center_size(*at, Vec2::splat(13.0))).collect();
     // The one in hand first, as it says most and moves least.
     let mut order = [0, 2, 1];
     order.sort_by_key(|part| !is_hot(&handles[*part].1));
     for part in order {
         let (at, handled) = &handles[part];
         let text = match is_hot(handled) {
-            true => format!("{} {}°", PARTS[part].label, values::number_text(values[part].to_degrees(), 1)),
+            true => format!(
+                "{} {}°",
+                PARTS[part].label,
+                values::number_text(values[part].to_degrees(), 1)
+            ),
             false => PARTS[part].label.to_owned(),
         };
         let galley = ui.painter().layout_no_wrap(text, font.clone(), color_of(ui, part));
         let rect = place(&taken, room, *at, galley.size(), part);
         // The curve and its stems run below names, not through them.
-        ui.painter().rect_filled(rect.expand2(vec2(2.0, -1.0)), 2.0, theme::of(ui).canvas.gamma_multiply(0.8));
+        ui.painter().rect_filled(
+            rect.expand2(vec2(2.0, -1.0)),
+            2.0,
+            theme::of(ui).canvas.gamma_multiply(0.8),
+        );
         ui.painter().galley(rect.min, galley, color_of(ui, part));
         taken.push(rect);
     }
@@ -260,11 +333,14 @@ fn is_hot(handled: &Handled) -> bool {
     handled.response.dragged() || handled.response.hovered() || handled.response.has_focus()
 }
 
-/// Where a handle's name stands: of the places around it the first that covers least and is within the room.
+/// Where a handle's name stands: of the places around it the first that covers least and is within
+/// the room.
 fn place(taken: &[Rect], room: Rect, at: Pos2, size: Vec2, part: usize) -> Rect {
     let above = (Align2::CENTER_BOTTOM, vec2(0.0, -7.0));
     let sides = [(Align2::LEFT_CENTER, 11.0), (Align2::RIGHT_CENTER, -11.0)];
-    let beside = [0.0, -14.0, 14.0, -28.0, 28.0].into_iter().flat_map(|y| sides.map(|(align, x)| (align, vec2(x, y))));
+    let beside = [0.0, -14.0, 14.0, -28.0, 28.0]
+        .into_iter()
+        .flat_map(|y| sides.map(|(align, x)| (align, vec2(x, y))));
     let first = (part != 1).then_some(above);
     let rects = first.into_iter().chain(beside).map(|(align, by)| align.anchor_size(at + by, size));
     let within = |rect: Rect| {
@@ -276,14 +352,18 @@ fn place(taken: &[Rect], room: Rect, at: Pos2, size: Vec2, part: usize) -> Rect 
             let common = rect.intersect(*other);
             if common.is_positive() { common.area() } else { 0.0 }
         };
-        let outside = if room.y_range().contains(rect.top()) && room.y_range().contains(rect.bottom()) {
-            0.0
-        } else {
-            size.x * size.y
-        };
+        let outside =
+            if room.y_range().contains(rect.top()) && room.y_range().contains(rect.bottom()) {
+                0.0
+            } else {
+                size.x * size.y
+            };
         taken.iter().map(common).sum::<f32>() + outside
     };
-    rects.map(within).min_by(|a, b| covers(a).total_cmp(&covers(b))).unwrap_or(Rect::from_min_size(at, size))
+    rects
+        .map(within)
+        .min_by(|a, b| covers(a).total_cmp(&covers(b)))
+        .unwrap_or(Rect::from_min_size(at, size))
 }
 
 /// While a handle is dragged: how far it may go, and what stops it.
@@ -305,14 +385,17 @@ fn reach(ui: &Ui, layer: &Layer<'_>, axes: Axes, part: usize, handled: &Handled)
     };
     painter.vline(axes.x(limit), axes.0.y_range(), Stroke::new(2.0, colors.warning));
     let is_right = axes.x(limit) > axes.0.center().x;
-    let (align, dx) = if is_right { (Align2::RIGHT_CENTER, -8.0) } else { (Align2::LEFT_CENTER, 8.0) };
-    let text = format!("Stops at the {}. Shift moves all three.", PARTS[other].label.to_lowercase());
+    let (align, dx) =
+        if is_right { (Align2::RIGHT_CENTER, -8.0) } else { (Align2::LEFT_CENTER, 8.0) };
+    let text =
+        format!("Stops at the {}. Shift moves all three.", PARTS[other].label.to_lowercase());
     let font = FontId::proportional(theme::TEXT_SIZE);
     let galley = painter.layout_no_wrap(text, font, colors.warning);
     let at = align.anchor_size(pos2(axes.x(limit) + dx, axes.y(0.72)), galley.size());
     // Where it is longer than there is room, it lies over the limit.
     let room = axes.0.left()..=(axes.0.right() - at.width()).max(axes.0.left());
-    let at = Rect::from_min_size(pos2(at.left().clamp(*room.start(), *room.end()), at.top()), at.size());
+    let at =
+        Rect::from_min_size(pos2(at.left().clamp(*room.start(), *room.end()), at.top()), at.size());
     painter.rect_filled(at.expand(3.0), 3.0, colors.canvas);
     painter.galley(at.min, galley, colors.warning);
 }
@@ -345,7 +428,8 @@ mod tests {
             [(100.0, 104.0, 108.0), (0.0, 0.0, 0.0), (418.0, 419.0, 420.0), (40.0, 200.0, 400.0)]
         {
             let handles = [pos2(offset, 20.0), pos2(falloff, 80.0), pos2(cutoff, 140.0)];
-            let mut taken: Vec<Rect> = handles.map(|at| Rect::from_center_size(at, Vec2::splat(13.0))).to_vec();
+            let mut taken: Vec<Rect> =
+                handles.map(|at| Rect::from_center_size(at, Vec2::splat(13.0))).to_vec();
             for part in [0, 2, 1] {
                 let rect = place(&taken, room, handles[part], vec2(60.0, 14.0), part);
                 assert!(room.contains_rect(rect), "{rect}");

@@ -16,8 +16,8 @@ pub(super) struct Shape {
 }
 
 impl Shape {
-    /// In order, as the shader takes it (docs/math.md D2): the offset within a half turn, the cut-off after it, the
-    /// fall-off between both.
+    /// In order, as the shader takes it (docs/math.md D2): the offset within a half turn, the
+    /// cut-off after it, the fall-off between both.
     pub(super) fn sanitized(self) -> Self {
         let offset = self.offset.clamp(0.0, PI);
         let cutoff = self.cutoff.clamp(offset, PI);
@@ -34,7 +34,8 @@ pub(super) enum Bend {
     Step,
     /// Once, at the fall-off.
     Once,
-    /// The fall-off is the cut-off and at most a quarter turn from the offset: ever steeper up to there.
+    /// The fall-off is the cut-off and at most a quarter turn from the offset: ever steeper up to
+    /// there.
     AtEnd,
     /// At the fall-off and at a second place.
     Twice(f64),
@@ -143,7 +144,9 @@ pub(super) fn places(shape: Shape, shift: f64, count: usize) -> Vec<f64> {
     let mut places: Vec<f64> = (0..=count).map(|i| i as f64 / count as f64 * PI).collect();
     let Shape { offset, cutoff, .. } = shape.sanitized();
     for edge in [offset + shift, cutoff + shift] {
-        places.extend([edge - BESIDE, edge, edge + BESIDE].into_iter().filter(|u| (0.0..=PI).contains(u)));
+        places.extend(
+            [edge - BESIDE, edge, edge + BESIDE].into_iter().filter(|u| (0.0..=PI).contains(u)),
+        );
     }
     places.sort_by(f64::total_cmp);
     places
@@ -188,7 +191,8 @@ mod tests {
         }
     }
 
-    /// Second differences of the curve change sign where the formula says that it bends, and nowhere else.
+    /// Second differences of the curve change sign where the formula says that it bends, and
+    /// nowhere else.
     #[test]
     fn bends_are_where_the_curve_bends() {
         let shapes = [
@@ -220,9 +224,16 @@ mod tests {
                 _ => Vec::new(),
             };
             wanted.sort_by(f64::total_cmp);
-            assert_eq!(found.len(), wanted.len(), "{offset} {falloff} {cutoff}: {found:?} {wanted:?}");
+            assert_eq!(
+                found.len(),
+                wanted.len(),
+                "{offset} {falloff} {cutoff}: {found:?} {wanted:?}"
+            );
             for (found, wanted) in found.iter().zip(&wanted) {
-                assert!((found - wanted).abs() < 1.5 * h, "{offset} {falloff} {cutoff}: {found} {wanted}");
+                assert!(
+                    (found - wanted).abs() < 1.5 * h,
+                    "{offset} {falloff} {cutoff}: {found} {wanted}"
+                );
             }
         }
         let of = |offset, falloff, cutoff| Bend::of(Shape { offset, falloff, cutoff });

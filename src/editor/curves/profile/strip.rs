@@ -1,5 +1,5 @@
-//! The colours that a profile gives, over the angle from left to right, from convex above to concave below: by the
-//! functions of the library's own nodes, over the look's base.
+//! The colors that a profile gives, over the angle from left to right, from convex above to
+//! concave below: by the functions of the library's own nodes, over the look's base.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -7,7 +7,9 @@ use std::sync::Arc;
 use eframe::egui;
 use eframe::egui::ecolor::gamma_from_linear;
 use eframe::egui::epaint::{Mesh, PathShape, Vertex};
-use eframe::egui::{Color32, Pos2, Rect, Role, Sense, Shape as Drawn, Stroke, Ui, WidgetInfo, pos2, vec2};
+use eframe::egui::{
+    Color32, Pos2, Rect, Role, Sense, Shape as Drawn, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
 
 use super::super::super::theme;
 use super::{Curve, Layer};
@@ -21,7 +23,7 @@ pub(super) const HEIGHT: f32 = 34.0;
 /// The convexities that are drawn, from above.
 pub(super) const ROWS: [f64; 5] = [1.0, 0.75, 0.5, 0.25, 0.0];
 
-/// Colours over the angle.
+/// Colors over the angle.
 const COLUMNS: usize = 90;
 
 /// The profile at each of the convexities.
@@ -33,7 +35,7 @@ pub(super) struct Strip {
     known: Option<(Inputs, Rows, Vec<[f64; 4]>)>,
 }
 
-/// Everything that colours depend on, but for the curves.
+/// Everything that colors depend on, but for the curves.
 #[derive(Clone, Debug, PartialEq)]
 struct Inputs {
     convex: [f64; 4],
@@ -49,8 +51,11 @@ struct Inputs {
 impl Strip {
     /// Shows the strip under the part of the plot that has angles.
     pub(super) fn show(&mut self, ui: &mut Ui, layer: &Layer<'_>, area: Rect, rows: &Rows) {
-        let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), HEIGHT), Sense::hover());
-        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "Colors from convex to concave"));
+        let (rect, response) =
+            ui.allocate_exact_size(vec2(ui.available_width(), HEIGHT), Sense::hover());
+        response.widget_info(|| {
+            WidgetInfo::labeled(Role::Image, true, "Colors from convex to concave")
+        });
         let inputs = inputs(layer);
         let is_same = |own: &Rows| own.iter().zip(rows).all(|(a, b)| Arc::ptr_eq(a, b));
         if !self.known.as_ref().is_some_and(|(known, own, _)| *known == inputs && is_same(own)) {
@@ -63,7 +68,8 @@ impl Strip {
         bow(ui, pos2(rect.left() + 12.0, rect.top() + 10.0), 1.0);
         bow(ui, pos2(rect.left() + 12.0, rect.bottom() - 10.0), -1.0);
         response.on_hover_text(
-            "What the layer makes of the look's base color at each angle: above where the surface bulges (convex), \
+            "What the layer makes of the look's base color at each angle: above where the surface \
+             bulges (convex), \
              below where it is hollow (concave), with the warp that curvature gives.",
         );
     }
@@ -85,7 +91,11 @@ fn inputs(layer: &Layer<'_>) -> Inputs {
         layer.kind.input(port)?;
         session.value_now(&layer.target(port))?.color_in(space)
     };
-    let word = |port: &str| match layer.kind.input(port).and_then(|_| session.value_now(&layer.target(port))) {
+    let word = |port: &str| match layer
+        .kind
+        .input(port)
+        .and_then(|_| session.value_now(&layer.target(port)))
+    {
         Some(Value::Text(word)) => word,
         _ => String::new(),
     };
@@ -95,12 +105,18 @@ fn inputs(layer: &Layer<'_>) -> Inputs {
     let light = lights.get(name.as_str()).or_else(|| session.look().lights.get(name.as_str()));
     let light = light.cloned().unwrap_or_else(|| Light { intensity: 1.0, ..Light::default() });
     let [r, g, b] = light.color;
-    let base = session.look().graph.nodes.iter().find(|(_, node)| node.kind == "base").and_then(|(id, _)| {
-        let target = Target::Input { node: crate::ids::NodePath::root(id.clone()), port: "color".into() };
-        session.value_now(&target)?.color_in(space)
-    });
+    let base = session.look().graph.nodes.iter().find(|(_, node)| node.kind == "base").and_then(
+        |(id, _)| {
+            let target = Target::Input {
+                node: crate::ids::NodePath::root(id.clone()),
+                port: "color".into(),
+            };
+            session.value_now(&target)?.color_in(space)
+        },
+    );
     let is_layer = layer.kind.input("convex").is_some();
-    let clamped = layer.kind.input("clamped").and_then(|_| session.value_now(&layer.target("clamped")));
+    let clamped =
+        layer.kind.input("clamped").and_then(|_| session.value_now(&layer.target("clamped")));
     Inputs {
         convex,
         concave: color("concave").unwrap_or(convex),
@@ -128,7 +144,9 @@ fn functions(layer: &Layer<'_>, mode: &str) -> Option<Functions> {
         program(def, &def.variants.first()?.function)
     };
     let blend = node("blend")?;
-    let is_it = |word: &str| blend.variants.iter().find(|v| v.choice.as_ref().is_some_and(|(_, own)| own == word));
+    let is_it = |word: &str| {
+        blend.variants.iter().find(|v| v.choice.as_ref().is_some_and(|(_, own)| own == word))
+    };
     let variant = is_it(mode).or_else(|| is_it("add"))?;
     Some(Functions {
         mix: first("curvature_color")?,
@@ -143,21 +161,32 @@ fn colors(layer: &Layer<'_>, inputs: &Inputs, rows: &Rows) -> Option<Vec<[f64; 4
     let vec = |x: &[f64]| Number::vec(x);
     let [r, g, b, intensity] = inputs.light;
     let toward = vec(&[0.0, 0.0, 1.0]);
-    let light = Number::Struct(vec![toward.clone(), toward, vec(&[r, g, b]), Number::Float(intensity)]);
+    let light =
+        Number::Struct(vec![toward.clone(), toward, vec(&[r, g, b]), Number::Float(intensity)]);
     let [br, bg, bb, ba] = inputs.below;
     let below = vec(&[br * ba, bg * ba, bb * ba, ba]);
-    let (mut lit, mut blend) = (functions.lit.machine(Precision::F64), functions.blend.machine(Precision::F64));
+    let (mut lit, mut blend) =
+        (functions.lit.machine(Precision::F64), functions.blend.machine(Precision::F64));
     let mut found = Vec::with_capacity(ROWS.len() * (COLUMNS + 1));
     for (convexity, curve) in ROWS.iter().zip(rows) {
         let arguments = [Number::Float(*convexity), vec(&inputs.convex), vec(&inputs.concave)];
         let color = functions.mix.call(&arguments, Precision::F64).ok()?;
         for column in 0..=COLUMNS {
             let u = column as f64 / COLUMNS as f64 * PI;
-            let index = curve.angles.partition_point(|&known| known < u).min(curve.angles.len().checked_sub(1)?);
+            let index = curve
+                .angles
+                .partition_point(|&known| known < u)
+                .min(curve.angles.len().checked_sub(1)?);
             let tone = Number::Float(*curve.tones.get(index)?);
             let layer = lit.call(&[light.clone(), color.clone(), tone]).ok()?;
             let [color, tone] = <[Number; 2]>::try_from(layer.parts()?.to_vec()).ok()?;
-            let arguments = [below.clone(), color, tone, Number::Float(inputs.opacity), Number::Bool(inputs.clamped)];
+            let arguments = [
+                below.clone(),
+                color,
+                tone,
+                Number::Float(inputs.opacity),
+                Number::Bool(inputs.clamped),
+            ];
             found.push(blend.call(&arguments).ok()?.as_vec::<4>()?);
         }
     }
@@ -179,10 +208,15 @@ fn paint(ui: &Ui, bar: Rect, colors: &[[f64; 4]], space: ColorSpace) {
         }
     }
     painter.add(Drawn::mesh(mesh));
-    painter.rect_stroke(bar, 2.0, Stroke::new(1.0, theme::of(ui).swatch_edge), egui::StrokeKind::Inside);
+    painter.rect_stroke(
+        bar,
+        2.0,
+        Stroke::new(1.0, theme::of(ui).swatch_edge),
+        egui::StrokeKind::Inside,
+    );
 }
 
-/// A premultiplied colour of the look's space, as the screen has it.
+/// A premultiplied color of the look's space, as the screen has it.
 fn shown([r, g, b, a]: [f64; 4], space: ColorSpace) -> Color32 {
     let straight = |x: f64| if a > 1e-6 { (x / a).clamp(0.0, 1.0) } else { 0.0 };
     let encoded = |x: f64| match space {

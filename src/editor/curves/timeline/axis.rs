@@ -41,7 +41,8 @@ impl Axis {
         self.seen.map(|time| time - shift)
     }
 
-    /// Seconds between two marks, so that they are far enough apart to be read: whole frames below a second.
+    /// Seconds between two marks, so that they are far enough apart to be read: whole frames below
+    /// a second.
     fn step(self, fps: f64) -> f64 {
         let least = 56.0 / f64::from(self.lane.width().max(1.0)) * self.span();
         let frames = [1.0, 2.0, 3.0, 4.0, 6.0, 12.0].map(|frames| frames / fps);
@@ -54,19 +55,31 @@ impl Axis {
         let colors = theme::of(ui);
         let painter = ui.painter_at(self.lane.expand2(vec2(0.0, 1.0)));
         painter.rect_filled(self.lane, 3.0, colors.canvas);
-        let band =
-            Rect::from_x_y_ranges(self.x(range[0])..=self.x(range[1]), self.lane.bottom() - 4.0..=self.lane.bottom());
+        let band = Rect::from_x_y_ranges(
+            self.x(range[0])..=self.x(range[1]),
+            self.lane.bottom() - 4.0..=self.lane.bottom(),
+        );
         painter.rect_filled(band, 0.0, colors.accent_dim);
         let font = FontId::proportional(theme::SMALL_TEXT);
         for time in self.marks(fps) {
             let x = self.x(time);
-            painter.vline(x, self.lane.bottom() - 7.0..=self.lane.bottom(), Stroke::new(1.0, colors.dim));
+            painter.vline(
+                x,
+                self.lane.bottom() - 7.0..=self.lane.bottom(),
+                Stroke::new(1.0, colors.dim),
+            );
             let is_whole = (time - time.round()).abs() < 1e-6;
             let text = match is_whole {
                 true => format!("{} s", values::number_text(time.round(), 0)),
                 false => format!("f{}", values::number_text((time * fps).round(), 0)),
             };
-            painter.text(pos2(x + 3.0, self.lane.top() + 3.0), Align2::LEFT_TOP, text, font.clone(), colors.dim);
+            painter.text(
+                pos2(x + 3.0, self.lane.top() + 3.0),
+                Align2::LEFT_TOP,
+                text,
+                font.clone(),
+                colors.dim,
+            );
         }
     }
 
@@ -101,7 +114,10 @@ mod tests {
             let zoomed = Axis { lane, seen: axis.zoomed(350.0, factor) };
             assert!((zoomed.time(350.0) - axis.time(350.0)).abs() < 1e-9);
             let marks: Vec<f64> = zoomed.marks(24.0).collect();
-            assert!(marks.len() < 12 && marks.windows(2).all(|pair| zoomed.x(pair[1]) - zoomed.x(pair[0]) > 40.0));
+            assert!(
+                marks.len() < 12
+                    && marks.windows(2).all(|pair| zoomed.x(pair[1]) - zoomed.x(pair[0]) > 40.0)
+            );
         }
         let panned = Axis { lane, seen: axis.panned(100.0) };
         assert!((panned.x(1.0) - axis.x(1.0) - 100.0).abs() < 1e-3);

@@ -14,7 +14,12 @@ use crate::document::{Edit, Interpolation, LightField, Target};
 const RATES: [f64; 7] = [8.0, 12.0, 15.0, 24.0, 25.0, 30.0, 60.0];
 
 /// Play, step, rate and range.
-pub(super) fn show(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+pub(super) fn show(
+    timeline: &mut Timeline,
+    ui: &mut Ui,
+    session: &Session,
+    out: &mut Vec<Command>,
+) {
     ui.horizontal_wrapped(|ui| {
         let is_playing = timeline.playing.is_some();
         let text = if is_playing { "Pause" } else { "Play" };
@@ -22,9 +27,10 @@ pub(super) fn show(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out:
         if ui.add(Button::new(text).selected(is_playing)).on_hover_text(help).clicked() {
             timeline.toggle(ui, session);
         }
-        for (text, help, way) in
-            [("Previous key", "To the key before the playhead", -1.0), ("Next key", "To the key after it", 1.0)]
-        {
+        for (text, help, way) in [
+            ("Previous key", "To the key before the playhead", -1.0),
+            ("Next key", "To the key after it", 1.0),
+        ] {
             let found = neighbour(session, way);
             let response = ui.add_enabled(found.is_some(), Button::new(text)).on_hover_text(help);
             if let (true, Some(time)) = (response.clicked(), found) {
@@ -36,8 +42,10 @@ pub(super) fn show(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out:
         ui.label(RichText::new(text).monospace()).on_hover_text("Where the playhead is");
         ui.separator();
         rate(timeline, ui);
-        ui.checkbox(&mut timeline.snaps, "Snap").on_hover_text("Keys and the playhead stay on frames");
-        ui.checkbox(&mut timeline.loops, "Loop").on_hover_text("Begins again at the end of the range");
+        ui.checkbox(&mut timeline.snaps, "Snap")
+            .on_hover_text("Keys and the playhead stay on frames");
+        ui.checkbox(&mut timeline.loops, "Loop")
+            .on_hover_text("Begins again at the end of the range");
         range(timeline, ui);
         if ui.button("Fit").on_hover_text("Brings all keys and the range into view").clicked() {
             timeline.fit(session);
@@ -56,11 +64,14 @@ fn neighbour(session: &Session, way: f64) -> Option<f64> {
 
 fn rate(timeline: &mut Timeline, ui: &mut Ui) {
     let text = |fps: f64| format!("{} fps", values::number_text(fps, 2));
-    let combo = ComboBox::from_id_salt("fps").width(58.0).selected_text(text(timeline.fps)).show_ui(ui, |ui| {
-        for fps in RATES {
-            ui.selectable_value(&mut timeline.fps, fps, text(fps));
-        }
-    });
+    let combo = ComboBox::from_id_salt("fps")
+        .width(58.0)
+        .selected_text(text(timeline.fps))
+        .show_ui(ui, |ui| {
+            for fps in RATES {
+                ui.selectable_value(&mut timeline.fps, fps, text(fps));
+            }
+        });
     combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Frame rate"));
     combo.response.on_hover_text("Frames a second: what is played and snapped to");
 }
@@ -85,7 +96,9 @@ fn add_value(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
             for id in &session.selection {
                 let kind = session.graph().nodes.get(id).and_then(|node| session.catalog.of(node));
                 for port in kind.map(|kind| kind.inputs.as_slice()).unwrap_or_default() {
-                    if changes_in_time(&port.ty) && session.graph().wire_into(id, &port.name).is_none() {
+                    if changes_in_time(&port.ty)
+                        && session.graph().wire_into(id, &port.name).is_none()
+                    {
                         entry(ui, session, &session.target(id, &port.name), out);
                     }
                 }
@@ -116,12 +129,15 @@ fn entry(ui: &mut Ui, session: &Session, target: &Target, out: &mut Vec<Command>
 pub(super) fn key(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     let Some((track_at, key_at)) = timeline.selected else { return };
     let Some(track) = session.look().time_keys.get(track_at) else { return };
-    let (Some(key), Some(port)) = (track.keys.get(key_at), session.port_at(&track.target)) else { return };
+    let (Some(key), Some(port)) = (track.keys.get(key_at), session.port_at(&track.target)) else {
+        return;
+    };
     ui.horizontal_wrapped(|ui| {
         let [owner, what] = session.names_of(&track.target);
         ui.label(RichText::new(format!("{owner}: {what}")).color(theme::of(ui).accent));
         let mut time = key.time;
-        let response = ui.add(DragValue::new(&mut time).speed(1.0 / timeline.fps).max_decimals(4).suffix(" s"));
+        let response = ui
+            .add(DragValue::new(&mut time).speed(1.0 / timeline.fps).max_decimals(4).suffix(" s"));
         response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Time of the key"));
         if response.on_hover_text("When").changed() && time.is_finite() {
             let edit = moved(timeline, session, track_at, key_at, time);
@@ -139,7 +155,8 @@ pub(super) fn key(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: 
         ] {
             let is_it = key.interpolation == choice;
             if ui.add(Button::selectable(is_it, text)).on_hover_text(help).clicked() && !is_it {
-                let edit = session.change_track(track_at, |track| track.keys[key_at].interpolation = choice);
+                let edit = session
+                    .change_track(track_at, |track| track.keys[key_at].interpolation = choice);
                 out.push(Command::Edit(edit));
             }
         }
@@ -150,11 +167,18 @@ pub(super) fn key(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: 
 }
 
 /// The edit that moves a key in time; it stays between its neighbours.
-pub(super) fn moved(timeline: &Timeline, session: &Session, track: usize, key: usize, time: f64) -> Edit {
+pub(super) fn moved(
+    timeline: &Timeline,
+    session: &Session,
+    track: usize,
+    key: usize,
+    time: f64,
+) -> Edit {
     let gap = if timeline.snaps { 1.0 / timeline.fps } else { super::LEAST };
     let time = timeline.snapped(time);
     session.change_track(track, |track| {
-        let low = key.checked_sub(1).map_or(f64::NEG_INFINITY, |before| track.keys[before].time + gap);
+        let low =
+            key.checked_sub(1).map_or(f64::NEG_INFINITY, |before| track.keys[before].time + gap);
         let high = track.keys.get(key + 1).map_or(f64::INFINITY, |after| after.time - gap);
         if low <= high {
             track.keys[key].time = super::tidy(time.clamp(low, high));
@@ -164,7 +188,9 @@ pub(super) fn moved(timeline: &Timeline, session: &Session, track: usize, key: u
 
 /// The edit that takes a key away; with the last one the value is the look's own again.
 pub(super) fn removed(session: &Session, track: usize, key: usize) -> Edit {
-    let Some(of) = session.look().time_keys.get(track) else { return Edit::Group { edits: Vec::new() } };
+    let Some(of) = session.look().time_keys.get(track) else {
+        return Edit::Group { edits: Vec::new() };
+    };
     if of.keys.len() < 2 {
         return session.unkey(&of.target);
     }

@@ -1,7 +1,7 @@
 //! The timeline: values over time, one row for each value that is keyed, played in real time.
 //!
-//! The playhead is the window's, not the look's: nothing of the document changes while it plays. Frames are shown at the
-//! rate that is chosen, and asked for no more often; at rest nothing is.
+//! The playhead is the window's, not the look's: nothing of the document changes while it plays.
+//! Frames are shown at the rate that is chosen, and asked for no more often; at rest nothing is.
 
 mod axis;
 mod bar;
@@ -98,7 +98,8 @@ impl Timeline {
         let now = ui.input(|input| input.time);
         let [start, end] = self.range;
         // From the end it starts again.
-        let at = if session.time >= end - LEAST || session.time < start { start } else { session.time };
+        let at =
+            if session.time >= end - LEAST || session.time < start { start } else { session.time };
         self.playing = if self.playing.is_some() { None } else { Some((at, now)) };
         ui.ctx().request_repaint();
     }
@@ -115,13 +116,18 @@ impl Timeline {
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut commands = Vec::new();
         let tracks = &session.look().time_keys;
-        let is_there = |&(track, key): &(usize, usize)| tracks.get(track).is_some_and(|track| key < track.keys.len());
+        let is_there = |&(track, key): &(usize, usize)| {
+            tracks.get(track).is_some_and(|track| key < track.keys.len())
+        };
         self.selected = self.selected.filter(is_there);
         let panel = ui.max_rect();
         bar::show(self, ui, session, &mut commands);
         bar::key(self, ui, session, &mut commands);
         let (ruler, _) = ui.allocate_exact_size(vec2(ui.available_width(), RULER), Sense::hover());
-        let lane = Rect::from_min_max(pos2(ruler.left() + NAMES, ruler.top()), ruler.max - vec2(10.0, 0.0));
+        let lane = Rect::from_min_max(
+            pos2(ruler.left() + NAMES, ruler.top()),
+            ruler.max - vec2(10.0, 0.0),
+        );
         let axis = Axis { lane, seen: self.seen };
         axis.ruler(ui, self.fps, self.range);
         self.scrub(ui, session, axis, &mut commands);
@@ -130,8 +136,10 @@ impl Timeline {
             ui.add_space(6.0);
             dock::hint(
                 ui,
-                "Nothing changes with time yet. Press the diamond beside a value in the inspector and choose \"Key in \
-                 time\", or add a value above; then move the playhead and set it to something else.",
+                "Nothing changes with time yet. Press the diamond beside a value in the inspector \
+                 and choose \"Key in \
+                 time\", or add a value above; then move the playhead and set it to something \
+                 else.",
             );
         } else {
             ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
@@ -157,7 +165,9 @@ impl Timeline {
         let response = ui.interact(axis.lane, id, Sense::click_and_drag());
         let time = session.time;
         response.widget_info(|| egui::WidgetInfo::slider(true, time, "Playhead"));
-        if let Some(pointer) = response.interact_pointer_pos().filter(|_| response.dragged() || response.clicked()) {
+        if let Some(pointer) =
+            response.interact_pointer_pos().filter(|_| response.dragged() || response.clicked())
+        {
             let time = self.snapped(axis.time(pointer.x));
             if time != session.time {
                 self.go(time, out);
@@ -169,14 +179,22 @@ impl Timeline {
             if !axis.lane.expand(2.0).contains(at) {
                 continue;
             }
-            let handled = super::handle::handle(ui, ui.scope_id().with(name), at, name, self.range[end], true);
+            let handled = super::handle::handle(
+                ui,
+                ui.scope_id().with(name),
+                at,
+                name,
+                self.range[end],
+                true,
+            );
             let wished = handled.to.map(|to| axis.time(to.x));
             let step = f64::from(handled.steps.x) / self.fps;
             if let Some(time) = wished.or((step != 0.0).then_some(self.range[end] + step)) {
                 let gap = 1.0 / self.fps;
                 let other = self.range[1 - end];
                 let time = self.snapped(time);
-                self.range[end] = if end == 0 { time.min(other - gap) } else { time.max(other + gap) };
+                self.range[end] =
+                    if end == 0 { time.min(other - gap) } else { time.max(other + gap) };
             }
             axis::flag(ui, at, end == 1, &handled.response);
             handled.response.on_hover_text(format!("{name}: what is played"));
@@ -185,7 +203,9 @@ impl Timeline {
 
     /// The wheel zooms over the ruler, and everywhere with Ctrl; a drag where no key is pans.
     fn navigate(&mut self, ui: &Ui, panel: Rect, axis: Axis, rows: Rect) {
-        let Some(pointer) = ui.input(|input| input.pointer.hover_pos()).filter(|at| panel.contains(*at)) else {
+        let Some(pointer) =
+            ui.input(|input| input.pointer.hover_pos()).filter(|at| panel.contains(*at))
+        else {
             return;
         };
         if !ui.rect_contains_pointer(panel) {
@@ -193,7 +213,8 @@ impl Timeline {
         }
         let (scroll, zoom) = ui.input(|input| (input.smooth_scroll_delta, input.zoom_delta()));
         let is_ruler = axis.lane.contains(pointer);
-        let factor = f64::from(zoom) * if is_ruler { f64::from(scroll.y / 200.0).exp() } else { 1.0 };
+        let factor =
+            f64::from(zoom) * if is_ruler { f64::from(scroll.y / 200.0).exp() } else { 1.0 };
         if factor != 1.0 && (is_ruler || rows.contains(pointer)) {
             self.seen = axis.zoomed(pointer.x, factor);
         }
@@ -204,7 +225,8 @@ impl Timeline {
 
     /// All keys and the range in view.
     fn fit(&mut self, session: &Session) {
-        let times = session.look().time_keys.iter().flat_map(|track| &track.keys).map(|key| key.time);
+        let times =
+            session.look().time_keys.iter().flat_map(|track| &track.keys).map(|key| key.time);
         let [mut low, mut high] = self.range;
         for time in times {
             (low, high) = (low.min(time), high.max(time));
@@ -227,7 +249,8 @@ fn playhead(ui: &Ui, session: &Session, axis: Axis, rows: Rect) {
     let color = theme::of(ui).accent;
     ui.painter().vline(x, axis.lane.top() + 8.0..=rows.bottom(), Stroke::new(1.5, color));
     let top = pos2(x, axis.lane.top() + 10.0);
-    let points = [vec2(-6.0, -8.0), vec2(6.0, -8.0), vec2(6.0, -2.0), vec2(0.0, 5.0), vec2(-6.0, -2.0)];
+    let points =
+        [vec2(-6.0, -8.0), vec2(6.0, -8.0), vec2(6.0, -2.0), vec2(0.0, 5.0), vec2(-6.0, -2.0)];
     let shape = points.map(|d| top + d).to_vec();
     ui.painter().add(egui::Shape::convex_polygon(shape, color, Stroke::NONE));
 }

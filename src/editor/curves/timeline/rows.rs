@@ -2,7 +2,9 @@
 
 use eframe::egui;
 use eframe::egui::epaint::{Mesh, PathShape, Vertex};
-use eframe::egui::{Color32, Key, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2};
+use eframe::egui::{
+    Color32, Key, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2,
+};
 
 use super::super::super::catalog::Port;
 use super::super::super::command::Command;
@@ -36,7 +38,9 @@ pub(super) fn show(
     let lane = Rect::from_x_y_ranges(axis.lane.x_range(), rect.y_range());
     let [owner, what] = session.names_of(&track.target);
     let response = ui.interact(lane, ui.scope_id().with(("lane", index)), Sense::click_and_drag());
-    response.widget_info(|| WidgetInfo::labeled(egui::Role::Canvas, true, format!("Track of {owner}: {what}")));
+    response.widget_info(|| {
+        WidgetInfo::labeled(egui::Role::Canvas, true, format!("Track of {owner}: {what}"))
+    });
     if response.dragged() {
         timeline.seen = axis.panned(response.drag_delta().x);
     }
@@ -63,7 +67,11 @@ fn name(ui: &mut Ui, session: &Session, index: usize, track: &TimeKeys, out: &mu
         let here = track.keys.iter().position(|key| (key.time - session.time).abs() < 1e-6);
         let verb = if here.is_some() { "Delete key of" } else { "Add key of" };
         let diamond = mark::of(ui, session, &track.target, &format!("{verb} {owner}: {what}"));
-        let help = if here.is_some() { "Deletes the key at the playhead" } else { "Adds a key at the playhead" };
+        let help = if here.is_some() {
+            "Deletes the key at the playhead"
+        } else {
+            "Adds a key at the playhead"
+        };
         if diamond.on_hover_text(help).clicked() {
             out.extend(match here {
                 Some(key) => Some(Command::Edit(bar::removed(session, index, key))),
@@ -72,9 +80,11 @@ fn name(ui: &mut Ui, session: &Session, index: usize, track: &TimeKeys, out: &mu
         }
         let now = session.value_now(&track.target).zip(session.port_at(&track.target));
         let space = session.look().color_space;
-        let shown = now.map(|(value, port)| match value.color_in(space).filter(|_| port.ty == Type::Color) {
-            Some(color) => values::hex(color),
-            None => values::short(&port, &value),
+        let shown = now.map(|(value, port)| {
+            match value.color_in(space).filter(|_| port.ty == Type::Color) {
+                Some(color) => values::hex(color),
+                None => values::short(&port, &value),
+            }
         });
         let shown = shown.unwrap_or_default();
         let rect = ui.available_rect_before_wrap();
@@ -82,12 +92,13 @@ fn name(ui: &mut Ui, session: &Session, index: usize, track: &TimeKeys, out: &mu
         let font = egui::TextStyle::Body.resolve(ui.style());
         let left = Rect::from_min_max(rect.min, pos2(rect.right() - value_width, rect.bottom()));
         dock::cell(ui, left, &format!("{owner}: {what}"), font.clone(), colors.text);
-        let right = Rect::from_min_max(pos2(rect.right() - value_width + 4.0, rect.top()), rect.max);
+        let right =
+            Rect::from_min_max(pos2(rect.right() - value_width + 4.0, rect.top()), rect.max);
         dock::cell(ui, right, &shown, font, colors.dim);
     });
 }
 
-/// The values over time: numbers as a line, colours as they are.
+/// The values over time: numbers as a line, colors as they are.
 fn paint(ui: &Ui, session: &Session, axis: Axis, lane: Rect, track: &TimeKeys) {
     let colors = theme::of(ui);
     let painter = ui.painter_at(lane);
@@ -96,13 +107,15 @@ fn paint(ui: &Ui, session: &Session, axis: Axis, lane: Rect, track: &TimeKeys) {
     let of = |time: f64| at_time(&track.keys, time, is_direction(&track.target));
     let count = (lane.width() / 3.0).clamp(2.0, 400.0) as usize;
     let places = (0..=count).map(|i| lane.left() + lane.width() * i as f32 / count as f32);
-    let is_color = port.as_ref().is_some_and(|port: &Port| matches!(port.ty, Type::Color | Type::Composite));
+    let is_color =
+        port.as_ref().is_some_and(|port: &Port| matches!(port.ty, Type::Color | Type::Composite));
     if is_color {
         let space = session.look().color_space;
         let bar = lane.shrink2(vec2(0.0, 7.0));
         let mut mesh = Mesh::default();
         for (i, x) in places.enumerate() {
-            let color = of(axis.time(x)).and_then(|value| value.color_in(space)).unwrap_or_default();
+            let color =
+                of(axis.time(x)).and_then(|value| value.color_in(space)).unwrap_or_default();
             let byte = |x: f64| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
             let [r, g, b, _] = color.map(byte);
             for y in [bar.top(), bar.bottom()] {
@@ -117,13 +130,15 @@ fn paint(ui: &Ui, session: &Session, axis: Axis, lane: Rect, track: &TimeKeys) {
         return;
     }
     let numbers = track.keys.iter().filter_map(|key| number(&key.value));
-    let (low, high) = numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+    let (low, high) =
+        numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
     if low.is_finite() {
         let y = |x: f64| {
             let t = if high > low { (x - low) / (high - low) } else { 0.5 };
             lane.bottom() - 7.0 - (lane.height() - 14.0) * t as f32
         };
-        let line: Vec<Pos2> = places.filter_map(|x| Some(pos2(x, y(number(&of(axis.time(x))?)?)))).collect();
+        let line: Vec<Pos2> =
+            places.filter_map(|x| Some(pos2(x, y(number(&of(axis.time(x))?)?)))).collect();
         painter.add(PathShape::line(line, Stroke::new(1.5, colors.second)));
     }
 }
@@ -173,7 +188,8 @@ fn key_handle(
     handle::focus_ring(ui, &handled.response, at, 7.0);
     let time = values::number_text(key.time, 3);
     handled.response.on_hover_text(format!(
-        "{time} s. Drag it, or arrow keys (a frame); double-click brings the playhead here; Delete removes it."
+        "{time} s. Drag it, or arrow keys (a frame); double-click brings the playhead here; Delete \
+         removes it."
     ));
 }
 

@@ -1,4 +1,5 @@
-//! The rules that fill what is not painted, in their order: each with its fields and with what it fills.
+//! The rules that fill what is not painted, in their order: each with its fields and with what it
+//! fills.
 
 mod relief;
 mod strokes;
@@ -6,7 +7,8 @@ mod strokes;
 use std::f64::consts::PI;
 
 use eframe::egui::{
-    Checkbox, ComboBox, DragValue, Id, ProgressBar, RichText, Role, ScrollArea, Slider, Ui, WidgetInfo,
+    Checkbox, ComboBox, DragValue, Id, ProgressBar, RichText, Role, ScrollArea, Slider, Ui,
+    WidgetInfo,
 };
 
 use super::memory::Memory;
@@ -39,14 +41,19 @@ fn help(rule: &Rule) -> &'static str {
     match rule {
         Rule::Copy { .. } => "Fills everything that is empty with one painting",
         Rule::Lock { .. } => "What is painted holds for every value of these angles",
-        Rule::Blend { .. } => "Blends the paintings by how near their light and eye are: a few make the whole",
+        Rule::Blend { .. } => {
+            "Blends the paintings by how near their light and eye are: a few make the whole"
+        }
         Rule::Morph { .. } => {
-            "Blends the nearest paintings, and moves their strokes from one to the other in place of fading them"
+            "Blends the nearest paintings, and moves their strokes from one to the other in place \
+             of fading them"
         }
         Rule::Mirror { .. } => "One color where the light is mirrored to the eye, fading outward",
         Rule::Specular { .. } => "One painting where the light is mirrored to the eye",
         Rule::Color { .. } => "Fills everything that is empty with one color",
-        Rule::Strokes(_) => "Draws strokes that stand on the tile, as each eye and each light see them",
+        Rule::Strokes(_) => {
+            "Draws strokes that stand on the tile, as each eye and each light see them"
+        }
         Rule::Relief(_) => "Shows a relief of the tile, as each eye and each light see it",
         Rule::Lambert { .. } => "Darkens what is filled as the light sinks",
         Rule::Rotate { .. } => "Turns what is filled with the eye, so that it keeps facing it",
@@ -102,8 +109,14 @@ pub(super) fn show(
             }
         })
         .response
-        .on_hover_text("Rules fill what nobody painted. They work in order, and paintings always win");
-        if ui.checkbox(&mut tiling, "The tile repeats").on_hover_text("Strokes go across its edges").changed() {
+        .on_hover_text(
+            "Rules fill what nobody painted. They work in order, and paintings always win",
+        );
+        if ui
+            .checkbox(&mut tiling, "The tile repeats")
+            .on_hover_text("Strokes go across its edges")
+            .changed()
+        {
             out.push(command(Wish::Edit(HcbtfEdit::SetTiling { is_tiling: tiling })));
         }
         let help = "Divides it into other texels, lights or views, once it is told what that takes";
@@ -124,12 +137,15 @@ pub(super) fn show(
     }
     let counts = counts(work);
     if hcbtf.rules.is_empty() {
-        let text = "No rules: what is not painted is empty. Add Blend to make a whole of a few paintings.";
+        let text =
+            "No rules: what is not painted is empty. Add Blend to make a whole of a few paintings.";
         ui.label(RichText::new(text).color(theme::of(ui).dim));
     }
     ScrollArea::vertical().id_salt("rules").auto_shrink([false, false]).show(ui, |ui| {
         for (index, rule) in hcbtf.rules.iter().enumerate() {
-            ui.push_id(index, |ui| card(ui, work, index, rule, counts.get(index).copied().unwrap_or_default(), out));
+            ui.push_id(index, |ui| {
+                card(ui, work, index, rule, counts.get(index).copied().unwrap_or_default(), out)
+            });
         }
     });
 }
@@ -153,7 +169,8 @@ fn counts(work: &Work) -> Vec<usize> {
 fn card(ui: &mut Ui, work: &Work, index: usize, rule: &Rule, count: usize, out: &mut Vec<Command>) {
     let (name, help) = (rule.about().label, help(rule));
     let rules = &work.hcbtf().rules;
-    let frame = eframe::egui::Frame::new().fill(theme::of(ui).node).corner_radius(4.0).inner_margin(8.0);
+    let frame =
+        eframe::egui::Frame::new().fill(theme::of(ui).node).corner_radius(4.0).inner_margin(8.0);
     frame.show(ui, |ui| {
         ui.set_min_width(ui.available_width());
         ui.horizontal(|ui| {
@@ -175,11 +192,29 @@ fn card(ui: &mut Ui, work: &Work, index: usize, rule: &Rule, count: usize, out: 
                 ) {
                     out.push(command(Wish::Edit(HcbtfEdit::RemoveRule { index })));
                 }
-                if moved(ui, "Down", format!("Move rule {} down", index + 1), index < last, "Lets it work later") {
-                    out.push(command(Wish::Edit(HcbtfEdit::MoveRule { from: index, to: index + 1 })));
+                if moved(
+                    ui,
+                    "Down",
+                    format!("Move rule {} down", index + 1),
+                    index < last,
+                    "Lets it work later",
+                ) {
+                    out.push(command(Wish::Edit(HcbtfEdit::MoveRule {
+                        from: index,
+                        to: index + 1,
+                    })));
                 }
-                if moved(ui, "Up", format!("Move rule {} up", index + 1), index > 0, "Lets it work earlier") {
-                    out.push(command(Wish::Edit(HcbtfEdit::MoveRule { from: index, to: index - 1 })));
+                if moved(
+                    ui,
+                    "Up",
+                    format!("Move rule {} up", index + 1),
+                    index > 0,
+                    "Lets it work earlier",
+                ) {
+                    out.push(command(Wish::Edit(HcbtfEdit::MoveRule {
+                        from: index,
+                        to: index - 1,
+                    })));
                 }
             });
         });
@@ -198,13 +233,17 @@ fn card(ui: &mut Ui, work: &Work, index: usize, rule: &Rule, count: usize, out: 
 fn fields(ui: &mut Ui, work: &Work, rule: &mut Rule) -> Option<Id> {
     match rule {
         Rule::Copy { from } => sample(ui, work, from),
-        Rule::Specular { from, width } => sample(ui, work, from).or_else(|| degrees(ui, "Width", width)),
+        Rule::Specular { from, width } => {
+            sample(ui, work, from).or_else(|| degrees(ui, "Width", width))
+        }
         Rule::Lock { angles } => lock(ui, angles),
         Rule::Blend { sharpness } | Rule::Morph { sharpness } => {
             let help = "1 is soft; at 8 the nearest painting alone is seen, nearly";
             number(ui, "Sharpness", help, sharpness, 0.0..=16.0)
         }
-        Rule::Mirror { color, width } => rgba(ui, "Color", color).or_else(|| degrees(ui, "Width", width)),
+        Rule::Mirror { color, width } => {
+            rgba(ui, "Color", color).or_else(|| degrees(ui, "Width", width))
+        }
         Rule::Color { color } => rgba(ui, "Color", color),
         Rule::Lambert { shadow, amount } => {
             let help = "0 leaves everything as it is, 1 is Lambert's law";
@@ -212,7 +251,9 @@ fn fields(ui: &mut Ui, work: &Work, rule: &mut Rule) -> Option<Id> {
         }
         Rule::Strokes(strokes) => strokes::fields(ui, strokes),
         Rule::Relief(relief) => relief::fields(ui, work, relief),
-        Rule::Rotate { turns } => number(ui, "Turns", "How often it turns for one turn of the eye", turns, -4.0..=4.0),
+        Rule::Rotate { turns } => {
+            number(ui, "Turns", "How often it turns for one turn of the eye", turns, -4.0..=4.0)
+        }
         Rule::Recolor { angle, from, to } => {
             let chosen = along(ui, "Along", angle);
             chosen.or_else(|| rgb(ui, "From", from)).or_else(|| rgb(ui, "To", to))
@@ -228,9 +269,16 @@ fn line<R>(ui: &mut Ui, label: &str, help: &str, add: impl FnOnce(&mut Ui, Id) -
     .inner
 }
 
-fn number(ui: &mut Ui, label: &str, help: &str, value: &mut f64, range: std::ops::RangeInclusive<f64>) -> Option<Id> {
+fn number(
+    ui: &mut Ui,
+    label: &str,
+    help: &str,
+    value: &mut f64,
+    range: std::ops::RangeInclusive<f64>,
+) -> Option<Id> {
     line(ui, label, help, |ui, id| {
-        let response = ui.add(Slider::new(value, range).max_decimals(2)).labelled_by(id).on_hover_text(help);
+        let response =
+            ui.add(Slider::new(value, range).max_decimals(2)).labelled_by(id).on_hover_text(help);
         response.changed().then_some(response.id)
     })
 }
@@ -260,7 +308,8 @@ fn rgba(ui: &mut Ui, label: &str, color: &mut [u8; 4]) -> Option<Id> {
 pub(super) fn rgb(ui: &mut Ui, label: &str, color: &mut [u8; 3]) -> Option<Id> {
     let [r, g, b] = color.map(|channel| f64::from(channel) / 255.0);
     line(ui, label, "Click to choose", |ui, _| {
-        let (id, found) = color::named_swatch(ui, label, [r, g, b, 1.0], ColorSpace::Display, false)?;
+        let (id, found) =
+            color::named_swatch(ui, label, [r, g, b, 1.0], ColorSpace::Display, false)?;
         let [r, g, b, _] = found.map(|channel| (channel * 255.0).round() as u8);
         *color = [r, g, b];
         Some(id)
@@ -292,7 +341,9 @@ fn lock(ui: &mut Ui, angles: &mut Vec<HcbtfAngle>) -> Option<Id> {
 /// Which of the angles.
 pub(super) fn along(ui: &mut Ui, label: &str, angle: &mut HcbtfAngle) -> Option<Id> {
     let before = *angle;
-    let name = |angle: HcbtfAngle| ANGLES.iter().find(|(known, _)| *known == angle).map_or("", |(_, label)| label);
+    let name = |angle: HcbtfAngle| {
+        ANGLES.iter().find(|(known, _)| *known == angle).map_or("", |(_, label)| label)
+    };
     line(ui, label, "Which angle", |ui, id| {
         let combo = ComboBox::from_id_salt(label).width(130.0).selected_text(name(before));
         let response = combo.show_ui(ui, |ui| {
@@ -316,26 +367,35 @@ pub(super) fn sample(ui: &mut Ui, work: &Work, from: &mut Address) -> Option<Id>
         line(ui, label, "The ring from the normal, and the step around it", |ui, _| {
             let mut field = |ui: &mut Ui, name: &str, value: &mut u32, count: u32| {
                 let drag = ui.add(DragValue::new(value).range(0..=count.max(1) - 1).speed(0.05));
-                drag.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, format!("{label} {name}")));
+                drag.widget_info(|| {
+                    WidgetInfo::labeled(Role::SpinButton, true, format!("{label} {name}"))
+                });
                 if drag.changed() {
                     changed = Some(drag.id);
                 }
             };
             field(ui, "ring", &mut direction.theta, directions.theta);
             field(ui, "step", &mut direction.phi, directions.phi);
-            ui.label(RichText::new(moves::name(directions, *direction)).color(theme::of(ui).dim).small());
+            ui.label(
+                RichText::new(moves::name(directions, *direction)).color(theme::of(ui).dim).small(),
+            );
         });
     }
     let at = work.at();
     let help = "Lets the rule copy the sample that you are working at";
-    let button = ui.add_enabled(before.canonical() != at, eframe::egui::Button::new("Take the sample at work").small());
+    let button = ui.add_enabled(
+        before.canonical() != at,
+        eframe::egui::Button::new("Take the sample at work").small(),
+    );
     if button.on_hover_text(help).clicked() {
         *from = at;
         changed = Some(ui.scope_id().with("at work").with(at));
     }
     *from = from.canonical();
     if work.hcbtf().painted(*from).is_none() {
-        ui.label(RichText::new("Nothing is painted there yet").color(theme::of(ui).warning).small());
+        ui.label(
+            RichText::new("Nothing is painted there yet").color(theme::of(ui).warning).small(),
+        );
     }
     changed
 }

@@ -16,7 +16,13 @@ pub(super) fn fields(ui: &mut Ui, work: &Work, relief: &mut Relief) -> Option<Id
         CollapsingHeader::new(title).default_open(is_open).show(ui, |ui| add(ui));
     };
     section(ui, "Pattern", true, &mut |ui| {
-        fields.number(ui, "Depth", "From the lowest to the highest, in tile widths", &mut relief.depth, 0.0..=0.5);
+        fields.number(
+            ui,
+            "Depth",
+            "From the lowest to the highest, in tile widths",
+            &mut relief.depth,
+            0.0..=0.5,
+        );
         let help = "Which height stays in place when the eye moves: 0 the lowest, 1 the highest";
         fields.number(ui, "Still height", help, &mut relief.pivot, 0.0..=1.0);
         fields.count(ui, "Seed", "Another number scatters anew", &mut relief.seed, 0..=999);
@@ -45,9 +51,14 @@ fn presets(ui: &mut Ui, work: &Work, relief: &mut Relief) -> Option<Id> {
         let is_painted = work.hcbtf().painted(from).is_some();
         let button = ui.add_enabled(is_painted, Button::new("Of this painting").small());
         let help = "Takes heights and colors from the sample at work: what is bright stands high";
-        if button.on_hover_text(help).on_disabled_hover_text("The sample at work is not painted").clicked() {
+        if button
+            .on_hover_text(help)
+            .on_disabled_hover_text("The sample at work is not painted")
+            .clicked()
+        {
             let channel = Channel::Luminance;
-            relief.pattern = Pattern::Painted { heights: from, channel, is_inverted: false, colors: from };
+            relief.pattern =
+                Pattern::Painted { heights: from, channel, is_inverted: false, colors: from };
             changed = Some(ui.scope_id().with("painting").with(from));
         }
     });
@@ -60,7 +71,13 @@ struct Fields {
 }
 
 impl Fields {
-    fn line(&mut self, ui: &mut Ui, label: &str, help: &str, add: impl FnOnce(&mut Ui, Id) -> Option<Id>) {
+    fn line(
+        &mut self,
+        ui: &mut Ui,
+        label: &str,
+        help: &str,
+        add: impl FnOnce(&mut Ui, Id) -> Option<Id>,
+    ) {
         let changed = ui.horizontal(|ui| {
             let id = lead(ui, label, LEAD).on_hover_text(help).id;
             add(ui, id)
@@ -68,9 +85,19 @@ impl Fields {
         self.changed = self.changed.or(changed.inner);
     }
 
-    fn number(&mut self, ui: &mut Ui, label: &str, help: &str, value: &mut f64, range: RangeInclusive<f64>) {
+    fn number(
+        &mut self,
+        ui: &mut Ui,
+        label: &str,
+        help: &str,
+        value: &mut f64,
+        range: RangeInclusive<f64>,
+    ) {
         self.line(ui, label, help, |ui, id| {
-            let response = ui.add(Slider::new(value, range).max_decimals(3)).labelled_by(id).on_hover_text(help);
+            let response = ui
+                .add(Slider::new(value, range).max_decimals(3))
+                .labelled_by(id)
+                .on_hover_text(help);
             response.changed().then_some(response.id)
         });
     }
@@ -82,7 +109,8 @@ impl Fields {
     fn degrees(&mut self, ui: &mut Ui, label: &str, help: &str, value: &mut f64, most: f64) {
         let mut shown = value.to_degrees();
         self.line(ui, label, help, |ui, id| {
-            let slider = Slider::new(&mut shown, 0.0..=most.to_degrees()).suffix("°").max_decimals(1);
+            let slider =
+                Slider::new(&mut shown, 0.0..=most.to_degrees()).suffix("°").max_decimals(1);
             let response = ui.add(slider).labelled_by(id).on_hover_text(help);
             if response.changed() {
                 *value = shown.to_radians().clamp(0.0, most);
@@ -91,7 +119,14 @@ impl Fields {
         });
     }
 
-    fn count(&mut self, ui: &mut Ui, label: &str, help: &str, value: &mut u32, range: RangeInclusive<u32>) {
+    fn count(
+        &mut self,
+        ui: &mut Ui,
+        label: &str,
+        help: &str,
+        value: &mut u32,
+        range: RangeInclusive<u32>,
+    ) {
         self.line(ui, label, help, |ui, id| {
             let response = ui.add(Slider::new(value, range)).labelled_by(id).on_hover_text(help);
             response.changed().then_some(response.id)
@@ -125,7 +160,12 @@ impl Fields {
             Pattern::Painted { heights, channel, is_inverted, colors } => {
                 self.sample(ui, work, "Heights from", heights);
                 let mut is_alpha = *channel == Channel::Alpha;
-                self.check(ui, "Heights by opacity", "What is opaque stands high; else what is bright", &mut is_alpha);
+                self.check(
+                    ui,
+                    "Heights by opacity",
+                    "What is opaque stands high; else what is bright",
+                    &mut is_alpha,
+                );
                 *channel = if is_alpha { Channel::Alpha } else { Channel::Luminance };
                 self.check(ui, "Upside down", "High and low change places", is_inverted);
                 self.sample(ui, work, "Colors from", colors);
@@ -143,7 +183,12 @@ impl Fields {
             } => {
                 self.count(ui, "Columns", "Bricks in a course", columns, 1..=24);
                 self.count(ui, "Rows", "Courses", rows, 1..=24);
-                self.part(ui, "Shift", "By which part of a brick every second course is moved", shift);
+                self.part(
+                    ui,
+                    "Shift",
+                    "By which part of a brick every second course is moved",
+                    shift,
+                );
                 self.part(ui, "Joint", "In parts of a course's height", joint);
                 self.part(ui, "Bevel", "How far edges are rounded", bevel);
                 self.part(ui, "Unevenness", "How much bricks differ in height", unevenness);
@@ -161,24 +206,56 @@ impl Fields {
                 self.color(ui, "Other stone", second);
                 self.color(ui, "Binder", binder);
             }
-            Pattern::Facade { columns, floors, window, frame, sill, roughness, wall, trim, glass, lit, lit_color } => {
+            Pattern::Facade {
+                columns,
+                floors,
+                window,
+                frame,
+                sill,
+                roughness,
+                wall,
+                trim,
+                glass,
+                lit,
+                lit_color,
+            } => {
                 self.count(ui, "Columns", "Windows on a floor", columns, 1..=16);
                 self.count(ui, "Floors", "One above the other", floors, 1..=16);
                 self.size(ui, "Window", window);
                 self.number(ui, "Frame", "In parts of the window's width", frame, 0.0..=0.45);
                 self.part(ui, "Sills", "How far sills and bands stand out", sill);
                 self.part(ui, "Roughness", "Of the wall", roughness);
-                self.part(ui, "Lit windows", "How many are lit from within when the sun is low", lit);
+                self.part(
+                    ui,
+                    "Lit windows",
+                    "How many are lit from within when the sun is low",
+                    lit,
+                );
                 self.color(ui, "Wall", wall);
                 self.color(ui, "Trim", trim);
                 self.color(ui, "Glass", glass);
                 self.color(ui, "Light within", lit_color);
             }
-            Pattern::Arches { columns, rows, opening, ring, courses, roughness, wall, trim, inside } => {
+            Pattern::Arches {
+                columns,
+                rows,
+                opening,
+                ring,
+                courses,
+                roughness,
+                wall,
+                trim,
+                inside,
+            } => {
                 self.count(ui, "Columns", "Arches side by side", columns, 1..=16);
                 self.count(ui, "Rows", "Of arches", rows, 1..=16);
                 self.size(ui, "Opening", opening);
-                self.part(ui, "Ring", "The width of the ring of stones, in parts of the opening's", ring);
+                self.part(
+                    ui,
+                    "Ring",
+                    "The width of the ring of stones, in parts of the opening's",
+                    ring,
+                );
                 self.count(ui, "Courses", "Of the wall in a bay", courses, 1..=32);
                 self.part(ui, "Roughness", "Of the stone", roughness);
                 self.color(ui, "Wall", wall);
@@ -204,23 +281,36 @@ impl Fields {
         self.color(ui, "Sky at low sun", &mut light.low_sky);
         let help = "1 shows an open surface under the sky alone in its own color";
         self.number(ui, "Sky amount", help, &mut light.sky_amount, 0.0..=3.0);
-        let help =
-            "The sun is low where it is level with the tile, as on a wall, not where it is near the tile's horizon";
+        let help = "The sun is low where it is level with the tile, as on a wall, not where it is \
+                    near the tile's horizon";
         self.check(ui, "The tile stands upright", help, &mut light.is_upright);
         self.degrees(ui, "Soft shadows", "Half the width of their edges", &mut light.softness, 0.5);
-        self.count(ui, "Bounces", "How often light goes on from place to place", &mut light.bounces, 0..=8);
+        self.count(
+            ui,
+            "Bounces",
+            "How often light goes on from place to place",
+            &mut light.bounces,
+            0..=8,
+        );
     }
 
     fn glint(&mut self, ui: &mut Ui, glint: &mut Glint) {
         let help = "How bright it shines where the sun is mirrored to the eye";
         self.number(ui, "Glint amount", help, &mut glint.amount, 0.0..=4.0);
         self.line(ui, "Sharpness", "1 is broad, 500 a spark", |ui, id| {
-            let slider = Slider::new(&mut glint.sharpness, 1.0..=500.0).logarithmic(true).max_decimals(0);
+            let slider =
+                Slider::new(&mut glint.sharpness, 1.0..=500.0).logarithmic(true).max_decimals(0);
             let response = ui.add(slider).labelled_by(id);
             response.changed().then_some(response.id)
         });
         self.part(ui, "Glint share", "Which part of the grains shines", &mut glint.share);
-        self.degrees(ui, "Lean", "How far grains lean, so that not all shine at once", &mut glint.lean, 1.0);
+        self.degrees(
+            ui,
+            "Lean",
+            "How far grains lean, so that not all shine at once",
+            &mut glint.lean,
+            1.0,
+        );
     }
 
     fn finish(&mut self, ui: &mut Ui, finish: &mut Finish) {
@@ -230,7 +320,13 @@ impl Fields {
         self.color(ui, "Ink color", &mut finish.ink_color);
         self.part(ui, "Hatching", "Lines in the dark", &mut finish.hatch);
         self.count(ui, "Hatching lines", "Across the tile", &mut finish.hatch_lines, 1..=64);
-        self.number(ui, "Wobble", "How far lines stray, in tile widths", &mut finish.wobble, 0.0..=0.05);
+        self.number(
+            ui,
+            "Wobble",
+            "How far lines stray, in tile widths",
+            &mut finish.wobble,
+            0.0..=0.05,
+        );
         self.part(ui, "Paper", "How much paper shows", &mut finish.grain);
     }
 }

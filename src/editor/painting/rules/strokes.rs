@@ -2,7 +2,9 @@
 
 use std::ops::RangeInclusive;
 
-use eframe::egui::{Button, CollapsingHeader, ComboBox, DragValue, Id, RichText, Role, Ui, WidgetInfo};
+use eframe::egui::{
+    Button, CollapsingHeader, ComboBox, DragValue, Id, RichText, Role, Ui, WidgetInfo,
+};
 
 use super::{line, number, rgb, rgba};
 use crate::document::{Bundle, Placement, StrokeShape, StrokeTones, Strokes};
@@ -30,21 +32,44 @@ pub(super) fn fields(ui: &mut Ui, strokes: &mut Strokes) -> Option<Id> {
         &mut ground.ambient,
         0.0..=2.0,
     ));
-    by(number(ui, "Ground diffuse", "How much more by Lambert's law", &mut ground.diffuse, 0.0..=2.0));
+    by(number(
+        ui,
+        "Ground diffuse",
+        "How much more by Lambert's law",
+        &mut ground.diffuse,
+        0.0..=2.0,
+    ));
     let shadow = &mut strokes.shadow;
-    by(number(ui, "Shadow", "How much of the light strokes take from what lies behind", &mut shadow.amount, 0.0..=1.0));
-    by(number(ui, "Softness", "How far the edges of shadows are blurred", &mut shadow.softness, 0.0..=1.0));
+    by(number(
+        ui,
+        "Shadow",
+        "How much of the light strokes take from what lies behind",
+        &mut shadow.amount,
+        0.0..=1.0,
+    ));
+    by(number(
+        ui,
+        "Softness",
+        "How far the edges of shadows are blurred",
+        &mut shadow.softness,
+        0.0..=1.0,
+    ));
     let mut removed = None;
     for (index, bundle) in strokes.bundles.iter_mut().enumerate() {
         let title = format!("Bundle {}: {}", index + 1, counted(bundle));
-        CollapsingHeader::new(title).id_salt(("bundle", index)).default_open(index == 0).show(ui, |ui| {
-            by(all_of(ui, bundle));
-            let button = ui.add(Button::new("Remove the bundle").small());
-            button.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Remove bundle {}", index + 1)));
-            if button.on_hover_text("Takes its strokes away; Undo brings them back").clicked() {
-                removed = Some(index);
-            }
-        });
+        CollapsingHeader::new(title).id_salt(("bundle", index)).default_open(index == 0).show(
+            ui,
+            |ui| {
+                by(all_of(ui, bundle));
+                let button = ui.add(Button::new("Remove the bundle").small());
+                button.widget_info(|| {
+                    WidgetInfo::labeled(Role::Button, true, format!("Remove bundle {}", index + 1))
+                });
+                if button.on_hover_text("Takes its strokes away; Undo brings them back").clicked() {
+                    removed = Some(index);
+                }
+            },
+        );
     }
     if let Some(index) = removed {
         strokes.bundles.remove(index);
@@ -81,7 +106,8 @@ fn beginning(ui: &mut Ui, strokes: &mut Strokes) -> Option<Id> {
 }
 
 fn counted(bundle: &Bundle) -> String {
-    let many = |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
+    let many =
+        |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
     let what = match bundle.shape {
         StrokeShape::Thread => "thread",
         StrokeShape::Ribbon => "ribbon",
@@ -107,7 +133,9 @@ fn all_of(ui: &mut Ui, bundle: &mut Bundle) -> Option<Id> {
 fn placement(ui: &mut Ui, bundle: &mut Bundle) -> Option<Id> {
     let mut changed = None;
     let before = bundle.shape;
-    let name = |shape: StrokeShape| SHAPES.iter().find(|(known, _)| *known == shape).map_or("", |(_, name)| name);
+    let name = |shape: StrokeShape| {
+        SHAPES.iter().find(|(known, _)| *known == shape).map_or("", |(_, name)| name)
+    };
     line(ui, "Shape", "What a stroke is", |ui, id| {
         let combo = ComboBox::from_id_salt("shape").width(150.0).selected_text(name(before));
         let response = combo.show_ui(ui, |ui| {
@@ -134,7 +162,8 @@ fn placement(ui: &mut Ui, bundle: &mut Bundle) -> Option<Id> {
     let response = ui.checkbox(&mut rows, "In rows").on_hover_text(help);
     let rowed = response.changed().then_some(response.id);
     if counted.is_some() || rowed.is_some() {
-        bundle.place = if rows { Placement::Lattice(value as u32) } else { Placement::Scatter(value as u32) };
+        bundle.place =
+            if rows { Placement::Lattice(value as u32) } else { Placement::Scatter(value as u32) };
     }
     changed.or(counted).or(rowed)
 }
@@ -158,8 +187,20 @@ fn form(ui: &mut Ui, bundle: &mut Bundle) -> Option<Id> {
         &mut bundle.direction,
         -360.0..=360.0,
     ));
-    by(angle(ui, "Spread", "How far they stray to either side: 180 is everywhere", &mut bundle.spread, 0.0..=180.0));
-    by(angle(ui, "Curl", "How much they turn sideways up to the tip", &mut bundle.curl, -360.0..=360.0));
+    by(angle(
+        ui,
+        "Spread",
+        "How far they stray to either side: 180 is everywhere",
+        &mut bundle.spread,
+        0.0..=180.0,
+    ));
+    by(angle(
+        ui,
+        "Curl",
+        "How much they turn sideways up to the tip",
+        &mut bundle.curl,
+        -360.0..=360.0,
+    ));
     let help = "How often they turn while the eye goes once around: 1 keeps facing it";
     by(number(ui, "Turns", help, &mut bundle.turns, -4.0..=4.0));
     changed
@@ -173,16 +214,40 @@ fn colors(ui: &mut Ui, bundle: &mut Bundle) -> Option<Id> {
     by(rgb(ui, "Other root", other_root));
     by(rgb(ui, "Tip", tip));
     by(rgb(ui, "Other tip", other_tip));
-    by(number(ui, "Variation", "How much lighter or darker a stroke may be", &mut bundle.variation, 0.0..=1.0));
-    by(number(ui, "Ambient", "How much of its color is there in any light", &mut bundle.ambient, 0.0..=2.0));
-    by(number(ui, "Diffuse", "How much more where it faces the light", &mut bundle.diffuse, 0.0..=2.0));
+    by(number(
+        ui,
+        "Variation",
+        "How much lighter or darker a stroke may be",
+        &mut bundle.variation,
+        0.0..=1.0,
+    ));
+    by(number(
+        ui,
+        "Ambient",
+        "How much of its color is there in any light",
+        &mut bundle.ambient,
+        0.0..=2.0,
+    ));
+    by(number(
+        ui,
+        "Diffuse",
+        "How much more where it faces the light",
+        &mut bundle.diffuse,
+        0.0..=2.0,
+    ));
     let help = "How much more where the light shines through from behind";
     by(number(ui, "Translucent", help, &mut bundle.translucent, 0.0..=2.0));
     let highlight = &mut bundle.highlight;
     by(number(ui, "Highlight", "How much of a highlight it has", &mut highlight.amount, 0.0..=2.0));
     if highlight.amount > 0.0 {
         by(rgb(ui, "Its color", &mut highlight.color));
-        by(number(ui, "Sharpness", "How small the highlight is", &mut highlight.sharpness, 1.0..=200.0));
+        by(number(
+            ui,
+            "Sharpness",
+            "How small the highlight is",
+            &mut highlight.sharpness,
+            1.0..=200.0,
+        ));
     }
     changed
 }
@@ -198,9 +263,21 @@ fn tones(ui: &mut Ui, tones: &mut Option<StrokeTones>) -> Option<Id> {
     if let Some(tones) = tones {
         let mut by = |id: Option<Id>| changed = changed.or(id);
         let was = *tones;
-        by(number(ui, "First at", "The tone at which the first appears: 1 is full light", &mut tones.first, 0.0..=1.0));
+        by(number(
+            ui,
+            "First at",
+            "The tone at which the first appears: 1 is full light",
+            &mut tones.first,
+            0.0..=1.0,
+        ));
         by(number(ui, "All at", "The tone at which all are there", &mut tones.all, 0.0..=1.0));
-        by(number(ui, "Growth", "0: they appear whole, one by one; 1: all grow at once", &mut tones.growth, 0.0..=1.0));
+        by(number(
+            ui,
+            "Growth",
+            "0: they appear whole, one by one; 1: all grow at once",
+            &mut tones.growth,
+            0.0..=1.0,
+        ));
         // Between equal tones there is nothing.
         if (tones.first - tones.all).abs() < 0.01 {
             let is_dark = was.first >= was.all;
@@ -231,8 +308,11 @@ fn pair(ui: &mut Ui, label: &str, help: &str, values: &mut [f64; 2], most: f64) 
     let mut changed = None;
     line(ui, label, help, |ui, _| {
         for (value, end) in values.iter_mut().zip(["from", "to"]) {
-            let response = ui.add(DragValue::new(value).range(0.0..=most).speed(0.005).max_decimals(3));
-            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, format!("{label} {end}")));
+            let response =
+                ui.add(DragValue::new(value).range(0.0..=most).speed(0.005).max_decimals(3));
+            response.widget_info(|| {
+                WidgetInfo::labeled(Role::SpinButton, true, format!("{label} {end}"))
+            });
             if response.changed() {
                 changed = Some(response.id);
             }
@@ -243,7 +323,13 @@ fn pair(ui: &mut Ui, label: &str, help: &str, values: &mut [f64; 2], most: f64) 
 }
 
 /// An angle in degrees, kept in radians.
-fn angle(ui: &mut Ui, label: &str, help: &str, radians: &mut f64, range: RangeInclusive<f64>) -> Option<Id> {
+fn angle(
+    ui: &mut Ui,
+    label: &str,
+    help: &str,
+    radians: &mut f64,
+    range: RangeInclusive<f64>,
+) -> Option<Id> {
     let mut shown = radians.to_degrees();
     let most = range.end().to_radians();
     let changed = line(ui, label, help, |ui, id| {

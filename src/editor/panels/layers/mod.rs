@@ -1,5 +1,5 @@
-//! The look as a stack of layers, as in a painting program: another view of the graph. What is done here is done to the
-//! nodes and wires, as one undo step each, and what is done there shows here.
+//! The look as a stack of layers, as in a painting program: another view of the graph. What is done
+//! here is done to the nodes and wires, as one undo step each, and what is done there shows here.
 
 mod picture;
 mod presets;
@@ -9,7 +9,9 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use eframe::egui;
-use eframe::egui::{EventFilter, Key, Modifiers, Popup, Rect, Response, RichText, ScrollArea, Stroke, Ui, pos2};
+use eframe::egui::{
+    EventFilter, Key, Modifiers, Popup, Rect, Response, RichText, ScrollArea, Stroke, Ui, pos2,
+};
 
 use super::super::command::Command;
 use super::super::dock::hint;
@@ -63,7 +65,10 @@ impl Layers {
         ui.spacing_mut().item_spacing.y = 2.0;
         let count = self.stack.layers.len();
         let selected = session.selection.last().filter(|id| is_selected(session, id)).cloned();
-        let goal = selected.as_ref().filter(|_| self.shown_for != selected).and_then(|id| self.stack.index_of(id));
+        let goal = selected
+            .as_ref()
+            .filter(|_| self.shown_for != selected)
+            .and_then(|id| self.stack.index_of(id));
         self.shown_for = selected;
         let area = ScrollArea::vertical().auto_shrink([false, false]).id_salt("layers");
         area.show_viewport(ui, |ui, viewport| {
@@ -117,7 +122,13 @@ impl Layers {
                 let menu = ui.menu_button("Add layer", |ui| {
                     for preset in &PRESETS {
                         let button = ui.button(preset.name).on_hover_text(preset.help);
-                        let name = || egui::WidgetInfo::labeled(egui::Role::MenuItem, true, format!("Add {}", preset.name));
+                        let name = || {
+                            egui::WidgetInfo::labeled(
+                                egui::Role::MenuItem,
+                                true,
+                                format!("Add {}", preset.name),
+                            )
+                        };
                         button.widget_info(name);
                         if button.clicked() {
                             add(&self.stack, session, preset, out);
@@ -131,7 +142,8 @@ impl Layers {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let count = self.stack.layers.len();
                 let text = format!("{count} {}", if count == 1 { "layer" } else { "layers" });
-                let help = "The uppermost is laid on last, as in a painting program.\nDrag rows to reorder; Alt and an arrow key move the one with the keyboard.";
+                let help = "The uppermost is laid on last, as in a painting program.\nDrag rows to \
+                            reorder; Alt and an arrow key move the one with the keyboard.";
                 ui.label(RichText::new(text).color(theme::of(ui).dim)).on_hover_text(help);
             });
         });
@@ -147,8 +159,12 @@ impl Layers {
         id: &NodeId,
         out: &mut Vec<Command>,
     ) -> Response {
-        let Some((node, kind)) =
-            session.look().graph.nodes.get(id).and_then(|node| Some((node, session.catalog.of(node)?)))
+        let Some((node, kind)) = session
+            .look()
+            .graph
+            .nodes
+            .get(id)
+            .and_then(|node| Some((node, session.catalog.of(node)?)))
         else {
             return ui.allocate_rect(rect, egui::Sense::hover());
         };
@@ -178,7 +194,12 @@ impl Layers {
         if entry(ui, "Move layer up", "Lays it on later (Alt+Up)", index > 0) {
             self.move_by(session, index, -1, out);
         }
-        if entry(ui, "Move layer down", "Lays it on earlier (Alt+Down)", index + 1 < self.stack.layers.len()) {
+        if entry(
+            ui,
+            "Move layer down",
+            "Lays it on earlier (Alt+Down)",
+            index + 1 < self.stack.layers.len(),
+        ) {
             self.move_by(session, index, 1, out);
         }
         if entry(ui, "Show on the canvas", "Brings its node into view", true) {
@@ -208,7 +229,14 @@ impl Layers {
     }
 
     /// Keys of the row that has the keyboard.
-    fn row_keys(&mut self, ui: &Ui, response: &Response, index: usize, session: &Session, out: &mut Vec<Command>) {
+    fn row_keys(
+        &mut self,
+        ui: &Ui,
+        response: &Response,
+        index: usize,
+        session: &Session,
+        out: &mut Vec<Command>,
+    ) {
         leave_with_pointer(ui, response);
         if !response.has_focus() {
             return;
@@ -221,7 +249,8 @@ impl Layers {
             if pressed(Modifiers::ALT, key) {
                 self.move_by(session, index, by, out);
             } else if pressed(Modifiers::NONE, key)
-                && let Some(next) = index.checked_add_signed(by).and_then(|next| self.stack.layers.get(next))
+                && let Some(next) =
+                    index.checked_add_signed(by).and_then(|next| self.stack.layers.get(next))
             {
                 select(session, vec![next.id.clone()], out);
                 ui.memory_mut(|memory| memory.request_focus(row::focus_id(&next.id)));
@@ -235,8 +264,11 @@ impl Layers {
         }
         if pressed(Modifiers::NONE, Key::Delete) || pressed(Modifiers::NONE, Key::Backspace) {
             // All that are selected, if it is one of them.
-            let selected: Vec<NodeId> =
-                session.selected().filter(|id| self.stack.index_of(id).is_some()).cloned().collect();
+            let selected: Vec<NodeId> = session
+                .selected()
+                .filter(|id| self.stack.index_of(id).is_some())
+                .cloned()
+                .collect();
             let ids = if selected.contains(&id) { selected } else { vec![id] };
             out.push(Command::Edit(self.stack.remove(session.look(), &ids)));
         }
@@ -256,7 +288,9 @@ impl Layers {
         if let Some((index, _)) = rows.iter().find(|(_, response)| response.drag_started()) {
             self.dragged = Some(self.stack.layers[*index].id.clone());
         }
-        let Some(from) = self.dragged.as_ref().and_then(|id| self.stack.index_of(id)) else { return };
+        let Some(from) = self.dragged.as_ref().and_then(|id| self.stack.index_of(id)) else {
+            return;
+        };
         if ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
             self.dragged = None;
             return;
@@ -278,10 +312,19 @@ impl Layers {
     }
 
     /// What the lowest layer lies on.
-    fn ground(&mut self, ui: &mut Ui, rect: Rect, session: &Session, thumbs: &Thumbs, out: &mut Vec<Command>) {
+    fn ground(
+        &mut self,
+        ui: &mut Ui,
+        rect: Rect,
+        session: &Session,
+        thumbs: &Thumbs,
+        out: &mut Vec<Command>,
+    ) {
         let Some(ground) = self.stack.ground.clone() else {
             let mut child = ui.new_child(
-                egui::UiBuilder::new().max_rect(rect).layout(egui::Layout::left_to_right(egui::Align::Center)),
+                egui::UiBuilder::new()
+                    .max_rect(rect)
+                    .layout(egui::Layout::left_to_right(egui::Align::Center)),
             );
             child.label(RichText::new("Nothing lies below").color(theme::of(ui).warning));
             let help = "Adds a Base node: the color under the first layer";
@@ -359,11 +402,18 @@ pub(crate) fn add_preset(session: &Session, name: &str) -> Vec<Command> {
 /// Adds a layer over the selected one, and what it lies on where there is nothing.
 fn add(stack: &Stack, session: &Session, preset: &LayerPreset, out: &mut Vec<Command>) {
     let look = session.look();
-    let beside = session.selection.last().filter(|id| is_selected(session, id) && stack.index_of(id).is_some());
+    let beside = session
+        .selection
+        .last()
+        .filter(|id| is_selected(session, id) && stack.index_of(id).is_some());
     let at = match beside.and_then(|id| stack.index_of(id)) {
         Some(index) => index,
         // Over the ground, where that is selected.
-        None if stack.ground.as_ref().is_some_and(|ground| session.selection.last() == Some(&ground.node)) => {
+        None if stack
+            .ground
+            .as_ref()
+            .is_some_and(|ground| session.selection.last() == Some(&ground.node)) =>
+        {
             stack.layers.len()
         }
         None => 0,
@@ -384,7 +434,11 @@ fn add_ground(session: &Session, to: Endpoint) -> Vec<Edit> {
     let look = session.look();
     let id = NodeId::new(make_slug("base", |slug| look.graph.nodes.contains_key(slug)));
     let lowest = look.graph.nodes.get(&to.node).map_or([0.0; 2], |node| node.position);
-    let node = Node { kind: "base".to_owned(), position: [lowest[0] - 260.0, lowest[1]], ..Node::default() };
+    let node = Node {
+        kind: "base".to_owned(),
+        position: [lowest[0] - 260.0, lowest[1]],
+        ..Node::default()
+    };
     let wire = Wire { from: Endpoint::new(id.clone(), BELOW), to };
     vec![
         Edit::AddNode { graph: GraphId::Look, id, node, index: None },

@@ -1,4 +1,5 @@
-//! What a layer's small picture shows: the layer alone, over a ground on which its blending is seen.
+//! What a layer's small picture shows: the layer alone, over a ground on which its blending is
+//! seen.
 
 use std::collections::{HashMap, HashSet};
 
@@ -27,7 +28,8 @@ pub(super) fn of(look: &Look, id: &NodeId, mode: Option<&str>) -> Look {
         node.muted = false;
     }
     let mut add = |id: &str, kind: &str, values: &[(&str, Value)]| {
-        let values = values.iter().map(|(port, value)| (PortName::from(*port), value.clone())).collect();
+        let values =
+            values.iter().map(|(port, value)| (PortName::from(*port), value.clone())).collect();
         graph.nodes.insert(id.into(), Node { kind: kind.to_owned(), values, ..Node::default() });
     };
     add(SHOWN, "output", &[]);
@@ -39,9 +41,13 @@ pub(super) fn of(look: &Look, id: &NodeId, mode: Option<&str>) -> Look {
             _ => 0.0,
         };
         add(GROUND, "base", &[("color", Value::Vector(vec![ground, ground, ground, 1.0]))]);
-        graph.wires.push(Wire { from: Endpoint::new(GROUND, ""), to: Endpoint::new(id.clone(), BELOW) });
+        graph
+            .wires
+            .push(Wire { from: Endpoint::new(GROUND, ""), to: Endpoint::new(id.clone(), BELOW) });
     }
-    graph.wires.push(Wire { from: Endpoint::new(id.clone(), ""), to: Endpoint::new(SHOWN, "color") });
+    graph
+        .wires
+        .push(Wire { from: Endpoint::new(id.clone(), ""), to: Endpoint::new(SHOWN, "color") });
     shown
 }
 
@@ -53,7 +59,8 @@ fn upstream(graph: &Graph, id: &NodeId, is_layer: bool) -> Graph {
     for wire in &graph.wires {
         into.entry(&wire.to.node).or_default().push(wire);
     }
-    let is_wanted = |wire: &Wire| !(is_layer && wire.to.node == *id && wire.to.port.as_str() == BELOW);
+    let is_wanted =
+        |wire: &Wire| !(is_layer && wire.to.node == *id && wire.to.port.as_str() == BELOW);
     while let Some(node) = open.pop() {
         for wire in into.get(node).into_iter().flatten().filter(|wire| is_wanted(wire)) {
             if kept.insert(&wire.from.node) {

@@ -1,5 +1,5 @@
-//! Layers to begin with: what painters and shaders know by name, in the values of the Profile node's own presets where it
-//! has them, and else of the BADF paper's looks.
+//! Layers to begin with: what painters and shaders know by name, in the values of the Profile
+//! node's own presets where it has them, and else of the BADF paper's looks.
 
 use glam::DVec3;
 
@@ -19,8 +19,8 @@ enum From {
 
 /// To a light behind the object, in the camera's axes: right, up and to the eye.
 const BACK: DVec3 = DVec3::new(0.85, 0.4, -0.5);
-/// The cosine of the angle from the eye to a light that gives a rim: from one in front there is none, and what one
-/// straight behind lights is not seen.
+/// The cosine of the angle from the eye to a light that gives a rim: from one in front there is
+/// none, and what one straight behind lights is not seen.
 const RIM: std::ops::Range<f64> = -0.8..0.0;
 
 enum Set {
@@ -35,7 +35,7 @@ pub(super) struct LayerPreset {
     pub(super) help: &'static str,
     /// A preset of the Profile node.
     profile: Option<&'static str>,
-    /// Values that it does not have, or other ones. Colours are written as shown.
+    /// Values that it does not have, or other ones. Colors are written as shown.
     values: &'static [(&'static str, Set)],
     light: From,
 }
@@ -48,7 +48,11 @@ pub(super) static PRESETS: [LayerPreset; 6] = [
         name: "Fill",
         help: "Ambient light: a tint everywhere, so that nothing is black",
         profile: Some("Ambient"),
-        values: &[("convex", Word("#2a2733")), ("concave", Word("#14111c")), ("slope", Number(0.25))],
+        values: &[
+            ("convex", Word("#2a2733")),
+            ("concave", Word("#14111c")),
+            ("slope", Number(0.25)),
+        ],
         light: From::Front,
     },
     LayerPreset {
@@ -62,7 +66,11 @@ pub(super) static PRESETS: [LayerPreset; 6] = [
         name: "Cartoon",
         help: "One flat tone with a hard, antialiased edge",
         profile: Some("Cartoon"),
-        values: &[("convex", Word("#c79a72")), ("concave", Word("#c79a72")), ("blend", Word("alpha"))],
+        values: &[
+            ("convex", Word("#c79a72")),
+            ("concave", Word("#c79a72")),
+            ("blend", Word("alpha")),
+        ],
         light: From::Front,
     },
     LayerPreset {
@@ -81,12 +89,17 @@ pub(super) static PRESETS: [LayerPreset; 6] = [
         name: "Highlight",
         help: "Phong's highlight: the light's mirror image, which moves with the eye",
         profile: Some("Phong specular"),
-        values: &[("type", Word("specular")), ("convex", Word("#e8d9b8")), ("concave", Word("#8a5c40"))],
+        values: &[
+            ("type", Word("specular")),
+            ("convex", Word("#e8d9b8")),
+            ("concave", Word("#8a5c40")),
+        ],
         light: From::Front,
     },
     LayerPreset {
         name: "Back-light",
-        help: "A rim: a cool edge by a light behind the object as it is seen now, which is added where there is none",
+        help: "A rim: a cool edge by a light behind the object as it is seen now, which is added \
+               where there is none",
         profile: None,
         values: &[
             ("offset", Number(0.6)),
@@ -103,15 +116,25 @@ pub(super) static PRESETS: [LayerPreset; 6] = [
 
 impl LayerPreset {
     /// A node of this preset: what must be there first, its id, and itself.
-    pub(super) fn make(&self, session: &Session, beside: Option<&NodeId>) -> (Vec<Edit>, NodeId, Node) {
+    pub(super) fn make(
+        &self,
+        session: &Session,
+        beside: Option<&NodeId>,
+    ) -> (Vec<Edit>, NodeId, Node) {
         let look = session.look();
-        let mut node = Node { kind: "light_layer".to_owned(), name: free_name(look, self.name), ..Node::default() };
+        let mut node = Node {
+            kind: "light_layer".to_owned(),
+            name: free_name(look, self.name),
+            ..Node::default()
+        };
         let (light, edits) = match self.light {
             From::Front => front_light(look, beside),
             From::Behind => back_light(session),
         };
         node.values.insert("light".into(), Value::Text(light.to_string()));
-        for (port, value) in self.profile.map(|label| profile(&session.catalog, label)).unwrap_or_default() {
+        for (port, value) in
+            self.profile.map(|label| profile(&session.catalog, label)).unwrap_or_default()
+        {
             node.values.insert(port, value);
         }
         for (port, value) in self.values {
@@ -128,9 +151,13 @@ impl LayerPreset {
 
 /// The values of one of the Profile node's presets.
 fn profile(catalog: &Catalog, label: &str) -> Vec<(crate::ids::PortName, Value)> {
-    let preset = catalog.get("profile").and_then(|kind| kind.presets.iter().find(|preset| preset.label == label));
+    let preset = catalog
+        .get("profile")
+        .and_then(|kind| kind.presets.iter().find(|preset| preset.label == label));
     preset
-        .map(|preset| preset.values.iter().map(|(port, value)| (port.clone(), value.clone())).collect())
+        .map(|preset| {
+            preset.values.iter().map(|(port, value)| (port.clone(), value.clone())).collect()
+        })
         .unwrap_or_default()
 }
 
@@ -138,29 +165,39 @@ fn profile(catalog: &Catalog, label: &str) -> Vec<(crate::ids::PortName, Value)>
 fn free_name(look: &Look, name: &str) -> String {
     let is_taken = |name: &str| look.graph.nodes.values().any(|node| node.name == name);
     let numbered = (2..).map(|number| format!("{name} {number}"));
-    std::iter::once(name.to_owned()).chain(numbered).find(|name| !is_taken(name)).unwrap_or_default()
+    std::iter::once(name.to_owned())
+        .chain(numbered)
+        .find(|name| !is_taken(name))
+        .unwrap_or_default()
 }
 
 fn front_light(look: &Look, beside: Option<&NodeId>) -> (LightId, Vec<Edit>) {
-    let named = beside.and_then(|id| look.graph.nodes.get(id)).and_then(|node| match node.values.get("light") {
-        Some(Value::Text(id)) => look.lights.get_key_value(id.as_str()),
-        _ => None,
+    let named = beside.and_then(|id| look.graph.nodes.get(id)).and_then(|node| {
+        match node.values.get("light") {
+            Some(Value::Text(id)) => look.lights.get_key_value(id.as_str()),
+            _ => None,
+        }
     });
     let is_in_front = |(_, light): &(&LightId, &Light)| light.direction[2] > 0.0;
-    let found = named.filter(is_in_front).or_else(|| look.lights.iter().find(is_in_front)).or(look.lights.first());
+    let found = named
+        .filter(is_in_front)
+        .or_else(|| look.lights.iter().find(is_in_front))
+        .or(look.lights.first());
     match found {
         Some((id, _)) => (id.clone(), Vec::new()),
         None => add_light("key", [-0.5, 0.7, 0.6], look),
     }
 }
 
-/// A light that gives what is seen now a rim, wherever the camera and the illumination frame were turned.
+/// A light that gives what is seen now a rim, wherever the camera and the illumination frame were
+/// turned.
 fn back_light(session: &Session) -> (LightId, Vec<Edit>) {
     let (look, view) = (session.look(), &session.view);
     let eye = view.direction();
     let is_there = |(_, light): &(&LightId, &Light)| {
         let world = view.illumination * DVec3::from(light.direction).normalize_or_zero();
-        // A key light that a hand has turned behind is none: what it lit would lose it when that hand turns it back.
+        // A key light that a hand has turned behind is none: what it lit would lose it when that
+        // hand turns it back.
         light.direction[2] < 0.0 && RIM.contains(&world.dot(eye))
     };
     if let Some((id, _)) = look.lights.iter().find(is_there) {
@@ -188,7 +225,9 @@ mod tests {
     fn a_back_light_is_behind_what_is_seen_however_lights_and_camera_were_turned() {
         let mut session = Session::new(std::sync::Arc::new(Library::built_in().clone()), || {});
         let (_, edits) = back_light(&session);
-        assert!(matches!(&edits[..], [Edit::AddLight { light, .. }] if light.direction == BACK.to_array()));
+        assert!(
+            matches!(&edits[..], [Edit::AddLight { light, .. }] if light.direction == BACK.to_array())
+        );
         for (camera, lights) in [(0.0, 0.9), (0.7, 0.0), (-0.4, 0.5), (1.0, 1.0)] {
             session.view.orbit(camera, 0.3 * camera);
             session.view.turn_lights(lights, 0.5 * lights);
@@ -203,15 +242,24 @@ mod tests {
         }
     }
 
-    /// Every value is one that the layer has: a preset that names what is not there would silently do less.
+    /// Every value is one that the layer has: a preset that names what is not there would silently
+    /// do less.
     #[test]
     fn presets_set_what_a_layer_has() {
         let session = Session::new(std::sync::Arc::new(Library::built_in().clone()), || {});
         let kind = session.catalog.get("light_layer").unwrap();
         for preset in &PRESETS {
             let (edits, id, node) = preset.make(&session, None);
-            assert_eq!(edits.is_empty(), preset.light == From::Front, "{id}: a new look has no light behind");
-            assert!(preset.profile.is_none() || node.values.contains_key("cutoff"), "{}", preset.name);
+            assert_eq!(
+                edits.is_empty(),
+                preset.light == From::Front,
+                "{id}: a new look has no light behind"
+            );
+            assert!(
+                preset.profile.is_none() || node.values.contains_key("cutoff"),
+                "{}",
+                preset.name
+            );
             for (port, value) in &node.values {
                 let port = &kind.inputs[kind.input(port.as_str()).unwrap()];
                 if let (Value::Text(word), false) = (value, port.options.is_empty()) {

@@ -2,8 +2,8 @@
 
 use eframe::egui;
 use eframe::egui::{
-    Align, Color32, ComboBox, DragValue, Id, Label, Layout, Rect, Response, RichText, Role, Sense, Slider, TextureId,
-    Ui, UiBuilder, WidgetInfo, pos2, vec2,
+    Align, Color32, ComboBox, DragValue, Id, Label, Layout, Rect, Response, RichText, Role, Sense,
+    Slider, TextureId, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 
 use super::super::super::catalog::{Kind, Port};
@@ -83,7 +83,9 @@ impl Row<'_> {
         let title = self.title();
         let is_selected = super::is_selected(self.session, self.id);
         let whole = ui.interact(rect, focus_id(self.id), Sense::click_and_drag());
-        whole.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_selected, format!("Layer {title}")));
+        whole.widget_info(|| {
+            WidgetInfo::selected(Role::ListItem, true, is_selected, format!("Layer {title}"))
+        });
         spots::note(ui, Spot::Layer(self.id.clone()), rect);
         card_ground(ui, rect, &whole, is_selected || is_dragged);
         self.select(ui, &whole, out);
@@ -100,16 +102,27 @@ impl Row<'_> {
             self.picture(ui, texture, is_faint);
         }
         let right = 2.0 * ICON + 4.0;
-        let middle = Rect::from_min_max(ui.cursor().min, pos2(ui.max_rect().right(), ui.max_rect().bottom()));
+        let middle = Rect::from_min_max(
+            ui.cursor().min,
+            pos2(ui.max_rect().right(), ui.max_rect().bottom()),
+        );
         let half = middle.height() / 2.0;
         let upper = Rect::from_min_size(middle.min, vec2(middle.width() - right - 4.0, half));
         let lower = Rect::from_min_max(pos2(middle.left(), middle.top() + half), middle.max);
-        let buttons =
-            Rect::from_min_max(pos2(middle.right() - right, middle.top()), pos2(middle.right(), middle.top() + half));
+        let buttons = Rect::from_min_max(
+            pos2(middle.right() - right, middle.top()),
+            pos2(middle.right(), middle.top() + half),
+        );
         self.name(&mut row_in(ui, upper, "name"), &title, is_faint, renaming, out);
         let mut ends = row_in(ui, buttons, "ends");
         self.solo(&mut ends, &title, out);
-        let more = icon(&mut ends, Icon::More, true, &format!("More of {title}"), "Duplicate, move, delete");
+        let more = icon(
+            &mut ends,
+            Icon::More,
+            true,
+            &format!("More of {title}"),
+            "Duplicate, move, delete",
+        );
         let mut below = row_in(ui, lower, "values");
         self.blending(&mut below, &title, out);
         self.opacity(&mut below, &title, out);
@@ -118,7 +131,13 @@ impl Row<'_> {
     }
 
     /// Shows what the lowest layer lies on.
-    pub(super) fn show_ground(&self, ui: &mut Ui, rect: Rect, texture: Option<TextureId>, out: &mut Vec<Command>) {
+    pub(super) fn show_ground(
+        &self,
+        ui: &mut Ui,
+        rect: Rect,
+        texture: Option<TextureId>,
+        out: &mut Vec<Command>,
+    ) {
         let title = self.title();
         let is_base = self.kind.id == "base";
         let is_selected = super::is_selected(self.session, self.id);
@@ -137,9 +156,16 @@ impl Row<'_> {
             ui.add_space(5.0);
             ui.spacing_mut().item_spacing.y = 1.0;
             ui.add(Label::new(title).selectable(false).truncate());
-            let text =
-                if is_base { "what is seen where no layer paints" } else { "a branch of the graph, not a layer" };
-            ui.add(Label::new(RichText::new(text).small().color(theme::of(ui).dim)).selectable(false).truncate());
+            let text = if is_base {
+                "what is seen where no layer paints"
+            } else {
+                "a branch of the graph, not a layer"
+            };
+            ui.add(
+                Label::new(RichText::new(text).small().color(theme::of(ui).dim))
+                    .selectable(false)
+                    .truncate(),
+            );
         });
         whole.on_hover_text("What the lowest layer lies on. A click selects its node.");
     }
@@ -169,12 +195,19 @@ impl Row<'_> {
 
     fn eye(&self, ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
         let help = match self.node.muted {
-            false => "Leaves this layer out of the look: the node is muted, also in what is saved and exported",
+            false => {
+                "Leaves this layer out of the look: the node is muted, also in what is saved and \
+                 exported"
+            }
             true => "Takes this layer in again",
         };
         let response = icon(ui, Icon::Eye, !self.node.muted, &format!("Show {title}"), help);
         if response.clicked() {
-            let edit = Edit::SetMuted { graph: GraphId::Look, id: self.id.clone(), muted: !self.node.muted };
+            let edit = Edit::SetMuted {
+                graph: GraphId::Look,
+                id: self.id.clone(),
+                muted: !self.node.muted,
+            };
             out.push(Command::Edit(edit));
         }
     }
@@ -182,19 +215,23 @@ impl Row<'_> {
     fn solo(&self, ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
         let solo = self.session.solo();
         let is_on = solo.layers.contains(self.id);
-        let help = "Solo: shows this layer alone over what the stack lies on; Ctrl-click adds to others.\nOnly in this window: nothing of it is saved.";
+        let help = "Solo: shows this layer alone over what the stack lies on; Ctrl-click adds to \
+                    others.\nOnly in this window: nothing of it is saved.";
         if icon(ui, Icon::Solo, is_on, &format!("Solo {title}"), help).clicked() {
             let adds = ui.input(|input| input.modifiers.command || input.modifiers.shift);
             out.push(Command::Solo(solo.toggle_layer(self.id, adds)));
         }
     }
 
-    /// The layer alone; until that is drawn, its colours.
+    /// The layer alone; until that is drawn, its colors.
     fn picture(&self, ui: &mut Ui, texture: Option<TextureId>, is_faint: bool) {
         let (rect, response) = ui.allocate_exact_size(vec2(PICTURE, PICTURE), Sense::hover());
         response.on_hover_ui(|ui| {
             let stand = Stand::of(self.session).help();
-            ui.label(format!("What it paints alone. What only adds a little is shown brighter than it is. {stand}"));
+            ui.label(format!(
+                "What it paints alone. What only adds a little is shown brighter than \
+                              it is. {stand}"
+            ));
         });
         let tint = if is_faint { Color32::WHITE.gamma_multiply(0.35) } else { Color32::WHITE };
         ui.painter().rect_filled(rect, 3.0, theme::of(ui).canvas);
@@ -206,12 +243,17 @@ impl Row<'_> {
     }
 
     fn swatch(&self, ui: &Ui, rect: Rect, tint: Color32) {
-        let colors: Vec<Color32> = ["convex", "concave", "color"].iter().filter_map(|name| self.color(name)).collect();
+        let colors: Vec<Color32> =
+            ["convex", "concave", "color"].iter().filter_map(|name| self.color(name)).collect();
         let width = rect.width() / colors.len().max(1) as f32;
         for (index, color) in colors.iter().enumerate() {
             let corner = pos2(rect.left() + index as f32 * width, rect.top());
             let color = color.gamma_multiply(f32::from(tint.a()) / 255.0);
-            ui.painter().rect_filled(Rect::from_min_size(corner, vec2(width, rect.height())), 2.0, color);
+            ui.painter().rect_filled(
+                Rect::from_min_size(corner, vec2(width, rect.height())),
+                2.0,
+                color,
+            );
         }
     }
 
@@ -260,18 +302,28 @@ impl Row<'_> {
     fn blending(&self, ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
         let Some(port) = self.mode_port() else { return };
         let word = self.mode().unwrap_or_default();
-        let label =
-            |word: &str| port.options.iter().find(|(known, _)| known == word).map_or(word.to_owned(), |o| o.1.clone());
-        let combo = ComboBox::from_id_salt("mode").width(82.0).selected_text(label(&word)).show_ui(ui, |ui| {
-            for (known, label) in &port.options {
-                if ui.selectable_label(*known == word, label).clicked() && *known != word {
-                    out.push(Command::Edit(self.session.set_at(&self.target(port), Value::Text(known.clone()))));
+        let label = |word: &str| {
+            port.options
+                .iter()
+                .find(|(known, _)| known == word)
+                .map_or(word.to_owned(), |o| o.1.clone())
+        };
+        let combo = ComboBox::from_id_salt("mode").width(82.0).selected_text(label(&word)).show_ui(
+            ui,
+            |ui| {
+                for (known, label) in &port.options {
+                    if ui.selectable_label(*known == word, label).clicked() && *known != word {
+                        out.push(Command::Edit(
+                            self.session.set_at(&self.target(port), Value::Text(known.clone())),
+                        ));
+                    }
                 }
-            }
-        });
+            },
+        );
         let value = label(&word);
         combo.response.widget_info(|| {
-            let mut info = WidgetInfo::labeled(Role::ComboBox, true, format!("Blending of {title}"));
+            let mut info =
+                WidgetInfo::labeled(Role::ComboBox, true, format!("Blending of {title}"));
             info.current_text_value = Some(value.clone());
             info
         });
@@ -291,9 +343,12 @@ impl Row<'_> {
         let number_width = 46.0;
         ui.spacing_mut().slider_width = (ui.available_width() - number_width - 6.0).max(20.0);
         let has_slider = ui.available_width() > number_width + 36.0;
-        let slider = Slider::new(&mut percent, 0.0..=100.0).clamping(egui::SliderClamping::Edits).show_value(false);
+        let slider = Slider::new(&mut percent, 0.0..=100.0)
+            .clamping(egui::SliderClamping::Edits)
+            .show_value(false);
         let name = format!("Opacity of {title}");
-        let on_slider = has_slider.then(|| ui.add(slider.trailing_fill(true)).on_hover_text(&port.help));
+        let on_slider =
+            has_slider.then(|| ui.add(slider.trailing_fill(true)).on_hover_text(&port.help));
         let drag = DragValue::new(&mut percent).range(0.0..=100.0).clamp_existing_to_range(false);
         let drag = drag.max_decimals(0).suffix("%").speed(0.5);
         let on_number = ui.add_sized(vec2(number_width, 20.0), drag).on_hover_text(&port.help);
@@ -315,5 +370,7 @@ impl Row<'_> {
 
 /// A row of widgets in a part of a row.
 fn row_in(ui: &mut Ui, rect: Rect, salt: &str) -> Ui {
-    ui.new_child(UiBuilder::new().id_salt(salt).max_rect(rect).layout(Layout::left_to_right(Align::Center)))
+    ui.new_child(
+        UiBuilder::new().id_salt(salt).max_rect(rect).layout(Layout::left_to_right(Align::Center)),
+    )
 }

@@ -1,12 +1,13 @@
-//! Looks, scenes and paintings as pictures that open when they are pressed: those of files, and the examples.
+//! Looks, scenes and paintings as pictures that open when they are pressed: those of files, and the
+//! examples.
 
 use std::cell::OnceCell;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use eframe::egui::{
-    Align2, Color32, ColorImage, CornerRadius, FontId, Rect, Response, Role, Sense, Stroke, TextureHandle,
-    TextureOptions, Ui, WidgetInfo, pos2, vec2,
+    Align2, Color32, ColorImage, CornerRadius, FontId, Rect, Response, Role, Sense, Stroke,
+    TextureHandle, TextureOptions, Ui, WidgetInfo, pos2, vec2,
 };
 
 use super::super::super::command::Command;
@@ -58,7 +59,9 @@ impl Painting {
         let size = format!("{} x {}", grid.size[0], grid.size[1]);
         let (lights, views) = (grid.light.distinct_count(), grid.view.distinct_count());
         let samples = grid.sample_count();
-        let about = format!("{size} texels, {lights} lights x {views} views, {painted} of {samples} samples painted");
+        let about = format!(
+            "{size} texels, {lights} lights x {views} views, {painted} of {samples} samples painted"
+        );
         Self { size, about, picture, texture: OnceCell::new() }
     }
 
@@ -68,8 +71,10 @@ impl Painting {
         let texture = self.texture.get_or_init(|| {
             let size = picture.size.map(|side| side as usize);
             let image = ColorImage::from_rgba_unmultiplied(size, &picture.rgba);
-            let options =
-                TextureOptions { minification: TextureOptions::LINEAR.minification, ..TextureOptions::NEAREST };
+            let options = TextureOptions {
+                minification: TextureOptions::LINEAR.minification,
+                ..TextureOptions::NEAREST
+            };
             ui.ctx().load_texture("thumbnail", image, options)
         });
         ui.painter().image(texture.id(), fitted(rect, picture.size), whole(), Color32::WHITE);
@@ -82,7 +87,8 @@ pub(in super::super) struct Card {
     pub(in super::super) name: String,
     content: Content,
     key: u64,
-    /// The side of its picture, in pixels: cards grow with their panel, and their pictures are not drawn anew.
+    /// The side of its picture, in pixels: cards grow with their panel, and their pictures are not
+    /// drawn anew.
     side: f32,
 }
 
@@ -92,8 +98,9 @@ impl Card {
         let card = |index: usize| {
             let Example { stem, path, content } = example(index)?;
             // "figure1-layers" is shown as what the look calls itself, which people search for too.
-            let figure =
-                stem.strip_prefix("figure").map(|rest| rest.split_once('-').map_or(rest, |(number, _)| number));
+            let figure = stem
+                .strip_prefix("figure")
+                .map(|rest| rest.split_once('-').map_or(rest, |(number, _)| number));
             let called = |name: &str| match figure {
                 _ if name.is_empty() => stem.to_owned(),
                 Some(figure) => format!("{name} · Figure {figure}"),
@@ -123,8 +130,9 @@ impl Card {
         }
         let _going = crashes.begin(Step::Read, || DocumentOrigin::of_file(path));
         if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(PAINTING)) {
-            let content =
-                cover(path).map_or(Content::Unreadable, |cover| Content::Painting(Box::new(Painting::of(cover))));
+            let content = cover(path).map_or(Content::Unreadable, |cover| {
+                Content::Painting(Box::new(Painting::of(cover)))
+            });
             return Self { origin, name: name_of(path), content, key: 0, side };
         }
         let (content, key) = match Document::load(path) {
@@ -132,7 +140,9 @@ impl Card {
                 let key = key_of(&look, Shot::Whole, side);
                 (Content::Look(Arc::new(look)), key)
             }
-            Document::Scene(Loaded { value: Some(scene), .. }) => (Content::Scene, key_of_scene(path, &scene, side)),
+            Document::Scene(Loaded { value: Some(scene), .. }) => {
+                (Content::Scene, key_of_scene(path, &scene, side))
+            }
             _ => (Content::Unreadable, 0),
         };
         Self { origin, name: name_of(path), content, key, side }
@@ -167,8 +177,9 @@ impl Card {
             _ => "look",
         };
         let suspect = self.suspect(&session.crashes);
-        let state =
-            suspect.as_ref().map_or_else(String::new, |suspect| format!(", which was {}", undone(suspect.step)));
+        let state = suspect
+            .as_ref()
+            .map_or_else(String::new, |suspect| format!(", which was {}", undone(suspect.step)));
         let label = format!("Open the {what} {}{state}", self.name);
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, label.clone()));
         if response.gained_focus() {
@@ -193,7 +204,8 @@ impl Card {
                 ui.painter().image(texture, picture.shrink(1.0), whole(), Color32::WHITE);
             }
             (_, None) if thumbs.is_done(self.key) || !thumbs.can_draw() => {
-                let text = if matches!(self.content, Content::Scene) { "a scene" } else { "no picture" };
+                let text =
+                    if matches!(self.content, Content::Scene) { "a scene" } else { "no picture" };
                 say(ui, picture, text);
             }
             (_, None) => {
@@ -205,12 +217,20 @@ impl Card {
         picture_frame(ui, picture);
         if response.hovered() {
             let stroke = Stroke::new(1.5, theme::of(ui).accent);
-            ui.painter().rect_stroke(picture, CornerRadius::same(3), stroke, eframe::egui::StrokeKind::Inside);
+            ui.painter().rect_stroke(
+                picture,
+                CornerRadius::same(3),
+                stroke,
+                eframe::egui::StrokeKind::Inside,
+            );
         }
         name_below(ui, rect, picture, &self.name, theme::of(ui).text);
         let (help, command) = match &self.origin {
             Origin::Example(index, _) => (
-                format!("{}\nOpens it as a new {what}; the example itself stays as it is", self.name),
+                format!(
+                    "{}\nOpens it as a new {what}; the example itself stays as it is",
+                    self.name
+                ),
                 Command::OpenExample(*index),
             ),
             Origin::File(path) => {
@@ -219,8 +239,13 @@ impl Card {
                     _ => String::new(),
                 };
                 let help = match suspect {
-                    Some(Suspect { step: Step::Read, .. }) => "Chiaro ended while reading this file the last time",
-                    Some(_) => "Chiaro ended while drawing this file the last time: it is opened without being drawn",
+                    Some(Suspect { step: Step::Read, .. }) => {
+                        "Chiaro ended while reading this file the last time"
+                    }
+                    Some(_) => {
+                        "Chiaro ended while drawing this file the last time: it is opened without \
+                         being drawn"
+                    }
                     None => "",
                 };
                 let help = format!("Opens {}{about}\n{help}", path.display());
@@ -243,7 +268,9 @@ impl Card {
         match (&self.content, &self.origin) {
             (Content::Painting(_) | Content::Unreadable, _) => None,
             (_, Origin::File(path)) => Some(DocumentOrigin::of_file(path)),
-            (Content::Look(look), Origin::Example(..)) => Some(DocumentOrigin::new(&self.name, None, look)),
+            (Content::Look(look), Origin::Example(..)) => {
+                Some(DocumentOrigin::new(&self.name, None, look))
+            }
             (_, Origin::Example(_, path)) => Some(DocumentOrigin::of_file(path)),
         }
     }
@@ -257,7 +284,14 @@ impl Card {
                     Origin::Example(..) => PathBuf::new(),
                 };
                 let document = || DocumentOrigin::new(&self.name, self.path(), look);
-                thumbs.ask(self.key, document, (look.clone(), folder), session, Shot::Whole, self.side);
+                thumbs.ask(
+                    self.key,
+                    document,
+                    (look.clone(), folder),
+                    session,
+                    Shot::Whole,
+                    self.side,
+                );
             }
             (Content::Scene, Origin::File(path) | Origin::Example(_, path)) => {
                 thumbs.ask_for_scene(self.key, path, self.side);
@@ -306,7 +340,8 @@ fn say(ui: &Ui, picture: Rect, text: &str) {
 fn held_back(ui: &Ui, picture: Rect, step: Step) {
     let colors = theme::of(ui);
     let (center, side) = (picture.center() - vec2(0.0, 14.0), 18.0);
-    let corner = |turn: f32| center + side * eframe::egui::Vec2::angled(turn - std::f32::consts::FRAC_PI_2);
+    let corner =
+        |turn: f32| center + side * eframe::egui::Vec2::angled(turn - std::f32::consts::FRAC_PI_2);
     let third = std::f32::consts::TAU / 3.0;
     let triangle = [0.0, third, 2.0 * third].map(corner).to_vec();
     ui.painter().add(eframe::egui::Shape::closed_line(triangle, Stroke::new(1.5, colors.warning)));
@@ -322,9 +357,17 @@ fn undone(step: Step) -> &'static str {
 
 /// Words over a picture, in its lower left corner.
 fn in_corner(ui: &Ui, picture: Rect, text: &str) {
-    let galley = ui.painter().layout_no_wrap(text.to_owned(), FontId::proportional(theme::SMALL_TEXT), Color32::WHITE);
+    let galley = ui.painter().layout_no_wrap(
+        text.to_owned(),
+        FontId::proportional(theme::SMALL_TEXT),
+        Color32::WHITE,
+    );
     let at = picture.left_bottom() + vec2(6.0, -galley.size().y - 5.0);
-    ui.painter().rect_filled(Rect::from_min_size(at, galley.size()).expand2(vec2(4.0, 1.0)), 3.0, theme::PLATE);
+    ui.painter().rect_filled(
+        Rect::from_min_size(at, galley.size()).expand2(vec2(4.0, 1.0)),
+        3.0,
+        theme::PLATE,
+    );
     ui.painter().galley(at, galley, Color32::WHITE);
 }
 
@@ -333,7 +376,8 @@ fn name_below(ui: &Ui, card: Rect, picture: Rect, name: &str, color: Color32) {
     cell(ui, rect, name, FontId::proportional(theme::SMALL_TEXT), color);
 }
 
-/// How many cards of at least this side fit beside each other, and how large they then are. Both in points.
+/// How many cards of at least this side fit beside each other, and how large they then are. Both in
+/// points.
 pub(in super::super) fn columns(width: f32, least: f32, gap: f32) -> (usize, f32) {
     let columns = ((width + gap) / (least + gap)).floor().max(1.0);
     (columns as usize, ((width - gap * (columns - 1.0)) / columns).max(1.0))

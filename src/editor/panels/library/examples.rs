@@ -49,8 +49,12 @@ mod tests {
             let example = example(index).unwrap();
             let text = text(&example.path).unwrap();
             match example.content {
-                Content::Look(_) => assert!(!Look::read(&text, example.stem).has_errors(), "{}", example.stem),
-                Content::Scene(_) => assert!(!Scene::read(&text, example.stem).has_errors(), "{}", example.stem),
+                Content::Look(_) => {
+                    assert!(!Look::read(&text, example.stem).has_errors(), "{}", example.stem)
+                }
+                Content::Scene(_) => {
+                    assert!(!Scene::read(&text, example.stem).has_errors(), "{}", example.stem)
+                }
             }
         }
     }

@@ -1,5 +1,5 @@
-//! What a look can be made of: nodes by category, and finished looks as pictures. A node is dragged onto the canvas or
-//! added by a click; a look opens as a new one.
+//! What a look can be made of: nodes by category, and finished looks as pictures. A node is dragged
+//! onto the canvas or added by a click; a look opens as a new one.
 
 pub(super) mod cards;
 mod examples;
@@ -35,7 +35,8 @@ pub(crate) struct Library {
     shows_looks: bool,
     query: String,
     looks: Vec<Card>,
-    /// What was opened before; which files that is, and after how many changes of what is held back of them.
+    /// What was opened before; which files that is, and after how many changes of what is held back
+    /// of them.
     recent: Vec<Card>,
     recent_of: (Vec<PathBuf>, u64),
 }
@@ -44,27 +45,44 @@ impl Library {
     /// Shows nodes or looks.
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session, thumbs: &Thumbs) -> Vec<Command> {
         ui.horizontal(|ui| {
-            ui.selectable_value(&mut self.shows_looks, false, "Nodes").on_hover_text("What looks are made of");
-            ui.selectable_value(&mut self.shows_looks, true, "Looks").on_hover_text("Finished looks to begin with");
+            ui.selectable_value(&mut self.shows_looks, false, "Nodes")
+                .on_hover_text("What looks are made of");
+            ui.selectable_value(&mut self.shows_looks, true, "Looks")
+                .on_hover_text("Finished looks to begin with");
             let what = if self.shows_looks { "Search looks" } else { "Search nodes" };
-            let edit = TextEdit::singleline(&mut self.query).hint_text(what).desired_width(f32::INFINITY);
+            let edit =
+                TextEdit::singleline(&mut self.query).hint_text(what).desired_width(f32::INFINITY);
             let response = ui.add(edit);
             response.widget_info(|| WidgetInfo::labeled(Role::SearchInput, true, what));
         });
         ui.add_space(2.0);
-        if self.shows_looks { self.looks(ui, session, thumbs) } else { nodes::show(ui, session, &self.query) }
+        if self.shows_looks {
+            self.looks(ui, session, thumbs)
+        } else {
+            nodes::show(ui, session, &self.query)
+        }
     }
 
-    /// Learns what was opened before. Files are read when that changes, which is when one is opened or saved.
-    pub(crate) fn know_recent<'p>(&mut self, files: impl Iterator<Item = (&'p PathBuf, bool)>, crashes: &CrashLog) {
+    /// Learns what was opened before. Files are read when that changes, which is when one is opened
+    /// or saved.
+    pub(crate) fn know_recent<'p>(
+        &mut self,
+        files: impl Iterator<Item = (&'p PathBuf, bool)>,
+        crashes: &CrashLog,
+    ) {
         if !self.shows_looks {
             return;
         }
-        let there: Vec<PathBuf> = files.filter(|(_, is_there)| *is_there).map(|(path, _)| path.clone()).collect();
+        let there: Vec<PathBuf> =
+            files.filter(|(_, is_there)| *is_there).map(|(path, _)| path.clone()).collect();
         let now = (there, crashes.changes());
         if self.recent_of != now {
             let (there, _) = &now;
-            self.recent = there.iter().take(MOST_RECENT).map(|path| Card::of_file(path, SIDE, crashes)).collect();
+            self.recent = there
+                .iter()
+                .take(MOST_RECENT)
+                .map(|path| Card::of_file(path, SIDE, crashes))
+                .collect();
             self.recent.retain(Card::is_readable);
             self.recent_of = now;
         }
@@ -75,9 +93,12 @@ impl Library {
             self.looks = Card::examples(SIDE);
         }
         let words = self.query.to_lowercase();
-        let is_found = |card: &&Card| words.split_whitespace().all(|word| card.name.to_lowercase().contains(word));
+        let is_found = |card: &&Card| {
+            words.split_whitespace().all(|word| card.name.to_lowercase().contains(word))
+        };
         let groups = [("Recent", &self.recent), ("Examples", &self.looks)];
-        let groups = groups.map(|(title, cards)| (title, cards.iter().filter(is_found).collect::<Vec<&Card>>()));
+        let groups = groups
+            .map(|(title, cards)| (title, cards.iter().filter(is_found).collect::<Vec<&Card>>()));
         let mut out = Vec::new();
         if groups.iter().all(|(_, found)| found.is_empty()) {
             hint(ui, "No look of that name");
@@ -108,7 +129,8 @@ impl Library {
     }
 }
 
-/// Takes a node that is let go of over `rect`, the canvas; says what would be added while it is held there.
+/// Takes a node that is let go of over `rect`, the canvas; says what would be added while it is
+/// held there.
 pub(crate) fn dropped(ui: &Ui, rect: Rect) -> Option<(String, egui::Pos2)> {
     let at = ui.input(|input| input.pointer.latest_pos()).filter(|at| rect.contains(*at))?;
     let held = egui::DragAndDrop::payload::<DraggedKind>(ui.ctx())?;

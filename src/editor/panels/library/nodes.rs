@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use eframe::egui;
 use eframe::egui::{
-    Align2, Area, CollapsingHeader, CursorIcon, FontId, Id, Order, Rect, Response, Role, ScrollArea, Sense, Ui,
-    WidgetInfo, pos2, vec2,
+    Align2, Area, CollapsingHeader, CursorIcon, FontId, Id, Order, Rect, Response, Role,
+    ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2,
 };
 
 use super::super::super::catalog::Kind;
@@ -93,7 +93,9 @@ fn row(ui: &mut Ui, kind: &Arc<Kind>, out: &mut Vec<Command>) {
     let id = Id::unique("library").with(&kind.id);
     let (_, rect) = ui.allocate_space(vec2(ui.available_width(), ROW));
     let response = ui.interact(rect, id, Sense::click_and_drag());
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Library node {}", kind.label)));
+    response.widget_info(|| {
+        WidgetInfo::labeled(Role::Button, true, format!("Library node {}", kind.label))
+    });
     let is_dragged = response.dragged();
     if ui.is_rect_visible(rect) {
         row_ground(ui, rect, &response, is_dragged);
@@ -113,13 +115,14 @@ fn paint(ui: &Ui, rect: Rect, kind: &Kind) {
     let colors = theme::of(ui);
     let chip = Rect::from_min_size(rect.min + vec2(6.0, 5.0), vec2(5.0, ROW - 10.0));
     ui.painter().rect_filled(chip, 2.0, colors.of_category(&kind.category).gamma_multiply(1.5));
-    // The types that come out, as their sockets are coloured.
+    // The types that come out, as their sockets are colored.
     let mut x = rect.right() - 10.0;
     for output in kind.outputs.iter().rev().take(4) {
         ui.painter().circle_filled(pos2(x, rect.center().y), 3.5, colors.of_type(&output.ty));
         x -= 11.0;
     }
-    let text = Rect::from_min_max(pos2(rect.left() + 18.0, rect.top()), pos2(x - 2.0, rect.bottom()));
+    let text =
+        Rect::from_min_max(pos2(rect.left() + 18.0, rect.top()), pos2(x - 2.0, rect.bottom()));
     cell(ui, text, &kind.label, FontId::proportional(theme::TEXT_SIZE), colors.text);
 }
 
@@ -137,7 +140,13 @@ fn ghost(ui: &Ui, kind: &Kind) {
         let colors = theme::of(ui);
         ui.painter().rect_filled(rect, 5.0, colors.of_category(&kind.category));
         let font = FontId::proportional(theme::TEXT_SIZE);
-        ui.painter().text(rect.left_center() + vec2(10.0, 0.0), Align2::LEFT_CENTER, &kind.label, font, colors.text);
+        ui.painter().text(
+            rect.left_center() + vec2(10.0, 0.0),
+            Align2::LEFT_CENTER,
+            &kind.label,
+            font,
+            colors.text,
+        );
     });
 }
 

@@ -1,4 +1,5 @@
-//! What adds lights: to the look, and to the scene around it, in place of those that its looks have.
+//! What adds lights: to the look, and to the scene around it, in place of those that its looks
+//! have.
 
 use eframe::egui::Ui;
 use indexmap::IndexMap;
@@ -12,17 +13,30 @@ use crate::document::{Light, LightKind};
 use crate::ids::LightId;
 
 /// The menus above the list.
-pub(super) fn bar(ui: &mut Ui, session: &Session, shared: &IndexMap<LightId, Shared>, out: &mut Vec<Command>) {
+pub(super) fn bar(
+    ui: &mut Ui,
+    session: &Session,
+    shared: &IndexMap<LightId, Shared>,
+    out: &mut Vec<Command>,
+) {
     ui.horizontal(|ui| {
         let menu = ui.menu_button("Add light", |ui| {
             let kinds = [
-                (LightKind::Directional, "Directional", "As far away as the sun: the same direction everywhere"),
+                (
+                    LightKind::Directional,
+                    "Directional",
+                    "As far away as the sun: the same direction everywhere",
+                ),
                 (LightKind::Point, "Point", "At a place, shining everywhere"),
                 (LightKind::Spot, "Spot", "At a place, shining into a cone"),
             ];
             for (kind, label, help) in kinds {
                 if ui.button(label).on_hover_text(help).clicked() {
-                    let near = Light { position: [1.5, 1.5, 2.0], aim: [-0.5, -0.5, -0.7], ..Light::default() };
+                    let near = Light {
+                        position: [1.5, 1.5, 2.0],
+                        aim: [-0.5, -0.5, -0.7],
+                        ..Light::default()
+                    };
                     let light = Light { kind, direction: [0.5, 0.5, 0.7], ..near };
                     let id = session.free_light(Owner::Look, "light");
                     out.push(Owner::Look.add(id, light, None).once());
@@ -39,7 +53,8 @@ pub(super) fn bar(ui: &mut Ui, session: &Session, shared: &IndexMap<LightId, Sha
             for (id, shared) in free(session, shared) {
                 has_any = true;
                 let name = light_name(id, &shared.light);
-                let button = ui.button(format!("In place of {name}")).on_hover_text(help_for(id, shared));
+                let button =
+                    ui.button(format!("In place of {name}")).on_hover_text(help_for(id, shared));
                 if button.clicked() {
                     out.push(Owner::Scene.add(id.clone(), shared.light.clone(), None).once());
                     ui.close();
@@ -49,7 +64,9 @@ pub(super) fn bar(ui: &mut Ui, session: &Session, shared: &IndexMap<LightId, Sha
                 hint(ui, "Every light of the scene's looks has one in its place already.");
             }
         });
-        menu.response.on_hover_text("Adds a light of the scene, which stands in place of one that looks have");
+        menu.response.on_hover_text(
+            "Adds a light of the scene, which stands in place of one that looks have",
+        );
     });
     ui.add_space(2.0);
 }
@@ -66,7 +83,8 @@ pub(super) fn scene_menu(
         return;
     }
     if lamp.owner == Owner::Look {
-        let help = "Adds the same to the scene, where it stands in place of every look's light of this id";
+        let help =
+            "Adds the same to the scene, where it stands in place of every look's light of this id";
         if session.light_of_scene(lamp.id).is_none()
             && ui.button("Light the scene with it").on_hover_text(help).clicked()
         {

@@ -1,7 +1,9 @@
 //! What a light is: type, frame, and the fields that lights of its type have.
 
 use eframe::egui;
-use eframe::egui::{ComboBox, DragValue, Id, Pos2, Role, Sense, Slider, Stroke, Ui, WidgetInfo, vec2};
+use eframe::egui::{
+    ComboBox, DragValue, Id, Pos2, Role, Sense, Slider, Stroke, Ui, WidgetInfo, vec2,
+};
 
 use super::super::super::command::Command;
 use super::super::super::inspector::color;
@@ -54,7 +56,13 @@ pub(crate) fn edit(ui: &mut Ui, session: &Session, lamp: &Lamp<'_>, out: &mut Ve
 }
 
 /// Edits one field; who changed it.
-fn value(ui: &mut Ui, label: Id, field: LightField, light: &mut Light, space: ColorSpace) -> Option<Id> {
+fn value(
+    ui: &mut Ui,
+    label: Id,
+    field: LightField,
+    light: &mut Light,
+    space: ColorSpace,
+) -> Option<Id> {
     match field {
         LightField::Direction => {
             let on_ball = ball(ui, &mut light.direction);
@@ -141,11 +149,12 @@ fn space(ui: &mut Ui, label: Id, light: &mut Light) -> Option<Id> {
         LightSpace::Camera => "Camera",
     };
     let before = light.space;
-    let combo = ComboBox::from_id_salt("space").selected_text(name(light.space)).show_ui(ui, |ui| {
-        for space in [LightSpace::Illumination, LightSpace::World, LightSpace::Camera] {
-            ui.selectable_value(&mut light.space, space, name(space));
-        }
-    });
+    let combo =
+        ComboBox::from_id_salt("space").selected_text(name(light.space)).show_ui(ui, |ui| {
+            for space in [LightSpace::Illumination, LightSpace::World, LightSpace::Camera] {
+                ui.selectable_value(&mut light.space, space, name(space));
+            }
+        });
     let id = combo.response.labelled_by(label).id;
     (light.space != before).then_some(id)
 }
@@ -170,7 +179,8 @@ fn angle(ui: &mut Ui, label: Id, radians: &mut f64, max: f64) -> Option<Id> {
     let mut degrees = radians.to_degrees();
     ui.spacing_mut().slider_width = (ui.available_width() - 66.0).max(40.0);
     // Without a hand on it a slider must not touch the value, be it only to round it.
-    let slider = Slider::new(&mut degrees, 0.0..=max.to_degrees()).clamping(egui::SliderClamping::Edits);
+    let slider =
+        Slider::new(&mut degrees, 0.0..=max.to_degrees()).clamping(egui::SliderClamping::Edits);
     let response = ui.add(slider.suffix("°").max_decimals(1)).labelled_by(label);
     if response.changed() {
         *radians = degrees.to_radians();

@@ -1,4 +1,5 @@
-//! The lights of the look, and those of the scene around it: which shine, alone or together with others, and what each is.
+//! The lights of the look, and those of the scene around it: which shine, alone or together with
+//! others, and what each is.
 
 mod add;
 mod edit;
@@ -8,8 +9,8 @@ use std::collections::HashMap;
 use eframe::egui;
 use eframe::egui::collapsing_header::CollapsingState;
 use eframe::egui::{
-    Align, Button, Color32, DragValue, Id, Label, Layout, Popup, RichText, Role, ScrollArea, Sense, Ui, WidgetInfo,
-    vec2,
+    Align, Button, Color32, DragValue, Id, Label, Layout, Popup, RichText, Role, ScrollArea, Sense,
+    Ui, WidgetInfo, vec2,
 };
 use indexmap::IndexMap;
 
@@ -69,7 +70,8 @@ impl Lights {
 
     fn list(&mut self, ui: &mut Ui, session: &Session, owner: Owner, out: &mut Vec<Command>) {
         let lights = session.lights_of(owner);
-        let is_short = lights.is_some_and(|lights| lights.len() == 1) && session.lights_of(Owner::Scene).is_none();
+        let is_short = lights.is_some_and(|lights| lights.len() == 1)
+            && session.lights_of(Owner::Scene).is_none();
         for (id, light) in lights.into_iter().flatten() {
             let lamp = Lamp { owner, id, light };
             let state = Id::unique("light").with((owner, id.as_str()));
@@ -92,15 +94,20 @@ impl Lights {
             self.renaming = None;
         }
         self.of = Some(of);
-        self.shared = if session.stage().is_some() { session.lights_of_looks() } else { IndexMap::new() };
+        self.shared =
+            if session.stage().is_some() { session.lights_of_looks() } else { IndexMap::new() };
         self.users.clear();
         let look = session.look();
         let groups = look.definitions.values().map(|definition| &definition.graph);
-        for node in std::iter::once(&look.graph).chain(groups).flat_map(|graph| graph.nodes.values()) {
+        for node in
+            std::iter::once(&look.graph).chain(groups).flat_map(|graph| graph.nodes.values())
+        {
             let Some(kind) = session.catalog.of(node) else { continue };
             for port in kind.inputs.iter().filter(|port| port.ty == Type::LightName) {
                 let named = match values::current(port, node.values.get(&port.name)) {
-                    Some(Value::Text(id)) if !id.is_empty() => look.lights.get_key_value(id.as_str()),
+                    Some(Value::Text(id)) if !id.is_empty() => {
+                        look.lights.get_key_value(id.as_str())
+                    }
                     _ => look.lights.first(),
                 };
                 if let Some((id, _)) = named {
@@ -115,7 +122,8 @@ impl Lights {
         let solo = session.solo();
         ui.spacing_mut().item_spacing.x = 4.0;
         let is_muted = solo.muted.contains(lamp.id);
-        let help = "Puts the light out, or lights it again.\nOnly in this window: nothing of it is saved.";
+        let help =
+            "Puts the light out, or lights it again.\nOnly in this window: nothing of it is saved.";
         if icon(ui, Icon::Bulb, !is_muted, &format!("Light {title} shines"), help).clicked() {
             out.push(Command::Solo(solo.toggle_mute(lamp.id)));
         }
@@ -127,7 +135,8 @@ impl Lights {
             Popup::menu(&more).show(|ui| self.menu(ui, session, lamp, out));
             let is_alone = solo.lights.contains(lamp.id);
             let help =
-                "Lets this light shine alone; Ctrl-click adds to others.\nOnly in this window: nothing of it is saved.";
+                "Lets this light shine alone; Ctrl-click adds to others.\nOnly in this window: \
+                 nothing of it is saved.";
             if icon(ui, Icon::Solo, is_alone, &format!("Solo {title}"), help).clicked() {
                 let adds = ui.input(|input| input.modifiers.command || input.modifiers.shift);
                 out.push(Command::Solo(solo.toggle_light(lamp.id, adds)));
@@ -148,18 +157,31 @@ impl Lights {
         let (count, what, none, help) = match lamp.owner {
             Owner::Look => {
                 let count = self.users.get(lamp.id).copied().unwrap_or(0);
-                (count, "node", "No node names this light, so it lights nothing", "So many nodes name it")
+                (
+                    count,
+                    "node",
+                    "No node names this light, so it lights nothing",
+                    "So many nodes name it",
+                )
             }
             Owner::Scene => {
                 let count = self.shared.get(lamp.id).map_or(0, |shared| shared.looks);
-                let none = "No look of the scene has a light of this id, so it lights nothing: let it stand in for one";
-                (count, "look", none, "So many looks have a light of this id, in whose place it stands")
+                let none = "No look of the scene has a light of this id, so it lights nothing: let \
+                            it stand in for one";
+                (
+                    count,
+                    "look",
+                    none,
+                    "So many looks have a light of this id, in whose place it stands",
+                )
             }
         };
         let (text, color, help) = match count {
-            _ if is_replaced => {
-                ("scene's".to_owned(), colors.dim, "In this scene the scene's light of this id stands in its place")
-            }
+            _ if is_replaced => (
+                "scene's".to_owned(),
+                colors.dim,
+                "In this scene the scene's light of this id stands in its place",
+            ),
             0 => ("unused".to_owned(), colors.warning, none),
             1 => (format!("1 {what}"), colors.dim, help),
             count => (format!("{count} {what}s"), colors.dim, help),
@@ -172,9 +194,22 @@ impl Lights {
         });
     }
 
-    fn title(&mut self, ui: &mut Ui, lamp: &Lamp<'_>, is_dark: bool, is_replaced: bool, out: &mut Vec<Command>) {
-        if let Some(field) = self.renaming.as_mut().filter(|field| (field.id.0, &field.id.1) == (lamp.owner, lamp.id)) {
-            if let Some(new) = field.show(ui, lamp.id.as_str(), &format!("New name of {}", lamp.full_name())) {
+    fn title(
+        &mut self,
+        ui: &mut Ui,
+        lamp: &Lamp<'_>,
+        is_dark: bool,
+        is_replaced: bool,
+        out: &mut Vec<Command>,
+    ) {
+        if let Some(field) = self
+            .renaming
+            .as_mut()
+            .filter(|field| (field.id.0, &field.id.1) == (lamp.owner, lamp.id))
+        {
+            if let Some(new) =
+                field.show(ui, lamp.id.as_str(), &format!("New name of {}", lamp.full_name()))
+            {
                 self.renaming = None;
                 if let Some(name) = new.filter(|name| *name != lamp.light.name) {
                     out.push(lamp.set(Light { name, ..lamp.light.clone() }).once());
@@ -202,10 +237,13 @@ impl Lights {
         }
         let users = self.users.get(lamp.id).copied().unwrap_or(0);
         let (copy, removal) = match (lamp.owner, users) {
-            (Owner::Scene, _) => {
-                ("Adds a copy, which stands in for nothing yet", "Each look has its own light again".to_owned())
+            (Owner::Scene, _) => (
+                "Adds a copy, which stands in for nothing yet",
+                "Each look has its own light again".to_owned(),
+            ),
+            (Owner::Look, 0) => {
+                ("Adds a copy, which no node names yet", "No node names it".to_owned())
             }
-            (Owner::Look, 0) => ("Adds a copy, which no node names yet", "No node names it".to_owned()),
             (Owner::Look, users) => (
                 "Adds a copy, which no node names yet",
                 format!("{users} of the look's nodes name it, and will have to name another one"),
@@ -230,11 +268,20 @@ fn section(ui: &mut Ui, title: &str, help: &str) {
 fn intensity(ui: &mut Ui, session: &Session, lamp: &Lamp<'_>, out: &mut Vec<Command>) {
     let light = &lamp.as_set(session);
     let mut value = light.intensity;
-    let drag = DragValue::new(&mut value).prefix("×").speed(0.01).range(0.0..=f64::MAX).clamp_existing_to_range(false);
-    let response =
-        ui.add(drag.max_decimals(2)).on_hover_text("Intensity: a factor on the color. Drag, or click to type.");
+    let drag = DragValue::new(&mut value)
+        .prefix("×")
+        .speed(0.01)
+        .range(0.0..=f64::MAX)
+        .clamp_existing_to_range(false);
+    let response = ui
+        .add(drag.max_decimals(2))
+        .on_hover_text("Intensity: a factor on the color. Drag, or click to type.");
     response.widget_info(|| {
-        let mut info = WidgetInfo::labeled(Role::SpinButton, true, format!("Intensity of {}", lamp.full_name()));
+        let mut info = WidgetInfo::labeled(
+            Role::SpinButton,
+            true,
+            format!("Intensity of {}", lamp.full_name()),
+        );
         info.value = Some(value);
         info
     });
@@ -244,13 +291,14 @@ fn intensity(ui: &mut Ui, session: &Session, lamp: &Lamp<'_>, out: &mut Vec<Comm
     }
 }
 
-/// The colour of a light as it is shown.
+/// The color of a light as it is shown.
 fn swatch(light: &Light, space: ColorSpace) -> Color32 {
     let value = Value::Vector(light.color.to_vec());
     let [r, g, b, _] = match space {
         ColorSpace::Display => value.color().unwrap_or([0.0, 0.0, 0.0, 1.0]),
         ColorSpace::Linear => {
-            let encode = |x: f64| f64::from(egui::ecolor::gamma_from_linear(x.clamp(0.0, 1.0) as f32));
+            let encode =
+                |x: f64| f64::from(egui::ecolor::gamma_from_linear(x.clamp(0.0, 1.0) as f32));
             let [r, g, b] = light.color.map(encode);
             [r, g, b, 1.0]
         }

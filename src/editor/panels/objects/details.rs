@@ -5,7 +5,9 @@ use eframe::egui::{Checkbox, ComboBox, DragValue, Id, Ui};
 
 use super::super::super::dialogs::Purpose;
 use super::super::super::inspector::row::labelled;
-use super::super::super::stage::{Stage, Wish, file_label, from_degrees, mesh_label, stood_up, to_degrees};
+use super::super::super::stage::{
+    Stage, Wish, file_label, from_degrees, mesh_label, stood_up, to_degrees,
+};
 use crate::document::{Object, Transform};
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX};
 use crate::geometry::SHAPES;
@@ -30,29 +32,50 @@ pub(super) fn look_label(stage: &Stage, name: &str) -> String {
 
 impl Details {
     /// Everything of an object that can be set but its name.
-    pub(super) fn show(&mut self, ui: &mut Ui, stage: &Stage, id: &ObjectId, object: &Object, out: &mut Vec<Wish>) {
+    pub(super) fn show(
+        &mut self,
+        ui: &mut Ui,
+        stage: &Stage,
+        id: &ObjectId,
+        object: &Object,
+        out: &mut Vec<Wish>,
+    ) {
         ui.push_id(id, |ui| {
-            labelled(ui, "Mesh", "What it is made of", |ui, label| mesh(ui, label, stage, id, object, out));
+            labelled(ui, "Mesh", "What it is made of", |ui, label| {
+                mesh(ui, label, stage, id, object, out)
+            });
             looks(ui, stage, id, object, out);
             let mut new = object.transform;
             let mut hand = None;
             let help = "Where it stands, in scene units: to the right, up, toward the viewer";
-            labelled(ui, "Place", help, |ui, _| hand = hand.or(xyz(ui, "Place", &mut new.translate, 0.01, "")));
-            let help = "How it is turned: around the axis to the right, around the vertical one, around the one toward the viewer";
-            labelled(ui, "Turn", help, |ui, _| hand = hand.or(self.turn(ui, id, &mut new)));
-            labelled(ui, "Scale", "How large it is", |ui, _| hand = hand.or(self.scale(ui, &mut new)));
-            labelled(ui, "Fit", "Brings the mesh to the middle, and its sphere to radius 1, before all else", |ui, _| {
-                let fit = ui.add(Checkbox::without_text(&mut new.fit));
-                ui.ctx().accesskit_node_builder(fit.id, |node| node.set_label("Fit the mesh"));
-                if fit.changed() {
-                    hand = Some(fit.id);
-                }
-                let help = "Turns a mesh whose z axis points up, as in many scans, by a quarter";
-                if ui.small_button("Stand up").on_hover_text(help).clicked() {
-                    new.rotate = stood_up(new.rotate);
-                    hand = Some(ui.scope_id().with("stand up"));
-                }
+            labelled(ui, "Place", help, |ui, _| {
+                hand = hand.or(xyz(ui, "Place", &mut new.translate, 0.01, ""))
             });
+            let help = "How it is turned: around the axis to the right, around the vertical one, \
+                        around the one toward the viewer";
+            labelled(ui, "Turn", help, |ui, _| hand = hand.or(self.turn(ui, id, &mut new)));
+            labelled(ui, "Scale", "How large it is", |ui, _| {
+                hand = hand.or(self.scale(ui, &mut new))
+            });
+            labelled(
+                ui,
+                "Fit",
+                "Brings the mesh to the middle, and its sphere to radius 1, before \
+                                 all else",
+                |ui, _| {
+                    let fit = ui.add(Checkbox::without_text(&mut new.fit));
+                    ui.ctx().accesskit_node_builder(fit.id, |node| node.set_label("Fit the mesh"));
+                    if fit.changed() {
+                        hand = Some(fit.id);
+                    }
+                    let help =
+                        "Turns a mesh whose z axis points up, as in many scans, by a quarter";
+                    if ui.small_button("Stand up").on_hover_text(help).clicked() {
+                        new.rotate = stood_up(new.rotate);
+                        hand = Some(ui.scope_id().with("stand up"));
+                    }
+                },
+            );
             if let Some(hand) = hand.filter(|_| new != object.transform) {
                 let edit = stage.change(id, |object| object.transform = new);
                 out.extend(edit.map(|edit| Wish::EditHeld(hand, edit)));
@@ -61,7 +84,8 @@ impl Details {
     }
 
     fn turn(&mut self, ui: &mut Ui, id: &ObjectId, new: &mut Transform) -> Option<Id> {
-        let known = self.turned.as_ref().filter(|(of, rotation, _)| of == id && *rotation == new.rotate);
+        let known =
+            self.turned.as_ref().filter(|(of, rotation, _)| of == id && *rotation == new.rotate);
         let mut degrees = known.map_or_else(|| to_degrees(new.rotate), |(_, _, degrees)| *degrees);
         let hand = xyz(ui, "Turn", &mut degrees, 0.5, "°");
         if hand.is_some() {
@@ -90,55 +114,88 @@ impl Details {
             }
         }
         ui.add_enabled_ui(is_even, |ui| {
-            ui.checkbox(&mut self.is_uneven, "Uneven").on_hover_text("Sets the scale along each axis");
+            ui.checkbox(&mut self.is_uneven, "Uneven")
+                .on_hover_text("Sets the scale along each axis");
         });
         hand
     }
 }
 
-fn mesh(ui: &mut Ui, label: Id, stage: &Stage, id: &ObjectId, object: &Object, out: &mut Vec<Wish>) {
-    let combo =
-        ComboBox::from_id_salt("mesh").selected_text(mesh_label(&object.mesh)).width(ui.available_width() - 12.0);
+fn mesh(
+    ui: &mut Ui,
+    label: Id,
+    stage: &Stage,
+    id: &ObjectId,
+    object: &Object,
+    out: &mut Vec<Wish>,
+) {
+    let combo = ComboBox::from_id_salt("mesh")
+        .selected_text(mesh_label(&object.mesh))
+        .width(ui.available_width() - 12.0);
     let combo = combo.show_ui(ui, |ui| {
         for shape in SHAPES {
             let is_it = object.mesh.strip_prefix(SHAPE_PREFIX) == Some(shape.name);
-            if ui.selectable_label(is_it, shape.label).on_hover_text(shape.help).clicked() && !is_it {
+            if ui.selectable_label(is_it, shape.label).on_hover_text(shape.help).clicked() && !is_it
+            {
                 let mesh = format!("{SHAPE_PREFIX}{}", shape.name);
                 out.extend(stage.change(id, |object| object.mesh = mesh).map(Wish::Edit));
             }
         }
         ui.separator();
         let is_file = !object.mesh.starts_with(SHAPE_PREFIX);
-        if ui.selectable_label(is_file, "From a file...").on_hover_text("OBJ, PLY, STL or glTF").clicked() {
+        if ui
+            .selectable_label(is_file, "From a file...")
+            .on_hover_text("OBJ, PLY, STL or glTF")
+            .clicked()
+        {
             out.push(Wish::Ask(Purpose::ObjectMesh, id.clone(), String::new()));
         }
     });
     combo.response.labelled_by(label).on_hover_text(&object.mesh);
 }
 
-/// A row for what all materials wear, and where the mesh has several, or the object names some, one for each.
+/// A row for what all materials wear, and where the mesh has several, or the object names some, one
+/// for each.
 fn looks(ui: &mut Ui, stage: &Stage, id: &ObjectId, object: &Object, out: &mut Vec<Wish>) {
     let known = stage.materials(id);
-    let mut materials: Vec<&str> = known.iter().map(String::as_str).filter(|_| known.len() > 1).collect();
-    for material in object.looks.keys().map(String::as_str).filter(|material| *material != ANY_MATERIAL) {
+    let mut materials: Vec<&str> =
+        known.iter().map(String::as_str).filter(|_| known.len() > 1).collect();
+    for material in
+        object.looks.keys().map(String::as_str).filter(|material| *material != ANY_MATERIAL)
+    {
         if !materials.contains(&material) {
             materials.push(material);
         }
     }
-    let help =
-        if materials.is_empty() { "What it wears" } else { "What all materials wear that have no look of their own" };
+    let help = if materials.is_empty() {
+        "What it wears"
+    } else {
+        "What all materials wear that have no look of their own"
+    };
     labelled(ui, "Look", help, |ui, label| look(ui, label, stage, id, object, ANY_MATERIAL, out));
     for material in materials {
         let shown = if material.is_empty() { "(no name)" } else { material };
-        labelled(ui, shown, "What this material wears", |ui, label| look(ui, label, stage, id, object, material, out));
+        labelled(ui, shown, "What this material wears", |ui, label| {
+            look(ui, label, stage, id, object, material, out)
+        });
     }
 }
 
-fn look(ui: &mut Ui, label: Id, stage: &Stage, id: &ObjectId, object: &Object, material: &str, out: &mut Vec<Wish>) {
+fn look(
+    ui: &mut Ui,
+    label: Id,
+    stage: &Stage,
+    id: &ObjectId,
+    object: &Object,
+    material: &str,
+    out: &mut Vec<Wish>,
+) {
     let nothing = if material == ANY_MATERIAL { "None" } else { "As the others" };
     let worn = object.looks.get(material);
     let text = worn.map_or_else(|| nothing.to_owned(), |name| look_label(stage, name));
-    let combo = ComboBox::from_id_salt(("look", material)).selected_text(text).width(ui.available_width() - 12.0);
+    let combo = ComboBox::from_id_salt(("look", material))
+        .selected_text(text)
+        .width(ui.available_width() - 12.0);
     let combo = combo.show_ui(ui, |ui| {
         let mut wear = |name: Option<String>| {
             let edit = stage.change(id, |object| match name {
@@ -148,8 +205,11 @@ fn look(ui: &mut Ui, label: Id, stage: &Stage, id: &ObjectId, object: &Object, m
             out.extend(edit.map(Wish::Edit));
         };
         for name in stage.looks() {
-            let is_it = worn.is_some_and(|worn| *worn == name || stage.is_open(worn) && stage.is_open(&name));
-            if ui.selectable_label(is_it, look_label(stage, &name)).on_hover_text(&name).clicked() && !is_it {
+            let is_it = worn
+                .is_some_and(|worn| *worn == name || stage.is_open(worn) && stage.is_open(&name));
+            if ui.selectable_label(is_it, look_label(stage, &name)).on_hover_text(&name).clicked()
+                && !is_it
+            {
                 wear(Some(name));
             }
         }
@@ -164,7 +224,14 @@ fn look(ui: &mut Ui, label: Id, stage: &Stage, id: &ObjectId, object: &Object, m
     combo.response.labelled_by(label);
 }
 
-fn number(ui: &mut Ui, name: &str, number: &mut f64, speed: f64, suffix: &str, prefix: &str) -> egui::Response {
+fn number(
+    ui: &mut Ui,
+    name: &str,
+    number: &mut f64,
+    speed: f64,
+    suffix: &str,
+    prefix: &str,
+) -> egui::Response {
     let before = *number;
     let drag = DragValue::new(number).speed(speed).max_decimals(3).prefix(prefix).suffix(suffix);
     let response = ui.add(drag);
@@ -180,7 +247,8 @@ fn xyz(ui: &mut Ui, name: &str, numbers: &mut [f64; 3], speed: f64, suffix: &str
     let mut hand = None;
     ui.spacing_mut().item_spacing.x = 4.0;
     for (value, axis) in numbers.iter_mut().zip(["x", "y", "z"]) {
-        let response = number(ui, &format!("{name} {axis}"), value, speed, suffix, &format!("{axis} "));
+        let response =
+            number(ui, &format!("{name} {axis}"), value, speed, suffix, &format!("{axis} "));
         if response.changed() {
             hand = Some(response.id);
         }

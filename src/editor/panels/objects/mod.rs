@@ -6,8 +6,8 @@ mod words;
 
 use eframe::egui;
 use eframe::egui::{
-    Button, Id, Key, Label, Layout, Modifiers, Popup, Rect, RichText, Role, ScrollArea, Sense, Ui, UiBuilder,
-    WidgetInfo, vec2,
+    Button, Id, Key, Label, Layout, Modifiers, Popup, Rect, RichText, Role, ScrollArea, Sense, Ui,
+    UiBuilder, WidgetInfo, vec2,
 };
 
 use super::super::command::Command;
@@ -37,7 +37,10 @@ impl Objects {
         let mut out = Vec::new();
         bar(ui, session, &mut out);
         let Some(stage) = session.stage() else {
-            hint(ui, "The look is on one object. Add another, and both are a scene that can be saved.");
+            hint(
+                ui,
+                "The look is on one object. Add another, and both are a scene that can be saved.",
+            );
             hint(ui, "Open shows the objects of a scene file, each in its own look.");
             return out.into_iter().map(Command::Stage).collect();
         };
@@ -80,8 +83,11 @@ impl Objects {
         commands: &mut Vec<Command>,
     ) -> Rect {
         let is_selected = stage.selected().is_some_and(|(selected, _)| selected == id);
-        let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
-        response.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_selected, format!("Object {id}")));
+        let (rect, response) =
+            ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
+        response.widget_info(|| {
+            WidgetInfo::selected(Role::ListItem, true, is_selected, format!("Object {id}"))
+        });
         card_ground(ui, rect, &response, is_selected);
         // What ends a row is in the same column here as in the lists of layers and lights.
         let inner = egui::Rect::from_min_max(rect.min + vec2(6.0, 2.0), rect.max - vec2(0.0, 2.0));
@@ -108,7 +114,14 @@ impl Objects {
         rect
     }
 
-    fn head(&mut self, ui: &mut Ui, stage: &Stage, id: &ObjectId, object: &Object, out: &mut Vec<Wish>) {
+    fn head(
+        &mut self,
+        ui: &mut Ui,
+        stage: &Stage,
+        id: &ObjectId,
+        object: &Object,
+        out: &mut Vec<Wish>,
+    ) {
         ui.spacing_mut().item_spacing.x = 6.0;
         let help = "Shows the object, or hides it";
         if icon(ui, Icon::Eye, object.visible, &format!("Object {id} is seen"), help).clicked() {
@@ -126,31 +139,45 @@ impl Objects {
         });
     }
 
-    fn title(&mut self, ui: &mut Ui, stage: &Stage, id: &ObjectId, object: &Object, out: &mut Vec<Wish>) {
+    fn title(
+        &mut self,
+        ui: &mut Ui,
+        stage: &Stage,
+        id: &ObjectId,
+        object: &Object,
+        out: &mut Vec<Wish>,
+    ) {
         if let Some(field) = self.renaming.as_mut().filter(|field| field.id == *id) {
             if let Some(new) = field.show(ui, id.as_str(), &format!("New name of {id}")) {
                 self.renaming = None;
-                let renamed = new.filter(|name| !name.is_empty()).and_then(|name| stage.rename(id, &name));
+                let renamed =
+                    new.filter(|name| !name.is_empty()).and_then(|name| stage.rename(id, &name));
                 out.extend(renamed.map(|(new, edit)| Wish::Make(new, edit)));
             }
             return;
         }
         let colors = theme::of(ui);
-        let text = RichText::new(id.as_str()).strong().color(if object.visible { colors.text } else { colors.dim });
+        let text = RichText::new(id.as_str()).strong().color(if object.visible {
+            colors.text
+        } else {
+            colors.dim
+        });
         // The row itself is what is clicked.
         ui.add(Label::new(text).truncate().selectable(false).sense(Sense::empty()));
     }
 
     /// What it is, in a line.
     fn about(&self, ui: &mut Ui, stage: &Stage, object: &Object) {
-        let looks: Vec<String> = object.looks.values().map(|name| details::look_label(stage, name)).collect();
+        let looks: Vec<String> =
+            object.looks.values().map(|name| details::look_label(stage, name)).collect();
         let looks = if looks.is_empty() { "no look".to_owned() } else { looks.join(", ") };
         let is_open = stage.wears_open(object);
         let colors = theme::of(ui);
         let color = if is_open { colors.accent } else { colors.dim };
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
-            let mesh = RichText::new(format!("{} ·", mesh_label(&object.mesh))).small().color(colors.dim);
+            let mesh =
+                RichText::new(format!("{} ·", mesh_label(&object.mesh))).small().color(colors.dim);
             ui.add(Label::new(mesh).selectable(false).sense(Sense::empty()));
             let looks = RichText::new(looks).small().color(color);
             ui.add(Label::new(looks).truncate().selectable(false).sense(Sense::empty()));
@@ -158,17 +185,29 @@ impl Objects {
     }
 
     fn menu(&mut self, ui: &mut Ui, stage: &Stage, id: &ObjectId, out: &mut Vec<Wish>) {
-        if ui.button("Frame object").on_hover_text("Brings it into view (F over the picture)").clicked() {
+        if ui
+            .button("Frame object")
+            .on_hover_text("Brings it into view (F over the picture)")
+            .clicked()
+        {
             out.push(Wish::Frame(Some(id.clone())));
         }
-        if ui.button("Duplicate object").on_hover_text("Adds the same once more, to the right of all").clicked() {
+        if ui
+            .button("Duplicate object")
+            .on_hover_text("Adds the same once more, to the right of all")
+            .clicked()
+        {
             out.extend(stage.duplicate(id).map(|(new, edit)| Wish::Make(new, edit)));
         }
         if ui.button("Rename object").on_hover_text("Or double click on the row").clicked() {
             self.renaming = Some(Renaming::new(id.clone(), id.as_str()));
         }
         ui.separator();
-        if ui.add(Button::new("Remove object")).on_hover_text("Its mesh and its look stay where they are").clicked() {
+        if ui
+            .add(Button::new("Remove object"))
+            .on_hover_text("Its mesh and its look stay where they are")
+            .clicked()
+        {
             out.push(Wish::Edit(SceneEdit::RemoveObject { id: id.clone() }));
         }
     }
@@ -180,25 +219,32 @@ fn bar(ui: &mut Ui, session: &Session, out: &mut Vec<Wish>) {
         let menu = ui.menu_button("Add an object", |ui| {
             for shape in SHAPES {
                 if ui.button(shape.label).on_hover_text(shape.help).clicked() {
-                    out.push(Wish::Add(Some(format!("{}{}", crate::frame::SHAPE_PREFIX, shape.name))));
+                    out.push(Wish::Add(Some(format!(
+                        "{}{}",
+                        crate::frame::SHAPE_PREFIX,
+                        shape.name
+                    ))));
                     ui.close();
                 }
             }
             ui.separator();
-            let help = "OBJ, PLY, STL or glTF; it can also be dropped here, or on the picture with Shift";
+            let help =
+                "OBJ, PLY, STL or glTF; it can also be dropped here, or on the picture with Shift";
             if ui.button("Mesh from a file...").on_hover_text(help).clicked() {
                 out.push(Wish::Add(None));
                 ui.close();
             }
         });
-        menu.response.on_hover_text("Adds an object beside the others, in the look of the selected one");
+        menu.response
+            .on_hover_text("Adds an object beside the others, in the look of the selected one");
         let Some(stage) = session.stage() else { return };
         ui.with_layout(Layout::right_to_left(egui::Align::Center), |ui| {
             let more = icon(ui, Icon::More, true, "More of the scene", "Save, camera, close");
             Popup::menu(&more).id(Id::unique("scene menu")).show(|ui| scene_menu(ui, out));
             let text = RichText::new(stage.name()).color(theme::of(ui).dim);
             let path = stage.path().map(|path| path.display().to_string());
-            let help = path.unwrap_or_else(|| "No file has it yet: save the scene to keep it".to_owned());
+            let help =
+                path.unwrap_or_else(|| "No file has it yet: save the scene to keep it".to_owned());
             if stage.is_dirty() {
                 let help = "Saves the scene to its file";
                 if ui.button("Save scene").on_hover_text(help).clicked() {
@@ -219,7 +265,11 @@ fn scene_menu(ui: &mut Ui, out: &mut Vec<Wish>) {
     if ui.button("Keep this view").on_hover_text(help).clicked() {
         out.push(Wish::KeepView);
     }
-    if ui.button("Frame all objects").on_hover_text("Brings every object into view (A over the picture)").clicked() {
+    if ui
+        .button("Frame all objects")
+        .on_hover_text("Brings every object into view (A over the picture)")
+        .clicked()
+    {
         out.push(Wish::Frame(None));
     }
     ui.separator();

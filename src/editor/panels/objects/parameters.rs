@@ -15,13 +15,22 @@ use crate::document::{Object, Value};
 use crate::ids::{ObjectId, PortName};
 use crate::library::Type;
 
-/// Lists the parameters by the looks that expose them, and then what the object sets and no look of it takes.
-pub(super) fn show(ui: &mut Ui, session: &Session, stage: &Stage, id: &ObjectId, object: &Object, out: &mut Vec<Wish>) {
+/// Lists the parameters by the looks that expose them, and then what the object sets and no look of
+/// it takes.
+pub(super) fn show(
+    ui: &mut Ui,
+    session: &Session,
+    stage: &Stage,
+    id: &ObjectId,
+    object: &Object,
+    out: &mut Vec<Wish>,
+) {
     let mut known: Vec<PortName> = Vec::new();
     let mut setter = Setter { stage, id, object, out };
     for (name, parameters) in of_looks(session, stage, object) {
         // A name that several looks expose is set for all of them at once.
-        let new: Vec<&Parameter> = parameters.iter().filter(|parameter| !known.contains(&parameter.name)).collect();
+        let new: Vec<&Parameter> =
+            parameters.iter().filter(|parameter| !known.contains(&parameter.name)).collect();
         if new.is_empty() {
             continue;
         }
@@ -41,10 +50,16 @@ pub(super) fn show(ui: &mut Ui, session: &Session, stage: &Stage, id: &ObjectId,
 }
 
 /// The looks that an object wears, each once, with what they expose.
-fn of_looks<'s>(session: &Session, stage: &'s Stage, object: &'s Object) -> Vec<(&'s str, Cow<'s, [Parameter]>)> {
+fn of_looks<'s>(
+    session: &Session,
+    stage: &'s Stage,
+    object: &'s Object,
+) -> Vec<(&'s str, Cow<'s, [Parameter]>)> {
     let mut found: Vec<(&str, Cow<'_, [Parameter]>)> = Vec::new();
     for name in object.looks.values() {
-        let is_known = |(known, _): &(&str, _)| *known == name.as_str() || stage.is_open(known) && stage.is_open(name);
+        let is_known = |(known, _): &(&str, _)| {
+            *known == name.as_str() || stage.is_open(known) && stage.is_open(name)
+        };
         if !found.iter().any(is_known) {
             let parameters = match stage.is_open(name) {
                 true => Cow::Owned(session.reading().parameters()),
@@ -76,7 +91,9 @@ impl Setter<'_> {
         let of_look = parameter.value.as_ref().map(|value| values::short(port, value));
         let colors = theme::of(ui);
         let (color, more) = match (own, of_look) {
-            (Some(_), Some(of_look)) => (colors.accent, format!("Set by this object; its look has {of_look}")),
+            (Some(_), Some(of_look)) => {
+                (colors.accent, format!("Set by this object; its look has {of_look}"))
+            }
             (Some(_), None) => (colors.accent, "Set by this object".to_owned()),
             (None, _) => (colors.text, "As its look has it, until it is set here".to_owned()),
         };
@@ -86,7 +103,8 @@ impl Setter<'_> {
         let mut is_taken_back = false;
         let slot = |ui: &mut Ui, size: Vec2| match own {
             Some(_) => {
-                let help = "Set by this object. A press takes that back, and it is as its look has it.";
+                let help =
+                    "Set by this object. A press takes that back, and it is as its look has it.";
                 is_taken_back = mark(ui, size, &format!("Back to the look's {label}"), help);
             }
             None => drop(ui.allocate_exact_size(size, Sense::hover())),
@@ -124,7 +142,9 @@ impl Setter<'_> {
         row::with_slot(ui, text, help, slot, |ui, _| {
             ui.label(RichText::new(values::short(&port, value)).color(theme::of(ui).dim));
             let take_out = ui.small_button("Take out");
-            take_out.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Take out {name}")));
+            take_out.widget_info(|| {
+                WidgetInfo::labeled(Role::Button, true, format!("Take out {name}"))
+            });
             if take_out.on_hover_text("Takes the value out of the scene").clicked() {
                 self.clear(name);
             }
@@ -132,7 +152,8 @@ impl Setter<'_> {
     }
 
     fn set(&mut self, hand: Id, name: &PortName, value: Value) {
-        let set = self.stage.change(self.id, |object| drop(object.values.insert(name.clone(), value)));
+        let set =
+            self.stage.change(self.id, |object| drop(object.values.insert(name.clone(), value)));
         self.out.extend(set.map(|edit| Wish::EditHeld(hand, edit)));
     }
 
@@ -143,17 +164,20 @@ impl Setter<'_> {
     }
 }
 
-/// A dot beside what the object sets itself; under the pointer it is an arrow back. Whether it was pressed.
+/// A dot beside what the object sets itself; under the pointer it is an arrow back. Whether it was
+/// pressed.
 fn mark(ui: &mut Ui, size: Vec2, label: &str, help: &str) -> bool {
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, label));
     let (colors, at) = (theme::of(ui), rect.center());
     if response.hovered() || response.has_focus() {
         let stroke = Stroke::new(1.5, colors.text);
-        let arc = (0..=9_u8).map(|step| at + 4.0 * Vec2::angled(-2.2 + f32::from(step) / 9.0 * 4.6));
+        let arc =
+            (0..=9_u8).map(|step| at + 4.0 * Vec2::angled(-2.2 + f32::from(step) / 9.0 * 4.6));
         ui.painter().add(Shape::line(arc.collect(), stroke));
         let end = at + 4.0 * Vec2::angled(-2.2);
-        ui.painter().add(Shape::line(vec![end + vec2(-0.4, -4.0), end, end + vec2(4.0, 0.4)], stroke));
+        ui.painter()
+            .add(Shape::line(vec![end + vec2(-0.4, -4.0), end, end + vec2(4.0, 0.4)], stroke));
     } else {
         ui.painter().circle_filled(at, 3.0, colors.accent);
     }

@@ -8,18 +8,22 @@ use crate::document::{Scene, SceneEdit};
 
 /// Shows both, folded to a line.
 pub(super) fn show(ui: &mut Ui, scene: &Scene, out: &mut Vec<Wish>) {
-    let title = if scene.name.is_empty() { "Name and about".to_owned() } else { scene.name.clone() };
+    let title =
+        if scene.name.is_empty() { "Name and about".to_owned() } else { scene.name.clone() };
     let section = CollapsingHeader::new(title).id_salt("words of the scene").show(ui, |ui| {
         labelled(ui, "Scene name", "What you call this scene", |ui, label| {
             let mut name = scene.name.clone();
-            let response = ui.add(TextEdit::singleline(&mut name).desired_width(f32::INFINITY)).labelled_by(label);
+            let response = ui
+                .add(TextEdit::singleline(&mut name).desired_width(f32::INFINITY))
+                .labelled_by(label);
             if response.changed() {
                 out.push(Wish::EditHeld(response.id, SceneEdit::SetSceneName { name }));
             }
         });
         labelled(ui, "About", "What it shows, for who finds it", |ui, label| {
             let mut about = scene.about.clone();
-            let field = TextEdit::multiline(&mut about).desired_width(f32::INFINITY).desired_rows(2);
+            let field =
+                TextEdit::multiline(&mut about).desired_width(f32::INFINITY).desired_rows(2);
             let response = ui.add(field.hint_text("What it shows")).labelled_by(label);
             if response.changed() {
                 out.push(Wish::EditHeld(response.id, SceneEdit::SetSceneAbout { about }));

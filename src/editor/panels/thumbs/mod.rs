@@ -1,5 +1,5 @@
-//! Small pictures of looks and layers, drawn on a thread of their own while the window rests: one at a time, each kept by
-//! what it shows, so that undo and the same layer elsewhere cost nothing.
+//! Small pictures of looks and layers, drawn on a thread of their own while the window rests: one
+//! at a time, each kept by what it shows, so that undo and the same layer elsewhere cost nothing.
 
 mod scene;
 
@@ -23,7 +23,8 @@ use crate::frame::{Cull, DEFAULT_MESH, Picture, PlanOptions, Planner, SHAPE_PREF
 use crate::render::{Gpu, Renderer, block_on};
 pub(crate) use scene::key_of_scene;
 
-/// Each pixel is the mean of so many by so many: highlights are finer than a small picture's pixels.
+/// Each pixel is the mean of so many by so many: highlights are finer than a small picture's
+/// pixels.
 const FINER: u32 = 2;
 /// The greatest side of a picture, in pixels.
 const MAX_SIDE: u32 = 320;
@@ -31,7 +32,8 @@ const MAX_SIDE: u32 = 320;
 const MOST: usize = 400;
 /// The window rests after so many seconds.
 const REST: f64 = 0.35;
-/// How bright the brightest pixel of a lifted picture is at least, and how much it is lifted at most.
+/// How bright the brightest pixel of a lifted picture is at least, and how much it is lifted at
+/// most.
 const LIFTED: f32 = 0.85;
 const MOST_LIFT: f32 = 8.0;
 
@@ -87,7 +89,9 @@ impl Stand {
     pub(crate) fn help(self) -> &'static str {
         match self {
             Self::Mesh => "It is on the mesh in the picture.",
-            Self::Heavy => "It is on the creature: the mesh in the picture is too heavy for small pictures.",
+            Self::Heavy => {
+                "It is on the creature: the mesh in the picture is too heavy for small pictures."
+            }
             Self::Scene => "It is on the creature: objects of a scene have meshes of their own.",
         }
     }
@@ -129,7 +133,11 @@ pub(crate) struct Thumbs {
 impl Thumbs {
     /// `wake` is called from another thread when there is a new one; what goes on is noted in
     /// `crashes`. Without a GPU there are none.
-    pub(crate) fn new(gpu: Option<Gpu>, crashes: CrashLog, wake: impl Fn() + Send + 'static) -> Self {
+    pub(crate) fn new(
+        gpu: Option<Gpu>,
+        crashes: CrashLog,
+        wake: impl Fn() + Send + 'static,
+    ) -> Self {
         let start = |gpu: Gpu| {
             let mut artist = Artist {
                 renderer: Renderer::new(gpu),
@@ -167,7 +175,8 @@ impl Thumbs {
                 self.pictures.clear();
             }
             let options = egui::TextureOptions::LINEAR;
-            let texture = image.map(|image| ui.ctx().load_texture(format!("thumb {key:x}"), image, options));
+            let texture =
+                image.map(|image| ui.ctx().load_texture(format!("thumb {key:x}"), image, options));
             self.pictures.insert(key, texture);
         }
         let now = ui.input(|input| input.time);
@@ -238,29 +247,50 @@ impl Thumbs {
                 },
                 _ => Orbit { distance, target: DVec3::new(0.0, height, 0.0), ..Orbit::default() },
             };
-            Subject::Look(Box::new(Still { folder, orbit, stage: None, ..session.still_of(look) }), shot)
+            Subject::Look(
+                Box::new(Still { folder, orbit, stage: None, ..session.still_of(look) }),
+                shot,
+            )
         });
     }
 
     /// The same of the scene in a file, as its own camera sees it.
     pub(crate) fn ask_for_scene(&self, key: u64, path: &Path, side: f32) {
-        self.request(key, || DocumentOrigin::of_file(path), side, || Subject::Scene(path.to_owned()));
+        self.request(
+            key,
+            || DocumentOrigin::of_file(path),
+            side,
+            || Subject::Scene(path.to_owned()),
+        );
     }
 
-    fn request(&self, key: u64, origin: impl FnOnce() -> DocumentOrigin, side: f32, subject: impl FnOnce() -> Subject) {
-        let Some(worker) = self.worker.as_ref().filter(|worker| self.rests && !worker.is_busy()) else { return };
+    fn request(
+        &self,
+        key: u64,
+        origin: impl FnOnce() -> DocumentOrigin,
+        side: f32,
+        subject: impl FnOnce() -> Subject,
+    ) {
+        let Some(worker) = self.worker.as_ref().filter(|worker| self.rests && !worker.is_busy())
+        else {
+            return;
+        };
         let side = (side.round() as u32).clamp(8, MAX_SIDE);
         let (origin, subject) = (origin(), subject());
         worker.request(|_| Job { key, origin, subject, side });
     }
 }
 
-/// What tells a picture of a look from another: everything that it is made of, but for names and places on the canvas.
+/// What tells a picture of a look from another: everything that it is made of, but for names and
+/// places on the canvas.
 pub(crate) fn key_of(look: &Look, shot: Shot, side: f32) -> u64 {
     let mut hasher = DefaultHasher::new();
     (shot, side.round() as u32).hash(&mut hasher);
-    format!("{:?}", (look.color_space, look.tier, &look.lights, &look.definitions, &look.graph.wires))
-        .hash(&mut hasher);
+    format!(
+        "{:?}",
+        (look.color_space, look.tier, &look.lights, &look.definitions, &look.graph.wires)
+    )
+    .hash(&mut hasher);
     for (id, node) in &look.graph.nodes {
         format!("{:?}", (id, &node.kind, &node.values, node.tier, node.muted)).hash(&mut hasher);
     }
@@ -280,7 +310,8 @@ pub(crate) fn key_on(look: &Look, shot: Shot, side: f32, session: &Session) -> u
 /// Tells one mesh in the picture from another.
 pub(crate) fn stage_of(session: &Session) -> u64 {
     let mut hasher = DefaultHasher::new();
-    (&session.view.mesh, session.view.z_is_up, session.stage().is_some(), session.files()).hash(&mut hasher);
+    (&session.view.mesh, session.view.z_is_up, session.stage().is_some(), session.files())
+        .hash(&mut hasher);
     hasher.finish()
 }
 
@@ -313,7 +344,7 @@ fn smaller(picture: &Picture, lifts: bool) -> ColorImage {
     let side = picture.size[0] / FINER;
     let pixels = (0..side * side).map(|index| {
         let (x, y) = (index % side * FINER, index / side * FINER);
-        // Premultiplied, so that an edge takes no colour from what is not there.
+        // Premultiplied, so that an edge takes no color from what is not there.
         let mut sum = [0.0_f32; 4];
         for (dx, dy) in (0..FINER * FINER).map(|part| (part % FINER, part / FINER)) {
             let [r, g, b, a] = picture.pixel(x + dx, y + dy);
@@ -324,11 +355,18 @@ fn smaller(picture: &Picture, lifts: bool) -> ColorImage {
         sum
     });
     let pixels: Vec<[f32; 4]> = pixels.collect();
-    let brightest = pixels.iter().flat_map(|pixel| &pixel[..3]).fold(0.0_f32, |most, part| most.max(*part));
-    let gain = if lifts && brightest > 1e-3 { (LIFTED / brightest).clamp(1.0, MOST_LIFT) } else { 1.0 };
+    let brightest =
+        pixels.iter().flat_map(|pixel| &pixel[..3]).fold(0.0_f32, |most, part| most.max(*part));
+    let gain =
+        if lifts && brightest > 1e-3 { (LIFTED / brightest).clamp(1.0, MOST_LIFT) } else { 1.0 };
     let byte = |x: f32| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
     let color = |[r, g, b, a]: [f32; 4]| {
-        egui::Color32::from_rgba_premultiplied(byte(r * gain), byte(g * gain), byte(b * gain), byte(a))
+        egui::Color32::from_rgba_premultiplied(
+            byte(r * gain),
+            byte(g * gain),
+            byte(b * gain),
+            byte(a),
+        )
     };
     ColorImage::new([side as usize; 2], pixels.into_iter().map(color).collect())
 }

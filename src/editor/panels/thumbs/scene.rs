@@ -1,4 +1,5 @@
-//! Small pictures of scenes, from their files: as the scene's own camera sees all of it, in a square.
+//! Small pictures of scenes, from their files: as the scene's own camera sees all of it, in a
+//! square.
 
 use std::collections::BTreeSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -9,7 +10,8 @@ use glam::DVec3;
 use crate::compile::Live;
 use crate::document::{Camera, Document, Projection, Scene};
 use crate::frame::{
-    Assets, Cull, FramePlan, PlanOptions, Planner, SHAPE_PREFIX, Setup, SetupObject, View, scene_setup,
+    Assets, Cull, FramePlan, PlanOptions, Planner, SHAPE_PREFIX, Setup, SetupObject, View,
+    scene_setup,
 };
 use crate::library::Library;
 
@@ -17,8 +19,8 @@ use crate::library::Library;
 const MOST_BYTES: u64 = 128 << 20;
 /// How far everything in the picture reaches, in parts of half its side.
 const FILLED: f64 = 0.94;
-/// The picture is at most so many times as wide as the camera's is high, as it would be in a wide window, and at least
-/// this part of it.
+/// The picture is at most so many times as wide as the camera's is high, as it would be in a wide
+/// window, and at least this part of it.
 const ZOOM: [f64; 2] = [0.4, 1.8];
 
 /// What tells a picture of a scene from another: what its file says, and which files it names.
@@ -26,15 +28,17 @@ pub(crate) fn key_of_scene(path: &Path, scene: &Scene, side: f32) -> u64 {
     let mut hasher = DefaultHasher::new();
     (path, side.round() as u32, scene.to_text()).hash(&mut hasher);
     let folder = path.parent().unwrap_or(Path::new(""));
-    for name in scene.objects.values().flat_map(|object| object.looks.values().chain([&object.mesh])) {
+    for name in
+        scene.objects.values().flat_map(|object| object.looks.values().chain([&object.mesh]))
+    {
         let data = std::fs::metadata(folder.join(name)).ok();
         (name, data.and_then(|data| Some((data.modified().ok()?, data.len())))).hash(&mut hasher);
     }
     hasher.finish()
 }
 
-/// What there is to draw of the scene in a file; `None` where there is nothing, or too much. What it keeps of the scene's
-/// files goes with the picture.
+/// What there is to draw of the scene in a file; `None` where there is nothing, or too much. What
+/// it keeps of the scene's files goes with the picture.
 pub(super) fn plan(path: &Path, options: &PlanOptions) -> Option<FramePlan> {
     let Document::Scene(loaded) = Document::load(path) else { return None };
     let scene = loaded.value?;
@@ -45,9 +49,14 @@ pub(super) fn plan(path: &Path, options: &PlanOptions) -> Option<FramePlan> {
     let mut planner = Planner::new(Assets::default()).culling(Cull::Objects);
     planner.assets.draft();
     // What is missing is left out, as in the window.
-    let mut setup = scene_setup(scene, &folder, &loaded.source, None, &mut planner.assets, &mut Vec::new());
+    let mut setup =
+        scene_setup(scene, &folder, &loaded.source, None, &mut planner.assets, &mut Vec::new());
     let nodes = folder.join("nodes");
-    let library = if nodes.is_dir() { Library::built_in().with_project(&nodes) } else { Library::built_in().clone() };
+    let library = if nodes.is_dir() {
+        Library::built_in().with_project(&nodes)
+    } else {
+        Library::built_in().clone()
+    };
     setup.scene.camera = fitted(&setup);
     planner.plan(&setup, &library, &Live::Keyed, options).ok()
 }
@@ -55,10 +64,15 @@ pub(super) fn plan(path: &Path, options: &PlanOptions) -> Option<FramePlan> {
 fn bytes_of_meshes(scene: &Scene, folder: &Path) -> u64 {
     let meshes = scene.objects.values().map(|object| object.mesh.as_str());
     let files: BTreeSet<&str> = meshes.filter(|mesh| !mesh.starts_with(SHAPE_PREFIX)).collect();
-    files.into_iter().filter_map(|mesh| std::fs::metadata(folder.join(mesh)).ok()).map(|data| data.len()).sum()
+    files
+        .into_iter()
+        .filter_map(|mesh| std::fs::metadata(folder.join(mesh)).ok())
+        .map(|data| data.len())
+        .sum()
 }
 
-/// The scene's camera, zoomed so that all of the scene is in a square picture, and no smaller than it need be.
+/// The scene's camera, zoomed so that all of the scene is in a square picture, and no smaller than
+/// it need be.
 fn fitted(setup: &Setup) -> Camera {
     let camera = setup.scene.camera;
     let view = View::new(&camera, [1, 1], DVec3::ZERO, 1.0);
@@ -88,8 +102,10 @@ mod tests {
 
     #[test]
     fn all_of_a_scene_is_in_its_small_picture() {
-        for name in ["cast", "figure2-parametrizations", "figure4-curvature", "figure5-from-behind"] {
-            let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../examples/scenes/{name}.json"));
+        for name in ["cast", "figure2-parametrizations", "figure4-curvature", "figure5-from-behind"]
+        {
+            let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+                .join(format!("../../examples/scenes/{name}.json"));
             let (mut setup, _) = open(&path, None, &mut Assets::default()).unwrap();
             setup.scene.camera = fitted(&setup);
             let view = View::new(&setup.scene.camera, [100, 100], DVec3::ZERO, 20.0);

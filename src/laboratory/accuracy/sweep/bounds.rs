@@ -1,4 +1,5 @@
-//! What each node is held to, and how. Exact tiers err by rounding alone; cheaper ones by what their files state.
+//! What each node is held to, and how. Exact tiers err by rounding alone; cheaper ones by what
+//! their files state.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -9,7 +10,8 @@ use super::slot::{Kind, Numbers, Slot, is_stretch};
 use crate::document::Tier;
 use crate::library::Library;
 
-/// Relative to the output's range, which is 1 or, where that is more, the largest number of the true result.
+/// Relative to the output's range, which is 1 or, where that is more, the largest number of the
+/// true result.
 pub const DEFAULT: f64 = 2e-6;
 
 /// How a result is held against the truth.
@@ -17,11 +19,12 @@ pub const DEFAULT: f64 = 2e-6;
 pub enum Judging {
     /// By its distance from the truth.
     Plain,
-    /// By its distance from all that the truth gives within four units in the last place of each input: steep or
-    /// cancelling, where rounding of the inputs themselves decides. Such a result is right for inputs that no f32 can
-    /// tell from the given ones; anything worse still shows.
+    /// By its distance from all that the truth gives within four units in the last place of each
+    /// input: steep or cancelling, where rounding of the inputs themselves decides. Such a result
+    /// is right for inputs that no f32 can tell from the given ones; anything worse still shows.
     Steep,
-    /// The same, but by the distance from the nearest of these results, and not from what lies between them: steps.
+    /// The same, but by the distance from the nearest of these results, and not from what lies
+    /// between them: steps.
     Steps,
 }
 
@@ -38,8 +41,8 @@ pub struct Exception {
     pub judging: Judging,
     /// Whether the inputs' own size counts into the output's range.
     pub of_inputs: bool,
-    /// Whether inputs are told apart by units in the last place of the largest of them (at least 1), and not each by
-    /// its own.
+    /// Whether inputs are told apart by units in the last place of the largest of them (at least
+    /// 1), and not each by its own.
     pub together: bool,
     /// From what size of its inputs on (0 aside); below, the result is finite, and no more is said.
     pub finest: f64,
@@ -100,12 +103,12 @@ impl Exception {
     }
 }
 
-/// Of colours that come back from Oklab. Near black a code is 13 times as steep as light, and light up to 20 (a code of 2
-/// times the matrix' 4) cancels there, rounded by 3e-7.
+/// Of colors that come back from Oklab. Near black a code is 13 times as steep as light, and light
+/// up to 20 (a code of 2 times the matrix' 4) cancels there, rounded by 3e-7.
 const FROM_OKLAB: f64 = 8e-5;
 
-/// Of a direction of which a thousandth is left, which is the least that is one: rounding of the three terms that it is the
-/// rest of, times a thousand.
+/// Of a direction of which a thousandth is left, which is the least that is one: rounding of the
+/// three terms that it is the rest of, times a thousand.
 const REST: f64 = 3e-4;
 
 /// What two distances in Oklab are rounded by, one less the other.
@@ -152,21 +155,45 @@ pub const EXCEPTIONS: &[Exception] = &[
     on("ramp", "hue").bound(2e-5).steep(COLOR),
     on("ramp", "hsv").bound(2e-5).steep(COLOR),
     on("checker", "").from(1e-15).within(1e5).together().steps(STEPS),
-    on("gradient", "").from(1e-15).within(1e15).together().steps("around its start it leaps from 1 to 0"),
-    on("noise", "").within(8.0).bound(2e-5).steep("octaves are finer than the position's last digits"),
-    on("cells", "").within(8.0).together().bound(2e-5).steps("from cell to cell the number is another"),
+    on("gradient", "")
+        .from(1e-15)
+        .within(1e15)
+        .together()
+        .steps("around its start it leaps from 1 to 0"),
+    on("noise", "")
+        .within(8.0)
+        .bound(2e-5)
+        .steep("octaves are finer than the position's last digits"),
+    on("cells", "")
+        .within(8.0)
+        .together()
+        .bound(2e-5)
+        .steps("from cell to cell the number is another"),
     on("image", "linear").within(30.0).together().bound(1e-2).steep(FILTER),
     on("image", "nearest").within(30.0).together().steps("between texels rounding decides"),
     on("litsphere", "linear").together().bound(1e-2).steep(FILTER),
     on("litsphere", "nearest").together().steep("between texels rounding decides"),
-    on("constant_size", "").from(1e-3).within(1e3).together().steep("at powers of two Even and Odd change places"),
+    on("constant_size", "")
+        .from(1e-3)
+        .within(1e3)
+        .together()
+        .steep("at powers of two Even and Odd change places"),
     on("scatter_uv", "").from(1e-4).within(30.0).together().bound(1e-4).steep(CELLS),
     on("hcbtf_lookup", "smooth").within(30.0).together().bound(1e-4).steep(PLACES),
-    on("hcbtf_nearest", "").within(30.0).together().bound(1e-4).steep("between texels and paintings rounding decides"),
-    on("hcbtf_lookup", "").within(30.0).together().bound(1e-4).steep("between texels and paintings rounding decides"),
+    on("hcbtf_nearest", "")
+        .within(30.0)
+        .together()
+        .bound(1e-4)
+        .steep("between texels and paintings rounding decides"),
+    on("hcbtf_lookup", "")
+        .within(30.0)
+        .together()
+        .bound(1e-4)
+        .steep("between texels and paintings rounding decides"),
     on("hcbtf_directions", "").together().bound(1e-4).steep(PLACES),
     on("dominant_light", "").from(1e-15).steep(STEPS),
-    on("light_by_tone", "").steep("where the light stands on the normal, rounding decides to which side it tilts"),
+    on("light_by_tone", "")
+        .steep("where the light stands on the normal, rounding decides to which side it tilts"),
     on("tangent_frame", "").steep(FRAME),
     on("normal_map", "").within(1e15).steep(FRAME),
     on("bump_map", "").within(1e15).because("beyond, the height leaves f32"),
@@ -189,7 +216,7 @@ pub const EXCEPTIONS: &[Exception] = &[
     on("local_tone", "").within(1e15).steep(NARROW),
     on("local_light", "").within(1e3).bound(1e-4).steep(NARROW),
     on("palette", "blended").within(2.0).together().bound(1e-4).steep(COLOR),
-    on("palette", "").within(2.0).steps("between two colours that are as near rounding decides"),
+    on("palette", "").within(2.0).steps("between two colors that are as near rounding decides"),
     on("color_curves", "").within(1e3).steps(STEPS),
     on("detail", "").steep(NARROW),
     on("rim", "").steep(NARROW),
@@ -198,16 +225,23 @@ pub const EXCEPTIONS: &[Exception] = &[
     on("reflectance", "").bound(2e-5).steep(POWER),
     on("fresnel", "").steep(CANCELS),
     on("thin_film", "").bound(2e-5).steep(PHASE),
-    on("half_vector", "").steep("where light and eye are opposite, rounding says which side is between them"),
+    on("half_vector", "")
+        .steep("where light and eye are opposite, rounding says which side is between them"),
     on("axes", "").steep(FRAME),
-    on("angle_between_directions", "").steps("a vector that is too short to have a direction counts as +z"),
+    on("angle_between_directions", "")
+        .steps("a vector that is too short to have a direction counts as +z"),
     on("shift_direction", "").within(1e3).bound(REST).steep(CANCELS),
     on("stretch_direction", "").within(1e3).bound(REST).steep(CANCELS),
     on("split_direction", "").within(1e3).bound(REST).steep(STEPS),
     on("square_direction", "").within(1e3).bound(2e-5).steep(POWER),
-    on("star_angle", "").within(1e3).bound(5e-4).steep("64 rays turn 64 times as fast, and notches multiply by 100"),
+    on("star_angle", "")
+        .within(1e3)
+        .bound(5e-4)
+        .steep("64 rays turn 64 times as fast, and notches multiply by 100"),
     on("polar_place", "").steep(POLAR),
-    on("screen_place", "").within(1e15).because("far beyond any picture its middle is rounded away"),
+    on("screen_place", "")
+        .within(1e15)
+        .because("far beyond any picture its middle is rounded away"),
     on("mark_place", "").within(1e3).bound(1e-4).steep(FRAME),
     on("halftone", "").within(100.0).together().bound(1e-4).steps(SCREEN),
     on("dither", "").within(1e3).together().bound(1e-4).steps(SCREEN),
@@ -222,7 +256,9 @@ pub const EXCEPTIONS: &[Exception] = &[
     on("negative_color", "").within(1e3).of_inputs().because(COLOR),
     on("curvature_color", "").within(1e3).of_inputs().because(COLOR),
     on("mix_colors", "").within(1e3).of_inputs().steep(COLOR),
-    on("blend", "").within(2.0).because("tones and opacities far above 1 multiply what colours were rounded by"),
+    on("blend", "")
+        .within(2.0)
+        .because("tones and opacities far above 1 multiply what colors were rounded by"),
     on("output", "").within(1e3).steep("dividing by a small alpha"),
 ];
 
@@ -232,15 +268,16 @@ const FRAME: &str = "where normal and tangent are nearly the same, rounding turn
 const PHASE: &str = "beyond 100,000 an f32 holds no phase";
 const CANCELS: &str = "large terms cancel";
 const STEPS: &str = "a step: rounding of the input decides on which side it is";
-const CELLS: &str =
-    "from cell to cell another place is seen; what B counts beside A is nothing where C is all there is";
-const PLACES: &str = "near the normal rounding turns directions, at the horizon it decides whether there is light";
+const CELLS: &str = "from cell to cell another place is seen; what B counts beside A is nothing \
+                     where C is all there is";
+const PLACES: &str =
+    "near the normal rounding turns directions, at the horizon it decides whether there is light";
 const SCREEN: &str = "at the edge of a dot or of a pixel rounding decides";
-const CELLS_OF_MARKS: &str =
-    "as many as 1000 marks to the height are finer than the place's last digits, and have hard edges";
+const CELLS_OF_MARKS: &str = "as many as 1000 marks to the height are finer than the place's last \
+                              digits, and have hard edges";
 const POLAR: &str = "in the middle there is no around, and rounding decides";
 const FILTER: &str = "a GPU weighs texels by 8 bits";
-const COLOR: &str = "far beyond any colour, what is left of a small difference is rounding's";
+const COLOR: &str = "far beyond any color, what is left of a small difference is rounding's";
 
 /// Nodes whose files state errors on the pixels of edges, which single samples have not.
 const ON_EDGES: [&str; 2] = ["threshold", "bands"];
@@ -249,7 +286,8 @@ const ON_EDGES: [&str; 2] = ["threshold", "bands"];
 pub fn exception_of(case: &Case) -> Option<&'static Exception> {
     let fits = |exception: &&Exception| {
         exception.node == case.node
-            && (exception.word.is_empty() || case.choices.values().any(|word| word == exception.word))
+            && (exception.word.is_empty()
+                || case.choices.values().any(|word| word == exception.word))
     };
     EXCEPTIONS.iter().find(fits)
 }
@@ -286,7 +324,8 @@ pub fn bound(case: &Case, library: &Library) -> f64 {
 
 /// Whether a sample lies where a bound is stated; elsewhere the result must be finite, and no more.
 pub fn is_stated(case: &Case, slots: &[Slot], numbers: &Numbers) -> bool {
-    let (finest, reach) = exception_of(case).map_or((0.0, ALL), |exception| (exception.finest, exception.reach));
+    let (finest, reach) =
+        exception_of(case).map_or((0.0, ALL), |exception| (exception.finest, exception.reach));
     let is_in_reach = |(slot, numbers): (&Slot, &Vec<f64>)| {
         if slot.kind == Kind::Direction {
             // Which vectors are too short to have a direction is a matter of the last digit there.
@@ -307,10 +346,11 @@ fn is_of_tier(case: &Case, slots: &[Slot], numbers: &Numbers) -> bool {
     if case.node == "litsphere" {
         return has_rim(case, slots, numbers);
     }
-    let of = |name: &str| slots.iter().position(|slot| slot.name == name).map(|index| &numbers[index]);
+    let of =
+        |name: &str| slots.iter().position(|slot| slot.name == name).map(|index| &numbers[index]);
     let is_usual = profile_of(case, slots, numbers).is_none_or(|[tau, f, c]| {
-        // An offset within 1e-5 of pi is ambient, and shortly before that nothing is left of f32's digits, as of a
-        // fall-off that is nearly pi.
+        // An offset within 1e-5 of pi is ambient, and shortly before that nothing is left of f32's
+        // digits, as of a fall-off that is nearly pi.
         let is_near_pi = (PI - 1e-2..PI - 9e-6).contains(&tau) || (f > PI - 1e-3 && f < c);
         !is_near_pi && (case.tier == Tier::Exact || f >= 0.05)
     });
@@ -318,12 +358,16 @@ fn is_of_tier(case: &Case, slots: &[Slot], numbers: &Numbers) -> bool {
     is_usual && (case.tier == Tier::Exact || (1e-15..1e18).contains(&length))
 }
 
-/// How much more than its bound a sample is granted. A profile that falls off a quarter turn or more from its offset
-/// ends infinitely steep, as the square root does at 0; and near an offset of pi the cosine of half of it is as small as
-/// its error is large beside it. A palette's softness divides distances in Oklab, and what they are rounded by.
+/// How much more than its bound a sample is granted. A profile that falls off a quarter turn or
+/// more from its offset ends infinitely steep, as the square root does at 0; and near an offset of
+/// pi the cosine of half of it is as small as its error is large beside it. A palette's softness
+/// divides distances in Oklab, and what they are rounded by.
 pub fn slack(case: &Case, slots: &[Slot], numbers: &Numbers) -> f64 {
     if case.choice("by") == "blended" {
-        let softness = slots.iter().position(|slot| slot.name == "softness").map_or(0.0, |index| numbers[index][0]);
+        let softness = slots
+            .iter()
+            .position(|slot| slot.name == "softness")
+            .map_or(0.0, |index| numbers[index][0]);
         let share = OF_DISTANCES / bound_of_exact(case);
         return if softness > 0.0 { (share / softness).max(1.0) } else { 1.0 };
     }
@@ -338,12 +382,15 @@ pub fn slack(case: &Case, slots: &[Slot], numbers: &Numbers) -> f64 {
     near_pi.max(steep)
 }
 
-/// What a profile's exact tier is held to where it ends infinitely steep; cheaper ones to ten times that.
+/// What a profile's exact tier is held to where it ends infinitely steep; cheaper ones to ten times
+/// that.
 pub const STEEP_FOOT: f64 = 5e-4;
 
 /// A profile's offset, and its fall-off and cut-off from there, in order.
 fn profile_of(case: &Case, slots: &[Slot], numbers: &Numbers) -> Option<[f64; 3]> {
-    let at = |name: &str| slots.iter().position(|slot| slot.name == name).map_or(0.0, |index| numbers[index][0]);
+    let at = |name: &str| {
+        slots.iter().position(|slot| slot.name == name).map_or(0.0, |index| numbers[index][0])
+    };
     (case.node == "profile").then(|| {
         let tau = at("offset").clamp(0.0, PI);
         let c = at("cutoff").clamp(tau, PI);
@@ -351,12 +398,17 @@ fn profile_of(case: &Case, slots: &[Slot], numbers: &Numbers) -> Option<[f64; 3]
     })
 }
 
-/// Whether a normal, as a LitSphere sees it, does not point straight away, where no side of the rim is nearer.
+/// Whether a normal, as a LitSphere sees it, does not point straight away, where no side of the rim
+/// is nearer.
 fn has_rim(case: &Case, slots: &[Slot], numbers: &Numbers) -> bool {
-    let of = |name: &str| slots.iter().position(|slot| slot.name == name).map(|index| &numbers[index]);
-    let [Some(normal), Some(view), Some(camera)] = ["normal", "view", "camera"].map(of) else { return true };
+    let of =
+        |name: &str| slots.iter().position(|slot| slot.name == name).map(|index| &numbers[index]);
+    let [Some(normal), Some(view), Some(camera)] = ["normal", "view", "camera"].map(of) else {
+        return true;
+    };
     let unit = |v: &[f64]| DVec3::from_slice(v).try_normalize().unwrap_or(DVec3::Z);
     let camera = DQuat::from_slice(camera).normalize();
-    let view = if case.choice("lookup") == "camera" { camera.inverse() * DVec3::Z } else { unit(view) };
+    let view =
+        if case.choice("lookup") == "camera" { camera.inverse() * DVec3::Z } else { unit(view) };
     (unit(normal) + view).length() > 1e-3
 }

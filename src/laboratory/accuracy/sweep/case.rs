@@ -1,4 +1,5 @@
-//! One way of using a node: its choices, its width, its tier, and whether what is prepared comes from the host.
+//! One way of using a node: its choices, its width, its tier, and whether what is prepared comes
+//! from the host.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -18,7 +19,8 @@ use crate::library::{Context, Fallback, Input, Library, NodeDef, Parameter, Spec
 const MOST: f64 = f32::MAX as f64;
 /// The place on the surface: far enough, and its depth stays a number.
 const MOST_PLACE: f64 = 1e30;
-/// Layers and their colours are no maths nodes: what leaves f32 there, as a product of many, is cleared by the Output.
+/// Layers and their colors are no maths nodes: what leaves f32 there, as a product of many, is
+/// cleared by the Output.
 const MOST_COLOR: f64 = 1e6;
 /// Documents place lights no farther away.
 const MOST_LIGHT: f64 = 1e6;
@@ -28,7 +30,8 @@ const MOST_LIGHT: f64 = 1e6;
 pub struct Case {
     /// The kind of node.
     pub node: String,
-    /// The words of its choices; also the kind of light and the interpolation of a curve, which are no choices.
+    /// The words of its choices; also the kind of light and the interpolation of a curve, which are
+    /// no choices.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub choices: BTreeMap<String, String>,
     /// The wider type that it is fed: `vec3`; empty for its own.
@@ -72,7 +75,8 @@ impl Case {
                         if prepared_in_fragment && def.prepare.is_none() {
                             continue;
                         }
-                        let (node, choices, width) = (def.kind.clone(), choices.clone(), width.clone());
+                        let (node, choices, width) =
+                            (def.kind.clone(), choices.clone(), width.clone());
                         cases.push(Self { node, choices, width, tier, prepared_in_fragment });
                     }
                 }
@@ -100,7 +104,10 @@ fn choices(def: &NodeDef) -> Vec<BTreeMap<String, String>> {
             map.insert(input.name.to_string(), word.clone());
             map
         };
-        all = all.iter().flat_map(|map| words.iter().map(|word| with(map, word)).collect::<Vec<_>>()).collect();
+        all = all
+            .iter()
+            .flat_map(|map| words.iter().map(|word| with(map, word)).collect::<Vec<_>>())
+            .collect();
     }
     all
 }
@@ -142,8 +149,14 @@ pub struct Bench {
 /// Nodes that hand a value on at each fragment, so that nothing of it is known before.
 pub(super) fn feeders(library: &Library) -> Library {
     let mut library = library.clone();
-    let plain = [("float", "f32", "0"), ("int", "i32", "0"), ("bool", "bool", "false"), ("vec2", "vec2f", "0,0")];
-    let wide = [("vec3", "vec3f", "0,0,0"), ("vec4", "vec4f", "0,0,0,0"), ("color", "Color", "0,0,0,1")];
+    let plain = [
+        ("float", "f32", "0"),
+        ("int", "i32", "0"),
+        ("bool", "bool", "false"),
+        ("vec2", "vec2f", "0,0"),
+    ];
+    let wide =
+        [("vec3", "vec3f", "0,0,0"), ("vec4", "vec4f", "0,0,0,0"), ("color", "Color", "0,0,0,1")];
     for (name, ty, default) in plain.into_iter().chain(wide) {
         let other = match name {
             "bool" => "!value",
@@ -178,17 +191,28 @@ pub(super) fn feeders(library: &Library) -> Library {
         "Angle",
         body,
     );
-    let docs = "@param direction \"Direction\" default=0,0,1 : Unit.\n/// @param own_direction \"Own\" default=0,0,1 : Unit.\n\
-                /// @param color \"Color\" default=1,1,1 : RGB.\n/// @param intensity \"Intensity\" default=1 : 0 or more.";
+    let docs = "@param direction \"Direction\" default=0,0,1 : Unit.\n/// @param \
+                own_direction \"Own\" default=0,0,1 : Unit.\n\
+                /// @param color \"Color\" default=1,1,1 : RGB.\n/// @param \
+                intensity \"Intensity\" default=1 : 0 or more.";
     let parameters = "direction: vec3f, own_direction: vec3f, color: vec3f, intensity: f32";
-    let body = "return Light(direction, own_direction, color, intensity + select(0.0, 1.0, depth > 1e35));";
+    let body = "return Light(direction, own_direction, color, intensity + select(0.0, 1.0, depth > \
+                1e35));";
     add_feeder(&mut library, "light", docs, parameters, "Light", body);
     library
 }
 
-fn add_feeder(library: &mut Library, name: &str, docs: &str, parameters: &str, ty: &str, body: &str) {
+fn add_feeder(
+    library: &mut Library,
+    name: &str,
+    docs: &str,
+    parameters: &str,
+    ty: &str,
+    body: &str,
+) {
     let code = format!(
-        "import chiaro::types;\n\n/// Feed\n///\n/// Not known before the fragment.\n///\n/// {docs}\n\
+        "import chiaro::types;\n\n/// Feed\n///\n/// Not known before the fragment.\n///\n/// \
+         {docs}\n\
          /// @param depth from=depth hidden\n/// @return value \"Value\" : The same.\n\
          fn sweep_{name}({parameters}, depth: f32) -> {ty} {{\n    {body}\n}}\n"
     );
@@ -213,7 +237,8 @@ fn feeder_of(ty: &Type) -> Option<&'static str> {
 
 /// Whether only the direction of an input of this name counts, not its length.
 fn is_direction(name: &str) -> bool {
-    let words = ["normal", "axis", "onto", "direction", "middle", "up", "x_axis", "y_axis", "tangent"];
+    let words =
+        ["normal", "axis", "onto", "direction", "middle", "up", "x_axis", "y_axis", "tangent"];
     words.contains(&name) || name.starts_with("smooth_")
 }
 
@@ -234,8 +259,12 @@ impl Bench {
     /// # Errors
     /// A case that the library does not have (any more).
     pub fn new(case: &Case, library: &Library, folder: &Path) -> Result<Self, Vec<Diagnostic>> {
-        let unknown = |what: &str| vec![Diagnostic::error("unknown-kind", format!("there is no {what} to measure"))];
-        let Some(def) = library.nodes.get(&case.node) else { return Err(unknown(&format!("node `{}`", case.node))) };
+        let unknown = |what: &str| {
+            vec![Diagnostic::error("unknown-kind", format!("there is no {what} to measure"))]
+        };
+        let Some(def) = library.nodes.get(&case.node) else {
+            return Err(unknown(&format!("node `{}`", case.node)));
+        };
         if !Case::of(def).contains(case) {
             return Err(unknown(&format!("case `{}` ({:?})", case.name(), case.tier)));
         }
@@ -266,7 +295,8 @@ impl Builder<'_> {
     /// The types of the inputs in the case's width.
     fn types(&self) -> Vec<Type> {
         let mut types: Vec<Type> = self.def.inputs.iter().map(|input| input.ty.clone()).collect();
-        let is_it = |ty: &Option<Type>| ty.as_ref().is_some_and(|ty| ty.to_string() == self.case.width);
+        let is_it =
+            |ty: &Option<Type>| ty.as_ref().is_some_and(|ty| ty.to_string() == self.case.width);
         if let Some(variant) = self.def.variants.iter().find(|variant| is_it(&variant.width)) {
             for parameter in &variant.parameters {
                 if let Parameter::Input(index, ty) = parameter {
@@ -278,12 +308,16 @@ impl Builder<'_> {
     }
 
     fn inputs(&mut self) {
-        let prepared: Vec<usize> =
-            self.def.prepare.iter().flat_map(|prepare| prepare.parameters.iter().map(|(index, _)| *index)).collect();
+        let prepared: Vec<usize> = self
+            .def
+            .prepare
+            .iter()
+            .flat_map(|prepare| prepare.parameters.iter().map(|(index, _)| *index))
+            .collect();
         for (index, ty) in self.types().into_iter().enumerate() {
             let input = &self.def.inputs[index];
             let name = input.name.to_string();
-            // What the Output asks beside the colour belongs to other passes.
+            // What the Output asks beside the color belongs to other passes.
             let is_other = self.def.special == Special::Output && name != "color";
             if input.hidden || is_other || input.fallback == Fallback::Context(Context::Kappa) {
                 continue;
@@ -308,7 +342,9 @@ impl Builder<'_> {
     }
 
     fn most(&self) -> f64 {
-        if matches!(self.def.category.as_str(), "curvature" | "layer") || self.def.kind == "light_apply" {
+        if matches!(self.def.category.as_str(), "curvature" | "layer")
+            || self.def.kind == "light_apply"
+        {
             MOST_COLOR
         } else {
             MOST
@@ -335,11 +371,21 @@ impl Builder<'_> {
     fn light_slots(&mut self, word: &str) {
         let number = |min, max| Kind::Number { min, max, is_angle: false };
         match word {
-            "directional" => self.slot("light_direction", Place::LightDirection, Kind::Direction, 3, MOST_LIGHT),
-            _ => self.slot("light_position", Place::LightPosition, number(None, None), 3, MOST_LIGHT),
+            "directional" => {
+                self.slot("light_direction", Place::LightDirection, Kind::Direction, 3, MOST_LIGHT)
+            }
+            _ => {
+                self.slot("light_position", Place::LightPosition, number(None, None), 3, MOST_LIGHT)
+            }
         }
         self.slot("light_color", Place::LightColor, number(Some(0.0), Some(1.0)), 3, MOST_COLOR);
-        self.slot("light_intensity", Place::LightIntensity, number(Some(0.0), Some(4.0)), 1, MOST_COLOR);
+        self.slot(
+            "light_intensity",
+            Place::LightIntensity,
+            number(Some(0.0), Some(4.0)),
+            1,
+            MOST_COLOR,
+        );
     }
 
     fn feed_light(&mut self, name: &str) {
@@ -361,7 +407,11 @@ impl Builder<'_> {
     }
 
     fn slot(&mut self, name: &str, place: Place, kind: Kind, width: usize, most: f64) {
-        if self.slots.iter().all(|slot| slot.place == Place::Value && place == Place::Value || slot.place != place) {
+        if self
+            .slots
+            .iter()
+            .all(|slot| slot.place == Place::Value && place == Place::Value || slot.place != place)
+        {
             self.slots.push(Slot { name: name.to_owned(), place, kind, width, most });
         }
     }
@@ -370,7 +420,8 @@ impl Builder<'_> {
     fn surroundings(&mut self) {
         let number = Kind::Number { min: None, max: None, is_angle: false };
         let clock = Kind::Number { min: Some(0.0), max: Some(100.0), is_angle: false };
-        let is_fed = |input: &Input| !input.hidden && input.fallback != Fallback::Context(Context::Kappa);
+        let is_fed =
+            |input: &Input| !input.hidden && input.fallback != Fallback::Context(Context::Kappa);
         let contexts: Vec<Context> =
             self.def.inputs.iter().filter(|input| !is_fed(input)).filter_map(context_of).collect();
         for context in contexts {
@@ -388,9 +439,13 @@ impl Builder<'_> {
                     self.slot("surface_position", Place::Position, number, 3, MOST_PLACE);
                     self.slot("camera", Place::Camera, Kind::Rotation, 4, 1.0);
                 }
-                Context::CameraFromWorld => self.slot("camera", Place::Camera, Kind::Rotation, 4, 1.0),
+                Context::CameraFromWorld => {
+                    self.slot("camera", Place::Camera, Kind::Rotation, 4, 1.0)
+                }
                 Context::Uv => self.slot("uv", Place::Uv, number, 2, MOST),
-                Context::VertexColor => self.slot("vertex_color", Place::VertexColor, Kind::Color, 4, MOST_COLOR),
+                Context::VertexColor => {
+                    self.slot("vertex_color", Place::VertexColor, Kind::Color, 4, MOST_COLOR)
+                }
                 Context::Kappa
                 | Context::KappaSparse
                 | Context::KappaFast
@@ -398,16 +453,25 @@ impl Builder<'_> {
                 | Context::KappaDetailSparse => {
                     self.slot("kappa", Place::Kappa, Kind::Kappa, 1, MOST);
                 }
-                Context::Tensor | Context::TensorFast => self.slot("kappa", Place::Kappa, Kind::Kappa, 1, MOST),
-                Context::SmoothNormal(_) => self.slot("surface_normal", Place::Normal, Kind::Unit, 3, 1.0),
-                Context::Time | Context::Frame => self.slot("time", Place::Time, clock, 1, MOST_LIGHT),
+                Context::Tensor | Context::TensorFast => {
+                    self.slot("kappa", Place::Kappa, Kind::Kappa, 1, MOST)
+                }
+                Context::SmoothNormal(_) => {
+                    self.slot("surface_normal", Place::Normal, Kind::Unit, 3, 1.0)
+                }
+                Context::Time | Context::Frame => {
+                    self.slot("time", Place::Time, clock, 1, MOST_LIGHT)
+                }
                 Context::Pixel => self.slot("pixel", Place::Pixel, number, 2, MOST_PLACE),
                 Context::Anchor => self.slot("anchor", Place::Anchor, number, 3, MOST_PLACE),
                 Context::Magnification => {
                     let number = Kind::Number { min: Some(0.0), max: Some(4.0), is_angle: false };
                     self.slot("magnification", Place::Magnification, number, 1, MOST_PLACE);
                 }
-                Context::ObjectId | Context::Viewport | Context::WorldFromNormal | Context::Light(_) => {}
+                Context::ObjectId
+                | Context::Viewport
+                | Context::WorldFromNormal
+                | Context::Light(_) => {}
             }
         }
     }
@@ -418,7 +482,8 @@ impl Builder<'_> {
             Special::Light => {
                 self.nodes.push(json!({"id": "parts", "kind": "light_parts"}));
                 self.wires.push(json!({"from": "node", "to": "parts.light"}));
-                let root = |port: &str| Root { output: Some(("parts".to_owned(), port.to_owned())) };
+                let root =
+                    |port: &str| Root { output: Some(("parts".to_owned(), port.to_owned())) };
                 return ["direction", "color", "intensity"].map(root).to_vec();
             }
             _ => {}
@@ -429,7 +494,8 @@ impl Builder<'_> {
 
     fn look(&self, tier: Tier, folder: &Path) -> Result<SetupLook, Vec<Diagnostic>> {
         let mut nodes = self.nodes.clone();
-        let node = json!({"id": "node", "kind": self.def.kind, "values": self.values, "tier": tier});
+        let node =
+            json!({"id": "node", "kind": self.def.kind, "values": self.values, "tier": tier});
         nodes.push(node);
         if self.def.special != Special::Output {
             nodes.push(json!({"id": "shown", "kind": "color_value"}));
@@ -446,7 +512,10 @@ impl Builder<'_> {
         });
         let loaded = Look::read(&json.to_string(), "sweep.json");
         let source = loaded.source.into();
-        let look = loaded.value.filter(|_| !crate::diag::has_errors(&loaded.diagnostics)).ok_or(loaded.diagnostics)?;
+        let look = loaded
+            .value
+            .filter(|_| !crate::diag::has_errors(&loaded.diagnostics))
+            .ok_or(loaded.diagnostics)?;
         Ok(SetupLook { look, source, folder: PathBuf::from(folder) })
     }
 
@@ -467,7 +536,9 @@ fn context_of(input: &Input) -> Option<Context> {
 fn value_slot(input: &Input, ty: &Type, name: &str, most: f64) -> Slot {
     let is_angle = input.unit == "rad";
     let (kind, width) = match ty {
-        Type::Int => (Kind::Whole { min: input.min.unwrap_or(-20.0), max: input.max.unwrap_or(20.0) }, 1),
+        Type::Int => {
+            (Kind::Whole { min: input.min.unwrap_or(-20.0), max: input.max.unwrap_or(20.0) }, 1)
+        }
         Type::Bool => (Kind::Switch, 1),
         Type::Color => (Kind::Color, 4),
         Type::Composite => (Kind::Composite, 4),
@@ -494,8 +565,8 @@ pub(super) fn write_textures(folder: &Path) -> Result<(), Vec<Diagnostic>> {
     write_painting(folder)
 }
 
-/// A painting of few directions and texels, whose colours change evenly with all six coordinates. It is opaque,
-/// as what the cheaper tiers state is of opaque paint.
+/// A painting of few directions and texels, whose colors change evenly with all six coordinates.
+/// It is opaque, as what the cheaper tiers state is of opaque paint.
 fn write_painting(folder: &Path) -> Result<(), Vec<Diagnostic>> {
     let directions = Directions { theta: 3, phi: 4 };
     let grid = Grid { size: [5, 3], light: directions, view: directions };
@@ -504,7 +575,11 @@ fn write_painting(folder: &Path) -> Result<(), Vec<Diagnostic>> {
         let [light, view] = [grid.light.vector(address.light), grid.view.vector(address.view)];
         let texel = |index: u32| {
             let [x, y] = [index % grid.size[0], index / grid.size[0]].map(f64::from);
-            let channels = [0.5 + 0.3 * light.x + 0.04 * x, 0.4 + 0.3 * view.y + 0.1 * y, 0.2 + 0.5 * light.z * view.z];
+            let channels = [
+                0.5 + 0.3 * light.x + 0.04 * x,
+                0.4 + 0.3 * view.y + 0.1 * y,
+                0.2 + 0.5 * light.z * view.z,
+            ];
             let [r, g, b] = channels.map(|channel| (255.0 * channel) as u8);
             [r, g, b, 255]
         };
@@ -514,17 +589,24 @@ fn write_painting(folder: &Path) -> Result<(), Vec<Diagnostic>> {
     }
     let bytes = hcbtf::write(&painting).map_err(|problem| vec![*problem])?;
     std::fs::write(folder.join(PAINTING), bytes).map_err(|error| {
-        vec![Diagnostic::error("write-failed", format!("the sweep's painting cannot be written: {error}"))]
+        vec![Diagnostic::error(
+            "write-failed",
+            format!("the sweep's painting cannot be written: {error}"),
+        )]
     })
 }
 
-/// Writes the picture that image nodes are given: 9 x 9 texels, each of its own colour and alpha. The middle of the
-/// picture is the middle of a texel, so that straight ahead is no edge.
+/// Writes the picture that image nodes are given: 9 x 9 texels, each of its own color and alpha.
+/// The middle of the picture is the middle of a texel, so that straight ahead is no edge.
 fn write_picture(folder: &Path) -> Result<(), Vec<Diagnostic>> {
-    let texel =
-        |x: u32, y: u32| image::Rgba([(28 * x) as u8, (28 * y) as u8, (14 * (x + y)) as u8, (255 - 16 * x) as u8]);
+    let texel = |x: u32, y: u32| {
+        image::Rgba([(28 * x) as u8, (28 * y) as u8, (14 * (x + y)) as u8, (255 - 16 * x) as u8])
+    };
     let told = |error: image::ImageError| {
-        vec![Diagnostic::error("write-failed", format!("the sweep's picture cannot be written: {error}"))]
+        vec![Diagnostic::error(
+            "write-failed",
+            format!("the sweep's picture cannot be written: {error}"),
+        )]
     };
     image::RgbaImage::from_fn(9, 9, texel).save(folder.join(PICTURE)).map_err(told)
 }

@@ -93,8 +93,9 @@ impl Measured {
     }
 }
 
-/// How many places around a sample are looked at beside those in line with it, for samples above which share of their
-/// bound. Several inputs together decide on most steps, and few places show few of their combinations.
+/// How many places around a sample are looked at beside those in line with it, for samples above
+/// which share of their bound. Several inputs together decide on most steps, and few places show
+/// few of their combinations.
 const AROUND: [(usize, f64); 3] = [(0, 0.25), (120, 1.0), (1500, 1.0)];
 
 /// How many of the worst samples are kept.
@@ -106,8 +107,9 @@ impl<'a> Lab<'a> {
     /// # Errors
     /// Where no picture can be written for image nodes.
     pub fn new(library: &Library, renderer: &'a mut Renderer) -> Result<Self, Vec<Diagnostic>> {
-        let told =
-            |error: std::io::Error| vec![Diagnostic::error("write-failed", format!("no temporary folder: {error}"))];
+        let told = |error: std::io::Error| {
+            vec![Diagnostic::error("write-failed", format!("no temporary folder: {error}"))]
+        };
         let folder = tempfile::tempdir().map_err(told)?;
         write_textures(folder.path())?;
         Ok(Self { library: feeders(library), renderer, assets: Assets::default(), folder })
@@ -128,7 +130,10 @@ impl<'a> Lab<'a> {
         samples: &[EvalSample],
         unspecialized: bool,
     ) -> Result<Vec<EvalBatch>, Vec<Diagnostic>> {
-        let root = root.output.as_ref().map(|(node, port)| (NodePath::parse(node), PortName::from(port.as_str())));
+        let root = root
+            .output
+            .as_ref()
+            .map(|(node, port)| (NodePath::parse(node), PortName::from(port.as_str())));
         let options = Options { root, live: Live::Exposed, unspecialized, ..Options::default() };
         eval_batches(look, &self.library, samples, &options, &mut self.assets)
     }
@@ -138,7 +143,8 @@ impl<'a> Lab<'a> {
     /// # Errors
     /// What the compiler or the GPU refuses.
     pub fn run(&mut self, bench: &Bench, all: &[Numbers]) -> Result<Vec<Vec<f64>>, Stopped> {
-        let samples: Vec<EvalSample> = all.iter().map(|numbers| sample(&bench.slots, numbers)).collect();
+        let samples: Vec<EvalSample> =
+            all.iter().map(|numbers| sample(&bench.slots, numbers)).collect();
         let unspecialized = self.is_unspecialized(bench);
         let mut rows = vec![Vec::new(); samples.len()];
         if rows.is_empty() {
@@ -158,7 +164,8 @@ impl<'a> Lab<'a> {
     /// # Errors
     /// What the compiler or the interpreter refuses.
     pub fn truth(&mut self, bench: &Bench, all: &[Numbers]) -> Result<Vec<Vec<f64>>, Stopped> {
-        let samples: Vec<EvalSample> = all.iter().map(|numbers| sample(&bench.slots, numbers)).collect();
+        let samples: Vec<EvalSample> =
+            all.iter().map(|numbers| sample(&bench.slots, numbers)).collect();
         let mut rows = vec![Vec::new(); samples.len()];
         if rows.is_empty() {
             return Ok(rows);
@@ -167,15 +174,17 @@ impl<'a> Lab<'a> {
             for mut batch in self.batches(&bench.exact, root, &samples, true)? {
                 // Unit vectors and whatever else the host makes of a sample reach the GPU rounded.
                 batch.samples.numbers.iter_mut().for_each(|x| *x = held(*x));
-                let values = reference::evaluate(&batch, Precision::F64).map_err(|problem| vec![problem])?;
+                let values =
+                    reference::evaluate(&batch, Precision::F64).map_err(|problem| vec![problem])?;
                 collect(&batch, values.into_iter(), &mut rows);
             }
         }
         Ok(rows)
     }
 
-    /// Hands over everything that decides on what a case measures, but for the engines that judge it: the modules that
-    /// the GPU and the interpreter run, their numbers and their images, always in the same order.
+    /// Hands over everything that decides on what a case measures, but for the engines that judge
+    /// it: the modules that the GPU and the interpreter run, their numbers and their images, always
+    /// in the same order.
     ///
     /// # Errors
     /// What the compiler refuses.
@@ -200,7 +209,8 @@ impl<'a> Lab<'a> {
         sink: &mut dyn FnMut(&[u8]),
     ) -> Result<(), Vec<Diagnostic>> {
         sink(format!("{:?} {}", bench.case, bound(&bench.case, &self.library)).as_bytes());
-        let all: Vec<EvalSample> = all.iter().map(|numbers| sample(&bench.slots, numbers)).collect();
+        let all: Vec<EvalSample> =
+            all.iter().map(|numbers| sample(&bench.slots, numbers)).collect();
         for root in &bench.roots {
             let run = self.batches(&bench.look, root, &all, self.is_unspecialized(bench))?;
             let truth = self.batches(&bench.exact, root, &all, true)?;
@@ -214,9 +224,11 @@ impl<'a> Lab<'a> {
         Ok(())
     }
 
-    /// Whether the GPU runs a case as it is written: what is prepared is then prepared in the fragment.
+    /// Whether the GPU runs a case as it is written: what is prepared is then prepared in the
+    /// fragment.
     fn is_unspecialized(&self, bench: &Bench) -> bool {
-        let has_prepare = self.library.nodes.get(&bench.case.node).is_some_and(|def| def.prepare.is_some());
+        let has_prepare =
+            self.library.nodes.get(&bench.case.node).is_some_and(|def| def.prepare.is_some());
         !has_prepare || bench.case.prepared_in_fragment
     }
 
@@ -235,8 +247,8 @@ impl<'a> Lab<'a> {
         Ok(worst)
     }
 
-    /// The results of samples, in their order, judged as the case is; where no bound is stated and they are finite, their
-    /// error is 0.
+    /// The results of samples, in their order, judged as the case is; where no bound is stated and
+    /// they are finite, their error is 0.
     ///
     /// # Errors
     /// What the compiler, the GPU or the interpreter refuses.
@@ -244,8 +256,10 @@ impl<'a> Lab<'a> {
         let got = self.run(bench, samples)?;
         let truth = self.truth(bench, samples)?;
         let finding = |((numbers, got), truth): ((&Numbers, Vec<f64>), Vec<f64>)| {
-            let (absolute, error) =
-                (difference(&got, &truth), distance(&got, &truth, least_range(&bench.case, numbers)));
+            let (absolute, error) = (
+                difference(&got, &truth),
+                distance(&got, &truth, least_range(&bench.case, numbers)),
+            );
             Finding { numbers: numbers.clone(), got, truth, absolute, error }
         };
         let mut findings: Vec<Finding> = samples.iter().zip(got).zip(truth).map(finding).collect();
@@ -261,7 +275,9 @@ impl<'a> Lab<'a> {
         if judging != Judging::Plain {
             for (more, share) in AROUND {
                 let slack = |finding: &Finding| slack(&bench.case, &bench.slots, &finding.numbers);
-                let is_open = |&index: &usize| is_above(&findings[index], share * most * slack(&findings[index]));
+                let is_open = |&index: &usize| {
+                    is_above(&findings[index], share * most * slack(&findings[index]))
+                };
                 let open: Vec<usize> = (0..findings.len()).filter(is_open).collect();
                 for indices in open.chunks(400) {
                     self.judge(bench, judging, indices, more, &mut findings)?;
@@ -278,8 +294,8 @@ impl<'a> Lab<'a> {
         Ok(findings)
     }
 
-    /// WGSL lets a denormal count as 0, and halving makes one of a few more: results are right if they are so with
-    /// either.
+    /// WGSL lets a denormal count as 0, and halving makes one of a few more: results are right if
+    /// they are so with either.
     fn flush(
         &mut self,
         bench: &Bench,
@@ -293,14 +309,20 @@ impl<'a> Lab<'a> {
             let open: Vec<usize> = (0..findings.len()).filter(is_open).collect();
             let flushed = |x: &f64| if is_tiny(x) { 0.0_f64.copysign(*x) } else { *x };
             let row = |&index: &usize| -> Numbers {
-                findings[index].numbers.iter().map(|numbers| numbers.iter().map(flushed).collect()).collect()
+                findings[index]
+                    .numbers
+                    .iter()
+                    .map(|numbers| numbers.iter().map(flushed).collect())
+                    .collect()
             };
             let rows: Vec<Numbers> = open.iter().map(row).collect();
             for (&index, truth) in open.iter().zip(self.truth(bench, &rows)?) {
                 let finding = &mut findings[index];
-                let error = distance(&finding.got, &truth, least_range(&bench.case, &finding.numbers));
+                let error =
+                    distance(&finding.got, &truth, least_range(&bench.case, &finding.numbers));
                 if error < finding.error {
-                    (finding.error, finding.absolute, finding.truth) = (error, difference(&finding.got, &truth), truth);
+                    (finding.error, finding.absolute, finding.truth) =
+                        (error, difference(&finding.got, &truth), truth);
                 }
             }
         }
@@ -328,7 +350,8 @@ impl<'a> Lab<'a> {
         let mut first = 0;
         for (&index, count) in indices.iter().zip(counts) {
             let finding = &mut findings[index];
-            let mut set: Vec<&[f64]> = truths[first..first + count].iter().map(Vec::as_slice).collect();
+            let mut set: Vec<&[f64]> =
+                truths[first..first + count].iter().map(Vec::as_slice).collect();
             set.push(&finding.truth);
             let least = least_range(&bench.case, &finding.numbers);
             let error = match judging {
@@ -366,13 +389,19 @@ impl<'a> Lab<'a> {
             if !is_stated(&bench.case, &bench.slots, &finding.numbers) {
                 continue;
             }
-            if bench.slots.iter().zip(&finding.numbers).all(|(slot, numbers)| slot.is_ordinary(numbers)) {
+            if bench
+                .slots
+                .iter()
+                .zip(&finding.numbers)
+                .all(|(slot, numbers)| slot.is_ordinary(numbers))
+            {
                 ordinary.push(finding.error);
                 measured.absolute = measured.absolute.max(finding.absolute);
             }
             let least = least_range(&bench.case, &finding.numbers);
-            measured.rounded +=
-                usize::from(finding.error <= bound && distance(&finding.got, &finding.truth, least) > bound);
+            measured.rounded += usize::from(
+                finding.error <= bound && distance(&finding.got, &finding.truth, least) > bound,
+            );
             measured.max = measured.max.max(finding.error);
             judged.push(finding);
         }
@@ -382,7 +411,8 @@ impl<'a> Lab<'a> {
         }
         judged.sort_by(|a, b| b.error.total_cmp(&a.error));
         judged.truncate(KEPT);
-        measured.worst_words = judged.first().map_or_else(String::new, |finding| words(bench, finding));
+        measured.worst_words =
+            judged.first().map_or_else(String::new, |finding| words(bench, finding));
         measured.worst = judged;
         measured
     }
@@ -412,7 +442,11 @@ fn samples(bench: &Bench, effort: &Effort) -> Vec<Numbers> {
     let even = Even::new(widths.iter().sum());
     let ordinary = |index: usize| -> Numbers {
         let mut shares = even.point(index).into_iter();
-        bench.slots.iter().map(|slot| slot.ordinary(&shares.by_ref().take(slot.width).collect::<Vec<_>>())).collect()
+        bench
+            .slots
+            .iter()
+            .map(|slot| slot.ordinary(&shares.by_ref().take(slot.width).collect::<Vec<_>>()))
+            .collect()
     };
     let mut all: Vec<Numbers> = (0..effort.ordinary).map(ordinary).collect();
     if bench.slots.is_empty() {
@@ -435,14 +469,22 @@ fn samples(bench: &Bench, effort: &Effort) -> Vec<Numbers> {
     all
 }
 
-/// Inputs that f32 can hardly tell from these: each number moved by one and by four units in the last place, all of them
-/// at once, and `more` where each is moved by chance by up to four. Numbers of a direction move by units of its largest
-/// one; `together`, all move by units of the largest number of all, which is at least 1.
-fn neighbours(slots: &[Slot], numbers: &Numbers, together: bool, more: usize, to: &mut Vec<Numbers>) {
+/// Inputs that f32 can hardly tell from these: each number moved by one and by four units in the
+/// last place, all of them at once, and `more` where each is moved by chance by up to four. Numbers
+/// of a direction move by units of its largest one; `together`, all move by units of the largest
+/// number of all, which is at least 1.
+fn neighbours(
+    slots: &[Slot],
+    numbers: &Numbers,
+    together: bool,
+    more: usize,
+    to: &mut Vec<Numbers>,
+) {
     let largest = |numbers: &[f64]| numbers.iter().map(|x| x.abs()).fold(0.0, f64::max);
     let all = numbers.iter().map(|numbers| largest(numbers)).fold(1.0, f64::max);
     // A turned angle is known to so many digits of pi, and not of itself.
-    let is_turned = slots.iter().zip(numbers).any(|(slot, numbers)| slot.name == "shift" && numbers[0] != 0.0);
+    let is_turned =
+        slots.iter().zip(numbers).any(|(slot, numbers)| slot.name == "shift" && numbers[0] != 0.0);
     let moved = |slot: &Slot, numbers: &[f64], place: usize, steps: i32| {
         let x = numbers[place];
         let whole = match slot.kind {
@@ -452,7 +494,11 @@ fn neighbours(slots: &[Slot], numbers: &Numbers, together: bool, more: usize, to
             _ => return next(x, steps),
         };
         let unit = next(whole, 1) - whole;
-        if unit.is_finite() && unit > 0.0 { held(x + f64::from(steps) * unit) } else { next(x, steps) }
+        if unit.is_finite() && unit > 0.0 {
+            held(x + f64::from(steps) * unit)
+        } else {
+            next(x, steps)
+        }
     };
     for (index, slot) in slots.iter().enumerate().filter(|(_, slot)| slot.is_continuous()) {
         for place in 0..slot.width {
@@ -502,7 +548,8 @@ fn difference(got: &[f64], truth: &[f64]) -> f64 {
     got.iter().zip(truth).map(one).fold(0.0, f64::max)
 }
 
-/// The largest difference of a number over the result's range: 1, or its largest number, or `least`.
+/// The largest difference of a number over the result's range: 1, or its largest number, or
+/// `least`.
 fn distance(got: &[f64], truth: &[f64], least: f64) -> f64 {
     difference(got, truth) / range(truth, least)
 }
@@ -513,25 +560,34 @@ fn range(truth: &[f64], least: f64) -> f64 {
 
 /// The least range of a sample: 1, or its largest input where these count.
 fn least_range(case: &Case, numbers: &Numbers) -> f64 {
-    if counts_inputs(case) { numbers.iter().flatten().map(|x| x.abs()).fold(1.0, f64::max) } else { 1.0 }
+    if counts_inputs(case) {
+        numbers.iter().flatten().map(|x| x.abs()).fold(1.0, f64::max)
+    } else {
+        1.0
+    }
 }
 
-/// How far a result lies outside of what spans a set of true ones, over their range. What is true half a unit in the last
-/// place beyond the set's inputs, which are whole ones and up to four, counts as spanned.
+/// How far a result lies outside of what spans a set of true ones, over their range. What is true
+/// half a unit in the last place beyond the set's inputs, which are whole ones and up to four,
+/// counts as spanned.
 fn beyond(got: &[f64], set: &[&[f64]], least: f64) -> f64 {
     let range = set.iter().map(|truth| range(truth, least)).fold(1.0, f64::max);
     let outside = |(index, x): (usize, &f64)| {
         let of = set.iter().filter_map(|truth| truth.get(index));
-        let (low, high) = of.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(*y), high.max(*y)));
+        let (low, high) = of
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(*y), high.max(*y)));
         ((low - x).max(x - high) - (high - low) / 16.0).max(0.0)
     };
     got.iter().enumerate().map(outside).fold(0.0, f64::max) / range
 }
 
-/// How far each number of a result is from the nearest of a set of true ones, at most, over their range.
+/// How far each number of a result is from the nearest of a set of true ones, at most, over their
+/// range.
 fn nearest(got: &[f64], set: &[&[f64]], least: f64) -> f64 {
     let one = |(index, x): (usize, &f64)| {
-        let of = set.iter().filter_map(|truth| truth.get(index).map(|y| (x - y).abs() / range(truth, least)));
+        let of = set
+            .iter()
+            .filter_map(|truth| truth.get(index).map(|y| (x - y).abs() / range(truth, least)));
         of.fold(f64::INFINITY, f64::min)
     };
     got.iter().enumerate().map(one).fold(0.0, f64::max)
@@ -558,15 +614,20 @@ pub fn sample(slots: &[Slot], all: &Numbers) -> EvalSample {
             Place::Position => sample.position = vec3(numbers),
             Place::Camera => {
                 let turn = glam::DQuat::from_slice(numbers);
-                sample.camera =
-                    glam::DMat3::from_quat(if turn.length() > 1e-9 { turn.normalize() } else { glam::DQuat::IDENTITY });
+                sample.camera = glam::DMat3::from_quat(if turn.length() > 1e-9 {
+                    turn.normalize()
+                } else {
+                    glam::DQuat::IDENTITY
+                });
             }
             Place::Uv => sample.uv = glam::DVec2::from_slice(numbers),
             Place::Kappa => sample.kappa = numbers[0],
             Place::Pixel => sample.pixel = glam::DVec2::from_slice(numbers),
             Place::Anchor => sample.anchor = vec3(numbers),
             Place::Magnification => sample.magnification = numbers[0],
-            Place::VertexColor => sample.vertex_color = [numbers[0], numbers[1], numbers[2], numbers[3]],
+            Place::VertexColor => {
+                sample.vertex_color = [numbers[0], numbers[1], numbers[2], numbers[3]]
+            }
             Place::Time => sample.time = numbers[0],
             Place::LightDirection => light.direction = Some(vec3(numbers)),
             Place::LightPosition => light.position = Some(vec3(numbers)),

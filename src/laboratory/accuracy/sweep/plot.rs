@@ -2,12 +2,12 @@
 
 use std::fmt::Write as _;
 
-/// One row: a label, points with their colours, and a bound.
+/// One row: a label, points with their colors, and a bound.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// What it is about.
     pub label: String,
-    /// Numbers with their colours; the last is drawn on top.
+    /// Numbers with their colors; the last is drawn on top.
     pub points: Vec<(f64, &'static str)>,
     /// What they are held to.
     pub bound: Option<f64>,
@@ -21,12 +21,15 @@ const ROW: f64 = 17.0;
 /// No error is drawn smaller: what f32 cannot tell from none.
 const LEAST: f64 = 1e-8;
 
-/// Draws rows under a title, with a legend of colours.
+/// Draws rows under a title, with a legend of colors.
 pub fn svg(title: &str, axis: &str, rows: &[Row], legend: &[(&str, &str)]) -> String {
-    let numbers = || rows.iter().flat_map(|row| row.points.iter().map(|point| point.0).chain(row.bound));
+    let numbers =
+        || rows.iter().flat_map(|row| row.points.iter().map(|point| point.0).chain(row.bound));
     let low = numbers().fold(1e-4, |low: f64, x| low.min(x.max(LEAST))).log10().floor();
     let high = numbers().fold(1e-6, f64::max).log10().ceil();
-    let at = |x: f64| LEFT + (x.max(LEAST).log10() - low) / (high - low).max(1.0) * (WIDTH - LEFT - RIGHT);
+    let at = |x: f64| {
+        LEFT + (x.max(LEAST).log10() - low) / (high - low).max(1.0) * (WIDTH - LEFT - RIGHT)
+    };
     let bottom = TOP + ROW * rows.len() as f64;
     let height = bottom + 44.0;
     let mut svg = String::new();
@@ -112,7 +115,10 @@ mod tests {
         let rows = [Row { label: "a".into(), points, bound: Some(1.0) }];
         let svg = svg("Title", "axis", &rows, &[("one", "blue")]);
         let x_of = |color: &str| {
-            let line = svg.lines().find(|line| line.contains(&format!("stroke=\"{color}\""))).expect("a point");
+            let line = svg
+                .lines()
+                .find(|line| line.contains(&format!("stroke=\"{color}\"")))
+                .expect("a point");
             let from = line.find("cx=\"").expect("a place") + 4;
             line[from..].split('"').next().and_then(|x| x.parse::<f64>().ok()).expect("a number")
         };

@@ -14,11 +14,9 @@ impl Random {
 
     /// A seed from words: FNV-1a.
     pub fn of(words: &str) -> Self {
-        Self(
-            words
-                .bytes()
-                .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)),
-        )
+        Self(words.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)
+        }))
     }
 
     fn bits(&mut self) -> u64 {
@@ -73,7 +71,8 @@ pub fn direction(height: f64, turn: f64) -> DVec3 {
     DVec3::new(r * cos, r * sin, z)
 }
 
-/// Points that fill a cube of any dimension evenly: multiples of powers of the generalised golden ratio (Roberts 2018).
+/// Points that fill a cube of any dimension evenly: multiples of powers of the generalised golden
+/// ratio (Roberts 2018).
 #[derive(Clone, Debug)]
 pub struct Even {
     steps: Vec<f64>,
@@ -82,7 +81,8 @@ pub struct Even {
 impl Even {
     /// Of this many dimensions.
     pub fn new(dimensions: usize) -> Self {
-        // The root above 1 of x^(d + 1) = x + 1, by iteration, which converges from anywhere above 1.
+        // The root above 1 of x^(d + 1) = x + 1, by iteration, which converges from anywhere above
+        // 1.
         let exponent = 1.0 / (dimensions as f64 + 1.0);
         let root = (0..64).fold(2.0_f64, |x, _| (1.0 + x).powf(exponent));
         Self { steps: (1..=dimensions).map(|power| root.powi(-(power as i32))).collect() }

@@ -38,18 +38,28 @@ impl AccuracyReport {
     /// Whatever does not keep its bound, in words.
     pub fn broken(&self) -> Vec<String> {
         let nodes = self.nodes.iter().filter(|one| !one.holds());
-        let nodes = nodes.map(|one| format!("{} ({}): {}", one.case.name(), tier(one), one.worst_words));
+        let nodes =
+            nodes.map(|one| format!("{} ({}): {}", one.case.name(), tier(one), one.worst_words));
         let looks = self.looks.iter().chain(&self.large).filter(|one| !one.holds());
         let looks = looks.map(|one| {
             let (e, tier) = (&one.error, word_of(one.tier));
             let edges = format!("{} of {} edge pixels over 1/255", e.edge_visible, e.edges);
-            format!("{} ({tier}): {:.1e}, RMS {:.1e}, {edges}, in {}", one.look, e.max, e.rms, one.worst_words)
+            format!(
+                "{} ({tier}): {:.1e}, RMS {:.1e}, {edges}, in {}",
+                one.look, e.max, e.rms, one.worst_words
+            )
         });
         let turning = self.stability.iter().filter(|one| !one.holds());
         let turning = turning.map(|one| {
             let most = one.smooth.max.max(one.edges.max);
-            let share = format!("{} of {} pixels of silhouettes", one.silhouettes.visible, one.silhouettes.count);
-            format!("{} on the {} flickers by {most:.1e}, and {share} by more than 1/255", one.look, one.mesh)
+            let share = format!(
+                "{} of {} pixels of silhouettes",
+                one.silhouettes.visible, one.silhouettes.count
+            );
+            format!(
+                "{} on the {} flickers by {most:.1e}, and {share} by more than 1/255",
+                one.look, one.mesh
+            )
         });
         nodes.chain(looks).chain(turning).collect()
     }
@@ -70,7 +80,8 @@ impl AccuracyReport {
 
     fn head(&self, text: &mut String, command: &str) {
         let software = if self.is_software {
-            " This is **software Vulkan**: a GPU rounds division, square roots and derivatives in its own way, within\n\
+            " This is **software Vulkan**: a GPU rounds division, square roots and derivatives in \
+             its own way, within\n\
              what WGSL allows, and no figure here was taken on one."
         } else {
             ""
@@ -78,8 +89,10 @@ impl AccuracyReport {
         let _ = writeln!(
             text,
             "# Accuracy\n\n<!-- Written by `{command}`. -->\n\n\
-             How far the GPU is from the truth, and where it is farthest. The truth is the exact tier in f64, with nothing\n\
-             folded, fed with the same f32-rounded inputs. It shares the exact tier's polynomials (good to 1e-7); closed\n\
+             How far the GPU is from the truth, and where it is farthest. The truth is the exact \
+             tier in f64, with nothing\n\
+             folded, fed with the same f32-rounded inputs. It shares the exact tier's polynomials \
+             (good to 1e-7); closed\n\
              forms that share nothing with the shaders hold those, in `tests/truth_*.rs`.\n\n\
              Made by `{command}` on {}.{software} The same adapter gives the same file.\n",
             self.adapter
@@ -91,7 +104,11 @@ impl AccuracyReport {
         if broken.is_empty() {
             return;
         }
-        let _ = writeln!(text, "## Beyond their bounds\n\nThese {} do not keep what they are held to:\n", broken.len());
+        let _ = writeln!(
+            text,
+            "## Beyond their bounds\n\nThese {} do not keep what they are held to:\n",
+            broken.len()
+        );
         for words in broken {
             let _ = writeln!(text, "- {words}");
         }
@@ -104,19 +121,29 @@ impl AccuracyReport {
         let _ = writeln!(
             text,
             "## Nodes\n\n\
-             Every node in every choice, width and tier, alone in a look with all of its inputs fed: evenly over what is\n\
-             documented, and at the edges of arithmetic (zeros, denormals, the largest numbers, pi in f32 and its neighbours,\n\
-             vectors that are equal, opposite and nearly so, or not unit). From the worst samples a search climbs to worse\n\
-             ones; what it found is kept in `tests/worst` and held by a test. {samples} samples; NaN or infinite: {broken}.\n\n\
-             Errors are relative to the output's range: 1, or the largest number of the true result where that is more. p99.9 is\n\
-             over samples within what is documented. *by rounding* counts samples that are within the bound only because no f32\n\
-             can tell their inputs from others (see below). A line stands for the worst of a node's choices and widths.\n\n\
+             Every node in every choice, width and tier, alone in a look with all of its inputs \
+             fed: evenly over what is\n\
+             documented, and at the edges of arithmetic (zeros, denormals, the largest numbers, pi \
+             in f32 and its neighbours,\n\
+             vectors that are equal, opposite and nearly so, or not unit). From the worst samples \
+             a search climbs to worse\n\
+             ones; what it found is kept in `tests/worst` and held by a test. {samples} samples; \
+             NaN or infinite: {broken}.\n\n\
+             Errors are relative to the output's range: 1, or the largest number of the true \
+             result where that is more. p99.9 is\n\
+             over samples within what is documented. *by rounding* counts samples that are within \
+             the bound only because no f32\n\
+             can tell their inputs from others (see below). A line stands for the worst of a \
+             node's choices and widths.\n\n\
              ![The largest error of each node and its bound]({plots}/nodes.svg)\n\n\
              | node | tier | samples | by rounding | p99.9 | largest | bound | worst case |\n\
              | --- | --- | ---: | ---: | ---: | ---: | ---: | --- |"
         );
         for group in self.groups() {
-            let worst = group.iter().max_by(|a, b| (a.max / a.bound).total_cmp(&(b.max / b.bound))).copied();
+            let worst = group
+                .iter()
+                .max_by(|a, b| (a.max / a.bound).total_cmp(&(b.max / b.bound)))
+                .copied();
             let Some(worst) = worst else { continue };
             let sum = |get: fn(&Measured) -> usize| group.iter().map(|one| get(one)).sum::<usize>();
             let p999 = group.iter().map(|one| one.p999).fold(0.0, f64::max);
@@ -138,7 +165,8 @@ impl AccuracyReport {
 
     fn words_of(&self, one: &Measured) -> String {
         let setting = one.case.name();
-        let setting = setting.trim_start_matches(one.case.node.as_str()).trim_start_matches([' ', ',']);
+        let setting =
+            setting.trim_start_matches(one.case.node.as_str()).trim_start_matches([' ', ',']);
         let setting = if setting.is_empty() { String::new() } else { format!("*{setting}:* ") };
         format!("{setting}{}", one.worst_words.replace('|', "\\|"))
     }
@@ -158,7 +186,8 @@ impl AccuracyReport {
         groups
     }
 
-    /// Whether the document may be written to `path`, and the plots beside it, asked before the hours of measuring.
+    /// Whether the document may be written to `path`, and the plots beside it, asked before the
+    /// hours of measuring.
     ///
     /// # Errors
     /// As [`Outputs::check`].
@@ -168,15 +197,22 @@ impl AccuracyReport {
         PLOTS.iter().try_for_each(|name| outputs.check(&folder.join(name), OutputKind::DRAWING))
     }
 
-    /// Writes the document to `path`, and the plots into the folder of its stem beside it; all together, the document last.
+    /// Writes the document to `path`, and the plots into the folder of its stem beside it; all
+    /// together, the document last.
     ///
     /// # Errors
     /// What the disk refuses, and what is in the way.
-    pub fn write(&self, path: &Path, command: &str, outputs: &mut Outputs) -> Result<(), Vec<Diagnostic>> {
+    pub fn write(
+        &self,
+        path: &Path,
+        command: &str,
+        outputs: &mut Outputs,
+    ) -> Result<(), Vec<Diagnostic>> {
         let stem = stem_of(path);
         let folder = path.with_file_name(&stem);
-        let told =
-            |error: std::io::Error| vec![Diagnostic::error("write-failed", format!("{}: {error}", folder.display()))];
+        let told = |error: std::io::Error| {
+            vec![Diagnostic::error("write-failed", format!("{}: {error}", folder.display()))]
+        };
         std::fs::create_dir_all(&folder).map_err(told)?;
         let one = |problem| vec![problem];
         for (name, svg) in self.plots() {
@@ -192,33 +228,63 @@ impl AccuracyReport {
             let bound = group.iter().map(|one| one.bound).fold(0.0, f64::max);
             let one = group[0];
             let color = ["#35618f", "#4f8f5b", "#c0583f"][one.case.tier as usize];
-            let label =
-                if tier(one) == "exact" { one.case.node.clone() } else { format!("{}, {}", one.case.node, tier(one)) };
+            let label = if tier(one) == "exact" {
+                one.case.node.clone()
+            } else {
+                format!("{}, {}", one.case.node, tier(one))
+            };
             plot::Row { label, points: vec![(worst, color)], bound: Some(bound) }
         };
         let nodes: Vec<plot::Row> = self.groups().iter().map(node).collect();
         let look = |one: &LookMeasured| plot::Row {
             label: one.look.clone(),
-            points: vec![(one.error.edge_max, "#b9b4a9"), (one.error.rms, "#4f8f5b"), (one.error.max, "#35618f")],
+            points: vec![
+                (one.error.edge_max, "#b9b4a9"),
+                (one.error.rms, "#4f8f5b"),
+                (one.error.max, "#35618f"),
+            ],
             bound: one.bound.max,
         };
         let exact = self.looks.iter().filter(|one| one.tier == Tier::Exact);
         let looks: Vec<plot::Row> = exact.map(look).collect();
         let turning = |one: &StabilityMeasured| {
-            let kinds = [(one.silhouettes, "#b9b4a9"), (one.edges, "#c0583f"), (one.smooth, "#35618f")];
-            let points =
-                kinds.iter().filter(|(flicker, _)| flicker.count > 0).map(|(flicker, color)| (flicker.max, *color));
+            let kinds =
+                [(one.silhouettes, "#b9b4a9"), (one.edges, "#c0583f"), (one.smooth, "#35618f")];
+            let points = kinds
+                .iter()
+                .filter(|(flicker, _)| flicker.count > 0)
+                .map(|(flicker, color)| (flicker.max, *color));
             let label = format!("{}, {}", one.look, one.mesh);
             plot::Row { label, points: points.collect(), bound: Some(stability::ON_EDGES) }
         };
         let stability: Vec<plot::Row> = self.stability.iter().map(turning).collect();
         let tiers = [("exact", "#35618f"), ("balanced", "#4f8f5b"), ("fast", "#c0583f")];
         let parts = [("largest", "#35618f"), ("RMS", "#4f8f5b"), ("at edges", "#b9b4a9")];
-        let kinds = [("smooth", "#35618f"), ("terminators and cartoon edges", "#c0583f"), ("silhouettes", "#b9b4a9")];
+        let kinds = [
+            ("smooth", "#35618f"),
+            ("terminators and cartoon edges", "#c0583f"),
+            ("silhouettes", "#b9b4a9"),
+        ];
         let all = [
-            (PLOTS[0], plot::svg("Largest error of each node", "relative to the output's range", &nodes, &tiers)),
+            (
+                PLOTS[0],
+                plot::svg(
+                    "Largest error of each node",
+                    "relative to the output's range",
+                    &nodes,
+                    &tiers,
+                ),
+            ),
             (PLOTS[1], plot::svg("Error of each look", "of a channel", &looks, &parts)),
-            (PLOTS[2], plot::svg("Flicker of each look", "change of a channel beside the truth's", &stability, &kinds)),
+            (
+                PLOTS[2],
+                plot::svg(
+                    "Flicker of each look",
+                    "change of a channel beside the truth's",
+                    &stability,
+                    &kinds,
+                ),
+            ),
         ];
         let is_empty = |name: &str| name != PLOTS[0] && self.looks.is_empty();
         all.into_iter().filter(|(name, _)| !is_empty(name)).collect()
@@ -244,17 +310,26 @@ fn exceptions_part(text: &mut String) {
     let _ = writeln!(
         text,
         "### How nodes are held to their bounds\n\n\
-         Exact tiers err by rounding alone: 2e-6 of the output's range, but for those below. A cheaper tier is held to that\n\
-         and to what its file states, where the file states it. A denormal may count as 0, as WGSL allows.\n\n\
+         Exact tiers err by rounding alone: 2e-6 of the output's range, but for those below. A \
+         cheaper tier is held to that\n\
+         and to what its file states, where the file states it. A denormal may count as 0, as WGSL \
+         allows.\n\n\
          - *plain*: by the distance from the truth.\n\
-         - *steep*: where that is too far, by the distance from what the truth spans while each input moves by up to four units in\n  \
-           its last place, one at a time and many together: a result that is right for inputs which no f32 can tell from the given\n  \
+         - *steep*: where that is too far, by the distance from what the truth spans while each \
+         input moves by up to four units in\n  \
+           its last place, one at a time and many together: a result that is right for inputs \
+           which no f32 can tell from the given\n  \
            ones is no error.\n\
-         - *steps*: the same, but by the distance from the nearest of those results, so that nothing between two steps passes.\n\n\
-         *From* and *to* limit the inputs' size; beyond, results are finite, and no more is said. A profile that falls off a quarter\n\
-         turn or more from its offset ends infinitely steep, and is held to {STEEP_FOOT:e} (cheaper tiers to ten times that); an\n\
-         offset near pi to 1e-6 over its distance from pi, and within 0.01 of pi to be finite. A palette's softness divides\n\
-         distances in Oklab, and it is held to 1e-6 over that; the table has errors there divided by what is granted more. Marks\n\
+         - *steps*: the same, but by the distance from the nearest of those results, so that \
+         nothing between two steps passes.\n\n\
+         *From* and *to* limit the inputs' size; beyond, results are finite, and no more is said. \
+         A profile that falls off a quarter\n\
+         turn or more from its offset ends infinitely steep, and is held to {STEEP_FOOT:e} \
+         (cheaper tiers to ten times that); an\n\
+         offset near pi to 1e-6 over its distance from pi, and within 0.01 of pi to be finite. A \
+         palette's softness divides\n\
+         distances in Oklab, and it is held to 1e-6 over that; the table has errors there divided \
+         by what is granted more. Marks\n\
          are held where their place is drawn out at most thirty times.\n\n\
          | node | choice | bound | judged | from | to | why |\n\
          | --- | --- | ---: | --- | ---: | ---: | --- |"
@@ -268,7 +343,8 @@ fn exceptions_part(text: &mut String) {
         let range = if e.of_inputs { ", inputs count into the range" } else { "" };
         let together = if e.together { ", moved by units of the largest input" } else { "" };
         let limit = |x: f64, none: bool| if none { String::new() } else { format!("{x:e}") };
-        let (from, to) = (limit(e.finest, e.finest == 0.0), limit(e.reach, e.reach >= f64::from(f32::MAX)));
+        let (from, to) =
+            (limit(e.finest, e.finest == 0.0), limit(e.reach, e.reach >= f64::from(f32::MAX)));
         let (bound, word) = (small(e.bound), e.word);
         let _ = writeln!(
             text,

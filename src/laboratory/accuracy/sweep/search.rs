@@ -1,5 +1,5 @@
-//! Looks for worse inputs: from the worst that a sweep has found, small and large steps, keeping what is worse. What was
-//! found is written down, so that a test can hold it.
+//! Looks for worse inputs: from the worst that a sweep has found, small and large steps, keeping
+//! what is worse. What was found is written down, so that a test can hold it.
 
 use std::path::Path;
 
@@ -24,7 +24,12 @@ const CHILDREN: usize = 40;
 ///
 /// # Errors
 /// What the compiler, the GPU or the interpreter refuses.
-pub fn climb(lab: &mut Lab<'_>, bench: &Bench, measured: &mut Measured, rounds: usize) -> Result<(), Stopped> {
+pub fn climb(
+    lab: &mut Lab<'_>,
+    bench: &Bench,
+    measured: &mut Measured,
+    rounds: usize,
+) -> Result<(), Stopped> {
     if bench.slots.is_empty() || measured.broken > 0 {
         return Ok(());
     }
@@ -60,7 +65,8 @@ fn child(bench: &Bench, parent: &Numbers, random: &mut Random) -> Numbers {
     for (index, slot) in bench.slots.iter().enumerate() {
         if index == sure || random.chance(share) {
             let is_far = random.chance(0.05);
-            numbers[index] = if is_far { slot.extreme(random) } else { slot.step(&numbers[index], random) };
+            numbers[index] =
+                if is_far { slot.extreme(random) } else { slot.step(&numbers[index], random) };
         }
     }
     if random.chance(0.05) {
@@ -113,7 +119,11 @@ impl Worst {
             (slot.name.clone(), numbers.iter().copied().map(Word::from).collect())
         };
         let error = format!("{:.2e}", finding.error).parse().unwrap_or(finding.error);
-        Self { case: bench.case.clone(), inputs: bench.slots.iter().zip(&finding.numbers).map(input).collect(), error }
+        Self {
+            case: bench.case.clone(),
+            inputs: bench.slots.iter().zip(&finding.numbers).map(input).collect(),
+            error,
+        }
     }
 
     /// The numbers for a bench's slots.
@@ -122,11 +132,19 @@ impl Worst {
     /// An input that is missing or has another width.
     pub fn numbers(&self, bench: &Bench) -> Result<Numbers, Diagnostic> {
         let of = |slot: &super::slot::Slot| {
-            let numbers = self.inputs.get(&slot.name).map(|words| words.iter().map(Word::number).collect::<Vec<_>>());
+            let numbers = self
+                .inputs
+                .get(&slot.name)
+                .map(|words| words.iter().map(Word::number).collect::<Vec<_>>());
             let wrong = || {
                 Diagnostic::error(
                     "worst-input",
-                    format!("`{}` of {} has not {} numbers", slot.name, self.case.name(), slot.width),
+                    format!(
+                        "`{}` of {} has not {} numbers",
+                        slot.name,
+                        self.case.name(),
+                        slot.width
+                    ),
                 )
             };
             numbers.filter(|numbers| numbers.len() == slot.width).ok_or_else(wrong)
@@ -142,7 +160,8 @@ const WORST: OutputKind<'static> = OutputKind {
     has_seal: false,
 };
 
-/// Whether worst inputs of every node may be written into a folder, asked before they are searched for.
+/// Whether worst inputs of every node may be written into a folder, asked before they are searched
+/// for.
 ///
 /// # Errors
 /// As [`Outputs::check`].
@@ -156,17 +175,22 @@ pub fn check(folder: &Path, library: &Library, outputs: &Outputs) -> Result<(), 
 /// # Errors
 /// What the disk refuses, and what is in the way.
 pub fn write(folder: &Path, all: &[Worst], outputs: &mut Outputs) -> Result<(), Vec<Diagnostic>> {
-    let mut by_node: std::collections::BTreeMap<&str, Vec<&Worst>> = std::collections::BTreeMap::new();
+    let mut by_node: std::collections::BTreeMap<&str, Vec<&Worst>> =
+        std::collections::BTreeMap::new();
     for worst in all {
         by_node.entry(&worst.case.node).or_default().push(worst);
     }
-    let told =
-        |error: std::io::Error| vec![Diagnostic::error("write-failed", format!("{}: {error}", folder.display()))];
+    let told = |error: std::io::Error| {
+        vec![Diagnostic::error("write-failed", format!("{}: {error}", folder.display()))]
+    };
     std::fs::create_dir_all(folder).map_err(told)?;
     for (node, inputs) in by_node {
-        let lines: Vec<String> = inputs.iter().map(|worst| serde_json::json!(worst).to_string()).collect();
+        let lines: Vec<String> =
+            inputs.iter().map(|worst| serde_json::json!(worst).to_string()).collect();
         let text = format!("[\n{}\n]\n", lines.join(",\n"));
-        outputs.add(&folder.join(format!("{node}.json")), WORST, text.as_bytes()).map_err(|problem| vec![problem])?;
+        outputs
+            .add(&folder.join(format!("{node}.json")), WORST, text.as_bytes())
+            .map_err(|problem| vec![problem])?;
     }
     outputs.commit().map_err(|problem| vec![problem])
 }
@@ -176,7 +200,8 @@ pub fn write(folder: &Path, all: &[Worst], outputs: &mut Outputs) -> Result<(), 
 /// # Errors
 /// What cannot be read, or is none.
 pub fn read(path: &Path) -> Result<Vec<Worst>, Diagnostic> {
-    let told = |error: String| Diagnostic::error("worst-input", error).in_file(path.display().to_string());
+    let told =
+        |error: String| Diagnostic::error("worst-input", error).in_file(path.display().to_string());
     let text = read_text(path).map_err(|problem| told(problem.message))?;
     serde_json::from_str(&text).map_err(|error| told(error.to_string()))
 }

@@ -1,4 +1,5 @@
-//! What a node is fed: slots of numbers, each with its range and with the places at which arithmetic goes wrong.
+//! What a node is fed: slots of numbers, each with its range and with the places at which
+//! arithmetic goes wrong.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -34,7 +35,7 @@ pub enum Place {
     Anchor,
     /// To how large things are seen.
     Magnification,
-    /// To the vertices' colour.
+    /// To the vertices' color.
     VertexColor,
     /// To the clock.
     Time,
@@ -42,7 +43,7 @@ pub enum Place {
     LightDirection,
     /// To the light's position.
     LightPosition,
-    /// To the light's colour.
+    /// To the light's color.
     LightColor,
     /// To the light's intensity.
     LightIntensity,
@@ -83,7 +84,8 @@ pub enum Kind {
     HalfAngle,
     /// Curvature, NaN and infinite too.
     Kappa,
-    /// Products xx, xy and yy of how fast two coordinates change along the picture; 0 where they are pixels.
+    /// Products xx, xy and yy of how fast two coordinates change along the picture; 0 where they
+    /// are pixels.
     Stretch,
 }
 
@@ -111,7 +113,8 @@ pub fn held(x: f64) -> f64 {
 const PI_32: f64 = std::f32::consts::PI as f64;
 const ULP_OF_PI: f64 = 1.0 / 4_194_304.0;
 
-/// Numbers at which arithmetic goes wrong: zeros, denormals, the largest and smallest, where f32 loses its fractions.
+/// Numbers at which arithmetic goes wrong: zeros, denormals, the largest and smallest, where f32
+/// loses its fractions.
 const EDGES: [f64; 34] = [
     0.0,
     -0.0,
@@ -150,7 +153,8 @@ const EDGES: [f64; 34] = [
 ];
 
 #[expect(clippy::approx_constant, reason = "what people write for pi is not pi")]
-/// Angles at which arithmetic goes wrong: pi in f32 and its neighbours, and what people write for it.
+/// Angles at which arithmetic goes wrong: pi in f32 and its neighbours, and what people write for
+/// it.
 const ANGLES: [f64; 20] = [
     0.0,
     -0.0,
@@ -188,7 +192,9 @@ impl Slot {
                 };
                 shares.iter().map(|share| low + (high - low) * share).collect()
             }
-            Kind::Whole { min, max } => vec![(min + (max - min + 1.0) * shares[0]).floor().min(max)],
+            Kind::Whole { min, max } => {
+                vec![(min + (max - min + 1.0) * shares[0]).floor().min(max)]
+            }
             Kind::Switch => vec![f64::from(u8::from(shares[0] >= 0.5))],
             Kind::Color => shares.to_vec(),
             Kind::Composite => {
@@ -204,7 +210,9 @@ impl Slot {
             Kind::HalfAngle => half_angle(PI * shares[0]),
             Kind::Kappa => vec![120.0 * shares[0] - 60.0],
             // Rims draw places out up to eight times.
-            Kind::Stretch => stretch((4.0 * shares[0] - 2.0).exp2(), (3.0 * shares[1]).exp2(), PI * shares[2]),
+            Kind::Stretch => {
+                stretch((4.0 * shares[0] - 2.0).exp2(), (3.0 * shares[1]).exp2(), PI * shares[2])
+            }
         };
         numbers.into_iter().map(held).collect()
     }
@@ -218,23 +226,52 @@ impl Slot {
                 let one = edge(random);
                 let is_same = random.chance(0.3);
                 (0..self.width)
-                    .map(|_| if is_same { one } else { extreme_number(min, max, is_angle, random, &mut edge) })
+                    .map(|_| {
+                        if is_same {
+                            one
+                        } else {
+                            extreme_number(min, max, is_angle, random, &mut edge)
+                        }
+                    })
                     .collect()
             }
             Kind::Whole { min, max } => {
-                vec![random.pick(&[min, max, min - 1.0, max + 1.0, 0.0, -16_777_216.0, 16_777_216.0])]
+                vec![random.pick(&[
+                    min,
+                    max,
+                    min - 1.0,
+                    max + 1.0,
+                    0.0,
+                    -16_777_216.0,
+                    16_777_216.0,
+                ])]
             }
             Kind::Switch => vec![f64::from(u8::from(random.chance(0.5)))],
             Kind::Color | Kind::Composite => {
                 let is_wild = random.chance(0.3);
                 let flat = [0.0, 1.0, 0.5, 0.25, 1e-7, 1.0 - 6e-8, 1e-40];
-                (0..self.width).map(|_| if is_wild { edge(random) } else { random.pick(&flat) }).collect()
+                (0..self.width)
+                    .map(|_| if is_wild { edge(random) } else { random.pick(&flat) })
+                    .collect()
             }
             Kind::Unit => special_direction(random).to_array().to_vec(),
             Kind::Direction => {
                 let v = special_direction(random);
-                let length =
-                    random.pick(&[1.0, 0.95, 1.0 + 1e-6, 3.0, 1e-3, 1e-12, 1e-25, 1e-32, 1e-40, 1e12, 1e25, 1e35, 0.0]);
+                let length = random.pick(&[
+                    1.0,
+                    0.95,
+                    1.0 + 1e-6,
+                    3.0,
+                    1e-3,
+                    1e-12,
+                    1e-25,
+                    1e-32,
+                    1e-40,
+                    1e12,
+                    1e25,
+                    1e35,
+                    0.0,
+                ]);
                 (length * v).to_array().map(|x| x.clamp(-most, most)).to_vec()
             }
             Kind::Rotation => {
@@ -279,11 +316,14 @@ impl Slot {
         let is_one = random.chance(0.5);
         let moved: Vec<f64> = match self.kind {
             Kind::Switch => vec![f64::from(u8::from(random.chance(0.5)))],
-            Kind::Whole { min, max } => vec![(from[0] + random.pick(&[-1.0, 1.0, 0.0])).clamp(min, max)],
+            Kind::Whole { min, max } => {
+                vec![(from[0] + random.pick(&[-1.0, 1.0, 0.0])).clamp(min, max)]
+            }
             _ => {
                 let shift = |(index, x): (usize, &f64)| {
-                    let by =
-                        size * random.between(-1.0, 1.0) * x.abs().max(if random.chance(0.5) { 1.0 } else { 1e-7 });
+                    let by = size
+                        * random.between(-1.0, 1.0)
+                        * x.abs().max(if random.chance(0.5) { 1.0 } else { 1e-7 });
                     if is_one && index != one { *x } else { x + by }
                 };
                 from.iter().enumerate().map(shift).collect()
@@ -296,14 +336,18 @@ impl Slot {
                 moved.iter().map(|x| x.clamp(0.0, 1.0)).collect()
             }
             Kind::Number { min, max, .. } => {
-                let is_inside = |x: &f64| min.is_none_or(|min| *x >= min) && max.is_none_or(|max| *x <= max);
+                let is_inside =
+                    |x: &f64| min.is_none_or(|min| *x >= min) && max.is_none_or(|max| *x <= max);
                 let keep = |x: &f64| x.clamp(min.unwrap_or(-f64::MAX), max.unwrap_or(f64::MAX));
                 if from.iter().all(is_inside) { moved.iter().map(keep).collect() } else { moved }
             }
             _ => moved,
         };
         let most = self.most;
-        numbers.into_iter().map(|x| if x.is_finite() { held(x.clamp(-most, most)) } else { x }).collect()
+        numbers
+            .into_iter()
+            .map(|x| if x.is_finite() { held(x.clamp(-most, most)) } else { x })
+            .collect()
     }
 
     /// Whether numbers of this kind may move by a unit in the last place and stay what they are.
@@ -343,16 +387,21 @@ fn extreme_number(
     if is_angle && random.chance(0.7) { random.pick(&ANGLES) } else { edge(random) }
 }
 
-/// The products of a place that changes by `size` along the picture, and so many times as much in one direction.
+/// The products of a place that changes by `size` along the picture, and so many times as much in
+/// one direction.
 fn stretch(size: f64, ratio: f64, angle: f64) -> Vec<f64> {
     let (sin, cos) = angle.sin_cos();
     let [most, least] = [(size * ratio).powi(2), size * size];
-    vec![most * cos * cos + least * sin * sin, (most - least) * sin * cos, most * sin * sin + least * cos * cos]
+    vec![
+        most * cos * cos + least * sin * sin,
+        (most - least) * sin * cos,
+        most * sin * sin + least * cos * cos,
+    ]
 }
 
-/// Whether these products are those of a place that marks can lie on: drawn out at most thirty times, as more leaves nothing
-/// of an area's digits; and not seen so large that marks are as fine as the place's last digits. Where their sum is 0 or
-/// less they count as none.
+/// Whether these products are those of a place that marks can lie on: drawn out at most thirty
+/// times, as more leaves nothing of an area's digits; and not seen so large that marks are as fine
+/// as the place's last digits. Where their sum is 0 or less they count as none.
 pub fn is_stretch(numbers: &[f64]) -> bool {
     let [xx, xy, yy] = [numbers[0], numbers[1], numbers[2]];
     let sum = xx + yy;
@@ -388,8 +437,8 @@ fn unit(v: &[f64]) -> Vec<f64> {
     DVec3::from_slice(v).try_normalize().unwrap_or(DVec3::Z).to_array().to_vec()
 }
 
-/// The f32 that is so many units in the last place away; steps from 0 go to the smallest normal number, because what is
-/// smaller may count as 0.
+/// The f32 that is so many units in the last place away; steps from 0 go to the smallest normal
+/// number, because what is smaller may count as 0.
 pub fn next(x: f64, steps: i32) -> f64 {
     let x = x as f32;
     if !x.is_finite() {
@@ -405,11 +454,18 @@ pub fn next(x: f64, steps: i32) -> f64 {
 
 /// Puts slots into relation, as equal and opposite vectors, equal numbers, and what is nearly so.
 pub fn relate(slots: &[Slot], numbers: &mut Numbers, random: &mut Random) {
-    let is_vector = |slot: &Slot| matches!(slot.kind, Kind::Unit | Kind::Direction) || slot.width == 3;
+    let is_vector =
+        |slot: &Slot| matches!(slot.kind, Kind::Unit | Kind::Direction) || slot.width == 3;
     let a = random.index(slots.len());
     let like: Vec<usize> = (0..slots.len())
-        .filter(|&b| b != a && slots[b].width == slots[a].width && is_vector(&slots[b]) == is_vector(&slots[a]))
-        .filter(|&b| slots[a].is_continuous() && slots[b].is_continuous() && slots[b].kind != Kind::HalfAngle)
+        .filter(|&b| {
+            b != a
+                && slots[b].width == slots[a].width
+                && is_vector(&slots[b]) == is_vector(&slots[a])
+        })
+        .filter(|&b| {
+            slots[a].is_continuous() && slots[b].is_continuous() && slots[b].kind != Kind::HalfAngle
+        })
         .collect();
     if like.is_empty() {
         return;
@@ -419,7 +475,11 @@ pub fn relate(slots: &[Slot], numbers: &mut Numbers, random: &mut Random) {
     if is_vector(&slots[a]) {
         let from = DVec3::from_slice(&numbers[a]);
         let near = random.sign() * (from + apart * from.length() * random.direction());
-        let near = if slots[b].kind == Kind::Unit { near.try_normalize().unwrap_or(DVec3::Z) } else { near };
+        let near = if slots[b].kind == Kind::Unit {
+            near.try_normalize().unwrap_or(DVec3::Z)
+        } else {
+            near
+        };
         numbers[b] = near.to_array().map(|x| held(finite(x, slots[b].most))).to_vec();
     } else {
         let sign = if random.chance(0.8) { 1.0 } else { -1.0 };
@@ -466,7 +526,13 @@ mod tests {
                 Kind::Color | Kind::Rotation => 4,
                 _ => 3,
             };
-            let slot = Slot { name: "x".into(), place: Place::Value, kind, width, most: f64::from(f32::MAX) };
+            let slot = Slot {
+                name: "x".into(),
+                place: Place::Value,
+                kind,
+                width,
+                most: f64::from(f32::MAX),
+            };
             for _ in 0..200 {
                 let shares: Vec<f64> = (0..width).map(|_| random.unit()).collect();
                 let ordinary = slot.ordinary(&shares);
@@ -474,9 +540,15 @@ mod tests {
                 let moved = slot.step(&ordinary, &mut random);
                 for numbers in [&ordinary, &extreme, &moved] {
                     assert_eq!(numbers.len(), width, "{kind:?}");
-                    assert!(numbers.iter().all(|x| held(*x) == *x && x.is_finite()), "{kind:?} {numbers:?}");
+                    assert!(
+                        numbers.iter().all(|x| held(*x) == *x && x.is_finite()),
+                        "{kind:?} {numbers:?}"
+                    );
                 }
-                assert!(slot.is_ordinary(&ordinary) || matches!(kind, Kind::Number { .. }), "{kind:?} {ordinary:?}");
+                assert!(
+                    slot.is_ordinary(&ordinary) || matches!(kind, Kind::Number { .. }),
+                    "{kind:?} {ordinary:?}"
+                );
             }
         }
     }

@@ -1,4 +1,5 @@
-//! Flicker: how much more a pixel changes from frame to frame than its truth does, while light and camera turn slowly.
+//! Flicker: how much more a pixel changes from frame to frame than its truth does, while light and
+//! camera turn slowly.
 
 use std::path::Path;
 
@@ -14,18 +15,20 @@ use crate::render::{Renderer, block_on};
 
 /// What turns.
 pub const MESHES: [&str; 2] = ["shape:sphere", "shape:creature"];
-/// Radians that the camera turns from frame to frame; the light turns by twice as much the other way.
+/// Radians that the camera turns from frame to frame; the light turns by twice as much the other
+/// way.
 pub const STEP: f64 = 0.004;
-/// A channel changes by no more than this beside what its truth does, where the truth is smooth: rounding alone, a tenth
-/// of what eight bits can show.
+/// A channel changes by no more than this beside what its truth does, where the truth is smooth:
+/// rounding alone, a tenth of what eight bits can show.
 pub const ON_SMOOTH: f64 = 0.1 * VISIBLE;
-/// The same on terminators and cartoon edges, where a normal's last digit is multiplied by how steep they are: what eight
-/// bits can show. On silhouettes a share of the changes may be more.
+/// The same on terminators and cartoon edges, where a normal's last digit is multiplied by how
+/// steep they are: what eight bits can show. On silhouettes a share of the changes may be more.
 pub const ON_EDGES: f64 = VISIBLE;
 /// This share of the changes on edges may be up to four times as much.
 pub const RARE_ON_EDGES: f64 = 1e-4;
 
-/// A pixel whose truth changes by more than this across it lies on a terminator or on a cartoon edge.
+/// A pixel whose truth changes by more than this across it lies on a terminator or on a cartoon
+/// edge.
 const STEEP: f64 = 0.04;
 
 /// How long and how large.
@@ -75,8 +78,8 @@ pub struct StabilityMeasured {
     pub smooth: Flicker,
     /// On terminators and cartoon edges.
     pub edges: Flicker,
-    /// On silhouettes, where one part hides another, and as far from there as the curvature pass looks: there a pixel that
-    /// is covered or not decides.
+    /// On silhouettes, where one part hides another, and as far from there as the curvature pass
+    /// looks: there a pixel that is covered or not decides.
     pub silhouettes: Flicker,
 }
 
@@ -84,10 +87,12 @@ impl StabilityMeasured {
     /// Whether it keeps what it is held to.
     pub fn holds(&self) -> bool {
         // Either of two frames may have the pixel.
-        let is_seldom = self.silhouettes.visible as f64 <= 2.0 * EDGE_SHARE * self.silhouettes.count as f64;
-        // A stroke or a dot is narrower than the change of a frame: now and then its edge lies where rounding decides.
-        let is_rare =
-            self.edges.max <= 4.0 * ON_EDGES && self.edges.visible as f64 <= RARE_ON_EDGES * self.edges.count as f64;
+        let is_seldom =
+            self.silhouettes.visible as f64 <= 2.0 * EDGE_SHARE * self.silhouettes.count as f64;
+        // A stroke or a dot is narrower than the change of a frame: now and then its edge lies
+        // where rounding decides.
+        let is_rare = self.edges.max <= 4.0 * ON_EDGES
+            && self.edges.visible as f64 <= RARE_ON_EDGES * self.edges.count as f64;
         self.smooth.max <= ON_SMOOTH && (self.edges.max <= ON_EDGES || is_rare) && is_seldom
     }
 }
@@ -128,7 +133,8 @@ pub fn measure_stability(
         let mut seen = setup.clone();
         seen.turn_camera([turn, 0.4 * turn]);
         seen.turn_lights([-2.0 * turn, turn]);
-        let frame = frame(&seen, library, precise, (&mut planner, &mut truths), effort.side, progress)?;
+        let frame =
+            frame(&seen, library, precise, (&mut planner, &mut truths), effort.side, progress)?;
         if let Some(before) = &before {
             compare(before, &frame, effort.side as usize, &mut measured);
         }
@@ -151,7 +157,8 @@ fn frame(
     let got = Colors::from(&block_on(precise.picture(&plan))?);
     let colors = truth.colors().rgba.into_owned();
     // Either of two frames makes half of a change.
-    let above = |index| 0.5 * if is_steep(&colors, index, side as usize) { ON_EDGES } else { ON_SMOOTH };
+    let above =
+        |index| 0.5 * if is_steep(&colors, index, side as usize) { ON_EDGES } else { ON_SMOOTH };
     truth.settle(&got, above, setup, library, truths, &options)?;
     let outlines = (0..colors.len()).map(|index| truth.is_edge(index)).collect();
     Ok(Frame { got: got.rgba.into_owned(), truth: colors, outlines })
@@ -159,9 +166,12 @@ fn frame(
 
 fn compare(before: &Frame, after: &Frame, width: usize, measured: &mut StabilityMeasured) {
     for index in 0..after.got.len() {
-        let change = |pixels: [&[[f64; 4]]; 2], channel: usize| pixels[1][index][channel] - pixels[0][index][channel];
+        let change = |pixels: [&[[f64; 4]]; 2], channel: usize| {
+            pixels[1][index][channel] - pixels[0][index][channel]
+        };
         // Where nothing is drawn, nothing can flicker.
-        let is_empty = |frame: &Frame| frame.truth[index] == [0.0; 4] && frame.got[index] == [0.0; 4];
+        let is_empty =
+            |frame: &Frame| frame.truth[index] == [0.0; 4] && frame.got[index] == [0.0; 4];
         if is_empty(before) && is_empty(after) {
             continue;
         }
@@ -186,7 +196,9 @@ fn compare(before: &Frame, after: &Frame, width: usize, measured: &mut Stability
 /// Whether the truth changes much from this pixel to the next ones.
 fn is_steep(pixels: &[[f64; 4]], index: usize, width: usize) -> bool {
     let differs = |other: usize| {
-        pixels.get(other).is_some_and(|other| other.iter().zip(&pixels[index]).any(|(a, b)| (a - b).abs() > STEEP))
+        pixels.get(other).is_some_and(|other| {
+            other.iter().zip(&pixels[index]).any(|(a, b)| (a - b).abs() > STEEP)
+        })
     };
     let column = index % width;
     (column > 0 && differs(index - 1))

@@ -1,7 +1,7 @@
 //! Measures everything that the report tells, on all cores.
 //!
-//! Cases and looks know nothing of each other, so each is a job; workers take the next one, and what
-//! they find stands in the report in the order of the jobs, whoever was first.
+//! Cases and looks know nothing of each other, so each is a job; workers take the next one, and
+//! what they find stands in the report in the order of the jobs, whoever was first.
 
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
@@ -36,7 +36,8 @@ pub struct Survey {
     pub stability: StabilityEffort,
 }
 
-/// So many workers at most: each holds pictures and shaders of its own, and a picture in f64 is made on all cores anyway.
+/// So many workers at most: each holds pictures and shaders of its own, and a picture in f64 is
+/// made on all cores anyway.
 const MOST_WORKERS: usize = 4;
 /// Of the worst samples of a case, so many are kept for a test to hold.
 const KEPT_OF_A_CASE: usize = 2;
@@ -45,7 +46,8 @@ const KEPT_OF_A_CASE: usize = 2;
 enum Job {
     Case(Case),
     Look(PathBuf),
-    /// A look's largest pictures: only one worker makes such at a time, as two would take all memory.
+    /// A look's largest pictures: only one worker makes such at a time, as two would take all
+    /// memory.
     Large(PathBuf),
 }
 
@@ -74,12 +76,17 @@ enum Told {
     clippy::disallowed_methods,
     reason = "the one place of the survey that starts threads: each waits for a device of its own"
 )]
-pub fn survey(survey: &Survey, library: &Library, progress: &mut Progress<'_>) -> Result<AccuracyReport, Stopped> {
+pub fn survey(
+    survey: &Survey,
+    library: &Library,
+    progress: &mut Progress<'_>,
+) -> Result<AccuracyReport, Stopped> {
     let looks = survey.looks.as_deref().map_or_else(|| Ok(Vec::new()), looks_in)?;
     let mut kinds: Vec<&String> = library.nodes.keys().collect();
     kinds.retain(|kind| survey.nodes.is_empty() || survey.nodes.contains(kind));
     kinds.sort_unstable();
-    let cases: Vec<Case> = kinds.into_iter().flat_map(|kind| Case::of(&library.nodes[kind])).collect();
+    let cases: Vec<Case> =
+        kinds.into_iter().flat_map(|kind| Case::of(&library.nodes[kind])).collect();
     let large = survey.large.as_ref().map_or(0, LookEffort::truths);
     let truths = survey.look_effort.truths() + large + MESHES.len() * survey.stability.frames;
     progress.expect((cases.len() + looks.len() * truths) as u64);
@@ -91,7 +98,11 @@ pub fn survey(survey: &Survey, library: &Library, progress: &mut Progress<'_>) -
     let jobs: Vec<Job> = large.into_iter().chain(small).collect();
 
     let gpu = block_on(Gpu::headless())?;
-    let report = AccuracyReport { adapter: gpu.name(), is_software: gpu.is_software(), ..AccuracyReport::default() };
+    let report = AccuracyReport {
+        adapter: gpu.name(),
+        is_software: gpu.is_software(),
+        ..AccuracyReport::default()
+    };
     let team = Team {
         survey,
         library,
@@ -148,13 +159,18 @@ impl Team<'_> {
         let mut renderer = Renderer::new(gpu);
         let mut lab = Lab::new(self.library, &mut renderer)?;
         while let Some((number, _alone)) = self.next_job() {
-            let mut step = |_, _| tell.send(Told::Step).is_ok() && !self.stops.load(Ordering::Relaxed);
+            let mut step =
+                |_, _| tell.send(Told::Step).is_ok() && !self.stops.load(Ordering::Relaxed);
             let mut progress = Progress::new(&mut step);
             let found = match &self.jobs[number] {
                 Job::Case(case) => self.measure_case(case, &mut lab, &mut progress),
                 // What a look's shaders and textures take is given back after it.
-                Job::Look(path) => self.measure_look(path, &mut Renderer::new(precise.clone()), &mut progress),
-                Job::Large(path) => self.measure_large(path, &mut Renderer::new(precise.clone()), &mut progress),
+                Job::Look(path) => {
+                    self.measure_look(path, &mut Renderer::new(precise.clone()), &mut progress)
+                }
+                Job::Large(path) => {
+                    self.measure_large(path, &mut Renderer::new(precise.clone()), &mut progress)
+                }
             }?;
             if tell.send(Told::Found(number, found)).is_err() {
                 break;
@@ -163,7 +179,8 @@ impl Team<'_> {
         Ok(())
     }
 
-    /// A large job where nobody else has one, or else another; what is held is held until it is done.
+    /// A large job where nobody else has one, or else another; what is held is held until it is
+    /// done.
     fn next_job(&self) -> Option<(usize, Option<MutexGuard<'_, usize>>)> {
         if self.stops.load(Ordering::Relaxed) {
             return None;
@@ -178,18 +195,31 @@ impl Team<'_> {
         (number < self.jobs.len()).then_some((number, None))
     }
 
-    fn measure_case(&self, case: &Case, lab: &mut Lab<'_>, progress: &mut Progress<'_>) -> Result<Found, Stopped> {
+    fn measure_case(
+        &self,
+        case: &Case,
+        lab: &mut Lab<'_>,
+        progress: &mut Progress<'_>,
+    ) -> Result<Found, Stopped> {
         let measured = lab.measure(case, &self.survey.effort)?;
         let bench = lab.bench(case)?;
-        let worst = measured.worst.iter().take(KEPT_OF_A_CASE).filter(|finding| finding.error > 0.0);
+        let worst =
+            measured.worst.iter().take(KEPT_OF_A_CASE).filter(|finding| finding.error > 0.0);
         let worst = worst.map(|finding| Worst::new(&bench, finding)).collect();
         progress.step()?;
         Ok(Found::Case(measured, worst))
     }
 
-    fn measure_look(&self, path: &Path, precise: &mut Renderer, progress: &mut Progress<'_>) -> Result<Found, Stopped> {
+    fn measure_look(
+        &self,
+        path: &Path,
+        precise: &mut Renderer,
+        progress: &mut Progress<'_>,
+    ) -> Result<Found, Stopped> {
         let drawn = measure_look(path, self.library, precise, &self.survey.look_effort, progress)?;
-        let turning = |mesh| measure_stability(path, mesh, self.library, precise, &self.survey.stability, progress);
+        let turning = |mesh| {
+            measure_stability(path, mesh, self.library, precise, &self.survey.stability, progress)
+        };
         let stability = MESHES.into_iter().map(turning).collect::<Result<_, _>>()?;
         Ok(Found::Look(drawn, stability))
     }
@@ -205,7 +235,11 @@ impl Team<'_> {
     }
 
     /// What all jobs came to, in their order. The first that fails, or `progress`, stops them all.
-    fn gather(&self, told: &mpsc::Receiver<Told>, progress: &mut Progress<'_>) -> Result<Vec<Found>, Stopped> {
+    fn gather(
+        &self,
+        told: &mpsc::Receiver<Told>,
+        progress: &mut Progress<'_>,
+    ) -> Result<Vec<Found>, Stopped> {
         let mut found: Vec<Option<Found>> = self.jobs.iter().map(|_| None).collect();
         let mut stopped = None;
         // Until the last worker has left.

@@ -48,10 +48,15 @@ impl FunctionCompiler<'_> {
     }
 
     /// A part of `base` whose index is in a slot.
-    fn access_slot(&mut self, handle: Handle<Expression>, base: Handle<Expression>, index: Slot) -> Outcome<()> {
+    fn access_slot(
+        &mut self,
+        handle: Handle<Expression>,
+        base: Handle<Expression>,
+        index: Slot,
+    ) -> Outcome<()> {
         let composite = self.pointee(base);
-        let (count, stride) =
-            self.checked(self.context.layouts.elements(&self.context.module.types, composite), base)?;
+        let (count, stride) = self
+            .checked(self.context.layouts.elements(&self.context.module.types, composite), base)?;
         match self.operand(base)? {
             Operand::Place(place) => {
                 let index = self.within_buffer(composite, place, index)?;
@@ -59,13 +64,15 @@ impl FunctionCompiler<'_> {
                     Some(pointer) => (pointer, place.offset),
                     None => (self.pointer(place)?, 0),
                 };
-                let to = self.compute(|to| Instruction::Index { to, pointer, index, count, stride })?;
+                let to =
+                    self.compute(|to| Instruction::Index { to, pointer, index, count, stride })?;
                 self.define_place(handle, Place { buffer: place.buffer, pointer: Some(to), offset })
             }
             Operand::Value(slots) => {
                 let first = self.gather(&slots)?;
                 let pointer = self.assembler.constant(u64::from(first))?;
-                let to = self.compute(|to| Instruction::Index { to, pointer, index, count, stride })?;
+                let to =
+                    self.compute(|to| Instruction::Index { to, pointer, index, count, stride })?;
                 let part = self.load_from(Place::at(to), stride)?;
                 self.define(handle, part)
             }
@@ -86,9 +93,10 @@ impl FunctionCompiler<'_> {
     pub(super) fn array_length(&mut self, array: Handle<Expression>) -> Outcome<Vec<Slot>> {
         match self.place(array)?.buffer {
             Some(buffer) => Ok(vec![self.assembler.bound(Source::Length { buffer })?]),
-            None => {
-                Err(self.unsupported("the length of an array that is in no buffer (ArrayLength)", self.span(array)))
-            }
+            None => Err(self.unsupported(
+                "the length of an array that is in no buffer (ArrayLength)",
+                self.span(array),
+            )),
         }
     }
 
@@ -120,7 +128,11 @@ impl FunctionCompiler<'_> {
         }
     }
 
-    pub(super) fn load(&mut self, pointer: Handle<Expression>, handle: Handle<Expression>) -> Outcome<Vec<Slot>> {
+    pub(super) fn load(
+        &mut self,
+        pointer: Handle<Expression>,
+        handle: Handle<Expression>,
+    ) -> Outcome<Vec<Slot>> {
         let place = self.place(pointer)?;
         let count = self.slots_of(self.inner(handle), self.span(handle))?;
         self.load_from(place, count)
@@ -143,7 +155,13 @@ impl FunctionCompiler<'_> {
                 self.assembler.emit(Instruction::Load { to, pointer, offset, count })?;
             }
             Place { buffer: Some(buffer), pointer: Some(pointer), offset } => {
-                self.assembler.emit(Instruction::LoadBuffer { to, buffer, pointer, offset, count })?;
+                self.assembler.emit(Instruction::LoadBuffer {
+                    to,
+                    buffer,
+                    pointer,
+                    offset,
+                    count,
+                })?;
             }
         }
         Ok((to..to + count).collect())

@@ -1,7 +1,7 @@
 //! Evaluates the text of a constant expression over numbers, in f64 and as WGSL's types round it.
 //!
-//! Knows decimal and hexadecimal literals, `+ - * /`, signs, brackets, names of constants, and the functions that naga
-//! folds. What else a text may hold makes it unreadable, which is no error.
+//! Knows decimal and hexadecimal literals, `+ - * /`, signs, brackets, names of constants, and the
+//! functions that naga folds. What else a text may hold makes it unreadable, which is no error.
 
 use std::collections::HashMap;
 
@@ -49,16 +49,24 @@ impl Number {
     /// Applies an operation, which is given for both kinds of floats.
     fn with(self, wide: impl Fn(f64) -> f64, single: impl Fn(f32) -> f32) -> Self {
         match self {
-            Self::Single { single: x, wide: w } => Self::Single { single: single(x), wide: wide(w) },
+            Self::Single { single: x, wide: w } => {
+                Self::Single { single: single(x), wide: wide(w) }
+            }
             other => Self::Abstract(wide(other.wide())),
         }
     }
 
-    fn join(self, other: Self, wide: impl Fn(f64, f64) -> f64, single: impl Fn(f32, f32) -> f32) -> Self {
+    fn join(
+        self,
+        other: Self,
+        wide: impl Fn(f64, f64) -> f64,
+        single: impl Fn(f32, f32) -> f32,
+    ) -> Self {
         match (self, other) {
-            (Self::Single { .. }, _) | (_, Self::Single { .. }) => {
-                Self::Single { single: single(self.as_f32(), other.as_f32()), wide: wide(self.wide(), other.wide()) }
-            }
+            (Self::Single { .. }, _) | (_, Self::Single { .. }) => Self::Single {
+                single: single(self.as_f32(), other.as_f32()),
+                wide: wide(self.wide(), other.wide()),
+            },
             _ => Self::Abstract(wide(self.wide(), other.wide())),
         }
     }
@@ -124,7 +132,11 @@ impl<'t> Reader<'t> {
 
     /// Takes all bytes at the front that fulfil a condition, which only ASCII does.
     fn take_while(&mut self, mut condition: impl FnMut(u8) -> bool) -> &'t str {
-        let end = self.rest.bytes().position(|b| !b.is_ascii() || !condition(b)).unwrap_or(self.rest.len());
+        let end = self
+            .rest
+            .bytes()
+            .position(|b| !b.is_ascii() || !condition(b))
+            .unwrap_or(self.rest.len());
         let (taken, rest) = self.rest.split_at(end);
         self.rest = rest;
         taken
@@ -168,7 +180,11 @@ impl<'t> Reader<'t> {
             b'0'..=b'9' | b'.' => self.literal(),
             b if b.is_ascii_alphabetic() || b == b'_' => {
                 let name = self.take_while(|b| b.is_ascii_alphanumeric() || b == b'_');
-                if self.peek() == Some(b'(') { self.call(name) } else { self.constants.get(name).copied() }
+                if self.peek() == Some(b'(') {
+                    self.call(name)
+                } else {
+                    self.constants.get(name).copied()
+                }
             }
             _ => None,
         }
@@ -209,7 +225,8 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// `0x1F`, `0x1.8p3`, each with an f at the end if it is a float of WGSL's f32 (only after an exponent).
+    /// `0x1F`, `0x1.8p3`, each with an f at the end if it is a float of WGSL's f32 (only after an
+    /// exponent).
     fn hexadecimal(&mut self) -> Option<Number> {
         self.rest = &self.rest[2..];
         let whole = self.take_while(|b| b.is_ascii_hexdigit());
@@ -293,8 +310,14 @@ mod tests {
 
     #[test]
     fn literals_of_all_forms() {
-        for (text, x) in [("1e-7", 1e-7), (".5", 0.5), ("5.", 5.0), ("2.5E+3f", 2500.0), ("12f", 12.0), ("0x1F", 31.0)]
-        {
+        for (text, x) in [
+            ("1e-7", 1e-7),
+            (".5", 0.5),
+            ("5.", 5.0),
+            ("2.5E+3f", 2500.0),
+            ("12f", 12.0),
+            ("0x1F", 31.0),
+        ] {
             assert_eq!(wide(text), Some(x), "{text}");
         }
         assert_eq!(wide("0x1.8p3"), Some(12.0));

@@ -21,7 +21,8 @@ const MAX_LISTED: usize = 1 << 25;
 /// How many instructions a program may have.
 const MAX_CODE: usize = 1 << 24;
 
-/// A program in the making. Targets are labels, which [`link`](Self::link) turns into numbers of instructions.
+/// A program in the making. Targets are labels, which [`link`](Self::link) turns into numbers of
+/// instructions.
 pub(super) struct Assembler {
     code: Vec<Instruction>,
     switches: Vec<Switch>,
@@ -110,7 +111,8 @@ impl Assembler {
         Ok(slot)
     }
 
-    /// A slot that holds this float; if f32 cannot, then one that is rounded when the program runs in f32.
+    /// A slot that holds this float; if f32 cannot, then one that is rounded when the program runs
+    /// in f32.
     pub(super) fn float(&mut self, x: f64) -> Outcome<Slot> {
         self.wide_float(x, f64::from(x as f32))
     }
@@ -176,7 +178,11 @@ impl Assembler {
     /// Accounts for the list of the slots of one value.
     pub(super) fn list(&mut self, slots: usize) -> Outcome<()> {
         self.listed += slots;
-        if self.listed > MAX_LISTED { Err(too_big(&format!("{MAX_LISTED} scalars in its values"))) } else { Ok(()) }
+        if self.listed > MAX_LISTED {
+            Err(too_big(&format!("{MAX_LISTED} scalars in its values")))
+        } else {
+            Ok(())
+        }
     }
 
     /// A new label, to be placed later.
@@ -258,6 +264,9 @@ impl Assembler {
 
 #[cold]
 fn too_big(limit: &str) -> Box<Diagnostic> {
-    let message = format!("the function needs more than {limit}, which is all that the interpreter grants");
-    Box::new(Diagnostic::error("interp-too-big", message).hint("use smaller arrays or fewer of them"))
+    let message =
+        format!("the function needs more than {limit}, which is all that the interpreter grants");
+    Box::new(
+        Diagnostic::error("interp-too-big", message).hint("use smaller arrays or fewer of them"),
+    )
 }

@@ -23,7 +23,10 @@ impl FunctionCompiler<'_> {
             arguments.push(self.value(other)?.to_vec());
         }
         if arguments.len() != fun.argument_count() {
-            return Err(self.unsupported("a function with a wrong number of arguments (Math)", self.span(first)));
+            return Err(self.unsupported(
+                "a function with a wrong number of arguments (Math)",
+                self.span(first),
+            ));
         }
         if let Some(op) = float_unary(fun, kind) {
             return self.map(&arguments[0], |this, a| this.float1(op, a));
@@ -46,14 +49,25 @@ impl FunctionCompiler<'_> {
             [a, b, c] => self.of_three(fun, kind, [a, b, c]),
             [a, b, offset, count] if fun == Math::InsertBits => {
                 let (offset, count) = (offset[0], count[0]);
-                self.zip(a, b, |this, a, b| this.compute(|to| Instruction::InsertBits { to, a, b, offset, count }))
+                self.zip(a, b, |this, a, b| {
+                    this.compute(|to| Instruction::InsertBits { to, a, b, offset, count })
+                })
             }
             _ => Err(self.unsupported("an unknown function (Math)", self.span(first))),
         }
     }
 
-    fn of_one(&mut self, fun: Math, a: &[Slot], argument: Handle<Expression>) -> Outcome<Vec<Slot>> {
-        let columns = if let TypeInner::Matrix { columns, .. } = self.inner(argument) { *columns as usize } else { 1 };
+    fn of_one(
+        &mut self,
+        fun: Math,
+        a: &[Slot],
+        argument: Handle<Expression>,
+    ) -> Outcome<Vec<Slot>> {
+        let columns = if let TypeInner::Matrix { columns, .. } = self.inner(argument) {
+            *columns as usize
+        } else {
+            1
+        };
         match fun {
             Math::Saturate => {
                 let (zero, one) = (self.float_constant(0.0)?, self.float_constant(1.0)?);
@@ -81,7 +95,13 @@ impl FunctionCompiler<'_> {
         }
     }
 
-    fn of_two(&mut self, fun: Math, kind: ScalarKind, a: &[Slot], b: &[Slot]) -> Outcome<Vec<Slot>> {
+    fn of_two(
+        &mut self,
+        fun: Math,
+        kind: ScalarKind,
+        a: &[Slot],
+        b: &[Slot],
+    ) -> Outcome<Vec<Slot>> {
         match (fun, a, b) {
             (Math::Dot, ..) if kind == ScalarKind::Float => Ok(vec![self.dot(a, b)?]),
             (Math::Dot, ..) => Ok(vec![self.int_dot(a, b)?]),
@@ -90,7 +110,9 @@ impl FunctionCompiler<'_> {
                 let (a, b) = (self.unpack(a, 4, signed)?, self.unpack(b, 4, signed)?);
                 Ok(vec![self.int_dot(&a, &b)?])
             }
-            (Math::Cross, &[ax, ay, az], &[bx, by, bz]) => Ok(self.cross([ax, ay, az], [bx, by, bz])?.to_vec()),
+            (Math::Cross, &[ax, ay, az], &[bx, by, bz]) => {
+                Ok(self.cross([ax, ay, az], [bx, by, bz])?.to_vec())
+            }
             (Math::Distance, ..) => {
                 let difference = self.zip(a, b, Self::subtract)?;
                 Ok(vec![self.length(&difference)?])
@@ -102,26 +124,35 @@ impl FunctionCompiler<'_> {
                 let across = self.map(normal, |this, n| this.multiply(twice, n))?;
                 self.zip(incident, &across, Self::subtract)
             }
-            (Math::Ldexp, ..) => {
-                self.zip(a, b, |this, a, exponent| this.compute(|to| Instruction::FloatScale { to, a, exponent }))
-            }
+            (Math::Ldexp, ..) => self.zip(a, b, |this, a, exponent| {
+                this.compute(|to| Instruction::FloatScale { to, a, exponent })
+            }),
             _ => Err(self.unknown(fun)),
         }
     }
 
-    fn of_three(&mut self, fun: Math, kind: ScalarKind, [a, b, c]: [&[Slot]; 3]) -> Outcome<Vec<Slot>> {
+    fn of_three(
+        &mut self,
+        fun: Math,
+        kind: ScalarKind,
+        [a, b, c]: [&[Slot]; 3],
+    ) -> Outcome<Vec<Slot>> {
         let float = kind == ScalarKind::Float;
         match fun {
-            Math::Clamp if float => self.zip3([a, b, c], |this, [x, low, high]| this.clamp(x, low, high)),
+            Math::Clamp if float => {
+                self.zip3([a, b, c], |this, [x, low, high]| this.clamp(x, low, high))
+            }
             Math::Clamp => {
                 let signed = kind == ScalarKind::I32;
                 self.zip3([a, b, c], |this, [x, low, high]| this.int_clamp(x, low, high, signed))
             }
-            Math::Fma => {
-                self.zip3([a, b, c], |this, [a, b, c]| this.compute(|to| Instruction::FloatFma { to, a, b, c }))
-            }
+            Math::Fma => self.zip3([a, b, c], |this, [a, b, c]| {
+                this.compute(|to| Instruction::FloatFma { to, a, b, c })
+            }),
             Math::Mix => self.zip3([a, b, c], |this, [a, b, t]| this.mix(a, b, t)),
-            Math::SmoothStep => self.zip3([a, b, c], |this, [low, high, x]| this.smoothstep(low, high, x)),
+            Math::SmoothStep => {
+                self.zip3([a, b, c], |this, [low, high, x]| this.smoothstep(low, high, x))
+            }
             Math::FaceForward => {
                 let zero = self.float_constant(0.0)?;
                 let cosine = self.dot(b, c)?;
@@ -134,7 +165,9 @@ impl FunctionCompiler<'_> {
             Math::Refract => self.refract(a, b, c[0]),
             Math::ExtractBits => {
                 let (offset, count, signed) = (b[0], c[0], kind == ScalarKind::I32);
-                self.map(a, |this, a| this.compute(|to| Instruction::ExtractBits { to, a, offset, count, signed }))
+                self.map(a, |this, a| {
+                    this.compute(|to| Instruction::ExtractBits { to, a, offset, count, signed })
+                })
             }
             _ => Err(self.unknown(fun)),
         }
@@ -227,11 +260,21 @@ impl FunctionCompiler<'_> {
             Math::Pack4xU8Clamp => self.clamp_and_pack(a, 0, 255, false)?,
             Math::Unpack4xI8 => return self.unpack(a[0], 4, true),
             Math::Unpack4xU8 => return self.unpack(a[0], 4, false),
-            Math::Unpack4x8snorm => return self.unpack_and_convert(a[0], 4, true, Conversion::FromSnorm8),
-            Math::Unpack4x8unorm => return self.unpack_and_convert(a[0], 4, false, Conversion::FromUnorm8),
-            Math::Unpack2x16snorm => return self.unpack_and_convert(a[0], 2, true, Conversion::FromSnorm16),
-            Math::Unpack2x16unorm => return self.unpack_and_convert(a[0], 2, false, Conversion::FromUnorm16),
-            Math::Unpack2x16float => return self.unpack_and_convert(a[0], 2, false, Conversion::FromHalf),
+            Math::Unpack4x8snorm => {
+                return self.unpack_and_convert(a[0], 4, true, Conversion::FromSnorm8);
+            }
+            Math::Unpack4x8unorm => {
+                return self.unpack_and_convert(a[0], 4, false, Conversion::FromUnorm8);
+            }
+            Math::Unpack2x16snorm => {
+                return self.unpack_and_convert(a[0], 2, true, Conversion::FromSnorm16);
+            }
+            Math::Unpack2x16unorm => {
+                return self.unpack_and_convert(a[0], 2, false, Conversion::FromUnorm16);
+            }
+            Math::Unpack2x16float => {
+                return self.unpack_and_convert(a[0], 2, false, Conversion::FromHalf);
+            }
             _ => return Err(self.unknown(fun)),
         };
         Ok(vec![packed])
@@ -255,7 +298,8 @@ impl FunctionCompiler<'_> {
         let mut packed = self.int_constant(0)?;
         for (index, &b) in (0..).zip(a) {
             let offset = self.int_constant(index * width)?;
-            packed = self.compute(|to| Instruction::InsertBits { to, a: packed, b, offset, count })?;
+            packed =
+                self.compute(|to| Instruction::InsertBits { to, a: packed, b, offset, count })?;
         }
         Ok(packed)
     }
@@ -271,7 +315,13 @@ impl FunctionCompiler<'_> {
             .collect()
     }
 
-    fn unpack_and_convert(&mut self, a: Slot, parts: u32, signed: bool, op: Conversion) -> Outcome<Vec<Slot>> {
+    fn unpack_and_convert(
+        &mut self,
+        a: Slot,
+        parts: u32,
+        signed: bool,
+        op: Conversion,
+    ) -> Outcome<Vec<Slot>> {
         let integers = self.unpack(a, parts, signed)?;
         self.map(&integers, |this, a| this.convert(op, a))
     }

@@ -46,7 +46,9 @@ impl<'a> FunctionCompiler<'a> {
             }
             pending.pop();
         }
-        result.ok_or_else(|| self.unsupported("an expression that is not valid naga IR", self.span_of(root)))
+        result.ok_or_else(|| {
+            self.unsupported("an expression that is not valid naga IR", self.span_of(root))
+        })
     }
 
     fn known(&self, constant: Constant) -> Option<Rc<[Slot]>> {
@@ -90,17 +92,26 @@ impl<'a> FunctionCompiler<'a> {
         };
         match self.constant_expression(constant) {
             Expression::Literal(_) | Expression::ZeroValue(_) => Ok(Vec::new()),
-            Expression::Constant(named) => Ok(vec![Constant::Global(self.context.module.constants[*named].init)]),
-            Expression::Compose { components, .. } => Ok(components.iter().map(|&part| beside(part)).collect()),
+            Expression::Constant(named) => {
+                Ok(vec![Constant::Global(self.context.module.constants[*named].init)])
+            }
+            Expression::Compose { components, .. } => {
+                Ok(components.iter().map(|&part| beside(part)).collect())
+            }
             Expression::Splat { value, .. } => Ok(vec![beside(*value)]),
-            other => Err(self.unsupported(&expression_name(self.context.module, other), self.span_of(root))),
+            other => {
+                Err(self
+                    .unsupported(&expression_name(self.context.module, other), self.span_of(root)))
+            }
         }
     }
 
     /// The slots of a constant whose parts are known.
     fn join(&mut self, constant: Constant, parts: &[Constant]) -> Outcome<Vec<Slot>> {
         match *self.constant_expression(constant) {
-            Expression::Literal(literal) => Ok(vec![self.literal(literal, self.span_of(constant))?]),
+            Expression::Literal(literal) => {
+                Ok(vec![self.literal(literal, self.span_of(constant))?])
+            }
             Expression::ZeroValue(ty) => {
                 let count = self.slots_of(&self.context.module.types[ty].inner, Span::UNDEFINED)?;
                 self.assembler.list(count as usize)?;
@@ -111,7 +122,8 @@ impl<'a> FunctionCompiler<'a> {
                 Ok(value.map_or_else(Vec::new, |slots| slots.repeat(size as usize)))
             }
             _ => {
-                let parts: Vec<Rc<[Slot]>> = parts.iter().filter_map(|&part| self.known(part)).collect();
+                let parts: Vec<Rc<[Slot]>> =
+                    parts.iter().filter_map(|&part| self.known(part)).collect();
                 self.assembler.list(parts.iter().map(|slots| slots.len()).sum())?;
                 Ok(parts.iter().flat_map(|slots| slots.iter().copied()).collect())
             }

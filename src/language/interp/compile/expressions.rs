@@ -51,11 +51,15 @@ impl<'a> FunctionCompiler<'a> {
         let expression = &self.function.expressions[handle];
         let slots = match *expression {
             ref constant if is_constant(constant) => return Ok(()),
-            Expression::FunctionArgument(_) | Expression::LocalVariable(_) | Expression::GlobalVariable(_) => {
+            Expression::FunctionArgument(_)
+            | Expression::LocalVariable(_)
+            | Expression::GlobalVariable(_) => {
                 return Ok(());
             }
             Expression::Access { base, index } => return self.access(handle, base, index),
-            Expression::AccessIndex { base, index } => return self.access_index(handle, base, index),
+            Expression::AccessIndex { base, index } => {
+                return self.access_index(handle, base, index);
+            }
             Expression::Swizzle { size, vector, pattern } => {
                 let vector = self.value(vector)?;
                 pattern[..size as usize]
@@ -69,11 +73,17 @@ impl<'a> FunctionCompiler<'a> {
             }
             Expression::Unary { op, expr } => Some(self.unary(op, expr)?),
             Expression::Binary { op, left, right } => Some(self.binary(op, left, right)?),
-            Expression::Select { condition, accept, reject } => Some(self.select_each(condition, accept, reject)?),
+            Expression::Select { condition, accept, reject } => {
+                Some(self.select_each(condition, accept, reject)?)
+            }
             Expression::Relational { fun, argument } => Some(self.relational(fun, argument)?),
-            Expression::As { expr, kind, convert } => Some(self.cast(expr, kind, convert.is_some())?),
+            Expression::As { expr, kind, convert } => {
+                Some(self.cast(expr, kind, convert.is_some())?)
+            }
             Expression::Math { fun: MathFunction::Outer, .. } => None,
-            Expression::Math { fun, arg, arg1, arg2, arg3 } => Some(self.math(fun, arg, [arg1, arg2, arg3])?),
+            Expression::Math { fun, arg, arg1, arg2, arg3 } => {
+                Some(self.math(fun, arg, [arg1, arg2, arg3])?)
+            }
             Expression::Derivative { axis, ctrl, expr } => self.derivative(axis, ctrl, expr)?,
             Expression::ImageSample {
                 image,
@@ -112,10 +122,15 @@ impl<'a> FunctionCompiler<'a> {
         }
     }
 
-    /// What an expression has computed, as its type holds it: an f16 has less than the float that stands for it.
+    /// What an expression has computed, as its type holds it: an f16 has less than the float that
+    /// stands for it.
     fn rounded(&mut self, handle: Handle<Expression>, slots: Vec<Slot>) -> Outcome<Vec<Slot>> {
         let is_half = self.inner(handle).scalar() == Some(naga::Scalar::F16);
-        if is_half { self.map(&slots, |this, a| this.convert(Conversion::HalfInSingle, a)) } else { Ok(slots) }
+        if is_half {
+            self.map(&slots, |this, a| this.convert(Conversion::HalfInSingle, a))
+        } else {
+            Ok(slots)
+        }
     }
 
     /// Remembers the value of an expression.
@@ -195,9 +210,12 @@ impl<'a> FunctionCompiler<'a> {
         }
         let [x, y] = match control {
             DerivativeControl::Coarse => [Derivative::CoarseX, Derivative::CoarseY],
-            DerivativeControl::Fine | DerivativeControl::None => [Derivative::FineX, Derivative::FineY],
+            DerivativeControl::Fine | DerivativeControl::None => {
+                [Derivative::FineX, Derivative::FineY]
+            }
         };
-        let along = |this: &mut Self, op, a| this.compute(|to| Instruction::Derivative { op, to, a });
+        let along =
+            |this: &mut Self, op, a| this.compute(|to| Instruction::Derivative { op, to, a });
         let derivative = match axis {
             DerivativeAxis::X => self.map(&slots, |this, a| along(this, x, a)),
             DerivativeAxis::Y => self.map(&slots, |this, a| along(this, y, a)),
@@ -217,7 +235,10 @@ impl<'a> FunctionCompiler<'a> {
 
     /// The kind of an expression's scalars.
     pub(super) fn kind(&self, handle: Handle<Expression>) -> Outcome<ScalarKind> {
-        let scalar = self.inner(handle).scalar().ok_or(Problem::Unsupported("neither scalar, vector nor matrix"));
+        let scalar = self
+            .inner(handle)
+            .scalar()
+            .ok_or(Problem::Unsupported("neither scalar, vector nor matrix"));
         self.checked(scalar.and_then(scalar_kind), handle)
     }
 
@@ -229,7 +250,11 @@ impl<'a> FunctionCompiler<'a> {
         }
     }
 
-    pub(super) fn checked<T>(&self, result: Result<T, Problem>, handle: Handle<Expression>) -> Outcome<T> {
+    pub(super) fn checked<T>(
+        &self,
+        result: Result<T, Problem>,
+        handle: Handle<Expression>,
+    ) -> Outcome<T> {
         result.map_err(|problem| self.locate(problem.diagnose(&self.subject()), self.span(handle)))
     }
 
@@ -239,11 +264,18 @@ impl<'a> FunctionCompiler<'a> {
     }
 
     #[cold]
-    pub(super) fn unsupported_expression(&self, handle: Handle<Expression>) -> Box<crate::diag::Diagnostic> {
+    pub(super) fn unsupported_expression(
+        &self,
+        handle: Handle<Expression>,
+    ) -> Box<crate::diag::Diagnostic> {
         let expression = &self.function.expressions[handle];
-        let mut error = self.unsupported(&expression_name(self.context.module, expression), self.span(handle));
+        let mut error =
+            self.unsupported(&expression_name(self.context.module, expression), self.span(handle));
         if matches!(expression, Expression::Derivative { .. }) {
-            error.hints.push("`Derivatives::Zero` makes derivatives 0, as where everything is constant".to_owned());
+            error.hints.push(
+                "`Derivatives::Zero` makes derivatives 0, as where everything is constant"
+                    .to_owned(),
+            );
         }
         error
     }

@@ -2,7 +2,10 @@
 
 use std::collections::HashMap;
 
-use naga::{AddressSpace, ArraySize, Expression, Function, GlobalVariable, Handle, ImageClass, Module, StorageAccess};
+use naga::{
+    AddressSpace, ArraySize, Expression, Function, GlobalVariable, Handle, ImageClass, Module,
+    StorageAccess,
+};
 use naga::{ImageDimension, ScalarKind as Kind, Type, TypeInner};
 
 use super::Outcome;
@@ -44,10 +47,12 @@ impl Globals {
     ) -> Outcome<Self> {
         let mut used: Vec<Handle<GlobalVariable>> = Vec::new();
         for function in functions {
-            used.extend(function.expressions.iter().filter_map(|(_, expression)| match expression {
-                Expression::GlobalVariable(handle) => Some(*handle),
-                _ => None,
-            }));
+            used.extend(function.expressions.iter().filter_map(
+                |(_, expression)| match expression {
+                    Expression::GlobalVariable(handle) => Some(*handle),
+                    _ => None,
+                },
+            ));
         }
         used.sort_unstable();
         used.dedup();
@@ -79,12 +84,15 @@ impl Globals {
                 Home::Private(slot)
             }
             AddressSpace::Uniform | AddressSpace::Storage { .. } => {
-                if matches!(variable.space, AddressSpace::Storage { access } if access.contains(StorageAccess::STORE)) {
+                if matches!(variable.space, AddressSpace::Storage { access } if access.contains(StorageAccess::STORE))
+                {
                     return Err(Problem::Unsupported("a storage buffer that can be written"));
                 }
                 Home::Buffer(self.resource(variable, buffer(module, layouts, variable.ty)?)?)
             }
-            AddressSpace::Handle => Home::Handle(self.resource(variable, opaque(&module.types[variable.ty].inner)?)?),
+            AddressSpace::Handle => {
+                Home::Handle(self.resource(variable, opaque(&module.types[variable.ty].inner)?)?)
+            }
             AddressSpace::WorkGroup => return Err(Problem::Unsupported("workgroup memory")),
             _ => return Err(Problem::Unsupported("in an address space of its own")),
         };
@@ -93,13 +101,20 @@ impl Globals {
     }
 
     fn resource(&mut self, variable: &GlobalVariable, kind: ResourceKind) -> Result<u32, Problem> {
-        let binding = variable.binding.ok_or(Problem::Unsupported("a resource without a binding"))?;
+        let binding =
+            variable.binding.ok_or(Problem::Unsupported("a resource without a binding"))?;
         let name = variable.name.clone().unwrap_or_default();
-        self.resources.push(Resource { group: binding.group, binding: binding.binding, name, kind });
+        self.resources.push(Resource {
+            group: binding.group,
+            binding: binding.binding,
+            name,
+            kind,
+        });
         Ok(self.resources.len() as u32 - 1)
     }
 
-    /// What an expression that names the variable is; none if the program has not been asked to use it.
+    /// What an expression that names the variable is; none if the program has not been asked to use
+    /// it.
     pub(super) fn operand(
         &self,
         handle: Handle<GlobalVariable>,
@@ -107,7 +122,9 @@ impl Globals {
     ) -> Outcome<Option<Operand>> {
         Ok(Some(match self.homes.get(&handle) {
             Some(Home::Private(slot)) => Operand::Place(Place::fixed(*slot)),
-            Some(Home::Buffer(number)) => Operand::Place(Place { buffer: Some(*number), ..Place::fixed(0) }),
+            Some(Home::Buffer(number)) => {
+                Operand::Place(Place { buffer: Some(*number), ..Place::fixed(0) })
+            }
             Some(Home::Handle(number)) => {
                 let slot = assembler.constant(u64::from(*number))?;
                 Operand::Value([slot].into())
@@ -121,7 +138,10 @@ impl Globals {
 fn buffer(module: &Module, layouts: &Layouts, ty: Handle<Type>) -> Result<ResourceKind, Problem> {
     let members = match &module.types[ty].inner {
         TypeInner::Array { base, size: ArraySize::Dynamic, .. } => {
-            return Ok(ResourceKind::Unsized { head: None, element: layouts.shape(module, *base)? });
+            return Ok(ResourceKind::Unsized {
+                head: None,
+                element: layouts.shape(module, *base)?,
+            });
         }
         TypeInner::Struct { members, .. } => members.as_slice(),
         _ => &[],
@@ -131,9 +151,14 @@ fn buffer(module: &Module, layouts: &Layouts, ty: Handle<Type>) -> Result<Resour
     {
         let head: Result<Vec<(String, Shape)>, Problem> = before
             .iter()
-            .map(|member| Ok((member.name.clone().unwrap_or_default(), layouts.shape(module, member.ty)?)))
+            .map(|member| {
+                Ok((member.name.clone().unwrap_or_default(), layouts.shape(module, member.ty)?))
+            })
             .collect();
-        return Ok(ResourceKind::Unsized { head: Some(head?), element: layouts.shape(module, base)? });
+        return Ok(ResourceKind::Unsized {
+            head: Some(head?),
+            element: layouts.shape(module, base)?,
+        });
     }
     Ok(ResourceKind::Buffer(layouts.shape(module, ty)?))
 }
@@ -141,12 +166,18 @@ fn buffer(module: &Module, layouts: &Layouts, ty: Handle<Type>) -> Result<Resour
 /// What a texture or sampler variable takes.
 fn opaque(inner: &TypeInner) -> Result<ResourceKind, Problem> {
     match *inner {
-        TypeInner::Image { dim, arrayed, class } => {
-            Ok(ResourceKind::Texture { dimension: dimension(dim), is_arrayed: arrayed, texel: texel(class)? })
+        TypeInner::Image { dim, arrayed, class } => Ok(ResourceKind::Texture {
+            dimension: dimension(dim),
+            is_arrayed: arrayed,
+            texel: texel(class)?,
+        }),
+        TypeInner::Sampler { comparison } => {
+            Ok(ResourceKind::Sampler { is_comparison: comparison })
         }
-        TypeInner::Sampler { comparison } => Ok(ResourceKind::Sampler { is_comparison: comparison }),
         TypeInner::BindingArray { .. } => Err(Problem::Unsupported("an array of bindings")),
-        TypeInner::AccelerationStructure { .. } => Err(Problem::Unsupported("an acceleration structure")),
+        TypeInner::AccelerationStructure { .. } => {
+            Err(Problem::Unsupported("an acceleration structure"))
+        }
         _ => Err(Problem::Unsupported("an opaque type that is neither texture nor sampler")),
     }
 }

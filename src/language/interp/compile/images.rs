@@ -72,17 +72,26 @@ impl FunctionCompiler<'_> {
         self.image(image, texel, kind, if texel == Texel::Depth { 1 } else { 4 })
     }
 
-    pub(super) fn image_query(&mut self, image: Handle<Expression>, query: ImageQuery) -> Outcome<Vec<Slot>> {
+    pub(super) fn image_query(
+        &mut self,
+        image: Handle<Expression>,
+        query: ImageQuery,
+    ) -> Outcome<Vec<Slot>> {
         let texel = self.texel(image)?;
         let (kind, count) = match query {
             ImageQuery::Size { level } => {
                 let dimensions = self.dimensions(image);
-                (OperationKind::Size { level: self.optional(level)?, dimensions }, dimensions as u32)
+                (
+                    OperationKind::Size { level: self.optional(level)?, dimensions },
+                    dimensions as u32,
+                )
             }
             ImageQuery::NumLevels => (OperationKind::Levels, 1),
             ImageQuery::NumLayers => (OperationKind::Layers, 1),
             ImageQuery::NumSamples => {
-                return Err(self.unsupported("a multisampled texture (ImageQuery)", self.span(image)));
+                return Err(
+                    self.unsupported("a multisampled texture (ImageQuery)", self.span(image))
+                );
             }
         };
         self.image(image, texel, kind, count)

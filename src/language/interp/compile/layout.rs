@@ -24,13 +24,16 @@ impl Problem {
         match self {
             Self::Unsupported(what) => {
                 let message = format!("{subject} is {what}, which the interpreter cannot hold");
-                Diagnostic::error("interp-unsupported", message)
-                    .hint("it knows bool, i32, u32, f32, and vectors, matrices, arrays and structs of them")
+                Diagnostic::error("interp-unsupported", message).hint(
+                    "it knows bool, i32, u32, f32, and vectors, matrices, arrays and structs \
+                           of them",
+                )
             }
             Self::TooBig => Diagnostic::error(
                 "interp-too-big",
                 format!(
-                    "the type of {subject} is larger than {MAX_SLOTS} scalars or nested more than {MAX_DEPTH} deep"
+                    "the type of {subject} is larger than {MAX_SLOTS} scalars or nested more than \
+                     {MAX_DEPTH} deep"
                 ),
             ),
         }
@@ -63,11 +66,14 @@ impl Layouts {
     }
 
     fn extent(&self, inner: &TypeInner) -> Result<Extent, Problem> {
-        let known =
-            |ty: Handle<Type>| self.0.get(ty.index()).copied().unwrap_or(Err(Problem::Unsupported("recursive")));
+        let known = |ty: Handle<Type>| {
+            self.0.get(ty.index()).copied().unwrap_or(Err(Problem::Unsupported("recursive")))
+        };
         let (slots, depth) = match inner {
             TypeInner::Scalar(scalar) => scalar_kind(*scalar).map(|_| (1, 0))?,
-            TypeInner::Vector { size, scalar } => scalar_kind(*scalar).map(|_| (*size as u64, 0))?,
+            TypeInner::Vector { size, scalar } => {
+                scalar_kind(*scalar).map(|_| (*size as u64, 0))?
+            }
             TypeInner::Matrix { columns, rows, scalar } => {
                 scalar_kind(*scalar).map(|_| (*columns as u64 * *rows as u64, 0))?
             }
@@ -100,17 +106,25 @@ impl Layouts {
         self.slots(inner)?;
         Ok(match inner {
             TypeInner::Scalar(scalar) => Shape::Scalar(scalar_kind(*scalar)?),
-            TypeInner::Vector { size, scalar } => Shape::Vector { kind: scalar_kind(*scalar)?, size: *size as usize },
+            TypeInner::Vector { size, scalar } => {
+                Shape::Vector { kind: scalar_kind(*scalar)?, size: *size as usize }
+            }
             TypeInner::Matrix { columns, rows, .. } => {
                 Shape::Matrix { columns: *columns as usize, rows: *rows as usize }
             }
-            TypeInner::Array { base, size, .. } => {
-                Shape::Array { element: Box::new(self.shape(module, *base)?), count: array_count(*size)? as usize }
-            }
+            TypeInner::Array { base, size, .. } => Shape::Array {
+                element: Box::new(self.shape(module, *base)?),
+                count: array_count(*size)? as usize,
+            },
             TypeInner::Struct { members, .. } => {
                 let members = members
                     .iter()
-                    .map(|member| Ok((member.name.clone().unwrap_or_default(), self.shape(module, member.ty)?)))
+                    .map(|member| {
+                        Ok((
+                            member.name.clone().unwrap_or_default(),
+                            self.shape(module, member.ty)?,
+                        ))
+                    })
                     .collect::<Result<_, _>>()?;
                 Shape::Struct { name: name.clone().unwrap_or_default(), members }
             }
@@ -119,32 +133,61 @@ impl Layouts {
     }
 
     /// Where part `index` of a composite begins.
-    pub(super) fn offset(&self, types: &UniqueArena<Type>, inner: &TypeInner, index: u32) -> Result<u32, Problem> {
-        let TypeInner::Struct { members, .. } = inner else { return Ok(self.part(types, inner, index)?.0) };
+    pub(super) fn offset(
+        &self,
+        types: &UniqueArena<Type>,
+        inner: &TypeInner,
+        index: u32,
+    ) -> Result<u32, Problem> {
+        let TypeInner::Struct { members, .. } = inner else {
+            return Ok(self.part(types, inner, index)?.0);
+        };
         members[..(index as usize).min(members.len())]
             .iter()
             .try_fold(0, |offset, member| Ok(offset + self.slots(&types[member.ty].inner)?))
     }
 
-    /// Offset and number of slots of part `index` of a composite: a component, column, element or member.
-    pub(super) fn part(&self, types: &UniqueArena<Type>, inner: &TypeInner, index: u32) -> Result<(u32, u32), Problem> {
+    /// Offset and number of slots of part `index` of a composite: a component, column, element or
+    /// member.
+    pub(super) fn part(
+        &self,
+        types: &UniqueArena<Type>,
+        inner: &TypeInner,
+        index: u32,
+    ) -> Result<(u32, u32), Problem> {
         if let TypeInner::Struct { members, .. } = inner {
             let offset = self.offset(types, inner, index)?;
-            let member = members.get(index as usize).ok_or(Problem::Unsupported("a struct without that member"))?;
+            let member = members
+                .get(index as usize)
+                .ok_or(Problem::Unsupported("a struct without that member"))?;
             return Ok((offset, self.slots(&types[member.ty].inner)?));
         }
         let (count, stride) = self.elements(types, inner)?;
-        if index < count { Ok((index * stride, stride)) } else { Err(Problem::Unsupported("shorter than its index")) }
+        if index < count {
+            Ok((index * stride, stride))
+        } else {
+            Err(Problem::Unsupported("shorter than its index"))
+        }
     }
 
     /// How many equal parts a composite has, and how many slots each takes.
-    pub(super) fn elements(&self, types: &UniqueArena<Type>, inner: &TypeInner) -> Result<(u32, u32), Problem> {
+    pub(super) fn elements(
+        &self,
+        types: &UniqueArena<Type>,
+        inner: &TypeInner,
+    ) -> Result<(u32, u32), Problem> {
         Ok(match inner {
-            TypeInner::Vector { size, .. } | TypeInner::ValuePointer { size: Some(size), .. } => (*size as u32, 1),
+            TypeInner::Vector { size, .. } | TypeInner::ValuePointer { size: Some(size), .. } => {
+                (*size as u32, 1)
+            }
             TypeInner::Matrix { columns, rows, .. } => (*columns as u32, *rows as u32),
             // Whoever indexes it compares with the length first.
-            TypeInner::Array { base, size: ArraySize::Dynamic, .. } => (u32::MAX, self.slots(&types[*base].inner)?),
-            TypeInner::Array { base, size, .. } => (array_count(*size)?, self.slots(&types[*base].inner)?),
+            TypeInner::Array { base, size: ArraySize::Dynamic, .. } => {
+                (u32::MAX, self.slots(&types[*base].inner)?)
+            }
+            TypeInner::Array { base, size, .. } => {
+                (array_count(*size)?, self.slots(&types[*base].inner)?)
+            }
             other => return Err(Problem::Unsupported(type_name(other))),
         })
     }

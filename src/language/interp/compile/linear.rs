@@ -11,7 +11,10 @@ type Columns<'s> = Vec<&'s [Slot]>;
 
 impl FunctionCompiler<'_> {
     /// Emits an instruction that writes a new slot.
-    pub(super) fn compute(&mut self, instruction: impl FnOnce(Slot) -> Instruction) -> Outcome<Slot> {
+    pub(super) fn compute(
+        &mut self,
+        instruction: impl FnOnce(Slot) -> Instruction,
+    ) -> Outcome<Slot> {
         let to = self.assembler.reserve(1)?;
         self.assembler.emit(instruction(to))?;
         Ok(to)
@@ -85,7 +88,9 @@ impl FunctionCompiler<'_> {
         b: &[Slot],
         mut f: impl FnMut(&mut Self, Slot, Slot) -> Outcome<Slot>,
     ) -> Outcome<Vec<Slot>> {
-        (0..a.len().max(b.len())).map(|index| f(self, component(a, index), component(b, index))).collect()
+        (0..a.len().max(b.len()))
+            .map(|index| f(self, component(a, index), component(b, index)))
+            .collect()
     }
 
     /// `a . b`, summed in order.
@@ -140,7 +145,12 @@ impl FunctionCompiler<'_> {
     }
 
     /// Matrix times matrix; `inner` is the number of columns of the left and of rows of the right.
-    pub(super) fn matrix_matrix(&mut self, left: &[Slot], right: &[Slot], inner: usize) -> Outcome<Vec<Slot>> {
+    pub(super) fn matrix_matrix(
+        &mut self,
+        left: &[Slot],
+        right: &[Slot],
+        inner: usize,
+    ) -> Outcome<Vec<Slot>> {
         let mut product = Vec::new();
         for column in right.chunks_exact(inner.max(1)) {
             product.extend(self.matrix_vector(left, column)?);
@@ -163,7 +173,8 @@ impl FunctionCompiler<'_> {
         let columns: Columns = matrix.chunks_exact(size.max(1)).collect();
         let mut cofactors = Vec::new();
         for index in 0..size {
-            // With column `index` moved to the front; that takes `index` exchanges, each of which changes the sign.
+            // With column `index` moved to the front; that takes `index` exchanges, each of which
+            // changes the sign.
             let mut moved = columns.clone();
             moved[..=index].rotate_right(1);
             let of_column = self.first_cofactors(&moved)?;

@@ -1,9 +1,9 @@
 //! Reads literals at f64, which naga's front end has rounded to f32.
 //!
-//! naga keeps no number as it was written, but it keeps where it stood; and what it folded has the place of the whole
-//! expression. That text is read again and evaluated twice side by side, in f64 throughout and as naga did, rounding
-//! where WGSL's types do. Only if the second gives naga's number bit for bit is the first believed. So a misreading does
-//! no harm: naga's number stands.
+//! naga keeps no number as it was written, but it keeps where it stood; and what it folded has the
+//! place of the whole expression. That text is read again and evaluated twice side by side, in f64
+//! throughout and as naga did, rounding where WGSL's types do. Only if the second gives naga's
+//! number bit for bit is the first believed. So a misreading does no harm: naga's number stands.
 
 use std::collections::HashMap;
 
@@ -27,7 +27,10 @@ pub(super) struct Literals<'s> {
 impl<'s> Literals<'s> {
     pub(super) fn of(source: &'s str) -> Self {
         let scan = scan(source);
-        let constants = scan.declarations.iter().filter(|declaration| declaration.kind == DeclarationKind::Constant);
+        let constants = scan
+            .declarations
+            .iter()
+            .filter(|declaration| declaration.kind == DeclarationKind::Constant);
         let mut unknown: Vec<(&str, Option<&str>, &str)> = constants
             .filter_map(|declaration| {
                 let (head, value) = source.get(declaration.body.clone())?.split_once('=')?;
@@ -60,7 +63,9 @@ impl<'s> Literals<'s> {
         let mut text = self.source.get(range.clone())?;
         let rest = self.source.get(range.end..)?;
         // Of a call, naga keeps where its name stands.
-        if text.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_') && rest.trim_start().starts_with('(') {
+        if text.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_')
+            && rest.trim_start().starts_with('(')
+        {
             text = self.source.get(range.start..range.end + end_of_call(rest)?)?;
         }
         if text.len() > MAX_LENGTH {
@@ -120,13 +125,19 @@ mod tests {
         let shaders = [PASSES, SHADER_LIBRARY].into_iter().flatten();
         let shaders = shaders.map(|&(name, text)| (name.to_owned(), text.to_owned()));
         for (name, text) in shaders.chain(shipped_nodes()) {
-            let linked = link(&[Source { name: &name, text: &text }]).unwrap_or_else(|problems| panic!("{problems:?}"));
+            let linked = link(&[Source { name: &name, text: &text }])
+                .unwrap_or_else(|problems| panic!("{problems:?}"));
             for (text, single, wide) in literals(&linked.text) {
                 count += 1;
-                let wide = wide.unwrap_or_else(|| panic!("{name}: `{text}` ({single:?}) could not be read again"));
+                let wide = wide.unwrap_or_else(|| {
+                    panic!("{name}: `{text}` ({single:?}) could not be read again")
+                });
                 widened += u32::from(wide != f64::from(single));
                 let ulp = f64::from(single).abs() * f64::from(f32::EPSILON);
-                assert!((wide - f64::from(single)).abs() <= ulp, "{name}: `{text}` is {single:?}, not {wide:?}");
+                assert!(
+                    (wide - f64::from(single)).abs() <= ulp,
+                    "{name}: `{text}` is {single:?}, not {wide:?}"
+                );
             }
         }
         assert!(count > 1000 && widened > 300, "{widened} of {count} literals are wider than f32");
@@ -140,8 +151,10 @@ mod tests {
             const C = 0.1;
             const V = vec3f(0.1, A, 1.0 / 3.0);
             fn f(x: f32) -> f32 { return x * A + V.y + (vec3f(0.7) * 0.7).x + log(2.0) - 1e-7; }";
-        let expected = [0.1 / 3.0 * 3.0, 0.1, 0.1 / 3.0 * 3.0, 1.0 / 3.0, 0.7 * 0.7, 2.0_f64.ln(), 1e-7];
-        let found: Vec<f64> = literals(source).into_iter().filter_map(|(_, _, wide)| wide).collect();
+        let expected =
+            [0.1 / 3.0 * 3.0, 0.1, 0.1 / 3.0 * 3.0, 1.0 / 3.0, 0.7 * 0.7, 2.0_f64.ln(), 1e-7];
+        let found: Vec<f64> =
+            literals(source).into_iter().filter_map(|(_, _, wide)| wide).collect();
         for x in expected {
             assert!(found.contains(&x), "{x:?} is not among {found:?}");
         }
@@ -149,7 +162,8 @@ mod tests {
 
     #[test]
     fn a_misreading_does_no_harm() {
-        let source = "const PI: f32 = 3.5; fn f(x: f32) -> f32 { const PI = 0.1; return x * PI * 2.5; }";
+        let source =
+            "const PI: f32 = 3.5; fn f(x: f32) -> f32 { const PI = 0.1; return x * PI * 2.5; }";
         for (text, single, wide) in literals(source) {
             if text.contains("PI") {
                 assert_eq!(wide, None, "`{text}` is {single:?}");

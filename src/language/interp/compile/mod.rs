@@ -1,7 +1,8 @@
 //! From naga IR to instructions.
 //!
-//! Every function that the entry function reaches is compiled once, callees first. None of this recurses: blocks,
-//! constants and the call graph are walked with explicit stacks, so no module is too deep for it.
+//! Every function that the entry function reaches is compiled once, callees first. None of this
+//! recurses: blocks, constants and the call graph are walked with explicit stacks, so no module is
+//! too deep for it.
 
 mod access;
 mod arithmetic;
@@ -80,7 +81,14 @@ pub(super) fn compile(module: &Module, name: &str, options: Options<'_>) -> Outc
     let mut frames: Vec<Option<Frame>> = Vec::new();
     frames.resize_with(module.functions.len(), || None);
     for callee in callees {
-        let context = Context { module, layouts: &layouts, options, globals: &globals, literals, frames: &frames };
+        let context = Context {
+            module,
+            layouts: &layouts,
+            options,
+            globals: &globals,
+            literals,
+            frames: &frames,
+        };
         let begin = assembler.length();
         let function = &module.functions[callee];
         let mut frame = compile_function(&context, &mut assembler, function, false)?;
@@ -90,7 +98,14 @@ pub(super) fn compile(module: &Module, name: &str, options: Options<'_>) -> Outc
         }
         frames[callee.index()] = Some(frame);
     }
-    let context = Context { module, layouts: &layouts, options, globals: &globals, literals, frames: &frames };
+    let context = Context {
+        module,
+        layouts: &layouts,
+        options,
+        globals: &globals,
+        literals,
+        frames: &frames,
+    };
     let frame = compile_function(&context, &mut assembler, function, true)?;
     let parameters: Vec<Parameter> = parameters
         .into_iter()
@@ -125,7 +140,8 @@ fn find<'m>(module: &'m Module, name: &str) -> Outcome<&'m Function> {
     let entry_points = module.entry_points.iter().map(|e| (e.name.as_str(), &e.function));
     let known: Vec<(&str, &Function)> = functions.chain(entry_points).collect();
     known.iter().find(|(known, _)| *known == name).map(|(_, function)| *function).ok_or_else(|| {
-        let error = Diagnostic::error("interp-unknown-function", format!("there is no function `{name}`"));
+        let error =
+            Diagnostic::error("interp-unknown-function", format!("there is no function `{name}`"));
         Box::new(error.suggest(name, known.iter().map(|(known, _)| *known)))
     })
 }
@@ -139,7 +155,9 @@ fn signature(
     options: Options<'_>,
 ) -> Outcome<(Vec<(String, Shape)>, Shape)> {
     let shape = |ty, what: &str| {
-        layouts.shape(module, ty).map_err(|problem| Box::new(problem.diagnose(&format!("{what} of `{name}`"))))
+        layouts
+            .shape(module, ty)
+            .map_err(|problem| Box::new(problem.diagnose(&format!("{what} of `{name}`"))))
     };
     let mut parameters = Vec::new();
     for argument in &function.arguments {
@@ -169,7 +187,12 @@ fn reachable(module: &Module, entry: &Function) -> Vec<Handle<Function>> {
         }
     }
     // naga orders its arena so that functions come after those that they call.
-    module.functions.iter().map(|(handle, _)| handle).filter(|handle| found[handle.index()]).collect()
+    module
+        .functions
+        .iter()
+        .map(|(handle, _)| handle)
+        .filter(|handle| found[handle.index()])
+        .collect()
 }
 
 /// What is called anywhere in a block.
@@ -183,7 +206,9 @@ fn calls(body: &Block) -> Vec<Handle<Function>> {
                 Statement::Block(inner) => blocks.push(inner),
                 Statement::If { accept, reject, .. } => blocks.extend([accept, reject]),
                 Statement::Loop { body, continuing, .. } => blocks.extend([body, continuing]),
-                Statement::Switch { cases, .. } => blocks.extend(cases.iter().map(|case| &case.body)),
+                Statement::Switch { cases, .. } => {
+                    blocks.extend(cases.iter().map(|case| &case.body))
+                }
                 _ => {}
             }
         }
@@ -213,12 +238,16 @@ fn compile_function(
 
 /// The type of every expression.
 fn types(module: &Module, function: &Function) -> Outcome<Typifier> {
-    let resolve = ResolveContext::with_locals(module, &function.local_variables, &function.arguments);
+    let resolve =
+        ResolveContext::with_locals(module, &function.local_variables, &function.arguments);
     let mut types = Typifier::new();
     if let Some((last, _)) = function.expressions.iter().last() {
         types.grow(last, &function.expressions, &resolve).map_err(|problem| {
             let name = function.name.as_deref().unwrap_or("");
-            Box::new(Diagnostic::error("interp-unsupported", format!("the types of `{name}` are not known: {problem}")))
+            Box::new(Diagnostic::error(
+                "interp-unsupported",
+                format!("the types of `{name}` are not known: {problem}"),
+            ))
         })?;
     }
     Ok(types)
@@ -229,18 +258,23 @@ fn frame(context: &Context, assembler: &mut Assembler, function: &Function) -> O
     let name = function.name.as_deref().unwrap_or("");
     let slots = |ty, what: &str| {
         let inner = &context.module.types[ty].inner;
-        context.layouts.slots(inner).map_err(|problem| Box::new(problem.diagnose(&format!("{what} of `{name}`"))))
+        context
+            .layouts
+            .slots(inner)
+            .map_err(|problem| Box::new(problem.diagnose(&format!("{what} of `{name}`"))))
     };
     let entry = assembler.label();
     let link = assembler.reserve(1)?;
     let (mut arguments, mut shared) = (Vec::new(), Vec::new());
     for argument in &function.arguments {
-        let count = slots(argument.ty, &format!("argument `{}`", argument.name.as_deref().unwrap_or("")))?;
+        let count =
+            slots(argument.ty, &format!("argument `{}`", argument.name.as_deref().unwrap_or("")))?;
         let first = assembler.reserve(count)?;
         arguments.push(first);
         shared.extend(first..first + count);
     }
-    let result_slots = function.result.as_ref().map_or(Ok(0), |result| slots(result.ty, "the result"))?;
+    let result_slots =
+        function.result.as_ref().map_or(Ok(0), |result| slots(result.ty, "the result"))?;
     let result = assembler.reserve(result_slots)?;
     Ok(Frame { entry, link, arguments, result, result_slots, shared: Some(shared) })
 }

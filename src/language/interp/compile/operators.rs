@@ -1,6 +1,9 @@
 //! Operators, comparisons, selections and conversions.
 
-use naga::{BinaryOperator, Expression, Handle, RelationalFunction, ScalarKind as Kind, TypeInner, UnaryOperator};
+use naga::{
+    BinaryOperator, Expression, Handle, RelationalFunction, ScalarKind as Kind, TypeInner,
+    UnaryOperator,
+};
 
 use super::Outcome;
 use super::layout::scalar_kind;
@@ -21,14 +24,24 @@ enum Operation {
 }
 
 impl FunctionCompiler<'_> {
-    pub(super) fn unary(&mut self, op: UnaryOperator, expr: Handle<Expression>) -> Outcome<Vec<Slot>> {
+    pub(super) fn unary(
+        &mut self,
+        op: UnaryOperator,
+        expr: Handle<Expression>,
+    ) -> Outcome<Vec<Slot>> {
         let float = self.kind(expr)? == ScalarKind::Float;
         let slots = self.value(expr)?;
         match op {
-            UnaryOperator::Negate if float => self.map(&slots, |this, a| this.float1(FloatUnary::Negate, a)),
+            UnaryOperator::Negate if float => {
+                self.map(&slots, |this, a| this.float1(FloatUnary::Negate, a))
+            }
             UnaryOperator::Negate => self.map(&slots, |this, a| this.int1(IntUnary::Negate, a)),
-            UnaryOperator::LogicalNot => self.map(&slots, |this, a| this.int1(IntUnary::LogicalNot, a)),
-            UnaryOperator::BitwiseNot => self.map(&slots, |this, a| this.int1(IntUnary::Complement, a)),
+            UnaryOperator::LogicalNot => {
+                self.map(&slots, |this, a| this.int1(IntUnary::LogicalNot, a))
+            }
+            UnaryOperator::BitwiseNot => {
+                self.map(&slots, |this, a| this.int1(IntUnary::Complement, a))
+            }
         }
     }
 
@@ -44,8 +57,12 @@ impl FunctionCompiler<'_> {
                 (TypeInner::Matrix { columns, .. }, TypeInner::Matrix { .. }) => {
                     return self.matrix_matrix(&a, &b, *columns as usize);
                 }
-                (TypeInner::Matrix { .. }, TypeInner::Vector { .. }) => return self.matrix_vector(&a, &b),
-                (TypeInner::Vector { .. }, TypeInner::Matrix { .. }) => return self.vector_matrix(&a, &b),
+                (TypeInner::Matrix { .. }, TypeInner::Vector { .. }) => {
+                    return self.matrix_vector(&a, &b);
+                }
+                (TypeInner::Vector { .. }, TypeInner::Matrix { .. }) => {
+                    return self.vector_matrix(&a, &b);
+                }
                 _ => {}
             }
         }
@@ -76,25 +93,44 @@ impl FunctionCompiler<'_> {
         })
     }
 
-    pub(super) fn relational(&mut self, fun: RelationalFunction, argument: Handle<Expression>) -> Outcome<Vec<Slot>> {
+    pub(super) fn relational(
+        &mut self,
+        fun: RelationalFunction,
+        argument: Handle<Expression>,
+    ) -> Outcome<Vec<Slot>> {
         let slots = self.value(argument)?;
         match fun {
-            RelationalFunction::All => Ok(vec![self.fold(&slots, |this, a, b| this.int2(IntBinary::And, a, b))?]),
-            RelationalFunction::Any => Ok(vec![self.fold(&slots, |this, a, b| this.int2(IntBinary::Or, a, b))?]),
-            RelationalFunction::IsNan => self.map(&slots, |this, a| this.convert(Conversion::IsNan, a)),
-            RelationalFunction::IsInf => self.map(&slots, |this, a| this.convert(Conversion::IsInf, a)),
+            RelationalFunction::All => {
+                Ok(vec![self.fold(&slots, |this, a, b| this.int2(IntBinary::And, a, b))?])
+            }
+            RelationalFunction::Any => {
+                Ok(vec![self.fold(&slots, |this, a, b| this.int2(IntBinary::Or, a, b))?])
+            }
+            RelationalFunction::IsNan => {
+                self.map(&slots, |this, a| this.convert(Conversion::IsNan, a))
+            }
+            RelationalFunction::IsInf => {
+                self.map(&slots, |this, a| this.convert(Conversion::IsInf, a))
+            }
         }
     }
 
     /// Converts the value if `by_value`, else reinterprets its bits.
-    pub(super) fn cast(&mut self, expr: Handle<Expression>, to: Kind, by_value: bool) -> Outcome<Vec<Slot>> {
+    pub(super) fn cast(
+        &mut self,
+        expr: Handle<Expression>,
+        to: Kind,
+        by_value: bool,
+    ) -> Outcome<Vec<Slot>> {
         let from = self.kind(expr)?;
         if !by_value && self.inner(expr).scalar().is_some_and(|scalar| scalar.width == 2) {
             return Err(self.unsupported("the bits of an f16 (As)", self.span(expr)));
         }
         let to = match scalar_kind(naga::Scalar { kind: to, width: 4 }) {
             Ok(kind) => kind,
-            Err(problem) => return Err(self.locate(problem.diagnose(&self.subject()), self.span(expr))),
+            Err(problem) => {
+                return Err(self.locate(problem.diagnose(&self.subject()), self.span(expr)));
+            }
         };
         let slots = self.value(expr)?;
         match conversion(from, to, by_value) {
@@ -154,8 +190,12 @@ fn int_operation(op: BinaryOperator, signed: bool) -> Option<Operation> {
         BinaryOperator::Add => Operation::Int(IntBinary::Add),
         BinaryOperator::Subtract => Operation::Int(IntBinary::Subtract),
         BinaryOperator::Multiply => Operation::Int(IntBinary::Multiply),
-        BinaryOperator::Divide => Operation::Int(either(IntBinary::DivideSigned, IntBinary::DivideUnsigned)),
-        BinaryOperator::Modulo => Operation::Int(either(IntBinary::RemainderSigned, IntBinary::RemainderUnsigned)),
+        BinaryOperator::Divide => {
+            Operation::Int(either(IntBinary::DivideSigned, IntBinary::DivideUnsigned))
+        }
+        BinaryOperator::Modulo => {
+            Operation::Int(either(IntBinary::RemainderSigned, IntBinary::RemainderUnsigned))
+        }
         BinaryOperator::And | BinaryOperator::LogicalAnd => Operation::Int(IntBinary::And),
         BinaryOperator::InclusiveOr | BinaryOperator::LogicalOr => Operation::Int(IntBinary::Or),
         BinaryOperator::ExclusiveOr => Operation::Int(IntBinary::Xor),

@@ -16,7 +16,12 @@ pub(super) fn inputs(module: &Module, function: &Function, parameters: &[Paramet
 }
 
 /// The ports of the result.
-pub(super) fn outputs(module: &Module, function: &Function, shape: &Shape, slot: Slot) -> Vec<Port> {
+pub(super) fn outputs(
+    module: &Module,
+    function: &Function,
+    shape: &Shape,
+    slot: Slot,
+) -> Vec<Port> {
     let mut ports = Vec::new();
     if let Some(result) = &function.result {
         add(&mut ports, module, result.ty, result.binding.as_ref(), "", shape, slot);
@@ -41,7 +46,12 @@ fn add(
     let mut slot = slot;
     for (attributes, (member, shape)) in attributes.iter().zip(members) {
         let separator = if name.is_empty() { "" } else { "." };
-        ports.extend(port(format!("{name}{separator}{member}"), attributes.binding.as_ref(), shape, slot));
+        ports.extend(port(
+            format!("{name}{separator}{member}"),
+            attributes.binding.as_ref(),
+            shape,
+            slot,
+        ));
         slot += shape.slots() as Slot;
     }
 }

@@ -25,8 +25,18 @@ impl Purity {
     }
 
     /// Adds a function of `length` instructions.
-    pub(super) fn add(&mut self, context: &Context, handle: Handle<Function>, function: &Function, length: usize) {
-        let mut known = Known { is_pure: is_pure(context.module, function), has_loop: has_loop(function), length };
+    pub(super) fn add(
+        &mut self,
+        context: &Context,
+        handle: Handle<Function>,
+        function: &Function,
+        length: usize,
+    ) {
+        let mut known = Known {
+            is_pure: is_pure(context.module, function),
+            has_loop: has_loop(function),
+            length,
+        };
         for callee in calls(&function.body) {
             let callee = self.0[callee.index()];
             known.is_pure &= callee.is_pure;
@@ -43,17 +53,21 @@ impl Purity {
     }
 }
 
-/// Whether what a function does itself depends on its arguments, constants and buffers alone, and is seen by nobody but
-/// in its result.
+/// Whether what a function does itself depends on its arguments, constants and buffers alone, and
+/// is seen by nobody but in its result.
 fn is_pure(module: &Module, function: &Function) -> bool {
-    let is_pointer = |ty| matches!(module.types[ty].inner, TypeInner::Pointer { .. } | TypeInner::ValuePointer { .. });
+    let is_pointer = |ty| {
+        matches!(module.types[ty].inner, TypeInner::Pointer { .. } | TypeInner::ValuePointer { .. })
+    };
     let is_pure = |expression: &Expression| match expression {
         Expression::GlobalVariable(variable) => {
             let space = module.global_variables[*variable].space;
             matches!(space, AddressSpace::Uniform | AddressSpace::Storage { .. })
         }
         // A derivative depends on the neighbours, and so may a sample of a texture.
-        Expression::Derivative { .. } | Expression::ImageSample { .. } | Expression::ImageLoad { .. } => false,
+        Expression::Derivative { .. }
+        | Expression::ImageSample { .. }
+        | Expression::ImageLoad { .. } => false,
         _ => true,
     };
     !function.arguments.iter().any(|argument| is_pointer(argument.ty))
@@ -77,7 +91,9 @@ fn any(body: &Block, is_one: impl Fn(&Statement) -> bool) -> bool {
                 Statement::Block(inner) => blocks.push(inner),
                 Statement::If { accept, reject, .. } => blocks.extend([accept, reject]),
                 Statement::Loop { body, continuing, .. } => blocks.extend([body, continuing]),
-                Statement::Switch { cases, .. } => blocks.extend(cases.iter().map(|case| &case.body)),
+                Statement::Switch { cases, .. } => {
+                    blocks.extend(cases.iter().map(|case| &case.body))
+                }
                 _ => {}
             }
         }

@@ -2,7 +2,9 @@
 
 use naga::front::Typifier;
 use naga::proc::TypeResolution;
-use naga::{Block, Expression, Function, Handle, Span, Statement, SwitchCase, SwitchValue, TypeInner};
+use naga::{
+    Block, Expression, Function, Handle, Span, Statement, SwitchCase, SwitchValue, TypeInner,
+};
 
 use super::assembler::Assembler;
 use super::expressions::{Operand, Place};
@@ -87,7 +89,9 @@ impl<'a> FunctionCompiler<'a> {
         for (handle, expression) in self.function.expressions.iter() {
             let operand = match *expression {
                 Expression::FunctionArgument(index) => self.argument(index, handle)?,
-                Expression::LocalVariable(local) => Operand::Place(Place::fixed(self.locals[local.index()])),
+                Expression::LocalVariable(local) => {
+                    Operand::Place(Place::fixed(self.locals[local.index()]))
+                }
                 _ => continue,
             };
             self.operands[handle.index()] = Some(operand);
@@ -114,7 +118,8 @@ impl<'a> FunctionCompiler<'a> {
                 Task::Block(block, index) => {
                     if let Some(statement) = block.get(index) {
                         self.tasks.push(Task::Block(block, index + 1));
-                        self.statement(statement).map_err(|error| locate_statement(error, block, index))?;
+                        self.statement(statement)
+                            .map_err(|error| locate_statement(error, block, index))?;
                     }
                 }
                 Task::Label(label) => self.assembler.place(label),
@@ -144,7 +149,9 @@ impl<'a> FunctionCompiler<'a> {
                 }
                 TypeResolution::Value(inner) => {
                     let kind = inner.scalar().and_then(|scalar| scalar_kind(scalar).ok());
-                    found.extend(kind.into_iter().flat_map(|kind| std::iter::repeat_n(kind, slots.len())));
+                    found.extend(
+                        kind.into_iter().flat_map(|kind| std::iter::repeat_n(kind, slots.len())),
+                    );
                 }
             }
             self.assembler.observed.push(Observed {
@@ -170,15 +177,20 @@ impl<'a> FunctionCompiler<'a> {
             }
             Statement::If { condition, accept, reject } => self.branch(*condition, accept, reject),
             Statement::Switch { selector, cases } => self.switch(*selector, cases),
-            Statement::Loop { body, continuing, break_if } => self.repeat(body, continuing, *break_if),
+            Statement::Loop { body, continuing, break_if } => {
+                self.repeat(body, continuing, *break_if)
+            }
             Statement::Break => match self.exits.last() {
                 Some(exit) => self.assembler.emit(Instruction::Jump { target: exit.on_break }),
                 None => Err(self.unsupported("`break` outside of a loop (Break)", Span::UNDEFINED)),
             },
-            Statement::Continue => match self.exits.last().and_then(|exit| exit.on_continue) {
-                Some(target) => self.assembler.emit(Instruction::Jump { target }),
-                None => Err(self.unsupported("`continue` outside of a loop (Continue)", Span::UNDEFINED)),
-            },
+            Statement::Continue => {
+                match self.exits.last().and_then(|exit| exit.on_continue) {
+                    Some(target) => self.assembler.emit(Instruction::Jump { target }),
+                    None => Err(self
+                        .unsupported("`continue` outside of a loop (Continue)", Span::UNDEFINED)),
+                }
+            }
             Statement::Return { value } => {
                 if let Some(value) = value {
                     let from = self.value(*value)?;
@@ -191,18 +203,32 @@ impl<'a> FunctionCompiler<'a> {
                 let from = self.value(*value)?;
                 self.store(place, &from)
             }
-            Statement::Call { function, arguments, result } => self.call(*function, arguments, *result),
-            Statement::Kill if self.context.options.is_stage => self.assembler.emit(Instruction::Kill),
+            Statement::Call { function, arguments, result } => {
+                self.call(*function, arguments, *result)
+            }
+            Statement::Kill if self.context.options.is_stage => {
+                self.assembler.emit(Instruction::Kill)
+            }
             other => Err(self.unsupported(statement_name(other), Span::UNDEFINED)),
         }
     }
 
-    fn jump_if(&mut self, condition: Handle<Expression>, when: bool, target: Target) -> Outcome<()> {
+    fn jump_if(
+        &mut self,
+        condition: Handle<Expression>,
+        when: bool,
+        target: Target,
+    ) -> Outcome<()> {
         let condition = self.scalar(condition)?;
         self.assembler.emit(Instruction::JumpIf { condition, when, target })
     }
 
-    fn branch(&mut self, condition: Handle<Expression>, accept: &'a Block, reject: &'a Block) -> Outcome<()> {
+    fn branch(
+        &mut self,
+        condition: Handle<Expression>,
+        accept: &'a Block,
+        reject: &'a Block,
+    ) -> Outcome<()> {
         let end = self.assembler.label();
         if reject.is_empty() {
             self.jump_if(condition, false, end)?;
@@ -225,7 +251,12 @@ impl<'a> FunctionCompiler<'a> {
         Ok(())
     }
 
-    fn repeat(&mut self, body: &'a Block, continuing: &'a Block, break_if: Option<Handle<Expression>>) -> Outcome<()> {
+    fn repeat(
+        &mut self,
+        body: &'a Block,
+        continuing: &'a Block,
+        break_if: Option<Handle<Expression>>,
+    ) -> Outcome<()> {
         let [start, next, end] = [(); 3].map(|()| self.assembler.label());
         self.assembler.place(start);
         self.exits.push(Exit { on_break: end, on_continue: Some(next) });
@@ -271,7 +302,9 @@ impl<'a> FunctionCompiler<'a> {
         result: Option<Handle<Expression>>,
     ) -> Outcome<()> {
         let Some(frame) = &self.context.frames[callee.index()] else {
-            return Err(self.unsupported("a function that has not ended yet (recursion)", Span::UNDEFINED));
+            return Err(
+                self.unsupported("a function that has not ended yet (recursion)", Span::UNDEFINED)
+            );
         };
         for (&argument, &to) in arguments.iter().zip(&frame.arguments) {
             match self.operand(argument)? {
@@ -329,8 +362,10 @@ impl<'a> FunctionCompiler<'a> {
                 let from = self.global_constant(init)?;
                 self.copy(to, &from)?;
             } else {
-                let count =
-                    self.slots_of(&module.types[variable.ty].inner, module.global_variables.get_span(handle))?;
+                let count = self.slots_of(
+                    &module.types[variable.ty].inner,
+                    module.global_variables.get_span(handle),
+                )?;
                 self.assembler.emit(Instruction::Clear { to, count })?;
             }
         }
@@ -350,7 +385,10 @@ impl<'a> FunctionCompiler<'a> {
 
     /// The number of slots of a type.
     pub(super) fn slots_of(&self, inner: &TypeInner, span: Span) -> Outcome<u32> {
-        self.context.layouts.slots(inner).map_err(|problem| self.locate(problem.diagnose(&self.subject()), span))
+        self.context
+            .layouts
+            .slots(inner)
+            .map_err(|problem| self.locate(problem.diagnose(&self.subject()), span))
     }
 
     /// How errors about types name what has the type.

@@ -4,11 +4,15 @@ use naga::{Expression, MathFunction, Module, Statement};
 
 /// Names an expression that the interpreter cannot run, and the IR construct behind it.
 pub(super) fn expression_name(module: &Module, expression: &Expression) -> String {
-    let named = |what: &str, name: &Option<String>| format!("{what} `{}`", name.as_deref().unwrap_or(""));
+    let named =
+        |what: &str, name: &Option<String>| format!("{what} `{}`", name.as_deref().unwrap_or(""));
     match expression {
-        Expression::Override(handle) => named("the override", &module.overrides[*handle].name) + " (Override)",
+        Expression::Override(handle) => {
+            named("the override", &module.overrides[*handle].name) + " (Override)"
+        }
         Expression::GlobalVariable(handle) => {
-            named("the global variable", &module.global_variables[*handle].name) + " (GlobalVariable)"
+            named("the global variable", &module.global_variables[*handle].name)
+                + " (GlobalVariable)"
         }
         other => anonymous_expression_name(other).to_owned(),
     }
@@ -21,7 +25,9 @@ fn anonymous_expression_name(expression: &Expression) -> &'static str {
         Expression::ImageQuery { .. } => "a texture query (ImageQuery)",
         Expression::Derivative { .. } => "a derivative (Derivative)",
         Expression::AtomicResult { .. } => "an atomic operation (AtomicResult)",
-        Expression::WorkGroupUniformLoadResult { .. } => "a workgroup load (WorkGroupUniformLoadResult)",
+        Expression::WorkGroupUniformLoadResult { .. } => {
+            "a workgroup load (WorkGroupUniformLoadResult)"
+        }
         Expression::ArrayLength(_) => "the length of a runtime-sized array (ArrayLength)",
         Expression::RayQueryVertexPositions { .. }
         | Expression::RayQueryProceedResult
@@ -32,8 +38,11 @@ fn anonymous_expression_name(expression: &Expression) -> &'static str {
         Expression::CooperativeLoad { .. } | Expression::CooperativeMultiplyAdd { .. } => {
             "a cooperative matrix (CooperativeLoad)"
         }
-        // naga's typing and its back ends disagree on which argument gives the columns; WGSL has no such function.
-        Expression::Math { fun: MathFunction::Outer, .. } => "an outer product (MathFunction::Outer)",
+        // naga's typing and its back ends disagree on which argument gives the columns; WGSL has no
+        // such function.
+        Expression::Math { fun: MathFunction::Outer, .. } => {
+            "an outer product (MathFunction::Outer)"
+        }
         _ => "an expression that is not valid naga IR",
     }
 }
@@ -49,7 +58,9 @@ pub(super) fn statement_name(statement: &Statement) -> &'static str {
         Statement::RayQuery { .. } | Statement::RayPipelineFunction(_) => "ray tracing (RayQuery)",
         Statement::SubgroupBallot { .. }
         | Statement::SubgroupGather { .. }
-        | Statement::SubgroupCollectiveOperation { .. } => "a subgroup operation (SubgroupCollectiveOperation)",
+        | Statement::SubgroupCollectiveOperation { .. } => {
+            "a subgroup operation (SubgroupCollectiveOperation)"
+        }
         Statement::CooperativeStore { .. } => "a cooperative matrix (CooperativeStore)",
         _ => "a statement that is not valid naga IR",
     }

@@ -3,7 +3,8 @@
 use super::Vec3;
 use crate::interp::resources::Level;
 
-/// The number of the face that a direction meets: +x, -x, +y, -y, +z, -z; of equal axes z goes before y before x.
+/// The number of the face that a direction meets: +x, -x, +y, -y, +z, -z; of equal axes z goes
+/// before y before x.
 pub(super) fn face([x, y, z]: Vec3) -> usize {
     let [ax, ay, az] = [x.abs(), y.abs(), z.abs()];
     if az >= ax && az >= ay {
@@ -53,10 +54,12 @@ pub(super) fn gradient(face: usize, place: Vec3, gradient: Vec3) -> Vec3 {
     [slope(right, d_right), slope(down, d_down), 0.0]
 }
 
-/// A texel of a face; beyond an edge one of the neighbouring face, beyond a corner the mean of the three that meet there.
+/// A texel of a face; beyond an edge one of the neighbouring face, beyond a corner the mean of the
+/// three that meet there.
 pub(super) fn texel(level: &Level, [x, y, _]: [i64; 3], layer: u32) -> [f64; 4] {
     let size = i64::from(level.size()[0]);
-    // A linear filter reaches one texel beyond the edge. The place of a direction that is no number does not matter.
+    // A linear filter reaches one texel beyond the edge. The place of a direction that is no number
+    // does not matter.
     let (x, y) = (x.clamp(-1, size), y.clamp(-1, size));
     let is_inside = |i: i64| (0..size).contains(&i);
     match (is_inside(x), is_inside(y)) {
@@ -71,8 +74,9 @@ pub(super) fn texel(level: &Level, [x, y, _]: [i64; 3], layer: u32) -> [f64; 4] 
     }
 }
 
-/// The texel of the neighbouring face that lies next to the edge. The plane of a face, carried on by half a texel, leads
-/// to a direction within that texel: along the edge it shrinks by N / (N + 1), less than half a texel.
+/// The texel of the neighbouring face that lies next to the edge. The plane of a face, carried on
+/// by half a texel, leads to a direction within that texel: along the edge it shrinks by N / (N +
+/// 1), less than half a texel.
 fn across(level: &Level, place: [i64; 2], layer: u32) -> [f64; 4] {
     let size = level.size()[0];
     let [right, down] = place.map(|i| (2 * i + 1) as f64 / f64::from(size) - 1.0);

@@ -1,4 +1,5 @@
-//! Texels around a place, and their weighted sum. Texel `i` of `n` has its centre at `(i + 1/2) / n`.
+//! Texels around a place, and their weighted sum. Texel `i` of `n` has its centre at `(i + 1/2) /
+//! n`.
 
 use super::{Vec3, cube};
 use crate::interp::resources::{Address, Filter, Level, Sampler, Texture, TextureDimension};
@@ -40,12 +41,13 @@ impl Taps<'_> {
         }
     }
 
-    /// One component of the four texels that a linear filter of the largest level joins: those at (0, 1), (1, 1),
-    /// (1, 0) and (0, 0).
+    /// One component of the four texels that a linear filter of the largest level joins: those at
+    /// (0, 1), (1, 1), (1, 0) and (0, 0).
     pub(super) fn gather(&self, component: usize) -> [f64; 4] {
         let level = &self.texture.levels()[0];
         let [u, v, _] = self.pairs(level);
-        [(0, 1), (1, 1), (1, 0), (0, 0)].map(|(x, y)| self.read(level, [u.first + x, v.first + y, 0])[component])
+        [(0, 1), (1, 1), (1, 0), (0, 0)]
+            .map(|(x, y)| self.read(level, [u.first + x, v.first + y, 0])[component])
     }
 
     fn nearest(&self, level: &Level) -> [i64; 3] {
@@ -55,7 +57,8 @@ impl Taps<'_> {
     fn pairs(&self, level: &Level) -> [Pair; 3] {
         self.scaled(level).map(|x| {
             let floor = (x - 0.5).floor();
-            // Where there is no place at all, there is some texel; and the second must have a number too.
+            // Where there is no place at all, there is some texel; and the second must have a
+            // number too.
             let weight = x - 0.5 - floor;
             let weight = if weight.is_finite() { weight } else { 0.0 };
             Pair { first: (floor as i64).clamp(i64::MIN / 4, i64::MAX / 4), weight }
@@ -114,10 +117,12 @@ impl Taps<'_> {
     fn inside(&self, level: &Level, place: [i64; 3]) -> [u32; 3] {
         let size = level.size();
         let wrapped = |axis: usize| {
-            let address = if self.clamp_to_edge { Address::ClampToEdge } else { self.sampler.address[axis] };
+            let address =
+                if self.clamp_to_edge { Address::ClampToEdge } else { self.sampler.address[axis] };
             address.wrap(place[axis].saturating_add(self.offset[axis]), size[axis])
         };
-        let depth = if self.texture.dimension() == TextureDimension::D3 { wrapped(2) } else { self.layer };
+        let depth =
+            if self.texture.dimension() == TextureDimension::D3 { wrapped(2) } else { self.layer };
         // A texture of one axis has a height of 1, where everything wraps to 0.
         [wrapped(0), wrapped(1), depth]
     }

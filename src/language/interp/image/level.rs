@@ -1,4 +1,5 @@
-//! Levels of detail (Vulkan 1.3, "Texel coordinate systems": scale factor, level of detail and image level selection).
+//! Levels of detail (Vulkan 1.3, "Texel coordinate systems": scale factor, level of detail and
+//! image level selection).
 
 use super::Vec3;
 use crate::interp::resources::{Filter, Sampler, Texture, TextureDimension};

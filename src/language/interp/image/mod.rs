@@ -17,7 +17,8 @@ type Vec3 = [f64; 3];
 /// The slots of a vector of one to three components.
 pub(super) type Slots = Vec<Slot>;
 
-/// One use of a texture. The slots are of scalars, but those of `image` and `sampler`, which hold numbers of resources.
+/// One use of a texture. The slots are of scalars, but those of `image` and `sampler`, which hold
+/// numbers of resources.
 #[derive(Clone, Debug)]
 pub(super) struct Operation {
     pub(super) image: Slot,
@@ -77,23 +78,33 @@ pub(super) enum Detail {
 }
 
 /// Executes a texture instruction in the lanes of the mask.
-pub(super) fn execute<R: Rounding, const W: usize>(operation: u32, memory: &Memory<W>, mask: Mask, world: &World) {
+pub(super) fn execute<R: Rounding, const W: usize>(
+    operation: u32,
+    memory: &Memory<W>,
+    mask: Mask,
+    world: &World,
+) {
     let operation = &world.operations[operation as usize];
     for lane in mask.lanes(W) {
         // Bound resources are checked; what is missing here has not been asked for.
         let Some(texture) = world.texture(memory.bits(operation.image, lane)) else { continue };
         let texels = match &operation.kind {
-            OperationKind::Sample(sample) => sample_lane(sample, texture, memory, lane, world, operation.texel),
+            OperationKind::Sample(sample) => {
+                sample_lane(sample, texture, memory, lane, world, operation.texel)
+            }
             OperationKind::Load { coordinate, layer, level } => {
                 let place = lane_ints(memory, coordinate, lane);
-                let [layer, level] = [layer, level].map(|slot| slot.map_or(0, |slot| int(memory, slot, lane)));
+                let [layer, level] =
+                    [layer, level].map(|slot| slot.map_or(0, |slot| int(memory, slot, lane)));
                 load(texture, place, layer, level)
             }
             OperationKind::Size { level, dimensions } => {
                 let level = level.map_or(0, |slot| int(memory, slot, lane));
-                size(texture, level).iter().take(*dimensions).zip(operation.to..).for_each(|(&n, to)| {
-                    memory.set(to, lane, n.into());
-                });
+                size(texture, level).iter().take(*dimensions).zip(operation.to..).for_each(
+                    |(&n, to)| {
+                        memory.set(to, lane, n.into());
+                    },
+                );
                 continue;
             }
             OperationKind::Levels => {
@@ -110,7 +121,12 @@ pub(super) fn execute<R: Rounding, const W: usize>(operation: u32, memory: &Memo
 }
 
 /// Writes a result in the kind of its texels.
-fn store<R: Rounding, const W: usize>(operation: &Operation, memory: &Memory<W>, lane: usize, texels: [f64; 4]) {
+fn store<R: Rounding, const W: usize>(
+    operation: &Operation,
+    memory: &Memory<W>,
+    lane: usize,
+    texels: [f64; 4],
+) {
     let is_one = operation.texel == Texel::Depth && !operation.kind.gathers();
     for (to, x) in (operation.to..).zip(texels).take(if is_one { 1 } else { 4 }) {
         let bits = match operation.texel {
@@ -144,7 +160,8 @@ fn lane_floats<const W: usize>(memory: &Memory<W>, slots: &[Slot], lane: usize) 
     floats
 }
 
-/// How the coordinates of a lane differ from those of its neighbours, along x and y; 0 where lanes are no quads.
+/// How the coordinates of a lane differ from those of its neighbours, along x and y; 0 where lanes
+/// are no quads.
 fn quad_gradients<const W: usize>(memory: &Memory<W>, slots: &[Slot], lane: usize) -> [Vec3; 2] {
     if W < 4 {
         return [[0.0; 3]; 2];
@@ -174,7 +191,10 @@ fn sample_lane<const W: usize>(
         Detail::Gradient { x, y } => [lane_floats(memory, x, lane), lane_floats(memory, y, lane)],
         Detail::Zero | Detail::Exact(_) => [[0.0; 3]; 2],
     };
-    let mut layer = sample.layer.map_or(0, |slot| int(memory, slot, lane)).clamp(0, i64::from(texture.layers()) - 1);
+    let mut layer = sample
+        .layer
+        .map_or(0, |slot| int(memory, slot, lane))
+        .clamp(0, i64::from(texture.layers()) - 1);
     if is_cube {
         let face = cube::face(place);
         gradients = gradients.map(|gradient| cube::gradient(face, place, gradient));
@@ -219,7 +239,11 @@ fn blend(taps: &Taps, levels: &Levels) -> [f64; 4] {
 fn load(texture: &Texture, place: [i64; 3], layer: i64, level: i64) -> [f64; 4] {
     let level = usize::try_from(level).ok().and_then(|level| texture.levels().get(level));
     let Some(level) = level else { return [0.0; 4] };
-    let [x, y, z] = if texture.dimension() == TextureDimension::D3 { place } else { [place[0], place[1], layer] };
+    let [x, y, z] = if texture.dimension() == TextureDimension::D3 {
+        place
+    } else {
+        [place[0], place[1], layer]
+    };
     let [width, height, depth] = level.size().map(i64::from);
     let is_inside = (0..width).contains(&x) && (0..height).contains(&y) && (0..depth).contains(&z);
     if is_inside { level.texel([x, y, z].map(|i| i as u32)) } else { [0.0; 4] }

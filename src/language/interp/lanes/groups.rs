@@ -9,8 +9,8 @@ pub(super) struct Group {
 
 /// The groups of lanes that are on their way; the one with the smallest counter moves.
 ///
-/// A construct's code lies between its entry and its exit, and callees before their callers, so the lanes ahead wait
-/// where those behind will pass, and join them there.
+/// A construct's code lies between its entry and its exit, and callees before their callers, so the
+/// lanes ahead wait where those behind will pass, and join them there.
 #[derive(Debug)]
 pub(super) struct Groups {
     pub(super) current: Group,

@@ -1,11 +1,13 @@
 //! Runs programs for many lanes in lockstep.
 //!
-//! Every instruction is executed for all lanes before the next one, so what it costs to choose it is shared, and the
-//! inner loops are plain ones over rows of floats. While all lanes stand at the same instruction nothing is masked. Where
-//! they part, [`groups`] lets the hindmost move until they meet again.
+//! Every instruction is executed for all lanes before the next one, so what it costs to choose it
+//! is shared, and the inner loops are plain ones over rows of floats. While all lanes stand at the
+//! same instruction nothing is masked. Where they part, [`groups`] lets the hindmost move until
+//! they meet again.
 //!
-//! The meaning of the instructions is that of [`step`](super::step), which the scalar machine shares: it is the
-//! same code at a width of one. Only what moves the counter is written twice, because one lane never parts.
+//! The meaning of the instructions is that of [`step`](super::step), which the scalar machine
+//! shares: it is the same code at a width of one. Only what moves the counter is written twice,
+//! because one lane never parts.
 
 mod groups;
 mod shared;
@@ -21,8 +23,8 @@ use crate::diag::Diagnostic;
 use groups::{Group, Groups};
 use shared::Shared;
 
-/// How many lanes run at once: 16 quads. In a quad lane 0 is at (0, 0), 1 at (1, 0), 2 at (0, 1), 3 at (1, 1); y points
-/// down.
+/// How many lanes run at once: 16 quads. In a quad lane 0 is at (0, 0), 1 at (1, 0), 2 at (0, 1), 3
+/// at (1, 1); y points down.
 pub const LANES: usize = 64;
 
 /// The number of slots that lanes may have: 512 MiB.
@@ -64,7 +66,8 @@ pub struct Lanes<'b> {
 pub struct Batch {
     /// A bit for each lane that met `discard`. Its result means nothing.
     pub discarded: u64,
-    /// How many instructions were executed, each for all lanes; or for one, where all would have done the same.
+    /// How many instructions were executed, each for all lanes; or for one, where all would have
+    /// done the same.
     pub steps: u64,
 }
 
@@ -73,18 +76,21 @@ impl<'b> Lanes<'b> {
         let program = bound.program();
         if program.image.len() > MAX_SLOTS {
             let message = format!(
-                "`{}` needs {} scalars for each lane, more than the {MAX_SLOTS} that the interpreter grants",
+                "`{}` needs {} scalars for each lane, more than the {MAX_SLOTS} that the \
+                 interpreter grants",
                 program.name(),
                 program.image.len()
             );
-            return Err(Diagnostic::error("interp-too-big", message).hint("use smaller arrays or fewer of them"));
+            return Err(Diagnostic::error("interp-too-big", message)
+                .hint("use smaller arrays or fewer of them"));
         }
         let (precision, world) = (bound.precision(), bound.world());
         let shared = Shared::new(program, precision, &world);
         Ok(Self { bound, memory: Memory::new(program, precision, &world), shared })
     }
 
-    /// Sets one component of an input in the lanes `0..values.len()`. Integers are truncated, bools are true unless 0.
+    /// Sets one component of an input in the lanes `0..values.len()`. Integers are truncated, bools
+    /// are true unless 0.
     ///
     /// # Panics
     /// There are more values than lanes, or the port has not that component.
@@ -116,7 +122,14 @@ impl<'b> Lanes<'b> {
     /// There is no such lane.
     pub fn set(&mut self, lane: usize, arguments: &[Value]) -> Result<(), Diagnostic> {
         let program = self.bound.program();
-        write_arguments(program.name(), program.parameters(), arguments, self.bound.precision(), &self.memory, lane)
+        write_arguments(
+            program.name(),
+            program.parameters(),
+            arguments,
+            self.bound.precision(),
+            &self.memory,
+            lane,
+        )
     }
 
     /// The result of one lane.
@@ -128,11 +141,13 @@ impl<'b> Lanes<'b> {
         program.result().read(&mut (program.result_slot..).map(|slot| self.memory.bits(slot, lane)))
     }
 
-    /// Runs the first `count` lanes; whole quads, if derivatives or textures are to mean anything. Lanes that only help
-    /// their neighbours are run like any other. All inputs of these lanes must have been set since the last run.
+    /// Runs the first `count` lanes; whole quads, if derivatives or textures are to mean anything.
+    /// Lanes that only help their neighbours are run like any other. All inputs of these lanes must
+    /// have been set since the last run.
     ///
     /// # Errors
-    /// `interp-endless`: the lanes together took more instructions than [`Options::step_limit`](super::Options).
+    /// `interp-endless`: the lanes together took more instructions than
+    /// [`Options::step_limit`](super::Options).
     ///
     /// # Panics
     /// There are fewer lanes.
@@ -183,7 +198,9 @@ fn run<R: Rounding>(
                 let switch = &program.switches[table as usize];
                 match memory.same_in_all(selector) {
                     Some(value) => groups.current.counter = switch.target(value as u32) as usize,
-                    None => groups.scatter(|lane| switch.target(memory.int(selector, lane)) as usize),
+                    None => {
+                        groups.scatter(|lane| switch.target(memory.int(selector, lane)) as usize)
+                    }
                 }
             }
             Instruction::Call { target, link } => {
@@ -192,7 +209,13 @@ fn run<R: Rounding>(
             }
             Instruction::CallPure { target, link, call } => {
                 let mask = Mask { lanes, is_full: lanes == live };
-                if !shared.call::<R>((call, target, link), (program, world), memory, mask, &mut steps)? {
+                if !shared.call::<R>(
+                    (call, target, link),
+                    (program, world),
+                    memory,
+                    mask,
+                    &mut steps,
+                )? {
                     memory.fill(link, counter as u64 + 1, mask);
                     groups.current.counter = target as usize;
                 }
@@ -207,7 +230,9 @@ fn run<R: Rounding>(
                     break;
                 }
             }
-            _ => step::<R, LANES>(instruction, memory, Mask { lanes, is_full: lanes == live }, world),
+            _ => {
+                step::<R, LANES>(instruction, memory, Mask { lanes, is_full: lanes == live }, world)
+            }
         }
         groups.settle();
     }

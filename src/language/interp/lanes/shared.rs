@@ -25,13 +25,16 @@ struct Last {
 impl Shared {
     pub(super) fn new(program: &Program, precision: Precision, world: &World) -> Self {
         // Most of a program's memory is not needed where nothing is shared.
-        let memory =
-            if program.pure_calls.is_empty() { Memory::empty() } else { Memory::new(program, precision, world) };
+        let memory = if program.pure_calls.is_empty() {
+            Memory::empty()
+        } else {
+            Memory::new(program, precision, world)
+        };
         Self { memory, last: vec![None; program.pure_calls.len()] }
     }
 
-    /// Gives the lanes of the mask the result of a call (its number, where the function is, its link), if they give it the same arguments;
-    /// says whether they did.
+    /// Gives the lanes of the mask the result of a call (its number, where the function is, its
+    /// link), if they give it the same arguments; says whether they did.
     pub(super) fn call<R: Rounding>(
         &mut self,
         (number, target, link): (u32, Target, Slot),
@@ -51,7 +54,10 @@ impl Shared {
             Some(last) if last.arguments.iter().copied().eq(arguments()) => last,
             _ => {
                 let arguments: Vec<u64> = arguments().collect();
-                call.arguments.iter().zip(&arguments).for_each(|(&slot, &bits)| self.memory.set(slot, 0, bits));
+                call.arguments
+                    .iter()
+                    .zip(&arguments)
+                    .for_each(|(&slot, &bits)| self.memory.set(slot, 0, bits));
                 // The program ends when the function returns.
                 self.memory.set(link, 0, 0);
                 run::<R>(program, &self.memory, world, target, steps)?;

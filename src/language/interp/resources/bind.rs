@@ -29,7 +29,8 @@ impl Bindings {
         Self::default()
     }
 
-    /// Binds the whole value of a uniform or storage buffer; an array of any length is the last part of the value.
+    /// Binds the whole value of a uniform or storage buffer; an array of any length is the last
+    /// part of the value.
     pub fn buffer(&mut self, group: u32, binding: u32, value: Value) -> &mut Self {
         self.contents.insert((group, binding), Content::Value(value));
         self
@@ -65,7 +66,11 @@ impl<'p> Bound<'p> {
         let mut problems = Vec::new();
         let mut held = Vec::new();
         for resource in program.resources() {
-            match hold(resource, bindings.contents.get(&(resource.group, resource.binding)), precision) {
+            match hold(
+                resource,
+                bindings.contents.get(&(resource.group, resource.binding)),
+                precision,
+            ) {
                 Ok(resource) => held.push(resource),
                 Err(problem) => problems.push(problem),
             }
@@ -102,13 +107,19 @@ impl<'p> Bound<'p> {
 }
 
 /// What is held of one resource, if it fits.
-fn hold(resource: &Resource, content: Option<&Content>, precision: Precision) -> Result<Held, Diagnostic> {
+fn hold(
+    resource: &Resource,
+    content: Option<&Content>,
+    precision: Precision,
+) -> Result<Held, Diagnostic> {
     let Resource { group, binding, name, kind } = resource;
     let wrong = |message: String| {
         let message = format!("`{name}` (@group({group}) @binding({binding})) {message}");
         Diagnostic::error("interp-binding", message)
     };
-    let Some(content) = content else { return Err(wrong(format!("is {}, and nothing is bound", describe(kind)))) };
+    let Some(content) = content else {
+        return Err(wrong(format!("is {}, and nothing is bound", describe(kind))));
+    };
     let held = match (kind, content) {
         (ResourceKind::Buffer(shape), Content::Value(value)) => fixed(shape, value, precision),
         (ResourceKind::Unsized { head, element }, Content::Value(value)) => {
@@ -123,7 +134,9 @@ fn hold(resource: &Resource, content: Option<&Content>, precision: Precision) ->
         }
         _ => None,
     };
-    held.ok_or_else(|| wrong(format!("is {}, but {} was bound", describe(kind), describe_content(content))))
+    held.ok_or_else(|| {
+        wrong(format!("is {}, but {} was bound", describe(kind), describe_content(content)))
+    })
 }
 
 fn fixed(shape: &Shape, value: &Value, precision: Precision) -> Option<Held> {
@@ -168,12 +181,16 @@ fn runtime_sized(
 fn describe(kind: &ResourceKind) -> String {
     match kind {
         ResourceKind::Buffer(shape) => format!("a buffer of {shape}"),
-        ResourceKind::Unsized { head: None, element } => format!("a buffer of one or more {element}"),
+        ResourceKind::Unsized { head: None, element } => {
+            format!("a buffer of one or more {element}")
+        }
         ResourceKind::Unsized { head: Some(head), element } => {
             let members: Vec<String> = head.iter().map(|(_, shape)| shape.to_string()).collect();
             format!("a buffer of {} and one or more {element}", members.join(", "))
         }
-        ResourceKind::Texture { dimension, is_arrayed, .. } => describe_texture(*dimension, *is_arrayed),
+        ResourceKind::Texture { dimension, is_arrayed, .. } => {
+            describe_texture(*dimension, *is_arrayed)
+        }
         ResourceKind::Sampler { is_comparison: true } => "a comparison sampler".to_owned(),
         ResourceKind::Sampler { is_comparison: false } => "a sampler".to_owned(),
     }

@@ -1,4 +1,5 @@
-//! What a program reads from outside: buffers, textures and samplers, and how they are handed to it.
+//! What a program reads from outside: buffers, textures and samplers, and how they are handed to
+//! it.
 
 mod bind;
 mod sampler;

@@ -33,11 +33,13 @@ impl TextureDimension {
 enum Texels {
     Single(Vec<[f32; 4]>),
     Double(Vec<[f64; 4]>),
-    /// Straight RGBA as bytes from 0 to 255, for 0 to 1: a texture of many layers would be eight times as large else.
+    /// Straight RGBA as bytes from 0 to 255, for 0 to 1: a texture of many layers would be eight
+    /// times as large else.
     Bytes(Vec<u8>),
 }
 
-/// One mip level: width, height, and depth or number of layers; texels by rows from the top, layer after layer.
+/// One mip level: width, height, and depth or number of layers; texels by rows from the top, layer
+/// after layer.
 #[derive(Clone, Debug)]
 pub struct Level {
     size: [u32; 3],
@@ -45,7 +47,8 @@ pub struct Level {
 }
 
 impl Level {
-    /// A level of RGBA texels; textures of fewer channels have 0, 0 and 1 in the rest, integers their values.
+    /// A level of RGBA texels; textures of fewer channels have 0, 0 and 1 in the rest, integers
+    /// their values.
     pub fn f32(size: [u32; 3], texels: Vec<[f32; 4]>) -> Self {
         Self { size, texels: Texels::Single(texels) }
     }
@@ -72,7 +75,9 @@ impl Level {
         match &self.texels {
             Texels::Single(texels) => texels[index].map(f64::from),
             Texels::Double(texels) => texels[index],
-            Texels::Bytes(bytes) => std::array::from_fn(|channel| f64::from(bytes[4 * index + channel]) / 255.0),
+            Texels::Bytes(bytes) => {
+                std::array::from_fn(|channel| f64::from(bytes[4 * index + channel]) / 255.0)
+            }
         }
     }
 
@@ -103,10 +108,13 @@ impl Texture {
     /// A texture of mip levels, the largest first, each half as large as the one before.
     ///
     /// # Errors
-    /// `interp-texture`: there is no level, or one has not the size or not the number of texels that it must have.
+    /// `interp-texture`: there is no level, or one has not the size or not the number of texels
+    /// that it must have.
     pub fn new(dimension: TextureDimension, levels: Vec<Level>) -> Result<Self, Diagnostic> {
         let wrong = |message: String| Err(Diagnostic::error("interp-texture", message));
-        let Some(first) = levels.first() else { return wrong("a texture needs at least one level".to_owned()) };
+        let Some(first) = levels.first() else {
+            return wrong("a texture needs at least one level".to_owned());
+        };
         let [width, height, depth] = first.size;
         let fits = match dimension {
             TextureDimension::D1 => height == 1 && depth == 1,
@@ -114,18 +122,26 @@ impl Texture {
             TextureDimension::Cube => width == height && depth.is_multiple_of(6),
         };
         if !fits || first.size.contains(&0) {
-            return wrong(format!("a texture of {dimension:?} cannot be {width} x {height} x {depth}"));
+            return wrong(format!(
+                "a texture of {dimension:?} cannot be {width} x {height} x {depth}"
+            ));
         }
         for (index, level) in levels.iter().enumerate() {
             let half = |n: u32| n.checked_shr(index as u32).unwrap_or(0).max(1);
             let layers = if dimension == TextureDimension::D3 { half(depth) } else { depth };
             let expected = [half(width), half(height), layers];
             if level.size != expected {
-                return wrong(format!("level {index} must be {expected:?} texels large, and is {:?}", level.size));
+                return wrong(format!(
+                    "level {index} must be {expected:?} texels large, and is {:?}",
+                    level.size
+                ));
             }
             let count = expected.iter().map(|&n| u128::from(n)).product::<u128>();
             if level.count() as u128 != count {
-                return wrong(format!("level {index} has {} texels, and needs {count}", level.count()));
+                return wrong(format!(
+                    "level {index} has {} texels, and needs {count}",
+                    level.count()
+                ));
             }
         }
         Ok(Self { dimension, levels: levels.into() })

@@ -27,7 +27,8 @@ pub(in crate::interp) enum Source {
     Last { buffer: u32 },
 }
 
-/// The resources of a program, by their number in [`Program::resources`](crate::interp::Program::resources).
+/// The resources of a program, by their number in
+/// [`Program::resources`](crate::interp::Program::resources).
 #[derive(Clone, Copy, Debug)]
 pub(in crate::interp) struct World<'w> {
     pub(in crate::interp) held: &'w [Held],
@@ -45,7 +46,11 @@ impl<'w> World<'w> {
     }
 
     fn length(&self, buffer: u32) -> u32 {
-        if let Some(Held::Buffer { length, .. }) = self.held.get(buffer as usize) { *length } else { 0 }
+        if let Some(Held::Buffer { length, .. }) = self.held.get(buffer as usize) {
+            *length
+        } else {
+            0
+        }
     }
 
     /// A scalar of a buffer; beyond the end the last.
@@ -55,10 +60,18 @@ impl<'w> World<'w> {
     }
 
     pub(in crate::interp) fn texture(&self, number: u64) -> Option<&'w Texture> {
-        if let Some(Held::Texture(texture)) = self.held.get(number as usize) { Some(texture) } else { None }
+        if let Some(Held::Texture(texture)) = self.held.get(number as usize) {
+            Some(texture)
+        } else {
+            None
+        }
     }
 
     pub(in crate::interp) fn sampler(&self, number: u64) -> Option<&'w Sampler> {
-        if let Some(Held::Sampler(sampler)) = self.held.get(number as usize) { Some(sampler) } else { None }
+        if let Some(Held::Sampler(sampler)) = self.held.get(number as usize) {
+            Some(sampler)
+        } else {
+            None
+        }
     }
 }

@@ -16,14 +16,19 @@ fn structs_and_arrays_nest() {
             r.frame[0][i] = -1.0;
             return r;
         }";
-    let key = |x: f64, weight: f64| Value::Struct(vec![[x, x + 1.0, x + 2.0].into(), weight.into()]);
+    let key =
+        |x: f64, weight: f64| Value::Struct(vec![[x, x + 1.0, x + 2.0].into(), weight.into()]);
     let rig = Value::Struct(vec![
         Value::Array(vec![key(1.0, 0.1), key(4.0, 0.2), key(7.0, 0.3)]),
         true.into(),
         Value::matrix(&[[0.0, 1.0], [2.0, 3.0]]),
     ]);
     let expected = Value::Struct(vec![
-        Value::Array(vec![key(1.0, 0.1), key(4.0, 10.2), Value::Struct(vec![[7.0, 5.0, 9.0].into(), 0.3.into()])]),
+        Value::Array(vec![
+            key(1.0, 0.1),
+            key(4.0, 10.2),
+            Value::Struct(vec![[7.0, 5.0, 9.0].into(), 0.3.into()]),
+        ]),
         false.into(),
         Value::matrix(&[[0.0, -1.0], [0.1, 10.2]]),
     ]);
@@ -34,7 +39,9 @@ fn structs_and_arrays_nest() {
 fn indices_are_clamped() {
     let source = "fn f(a: array<f32, 3>, i: i32) -> f32 { var b = a; return b[i] + 10.0 * a[i]; }";
     let array = || Value::Array(vec![1.0.into(), 2.0.into(), 3.0.into()]);
-    for (index, expected) in [(0, 11.0), (1, 22.0), (2, 33.0), (3, 33.0), (i32::MAX, 33.0), (-1, 33.0)] {
+    for (index, expected) in
+        [(0, 11.0), (1, 22.0), (2, 33.0), (3, 33.0), (i32::MAX, 33.0), (-1, 33.0)]
+    {
         assert_eq!(run(source, &[array(), index.into()]), expected.into());
     }
     let store = "fn f(i: u32) -> array<f32, 2> { var b = array(1.0, 2.0); b[i] = 9.0; return b; }";
@@ -43,7 +50,8 @@ fn indices_are_clamped() {
 
 #[test]
 fn dynamic_indices_of_every_composite() {
-    let vector = |i: i32| eval("vec3<f32>; i32 -> f32", "a.zyx[b]", &[[1.0, 2.0, 3.0].into(), i.into()]);
+    let vector =
+        |i: i32| eval("vec3<f32>; i32 -> f32", "a.zyx[b]", &[[1.0, 2.0, 3.0].into(), i.into()]);
     assert_eq!([vector(0), vector(1), vector(2)], [3.0.into(), 2.0.into(), 1.0.into()]);
     let source = "
         fn f(i: i32, j: i32) -> f32 {

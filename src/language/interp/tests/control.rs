@@ -102,7 +102,8 @@ fn switches() {
     for (x, expected) in [(1, 3030), (-2, 3062), (3, 3062), (4, 2200), (5, -7), (99, -7)] {
         assert_eq!(run(source, &[x.into()]), expected.into(), "{x}");
     }
-    let unsigned = "fn f(x: u32) -> i32 { switch x { default { return 0; } case 4000000000u { return 1; } } }";
+    let unsigned =
+        "fn f(x: u32) -> i32 { switch x { default { return 0; } case 4000000000u { return 1; } } }";
     assert_eq!(run(unsigned, &[4_000_000_000_u32.into()]), 1.into());
     assert_eq!(run(unsigned, &[1_u32.into()]), 0.into());
 }
@@ -121,7 +122,8 @@ fn calls_of_calls() {
 
 #[test]
 fn else_if_chains_may_be_long() {
-    let chain: String = (0..100).map(|i| format!("if (x == {i}) {{ return {}; }} else ", i * i)).collect();
+    let chain: String =
+        (0..100).map(|i| format!("if (x == {i}) {{ return {}; }} else ", i * i)).collect();
     let source = format!("fn f(x: i32) -> i32 {{ {chain} {{ }} return -1; }}");
     assert_eq!(run(&source, &[99.into()]), 9801.into());
     assert_eq!(run(&source, &[100.into()]), (-1).into());

@@ -25,8 +25,9 @@ fn floats_truncate_and_saturate() {
 
 #[test]
 fn in_f32_they_saturate_at_what_f32_can_hold() {
-    let convert =
-        |signature: &str, expression: &str, x: f64| run_in(Precision::F32, &source(signature, expression), &[x.into()]);
+    let convert = |signature: &str, expression: &str, x: f64| {
+        run_in(Precision::F32, &source(signature, expression), &[x.into()])
+    };
     assert_eq!(convert("f32 -> i32", "i32(a)", 1e30), 2_147_483_520.into());
     assert_eq!(convert("f32 -> i32", "i32(a)", -1e30), i32::MIN.into());
     assert_eq!(convert("f32 -> u32", "u32(a)", 1e30), 4_294_967_040_u32.into());
@@ -58,8 +59,14 @@ fn bitcasts_go_through_f32() {
     assert_eq!(eval("f32 -> u32", "bitcast<u32>(a)", &[1.0.into()]), 0x3F80_0000_u32.into());
     assert_eq!(eval("f32 -> i32", "bitcast<i32>(a)", &[(-0.0).into()]), i32::MIN.into());
     assert_eq!(eval("f32 -> u32", "bitcast<u32>(a)", &[0.1.into()]), 0.1_f32.to_bits().into());
-    assert_eq!(eval("u32 -> f32", "bitcast<f32>(a)", &[0x7F80_0000_u32.into()]), f64::INFINITY.into());
-    assert_eq!(eval("i32 -> f32", "bitcast<f32>(a)", &[1.into()]), f64::from(f32::from_bits(1)).into());
+    assert_eq!(
+        eval("u32 -> f32", "bitcast<f32>(a)", &[0x7F80_0000_u32.into()]),
+        f64::INFINITY.into()
+    );
+    assert_eq!(
+        eval("i32 -> f32", "bitcast<f32>(a)", &[1.into()]),
+        f64::from(f32::from_bits(1)).into()
+    );
     assert_eq!(eval("i32 -> u32", "bitcast<u32>(a)", &[(-1).into()]), u32::MAX.into());
     assert_eq!(
         eval("vec2<f32> -> vec2<u32>", "bitcast<vec2<u32>>(a)", &[Value::vec(&[2.0, -2.0])]),

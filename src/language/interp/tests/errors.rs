@@ -9,7 +9,8 @@ fn refused(source: &str) -> Diagnostic {
 
 #[test]
 fn endless_loops_are_given_up() {
-    let program = compile("fn f(x: i32) -> i32 { var i = x; while (i >= 0) { i ^= 1; } return i; }").unwrap();
+    let program =
+        compile("fn f(x: i32) -> i32 { var i = x; while (i >= 0) { i ^= 1; } return i; }").unwrap();
     let mut machine = program.machine(Precision::F64);
     assert_eq!(machine.call(&[4.into()]).unwrap_err().code, "interp-endless");
     assert_eq!(machine.call(&[(-4).into()]).unwrap(), (-4).into(), "the machine can go on");
@@ -19,7 +20,8 @@ fn endless_loops_are_given_up() {
 fn calls_without_loops_are_counted_too() {
     let mut source = String::from("fn level0(x: f32) -> f32 { return x + 1.0; }\n");
     for i in 1..40 {
-        source += &format!("fn level{i}(x: f32) -> f32 {{ return level{0}(level{0}(x)); }}\n", i - 1);
+        source +=
+            &format!("fn level{i}(x: f32) -> f32 {{ return level{0}(level{0}(x)); }}\n", i - 1);
     }
     let program = Program::compile(&module(&source), "level39", Options::default()).unwrap();
     assert_eq!(program.call(&[0.0.into()], Precision::F64).unwrap_err().code, "interp-endless");
@@ -42,16 +44,21 @@ fn copies_count_as_many_steps() {
 
 #[test]
 fn unknown_functions_are_suggested() {
-    let error =
-        Program::compile(&module("fn profile_angle() -> f32 { return 1.0; }"), "profile_angel", Options::default())
-            .expect_err("no such function");
+    let error = Program::compile(
+        &module("fn profile_angle() -> f32 { return 1.0; }"),
+        "profile_angel",
+        Options::default(),
+    )
+    .expect_err("no such function");
     assert_eq!(error.code, "interp-unknown-function");
     assert_eq!(error.hints, ["did you mean `profile_angle`?"]);
 }
 
 #[test]
 fn arguments_are_checked() {
-    let program = compile("struct S { x: f32 } fn f(a: vec2<f32>, s: S) -> f32 { return a.x + s.x; }").unwrap();
+    let program =
+        compile("struct S { x: f32 } fn f(a: vec2<f32>, s: S) -> f32 { return a.x + s.x; }")
+            .unwrap();
     let s = || Value::Struct(vec![1.0.into()]);
     let error = |arguments: &[Value]| {
         let error = program.call(arguments, Precision::F64).expect_err("wrong arguments");
@@ -77,10 +84,14 @@ fn arguments_are_checked() {
 
 #[test]
 fn derivatives_are_refused_or_zero() {
-    let source = "fn g(x: f32) -> f32 { return fwidth(x) + dpdx(x); } fn f(x: vec2<f32>) -> vec2<f32> { return dpdyFine(x) + g(x.x); }";
+    let source = "fn g(x: f32) -> f32 { return fwidth(x) + dpdx(x); } fn f(x: vec2<f32>) -> \
+                  vec2<f32> { return dpdyFine(x) + g(x.x); }";
     let error = refused(source);
     assert_eq!(error.code, "interp-unsupported");
-    assert_eq!(error.message, "`g` uses a derivative (Derivative), which the interpreter cannot run");
+    assert_eq!(
+        error.message,
+        "`g` uses a derivative (Derivative), which the interpreter cannot run"
+    );
     assert_eq!(&source[error.place.wgsl.clone().unwrap()], "fwidth");
     assert_eq!(error.hints.len(), 1);
     let options = Options { derivatives: Derivatives::Zero, ..Options::default() };
@@ -114,14 +125,20 @@ fn what_only_a_gpu_has_is_refused() {
     let barrier = "@compute @workgroup_size(1) fn f() { workgroupBarrier(); }";
     assert_eq!(refused(barrier).message, "`f` returns nothing, so there is nothing to run it for");
     let called = "fn g() { workgroupBarrier(); } fn f() -> f32 { g(); return 1.0; }";
-    assert_eq!(refused(called).message, "`g` uses a barrier (ControlBarrier), which the interpreter cannot run");
+    assert_eq!(
+        refused(called).message,
+        "`g` uses a barrier (ControlBarrier), which the interpreter cannot run"
+    );
 }
 
 #[test]
 fn types_without_values_are_refused() {
     let error = refused("fn f(x: i64) -> i64 { return x; }");
     assert_eq!(error.code, "interp-unsupported");
-    assert_eq!(error.message, "argument `x` of `f` is an integer not of 32 bits, which the interpreter cannot hold");
+    assert_eq!(
+        error.message,
+        "argument `x` of `f` is an integer not of 32 bits, which the interpreter cannot hold"
+    );
     let error = refused("fn f(p: ptr<function, f32>) -> f32 { return *p; }");
     assert_eq!(error.code, "interp-unsupported");
 }
@@ -131,7 +148,8 @@ fn memory_is_bounded() {
     for source in [
         "fn f(i: i32) -> f32 { var a: array<f32, 100000000>; return a[i]; }",
         "fn f(i: i32) -> f32 { let a = array<array<f32, 1000>, 100000>(); return a[i][i]; }",
-        "alias A = array<f32, 1000000>; fn f(i: i32) -> f32 { var a: A; var b: A; var c: A; var d: A; var e: A; return e[i]; }",
+        "alias A = array<f32, 1000000>; fn f(i: i32) -> f32 \
+         { var a: A; var b: A; var c: A; var d: A; var e: A; return e[i]; }",
     ] {
         assert_eq!(refused(source).code, "interp-too-big", "{source}");
     }

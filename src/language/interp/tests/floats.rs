@@ -48,7 +48,10 @@ fn known_values() {
     ];
     for &(expression, x, expected) in cases {
         let actual = float(expression, &[x]);
-        assert!((actual - expected).abs() <= 4e-16 * expected.abs().max(1.0), "{expression} at {x} is {actual}");
+        assert!(
+            (actual - expected).abs() <= 4e-16 * expected.abs().max(1.0),
+            "{expression} at {x} is {actual}"
+        );
     }
 }
 
@@ -81,7 +84,10 @@ fn of_two_and_three() {
     ];
     for &(expression, arguments, expected) in cases {
         let actual = float(expression, arguments);
-        assert!((actual - expected).abs() <= 4e-16 * expected.abs(), "{expression} at {arguments:?} is {actual}");
+        assert!(
+            (actual - expected).abs() <= 4e-16 * expected.abs(),
+            "{expression} at {arguments:?} is {actual}"
+        );
     }
 }
 
@@ -120,7 +126,10 @@ fn infinities_and_nan_go_through() {
 fn subnormals_stay() {
     assert_eq!(float("a * 0.5", &[f64::MIN_POSITIVE]), f64::MIN_POSITIVE / 2.0);
     let smallest = f64::from(f32::from_bits(1));
-    assert_eq!(run_in(Precision::F32, &source("f32 -> f32", "a + a"), &[smallest.into()]), (2.0 * smallest).into());
+    assert_eq!(
+        run_in(Precision::F32, &source("f32 -> f32", "a + a"), &[smallest.into()]),
+        (2.0 * smallest).into()
+    );
 }
 
 #[test]
@@ -138,11 +147,22 @@ fn pow_has_the_domain_of_its_definition() {
 fn comparisons_with_nan_are_false() {
     for operator in ["<", "<=", ">", ">=", "=="] {
         let expression = format!("a {operator} b");
-        assert_eq!(eval("f32; f32 -> bool", &expression, &[f64::NAN.into(), 1.0.into()]), false.into());
+        assert_eq!(
+            eval("f32; f32 -> bool", &expression, &[f64::NAN.into(), 1.0.into()]),
+            false.into()
+        );
         let equal = operator.contains('=');
-        assert_eq!(eval("f32; f32 -> bool", &expression, &[1.0.into(), 1.0.into()]), equal.into(), "{operator}");
+        assert_eq!(
+            eval("f32; f32 -> bool", &expression, &[1.0.into(), 1.0.into()]),
+            equal.into(),
+            "{operator}"
+        );
         let greater = operator.starts_with('>');
-        assert_eq!(eval("f32; f32 -> bool", &expression, &[2.0.into(), 1.0.into()]), greater.into(), "{operator}");
+        assert_eq!(
+            eval("f32; f32 -> bool", &expression, &[2.0.into(), 1.0.into()]),
+            greater.into(),
+            "{operator}"
+        );
     }
     assert_eq!(eval("f32; f32 -> bool", "a != b", &[f64::NAN.into(), 1.0.into()]), true.into());
 }
@@ -161,9 +181,12 @@ fn modf_splits() {
 
 #[test]
 fn frexp_and_ldexp_are_inverse() {
-    for x in [1.0, -0.75, 6.0, 1e-300, 1e300, f64::MIN_POSITIVE / 8.0, f64::from_bits(1), f64::MAX] {
+    for x in [1.0, -0.75, 6.0, 1e-300, 1e300, f64::MIN_POSITIVE / 8.0, f64::from_bits(1), f64::MAX]
+    {
         let fraction = float("frexp(a).fract", &[x]);
-        let Value::I32(exponent) = eval("f32 -> i32", "frexp(a).exp", &[x.into()]) else { panic!() };
+        let Value::I32(exponent) = eval("f32 -> i32", "frexp(a).exp", &[x.into()]) else {
+            panic!()
+        };
         assert!((0.5..1.0).contains(&fraction.abs()), "{x}");
         let back = eval("f32; i32 -> f32", "ldexp(a, b)", &[fraction.into(), exponent.into()]);
         assert_eq!(back, x.into());
@@ -173,7 +196,10 @@ fn frexp_and_ldexp_are_inverse() {
     assert_eq!(ldexp(3.0, 4), 48.0.into());
     assert_eq!(ldexp(1.0, i32::MAX), f64::INFINITY.into());
     assert_eq!(ldexp(1.0, i32::MIN), 0.0.into());
-    assert_eq!(ldexp(f64::from_bits(1), 2000), (f64::from_bits(1) * 1000_f64.exp2() * 1000_f64.exp2()).into());
+    assert_eq!(
+        ldexp(f64::from_bits(1), 2000),
+        (f64::from_bits(1) * 1000_f64.exp2() * 1000_f64.exp2()).into()
+    );
     // Half of the smallest number ties to even (0), anything above rounds up to it.
     assert_eq!(ldexp(1.0, -1075), 0.0.into());
     assert_eq!(ldexp(1.0 + f64::EPSILON, -1075), f64::from_bits(1).into());
@@ -186,7 +212,8 @@ fn quantize_rounds_to_half_precision() {
     assert_eq!(float("quantizeToF16(a)", &[1e-9]), 0.0);
 }
 
-/// The profile of BADF as docs/math.md 2.3 evaluates it: a series where `log1p` needs it, `exp2`, and branches.
+/// The profile of BADF as docs/math.md 2.3 evaluates it: a series where `log1p` needs it, `exp2`,
+/// and branches.
 const PROFILE: &str = "
 fn log1m(y: f32) -> f32 {
     if (y < 0.25) {

@@ -1,13 +1,18 @@
-//! The same expression folded by naga's constant evaluator, which is another implementation, and run by ours.
+//! The same expression folded by naga's constant evaluator, which is another implementation, and
+//! run by ours.
 
 use super::*;
 
 /// The value of `expression` with `a`, `b`, `c` replaced by literals, if naga folds it.
 fn folded(kind: &str, expression: &str, literals: &[String]) -> Option<Value> {
     let names = ["a", "b", "c"];
-    let constants: String =
-        names.iter().zip(literals).map(|(name, literal)| format!("const {name}: {kind} = {literal};\n")).collect();
-    let source = format!("{constants} fn f() -> {kind} {{ const folded = {expression}; return folded; }}");
+    let constants: String = names
+        .iter()
+        .zip(literals)
+        .map(|(name, literal)| format!("const {name}: {kind} = {literal};\n"))
+        .collect();
+    let source =
+        format!("{constants} fn f() -> {kind} {{ const folded = {expression}; return folded; }}");
     #[expect(clippy::disallowed_methods, reason = "naga may refuse it")]
     let module = naga::front::wgsl::parse_str(&source).ok()?;
     let program = Program::compile(&module, "f", Options::default()).unwrap();
@@ -72,7 +77,11 @@ fn floats_agree() {
         let literals = values.map(|x: f64| format!("{x:?}"));
         for expression in expressions {
             let Some(Value::Float(naga)) = folded("f32", expression, &literals) else { continue };
-            let ours = run_in(Precision::F32, &source("f32; f32; f32 -> f32", expression), &values.map(Value::from));
+            let ours = run_in(
+                Precision::F32,
+                &source("f32; f32; f32 -> f32", expression),
+                &values.map(Value::from),
+            );
             let ours = ours.as_f64().unwrap();
             // naga uses f32's own functions, which are right to a few ulps.
             let close = (ours - naga).abs() <= 1e-6 * naga.abs().max(0.1);
@@ -126,7 +135,11 @@ fn integers_agree() {
         for expression in expressions {
             let Some(naga) = folded("u32", expression, &literals) else { continue };
             let arguments = values.map(|x| Value::from(x as u32));
-            assert_eq!(run(&source("u32; u32; u32 -> u32", expression), &arguments), naga, "{expression}");
+            assert_eq!(
+                run(&source("u32; u32; u32 -> u32", expression), &arguments),
+                naga,
+                "{expression}"
+            );
             compared += 1;
         }
     }

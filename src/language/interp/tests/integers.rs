@@ -38,7 +38,9 @@ fn division_is_total() {
 
 #[test]
 fn shifts_take_the_amount_modulo_32() {
-    let shift = |expression: &str, x: i32, by: u32| eval("i32; u32 -> i32", expression, &[x.into(), by.into()]);
+    let shift = |expression: &str, x: i32, by: u32| {
+        eval("i32; u32 -> i32", expression, &[x.into(), by.into()])
+    };
     assert_eq!(shift("a << b", 1, 31), MIN.into());
     assert_eq!(shift("a << b", 1, 33), 2.into());
     assert_eq!(shift("a >> b", -8, 1), (-4).into());
@@ -79,7 +81,8 @@ fn comparisons_know_the_sign() {
     assert_eq!(signed("a > b"), false.into());
     assert_eq!(signed("a <= b"), true.into());
     assert_eq!(signed("a >= b"), false.into());
-    let unsigned = |expression| eval("u32; u32 -> bool", expression, &[u32::MAX.into(), 1_u32.into()]);
+    let unsigned =
+        |expression| eval("u32; u32 -> bool", expression, &[u32::MAX.into(), 1_u32.into()]);
     assert_eq!(unsigned("a < b"), false.into());
     assert_eq!(unsigned("a > b"), true.into());
     assert_eq!(unsigned("a <= b"), false.into());
@@ -115,7 +118,11 @@ fn counting_bits() {
 #[test]
 fn bit_fields() {
     let extract = |x: i32, offset: u32, count: u32| {
-        eval("i32; u32; u32 -> i32", "extractBits(a, b, c)", &[x.into(), offset.into(), count.into()])
+        eval(
+            "i32; u32; u32 -> i32",
+            "extractBits(a, b, c)",
+            &[x.into(), offset.into(), count.into()],
+        )
     };
     assert_eq!(extract(0b1011_0000, 4, 4), (-5).into());
     assert_eq!(extract(0b0011_0000, 4, 4), 3.into());
@@ -134,9 +141,17 @@ fn bit_fields() {
 
 #[test]
 fn integer_vectors() {
-    let dot = eval("vec3<i32>; vec3<i32> -> i32", "dot(a, b)", &[Value::ivec(&[1, 2, 3]), Value::ivec(&[4, -5, 6])]);
+    let dot = eval(
+        "vec3<i32>; vec3<i32> -> i32",
+        "dot(a, b)",
+        &[Value::ivec(&[1, 2, 3]), Value::ivec(&[4, -5, 6])],
+    );
     assert_eq!(dot, 12.into());
-    let quotient = eval("vec2<u32>; vec2<u32> -> vec2<u32>", "a / b", &[Value::uvec(&[9, 5]), Value::uvec(&[2, 0])]);
+    let quotient = eval(
+        "vec2<u32>; vec2<u32> -> vec2<u32>",
+        "a / b",
+        &[Value::uvec(&[9, 5]), Value::uvec(&[2, 0])],
+    );
     assert_eq!(quotient, Value::uvec(&[4, 5]));
     let scaled = eval("vec2<i32>; i32 -> vec2<i32>", "b * a", &[Value::ivec(&[9, -5]), 3.into()]);
     assert_eq!(scaled, Value::ivec(&[27, -15]));

@@ -4,10 +4,15 @@ use super::super::{Bindings, Bound, LANES, Lanes};
 use super::*;
 
 pub(super) fn stage(source: &str, function: &str) -> Program {
-    Program::compile(&module(source), function, Options::stage(source)).unwrap_or_else(|e| panic!("{e}"))
+    Program::compile(&module(source), function, Options::stage(source))
+        .unwrap_or_else(|e| panic!("{e}"))
 }
 
-pub(super) fn bind<'p>(program: &'p Program, bindings: &Bindings, precision: Precision) -> Bound<'p> {
+pub(super) fn bind<'p>(
+    program: &'p Program,
+    bindings: &Bindings,
+    precision: Precision,
+) -> Bound<'p> {
     program.bind(bindings, precision).unwrap_or_else(|problems| panic!("{}", problems[0]))
 }
 
@@ -34,7 +39,8 @@ fn each(source: &str, numbers: impl Iterator<Item = i32>) -> Vec<i32> {
 
 #[test]
 fn derivatives_are_differences_within_a_quad() {
-    // Of x^2 + 3 x y - y at (x, y) the differences to (x + 1, y) and (x, y + 1) are 2 x + 1 + 3 y and 3 x - 1.
+    // Of x^2 + 3 x y - y at (x, y) the differences to (x + 1, y) and (x, y + 1) are 2 x + 1 + 3 y
+    // and 3 x - 1.
     let source = "
         @fragment fn f(@builtin(position) p: vec4f) -> @location(0) vec4f {
             let q = p.x * p.x + 3.0 * p.x * p.y - p.y;
@@ -80,7 +86,8 @@ fn every_lane_loops_as_often_as_it_should() {
             if sum > 100 {
                 break;
             }
-            sum += std::iter::successors(Some(i), |j| Some(j / 2)).take_while(|j| *j > 0).sum::<i32>();
+            sum +=
+                std::iter::successors(Some(i), |j| Some(j / 2)).take_while(|j| *j > 0).sum::<i32>();
         }
         sum
     };
@@ -145,7 +152,8 @@ fn variables_and_pointers_are_each_lanes_own() {
     let source = "
         var<private> calls: i32 = 5;
         fn bump(p: ptr<function, i32>, by: i32) { *p += by; calls += 1; }
-        fn swap(a: ptr<private, i32>, b: ptr<function, array<i32, 4>>, i: i32) { let t = *a; *a = (*b)[i]; (*b)[i] = t; }
+        fn swap(a: ptr<private, i32>, b: ptr<function, array<i32, 4>>, i: i32) \
+        { let t = *a; *a = (*b)[i]; (*b)[i] = t; }
         fn f(i: i32) -> i32 {
             var a = array<i32, 4>(i, i * 2, i * 3, i * 4);
             for (var j = 0; j < i % 4; j++) { bump(&a[j], 100); }
@@ -220,17 +228,25 @@ fn lanes_take_a_bounded_memory() {
 #[test]
 fn ports_of_stages_tell_what_they_are() {
     let source = "
-        struct In { @builtin(position) at: vec4f, @location(2) @interpolate(flat) id: u32, @location(0) uv: vec2f }
+        struct In \
+        { @builtin(position) at: vec4f, @location(2) @interpolate(flat) id: u32, @location(0) uv: vec2f }
         struct Out { @location(1) color: vec4f, @builtin(frag_depth) depth: f32 }
         @fragment fn f(in: In, @builtin(front_facing) front: bool) -> Out {
             return Out(vec4f(in.uv, f32(in.id), select(0.0, 1.0, front)), in.at.z);
         }";
     let program = stage(source, "f");
-    let told: Vec<_> =
-        program.inputs().iter().map(|port| (port.name.as_str(), port.location(), port.kind, port.size)).collect();
+    let told: Vec<_> = program
+        .inputs()
+        .iter()
+        .map(|port| (port.name.as_str(), port.location(), port.kind, port.size))
+        .collect();
     use super::super::ScalarKind::{Bool, Float, U32};
-    let expected =
-        [("in.at", None, Float, 4), ("in.id", Some(2), U32, 1), ("in.uv", Some(0), Float, 2), ("front", None, Bool, 1)];
+    let expected = [
+        ("in.at", None, Float, 4),
+        ("in.id", Some(2), U32, 1),
+        ("in.uv", Some(0), Float, 2),
+        ("front", None, Bool, 1),
+    ];
     assert_eq!(told, expected);
     let [color, depth] = program.outputs() else { panic!("two outputs") };
     assert_eq!((color.location(), color.name.as_str()), (Some(1), "color"));
@@ -246,6 +262,9 @@ fn ports_of_stages_tell_what_they_are() {
     lanes.run(2).unwrap();
     let single = |x: f64| f64::from(x as f32);
     let color = |uv: [f64; 2], id, front| Value::from([single(uv[0]), single(uv[1]), id, front]);
-    assert_eq!(lanes.get(0), Value::Struct(vec![color([0.1, 0.3], 4_294_967_296.0, 1.0), 0.5.into()]));
+    assert_eq!(
+        lanes.get(0),
+        Value::Struct(vec![color([0.1, 0.3], 4_294_967_296.0, 1.0), 0.5.into()])
+    );
     assert_eq!(lanes.get(1), Value::Struct(vec![color([0.2, 0.4], 3.0, 0.0), 0.25.into()]));
 }

@@ -1,4 +1,5 @@
-//! WGSL snippets against values computed by other means. Snippets take their operands as arguments, lest naga folds them.
+//! WGSL snippets against values computed by other means. Snippets take their operands as arguments,
+//! lest naga folds them.
 
 mod composites;
 mod control;
@@ -21,11 +22,17 @@ use crate::diag::Diagnostic;
 
 /// A module that naga's validator accepts.
 fn module(source: &str) -> naga::Module {
-    #[expect(clippy::disallowed_methods, reason = "tests of types and functions that our own shaders may not use")]
-    let module = naga::front::wgsl::parse_str(source).unwrap_or_else(|e| panic!("{}", e.emit_to_string(source)));
+    #[expect(
+        clippy::disallowed_methods,
+        reason = "tests of types and functions that our own shaders may not use"
+    )]
+    let module = naga::front::wgsl::parse_str(source)
+        .unwrap_or_else(|e| panic!("{}", e.emit_to_string(source)));
     #[expect(clippy::disallowed_methods, reason = "as above")]
-    let mut validator =
-        naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::all());
+    let mut validator = naga::valid::Validator::new(
+        naga::valid::ValidationFlags::all(),
+        naga::valid::Capabilities::all(),
+    );
     if let Err(problem) = validator.validate(&module) {
         panic!("{}", problem.emit_to_string(source));
     }
@@ -43,19 +50,24 @@ fn run(source: &str, arguments: &[Value]) -> Value {
 }
 
 fn run_in(precision: Precision, source: &str, arguments: &[Value]) -> Value {
-    compile(source).and_then(|program| program.call(arguments, precision)).unwrap_or_else(|e| panic!("{e}"))
+    compile(source)
+        .and_then(|program| program.call(arguments, precision))
+        .unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// The value of an expression over arguments `a`, `b`, `c`, `d`, whose types and that of the result are given as
-/// `f32, i32 -> f32`.
+/// The value of an expression over arguments `a`, `b`, `c`, `d`, whose types and that of the result
+/// are given as `f32, i32 -> f32`.
 fn eval(signature: &str, expression: &str, arguments: &[Value]) -> Value {
     run(&source(signature, expression), arguments)
 }
 
 fn source(signature: &str, expression: &str) -> String {
     let (types, result) = signature.split_once("->").expect("a signature");
-    let parameters: Vec<String> =
-        types.split(';').zip(["a", "b", "c", "d"]).map(|(ty, name)| format!("{name}: {}", ty.trim())).collect();
+    let parameters: Vec<String> = types
+        .split(';')
+        .zip(["a", "b", "c", "d"])
+        .map(|(ty, name)| format!("{name}: {}", ty.trim()))
+        .collect();
     format!("fn f({}) -> {result} {{ return {expression}; }}", parameters.join(", "))
 }
 
@@ -63,7 +75,9 @@ fn source(signature: &str, expression: &str) -> String {
 fn float(expression: &str, arguments: &[f64]) -> f64 {
     let types = vec!["f32"; arguments.len()].join(";");
     let arguments: Vec<Value> = arguments.iter().map(|&x| x.into()).collect();
-    let Value::Float(x) = eval(&format!("{types} -> f32"), expression, &arguments) else { panic!("not a float") };
+    let Value::Float(x) = eval(&format!("{types} -> f32"), expression, &arguments) else {
+        panic!("not a float")
+    };
     x
 }
 
@@ -71,7 +85,9 @@ fn float(expression: &str, arguments: &[f64]) -> f64 {
 fn int(expression: &str, arguments: &[i32]) -> i32 {
     let types = vec!["i32"; arguments.len()].join(";");
     let arguments: Vec<Value> = arguments.iter().map(|&x| x.into()).collect();
-    let Value::I32(x) = eval(&format!("{types} -> i32"), expression, &arguments) else { panic!("not an i32") };
+    let Value::I32(x) = eval(&format!("{types} -> i32"), expression, &arguments) else {
+        panic!("not an i32")
+    };
     x
 }
 
@@ -79,7 +95,9 @@ fn int(expression: &str, arguments: &[i32]) -> i32 {
 fn uint(expression: &str, arguments: &[u32]) -> u32 {
     let types = vec!["u32"; arguments.len()].join(";");
     let arguments: Vec<Value> = arguments.iter().map(|&x| x.into()).collect();
-    let Value::U32(x) = eval(&format!("{types} -> u32"), expression, &arguments) else { panic!("not a u32") };
+    let Value::U32(x) = eval(&format!("{types} -> u32"), expression, &arguments) else {
+        panic!("not a u32")
+    };
     x
 }
 

@@ -4,7 +4,10 @@ use super::*;
 
 fn pack(function: &str, components: &[f64]) -> u32 {
     let signature = format!("vec{}<f32> -> u32", components.len());
-    let Value::U32(x) = eval(&signature, &format!("{function}(a)"), &[Value::vec(components)]) else { panic!() };
+    let Value::U32(x) = eval(&signature, &format!("{function}(a)"), &[Value::vec(components)])
+    else {
+        panic!()
+    };
     x
 }
 
@@ -39,9 +42,21 @@ fn bytes() {
     assert_eq!(eval("vec4<u32> -> u32", "pack4xU8(a)", &unsigned), 0x002C_FF01_u32.into());
     assert_eq!(eval("vec4<u32> -> u32", "pack4xU8Clamp(a)", &unsigned), 0x00FF_FF01_u32.into());
     let packed = [0x80FF_7F01_u32.into()];
-    assert_eq!(eval("u32 -> vec4<i32>", "unpack4xI8(a)", &packed), Value::ivec(&[1, 127, -1, -128]));
-    assert_eq!(eval("u32 -> vec4<u32>", "unpack4xU8(a)", &packed), Value::uvec(&[1, 127, 255, 128]));
+    assert_eq!(
+        eval("u32 -> vec4<i32>", "unpack4xI8(a)", &packed),
+        Value::ivec(&[1, 127, -1, -128])
+    );
+    assert_eq!(
+        eval("u32 -> vec4<u32>", "unpack4xU8(a)", &packed),
+        Value::uvec(&[1, 127, 255, 128])
+    );
     let both = [0x01FF_0302_u32.into(), 0x02FF_0504_u32.into()];
-    assert_eq!(eval("u32; u32 -> i32", "dot4I8Packed(a, b)", &both), (2 * 4 + 3 * 5 + 1 + 2).into());
-    assert_eq!(eval("u32; u32 -> u32", "dot4U8Packed(a, b)", &both), (2 * 4 + 3 * 5 + 255 * 255 + 2_u32).into());
+    assert_eq!(
+        eval("u32; u32 -> i32", "dot4I8Packed(a, b)", &both),
+        (2 * 4 + 3 * 5 + 1 + 2).into()
+    );
+    assert_eq!(
+        eval("u32; u32 -> u32", "dot4U8Packed(a, b)", &both),
+        (2 * 4 + 3 * 5 + 255 * 255 + 2_u32).into()
+    );
 }

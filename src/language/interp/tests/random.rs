@@ -53,13 +53,17 @@ impl Tree {
     }
 }
 
-fn trees(unary: &'static [&'static str], binary: &'static [&'static str]) -> impl Strategy<Value = Tree> {
+fn trees(
+    unary: &'static [&'static str],
+    binary: &'static [&'static str],
+) -> impl Strategy<Value = Tree> {
     let leaf = (0..3_usize).prop_map(Tree::Leaf);
     leaf.prop_recursive(5, 40, 3, move |inner| {
         let pair = (inner.clone(), inner.clone());
         let triple = [inner.clone(), inner.clone(), inner.clone()];
         prop_oneof![
-            (prop::sample::select(unary), inner).prop_map(|(name, x)| Tree::Unary(name, Box::new(x))),
+            (prop::sample::select(unary), inner)
+                .prop_map(|(name, x)| Tree::Unary(name, Box::new(x))),
             (prop::sample::select(binary), pair).prop_map(|(name, (x, y))| Tree::Binary(
                 name,
                 Box::new(x),
@@ -95,7 +99,11 @@ macro_rules! float_functions {
 }
 
 /// Holds the lanes to what single calls give, bit for bit.
-fn lanes_agree(source: &str, precision: Precision, lanes_arguments: &[Vec<Value>]) -> Result<(), TestCaseError> {
+fn lanes_agree(
+    source: &str,
+    precision: Precision,
+    lanes_arguments: &[Vec<Value>],
+) -> Result<(), TestCaseError> {
     let program = stage(source, "f");
     let bound = bind(&program, &Bindings::new(), precision);
     let (mut lanes, mut machine) = (bound.lanes().unwrap(), bound.machine());
@@ -104,8 +112,8 @@ fn lanes_agree(source: &str, precision: Precision, lanes_arguments: &[Vec<Value>
     }
     lanes.run(lanes_arguments.len()).unwrap();
     for (lane, arguments) in lanes_arguments.iter().enumerate() {
-        let [together, alone] =
-            [lanes.get(lane), machine.call(arguments).unwrap()].map(|value| value.as_f64().unwrap());
+        let [together, alone] = [lanes.get(lane), machine.call(arguments).unwrap()]
+            .map(|value| value.as_f64().unwrap());
         let agree = together.to_bits() == alone.to_bits() || together.is_nan() && alone.is_nan();
         prop_assert!(agree, "lane {lane}: {together:?} is not {alone:?} in {source}");
     }
@@ -124,7 +132,8 @@ fn statements() -> impl Strategy<Value = String> {
             (0..3).prop_map(|i| format!("(n >> {i}u)")),
         ]
     };
-    let condition = move || (expression(), 2..5, 0..3).prop_map(|(x, n, r)| format!("({x} % {n} == {r})"));
+    let condition =
+        move || (expression(), 2..5, 0..3).prop_map(|(x, n, r)| format!("({x} % {n} == {r})"));
     let leaf = prop_oneof![
         6 => (name(), expression()).prop_map(|(x, y)| format!("{x} = {y};")),
         1 => condition().prop_map(|c| format!("if {c} {{ return a; }}")),
@@ -141,10 +150,12 @@ fn statements() -> impl Strategy<Value = String> {
             )),
             (block.clone(), condition(), block.clone()).prop_map(|(body, c, next)| {
                 let next = next.replace("return a;", "a += 1;");
-                format!("{{ var k = 0; loop {{ {body} continuing {{ {next} k += 1; break if {c} || k > 3; }} }} }}")
+                format!("{{ var k = 0; loop {{ {body} continuing {{ {next} k += 1; break if {c} || \
+                         k > 3; }} }} }}")
             }),
             (expression(), block.clone(), block.clone(), block).prop_map(|(x, one, two, rest)| format!(
-                "switch {x} % 3 {{ case 0: {{ {one} }} case 1, -1: {{ {two} break; }} default: {{ {rest} }} }}"
+                "switch {x} % 3 {{ case 0: {{ {one} }} case 1, -1: {{ {two} break; }} default: {{ \
+                 {rest} }} }}"
             )),
         ]
     })
@@ -212,11 +223,13 @@ proptest! {
         let source = format!(
             "fn g(x: i32, y: i32) -> i32 {{
                 var r = x;
-                for (var i = 0; i < (y & 3); i++) {{ if r % 3 == 1 {{ return r + y; }} r += i * y; }}
+                for (var i = 0; i < (y & 3); i++) {{ if r % 3 == 1 {{ return r + y; }} r += i * y; \
+                }}
                 return r - y;
             }}
             fn h(p: ptr<function, i32>) {{ if *p > 50 {{ *p /= 2; return; }} *p = g(*p, 3) + 1; }}
-            fn f(x: i32, y: i32, n: i32) -> i32 {{ var a = x; var b = y; var c = n;\n{}\nreturn a + 3 * b + 7 * c; }}",
+            fn f(x: i32, y: i32, n: i32) -> i32 {{ var a = x; var b = y; var c = n;\n{}\nreturn a \
+            + 3 * b + 7 * c; }}",
             body.join("\n")
         );
         let arguments: Vec<Vec<Value>> = (0..LANES as i32)

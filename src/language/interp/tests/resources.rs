@@ -13,7 +13,8 @@ fn uniforms_are_read_whole_in_parts_and_by_index() {
         fn power(light: Light) -> f32 { return light.power; }
         fn f(i: i32) -> f32 {
             let first = look.lights[0];
-            return power(look.lights[i]) + first.direction.y + look.m[i][1] + look.lights[i].direction[i] + f32(look.count);
+            return power(look.lights[i]) + first.direction.y + look.m[i][1] + \
+            look.lights[i].direction[i] + f32(look.count);
         }";
     let light = |x: f64| Value::Struct(vec![[x, x + 0.1, x + 0.2].into(), (x * 100.0).into()]);
     let matrix = Value::matrix(&[[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]]);
@@ -69,11 +70,13 @@ fn buffers_may_end_in_arrays_of_any_length() {
 
 #[test]
 fn uniforms_are_f64_or_rounded() {
-    let source = "@group(0) @binding(0) var<uniform> u: vec2f; fn f(i: i32) -> vec2f { return vec2f(u.x, u[i]); }";
+    let source = "@group(0) @binding(0) var<uniform> u: vec2f; fn f(i: i32) -> vec2f \
+                  { return vec2f(u.x, u[i]); }";
     let mut bindings = Bindings::new();
     bindings.buffer(0, 0, [0.1, 0.2].into());
     let program = stage(source, "f");
-    let value = |precision| bind(&program, &bindings, precision).machine().call(&[1.into()]).unwrap();
+    let value =
+        |precision| bind(&program, &bindings, precision).machine().call(&[1.into()]).unwrap();
     assert_eq!(value(Precision::F64), [0.1, 0.2].into());
     assert_eq!(value(Precision::F32), [0.1_f32, 0.2_f32].map(f64::from).into());
 }
@@ -87,17 +90,24 @@ fn everything_that_does_not_fit_is_told() {
         @group(0) @binding(3) var d: texture_depth_cube;
         @group(0) @binding(4) var c: sampler_comparison;
         @fragment fn f() -> @location(0) vec4f {
-            return u + textureSampleLevel(t, s, u.xy, 0.0) + textureSampleCompareLevel(d, c, u.xyz, 0.5);
+            return u + textureSampleLevel(t, s, u.xy, 0.0) + textureSampleCompareLevel(d, c, \
+            u.xyz, 0.5);
         }";
     let program = stage(source, "f");
     let problems = program.bind(&Bindings::new(), Precision::F64).unwrap_err();
     assert_eq!(problems.len(), 5);
     assert!(problems.iter().all(|problem| problem.code == "interp-binding"));
-    assert_eq!(problems[0].message, "`u` (@group(0) @binding(0)) is a buffer of vec4<f32>, and nothing is bound");
+    assert_eq!(
+        problems[0].message,
+        "`u` (@group(0) @binding(0)) is a buffer of vec4<f32>, and nothing is bound"
+    );
     let flat = Texture::flat([1, 1], vec![[0.0; 4]]).unwrap();
     let comparison = Sampler { compare: Some(SamplerCompare::Less), ..Sampler::default() };
     let mut bindings = Bindings::new();
-    bindings.buffer(0, 0, [1.0, 2.0, 3.0].into()).sampler(0, 1, comparison).sampler(0, 2, comparison);
+    bindings
+        .buffer(0, 0, [1.0, 2.0, 3.0].into())
+        .sampler(0, 1, comparison)
+        .sampler(0, 2, comparison);
     bindings.texture(0, 3, flat).sampler(0, 4, Sampler::default());
     let problems = program.bind(&bindings, Precision::F64).unwrap_err();
     let told: Vec<&str> = problems.iter().map(|problem| problem.message.as_str()).collect();
@@ -123,7 +133,8 @@ fn what_only_compute_has_is_refused_in_stages_too() {
         ),
         (
             "@group(0) @binding(0) var t: texture_storage_2d<rgba8unorm, write>;
-             @fragment fn f() -> @location(0) f32 { textureStore(t, vec2i(0), vec4f(1.0)); return 1.0; }",
+             @fragment fn f() -> @location(0) f32 \
+             { textureStore(t, vec2i(0), vec4f(1.0)); return 1.0; }",
             "the global variable `t` is a storage texture",
         ),
         (
@@ -135,10 +146,14 @@ fn what_only_compute_has_is_refused_in_stages_too() {
             "var<workgroup> w: array<f32, 4>; @compute @workgroup_size(1) fn f() { w[1] = 1.0; }",
             "the global variable `w` is workgroup memory",
         ),
-        ("@compute @workgroup_size(1) fn f() { workgroupBarrier(); }", "`f` uses a barrier (ControlBarrier)"),
+        (
+            "@compute @workgroup_size(1) fn f() { workgroupBarrier(); }",
+            "`f` uses a barrier (ControlBarrier)",
+        ),
     ];
     for (source, message) in cases {
-        let error = Program::compile(&module(source), "f", Options::stage(source)).expect_err("refused");
+        let error =
+            Program::compile(&module(source), "f", Options::stage(source)).expect_err("refused");
         assert_eq!(error.code, "interp-unsupported");
         assert!(error.message.starts_with(message), "{error}");
         assert!(error.place.wgsl.is_some(), "{error}");

@@ -4,8 +4,8 @@ use super::super::{Bindings, LANES};
 use super::lanes::{bind, stage};
 use super::*;
 
-/// Runs `f` of two i32 in lanes, batch after batch on the same memory, and holds it against single calls; gives the
-/// steps of each batch.
+/// Runs `f` of two i32 in lanes, batch after batch on the same memory, and holds it against single
+/// calls; gives the steps of each batch.
 fn hold(source: &str, batches: &[&dyn Fn(i32) -> [i32; 2]]) -> Vec<u64> {
     let program = stage(source, "f");
     let bound = bind(&program, &Bindings::new(), Precision::F64);
@@ -13,12 +13,19 @@ fn hold(source: &str, batches: &[&dyn Fn(i32) -> [i32; 2]]) -> Vec<u64> {
     let mut steps = Vec::new();
     for (number, batch) in batches.iter().enumerate() {
         let arguments = (0..LANES).map(|lane| batch(lane as i32).map(Value::from));
-        arguments.clone().enumerate().for_each(|(lane, arguments)| lanes.set(lane, &arguments).unwrap());
+        arguments
+            .clone()
+            .enumerate()
+            .for_each(|(lane, arguments)| lanes.set(lane, &arguments).unwrap());
         // Not always all of them.
         let count = LANES - 4 * (number % 3);
         steps.push(lanes.run(count).unwrap_or_else(|e| panic!("{e}")).steps);
         for (lane, arguments) in arguments.take(count).enumerate() {
-            assert_eq!(lanes.get(lane), machine.call(&arguments).unwrap(), "batch {number}, lane {lane}");
+            assert_eq!(
+                lanes.get(lane),
+                machine.call(&arguments).unwrap(),
+                "batch {number}, lane {lane}"
+            );
         }
     }
     steps
@@ -42,7 +49,10 @@ fn lanes_that_share_a_call_get_what_single_calls_get() {
             return x.x + 7 * y.x + y.y + z;
         }";
     let alike = |a| [a, 11];
-    let steps = hold(source, &[&alike, &alike, &|a| [a, 12], &|a| [a, a % 9], &alike, &|_| [6, 3], &|a| [a, a / 32]]);
+    let steps = hold(
+        source,
+        &[&alike, &alike, &|a| [a, 12], &|a| [a, a % 9], &alike, &|_| [6, 3], &|a| [a, a / 32]],
+    );
     assert!(2 * steps[1] < steps[0], "the second batch has nothing new to do: {steps:?}");
 }
 
@@ -70,7 +80,8 @@ fn what_remembers_or_asks_its_neighbours_is_not_shared() {
             return first + 10 * grow(n) + 100 * sum;
         }";
     hold(source, &[&|a| [a, 4], &|a| [a, 4], &|_| [2, 4]]);
-    let sloped = source.replace("let first = grow(n);", "count = a * a; let first = slope(n); count = 0;");
+    let sloped =
+        source.replace("let first = grow(n);", "count = a * a; let first = slope(n); count = 0;");
     let program = stage(&sloped, "f");
     let bound = bind(&program, &Bindings::new(), Precision::F64);
     let mut lanes = bound.lanes().unwrap();
@@ -96,7 +107,9 @@ fn arguments_are_the_same_by_their_bits() {
     let program = stage(source, "f");
     let bound = bind(&program, &Bindings::new(), Precision::F64);
     let mut lanes = bound.lanes().unwrap();
-    for (x, wanted) in [(0.0, f64::INFINITY), (-0.0, f64::NEG_INFINITY), (f64::NAN, f64::NAN), (2.0, 1.5)] {
+    for (x, wanted) in
+        [(0.0, f64::INFINITY), (-0.0, f64::NEG_INFINITY), (f64::NAN, f64::NAN), (2.0, 1.5)]
+    {
         (0..LANES).for_each(|lane| lanes.set(lane, &[x.into()]).unwrap());
         lanes.run(LANES).unwrap();
         assert_eq!(lanes.get(5).as_f64().unwrap().to_bits(), wanted.to_bits(), "of {x}");

@@ -15,24 +15,46 @@ fn both(signature: &str, expression: &str) -> Value {
 fn componentwise() {
     assert_eq!(both("vec3<f32>; vec3<f32> -> vec3<f32>", "a + b"), [1.5, 2.0, 2.0].into());
     assert_eq!(both("vec3<f32>; vec3<f32> -> vec3<f32>", "a * b"), [0.5, -8.0, -3.0].into());
-    assert_eq!(both("vec3<f32>; vec3<f32> -> vec3<f32>", "2.0 * a - b / 2.0"), [1.75, -6.0, 6.5].into());
+    assert_eq!(
+        both("vec3<f32>; vec3<f32> -> vec3<f32>", "2.0 * a - b / 2.0"),
+        [1.75, -6.0, 6.5].into()
+    );
     assert_eq!(both("vec3<f32>; vec3<f32> -> vec3<f32>", "max(a, b)"), [1.0, 4.0, 3.0].into());
     assert_eq!(both("vec3<f32>; vec3<f32> -> vec3<f32>", "-abs(a)"), [-1.0, -2.0, -3.0].into());
-    assert_eq!(both("vec3<f32>; vec3<f32> -> vec3<f32>", "mix(a, b, 0.5)"), [0.75, 1.0, 1.0].into());
-    assert_eq!(both("vec3<f32>; vec3<f32> -> vec3<f32>", "mix(a, b, vec3(0, 1, 0.5))"), [1.0, 4.0, 1.0].into());
-    assert_eq!(both("vec3<f32>; vec3<f32> -> vec3<f32>", "clamp(a, vec3(0.0), vec3(2.0))"), [1.0, 0.0, 2.0].into());
+    assert_eq!(
+        both("vec3<f32>; vec3<f32> -> vec3<f32>", "mix(a, b, 0.5)"),
+        [0.75, 1.0, 1.0].into()
+    );
+    assert_eq!(
+        both("vec3<f32>; vec3<f32> -> vec3<f32>", "mix(a, b, vec3(0, 1, 0.5))"),
+        [1.0, 4.0, 1.0].into()
+    );
+    assert_eq!(
+        both("vec3<f32>; vec3<f32> -> vec3<f32>", "clamp(a, vec3(0.0), vec3(2.0))"),
+        [1.0, 0.0, 2.0].into()
+    );
     assert_eq!(
         both("vec3<f32>; vec3<f32> -> vec3<f32>", "select(a, b, a < b)"),
         [1.0, 4.0, 3.0].into(),
         "each component by its own condition"
     );
     assert_eq!(both("vec3<f32>; vec3<f32> -> vec3<f32>", "select(a, b, true)"), B.into());
-    assert_eq!(both("vec3<f32>; vec3<f32> -> vec3<bool>", "a < b"), Value::bvec(&[false, true, false]));
+    assert_eq!(
+        both("vec3<f32>; vec3<f32> -> vec3<bool>", "a < b"),
+        Value::bvec(&[false, true, false])
+    );
     assert_eq!(both("vec3<f32>; vec3<f32> -> bool", "any(a < b)"), true.into());
     assert_eq!(both("vec3<f32>; vec3<f32> -> bool", "all(a < b)"), false.into());
-    assert_eq!(both("vec3<f32>; vec3<f32> -> vec3<bool>", "!(a < b)"), Value::bvec(&[true, false, true]));
     assert_eq!(
-        eval("vec2<f32>; vec2<i32> -> vec2<f32>", "ldexp(a, b)", &[[1.0, 3.0].into(), Value::ivec(&[4, -1])]),
+        both("vec3<f32>; vec3<f32> -> vec3<bool>", "!(a < b)"),
+        Value::bvec(&[true, false, true])
+    );
+    assert_eq!(
+        eval(
+            "vec2<f32>; vec2<i32> -> vec2<f32>",
+            "ldexp(a, b)",
+            &[[1.0, 3.0].into(), Value::ivec(&[4, -1])]
+        ),
         [16.0, 1.5].into()
     );
 }
@@ -42,13 +64,23 @@ fn geometry() {
     assert_eq!(both("vec3<f32>; vec3<f32> -> f32", "dot(a, b)"), (-10.5).into());
     assert_eq!(both("vec3<f32>; vec3<f32> -> vec3<f32>", "cross(a, b)"), [-10.0, 2.5, 5.0].into());
     assert_close(&both("vec3<f32>; vec3<f32> -> f32", "length(a)"), &[14_f64.sqrt()], 1e-15);
-    assert_close(&both("vec3<f32>; vec3<f32> -> f32", "distance(a, b)"), &[52.25_f64.sqrt()], 1e-15);
+    assert_close(
+        &both("vec3<f32>; vec3<f32> -> f32", "distance(a, b)"),
+        &[52.25_f64.sqrt()],
+        1e-15,
+    );
     let unit = A.map(|x| x / 14_f64.sqrt());
     assert_close(&both("vec3<f32>; vec3<f32> -> vec3<f32>", "normalize(a)"), &unit, 1e-15);
     // a - 2 (b . a) b
-    assert_eq!(both("vec3<f32>; vec3<f32> -> vec3<f32>", "reflect(a, b)"), [11.5, 82.0, -18.0].into());
+    assert_eq!(
+        both("vec3<f32>; vec3<f32> -> vec3<f32>", "reflect(a, b)"),
+        [11.5, 82.0, -18.0].into()
+    );
     assert_eq!(both("vec3<f32>; vec3<f32> -> vec3<f32>", "faceForward(a, a, b)"), A.into());
-    assert_eq!(both("vec3<f32>; vec3<f32> -> vec3<f32>", "faceForward(a, a, -b)"), A.map(|x| -x).into());
+    assert_eq!(
+        both("vec3<f32>; vec3<f32> -> vec3<f32>", "faceForward(a, a, -b)"),
+        A.map(|x| -x).into()
+    );
 }
 
 #[test]
@@ -77,25 +109,35 @@ fn swizzles() {
 fn products_with_matrices() {
     // 2 columns, 3 rows.
     let m = Value::matrix(&[[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]);
-    let vector = eval("mat2x3<f32>; vec2<f32> -> vec3<f32>", "a * b", &[m.clone(), [10.0, 1.0].into()]);
+    let vector =
+        eval("mat2x3<f32>; vec2<f32> -> vec3<f32>", "a * b", &[m.clone(), [10.0, 1.0].into()]);
     assert_eq!(vector, [14.0, 25.0, 36.0].into());
-    let vector = eval("mat2x3<f32>; vec3<f32> -> vec2<f32>", "b * a", &[m.clone(), [1.0, 10.0, 100.0].into()]);
+    let vector = eval(
+        "mat2x3<f32>; vec3<f32> -> vec2<f32>",
+        "b * a",
+        &[m.clone(), [1.0, 10.0, 100.0].into()],
+    );
     assert_eq!(vector, [321.0, 654.0].into());
     let n = Value::matrix(&[[1.0, 2.0], [3.0, 4.0], [5.0, 6.0], [7.0, 8.0]]);
     let product = eval("mat2x3<f32>; mat4x2<f32> -> mat4x3<f32>", "a * b", &[m.clone(), n]);
     let expected = [[9.0, 12.0, 15.0], [19.0, 26.0, 33.0], [29.0, 40.0, 51.0], [39.0, 54.0, 69.0]];
     assert_eq!(product, Value::matrix(&expected));
-    let scaled = eval("mat2x3<f32> -> mat2x3<f32>", "2.0 * a + a * 0.5 - a", std::slice::from_ref(&m));
+    let scaled =
+        eval("mat2x3<f32> -> mat2x3<f32>", "2.0 * a + a * 0.5 - a", std::slice::from_ref(&m));
     assert_eq!(scaled, Value::matrix(&[[1.5, 3.0, 4.5], [6.0, 7.5, 9.0]]));
     let transposed = eval("mat2x3<f32> -> mat3x2<f32>", "transpose(a)", &[m]);
     assert_eq!(transposed, Value::matrix(&[[1.0, 4.0], [2.0, 5.0], [3.0, 6.0]]));
 }
 
-/// A matrix whose determinant is known, because it is a product of a lower and an upper triangular one.
+/// A matrix whose determinant is known, because it is a product of a lower and an upper triangular
+/// one.
 fn lu<const N: usize>() -> ([[f64; N]; N], f64) {
-    let lower =
-        |row: usize, column: usize| if row > column { (row + 2 * column + 1) as f64 } else { f64::from(row == column) };
-    let upper = |row: usize, column: usize| if row <= column { (row + 2) as f64 - 1.5 * column as f64 } else { 0.0 };
+    let lower = |row: usize, column: usize| {
+        if row > column { (row + 2 * column + 1) as f64 } else { f64::from(row == column) }
+    };
+    let upper = |row: usize, column: usize| {
+        if row <= column { (row + 2) as f64 - 1.5 * column as f64 } else { 0.0 }
+    };
     let entry = |row: usize, column: usize| (0..N).map(|k| lower(row, k) * upper(k, column)).sum();
     let columns = std::array::from_fn(|column| std::array::from_fn(|row| entry(row, column)));
     (columns, (0..N).map(|i| upper(i, i)).product())
@@ -103,7 +145,8 @@ fn lu<const N: usize>() -> ([[f64; N]; N], f64) {
 
 fn determinant_of<const N: usize>() {
     let (columns, expected) = lu::<N>();
-    let actual = eval(&format!("mat{N}x{N}<f32> -> f32"), "determinant(a)", &[Value::matrix(&columns)]);
+    let actual =
+        eval(&format!("mat{N}x{N}<f32> -> f32"), "determinant(a)", &[Value::matrix(&columns)]);
     assert_close(&actual, &[expected], 1e-12);
 }
 
@@ -136,7 +179,11 @@ fn inverse_of<const N: usize>() {
     let source = source(&format!("mat{N}x{N}<f32> -> mat{N}x{N}<f32>"), "transpose(a) * a");
     let mut identity = [[0.0; N]; N];
     (0..N).for_each(|i| identity[i][i] = 1.0);
-    assert_close(&run_with(&source, change, &Value::matrix(&columns)), identity.as_flattened(), 1e-12);
+    assert_close(
+        &run_with(&source, change, &Value::matrix(&columns)),
+        identity.as_flattened(),
+        1e-12,
+    );
 }
 
 #[test]

@@ -1,4 +1,5 @@
-//! Values under weights: numbers, vectors and colours are summed, directions turned; words and switches have no between.
+//! Values under weights: numbers, vectors and colors are summed, directions turned; words and
+//! switches have no between.
 
 use std::collections::HashMap;
 
@@ -12,7 +13,8 @@ pub fn is_direction(target: &Target) -> bool {
     target.light_field().is_some_and(|field| field.quantity() == LightQuantity::Direction)
 }
 
-/// The weighted sum of numbers, vectors or colours; `None` where they are of different shapes, or words.
+/// The weighted sum of numbers, vectors or colors; `None` where they are of different shapes, or
+/// words.
 pub(super) fn blend(values: &[&Value], weights: &[f64], is_direction: bool) -> Option<Value> {
     let rows: Option<Vec<Vec<f64>>> = values.iter().map(|value| numbers_of(value)).collect();
     let mut rows = rows?;
@@ -25,11 +27,16 @@ pub(super) fn blend(values: &[&Value], weights: &[f64], is_direction: bool) -> O
     }
     if is_direction && width == 3 {
         let directions: Vec<DVec3> = rows.iter().map(|row| DVec3::from_slice(row)).collect();
-        return blend_direction(weights, &directions).map(|direction| Value::Vector(direction.to_array().to_vec()));
+        return blend_direction(weights, &directions)
+            .map(|direction| Value::Vector(direction.to_array().to_vec()));
     }
     let column = |c: usize| rows.iter().map(|row| row[c]).collect::<Vec<f64>>();
     let blended: Vec<f64> = (0..width).map(|c| blend_number(weights, &column(c))).collect();
-    Some(if matches!(values[0], Value::Number(_)) { Value::Number(blended[0]) } else { Value::Vector(blended) })
+    Some(if matches!(values[0], Value::Number(_)) {
+        Value::Number(blended[0])
+    } else {
+        Value::Vector(blended)
+    })
 }
 
 pub(super) fn numbers_of(value: &Value) -> Option<Vec<f64>> {
@@ -41,7 +48,8 @@ pub(super) fn numbers_of(value: &Value) -> Option<Vec<f64>> {
     }
 }
 
-/// Lays the keyed values under `weights` into `values`; `base` gives what a target has without keys.
+/// Lays the keyed values under `weights` into `values`; `base` gives what a target has without
+/// keys.
 pub(super) fn blend_keys(
     keys: &DirectionKeys,
     weights: &[f64],
@@ -55,7 +63,9 @@ pub(super) fn blend_keys(
         .keys
         .iter()
         .flat_map(|key| key.values.keys())
-        .filter_map(|target| Some((target.clone(), values.get(target).cloned().or_else(|| base(target))?)))
+        .filter_map(|target| {
+            Some((target.clone(), values.get(target).cloned().or_else(|| base(target))?))
+        })
         .collect();
     let mut targets: Vec<&Target> = keys.keys.iter().flat_map(|key| key.values.keys()).collect();
     targets.sort_by_cached_key(std::string::ToString::to_string);
@@ -68,21 +78,25 @@ pub(super) fn blend_keys(
             })
         };
         let at_keys: Vec<Option<Value>> = (0..keys.keys.len()).map(at_key).collect();
-        let with_value: Vec<(&Value, f64)> =
-            at_keys.iter().zip(weights).filter_map(|(value, weight)| Some((value.as_ref()?, *weight))).collect();
+        let with_value: Vec<(&Value, f64)> = at_keys
+            .iter()
+            .zip(weights)
+            .filter_map(|(value, weight)| Some((value.as_ref()?, *weight)))
+            .collect();
         let total: f64 = with_value.iter().map(|(_, weight)| weight).sum();
         if total <= 0.0 {
             continue;
         }
-        let (at_keys, weights): (Vec<&Value>, Vec<f64>) = with_value.into_iter().map(|(v, w)| (v, w / total)).unzip();
+        let (at_keys, weights): (Vec<&Value>, Vec<f64>) =
+            with_value.into_iter().map(|(v, w)| (v, w / total)).unzip();
         if let Some(value) = blend(&at_keys, &weights, is_direction(target)) {
             values.insert(target.clone(), value);
         }
     }
 }
 
-/// The value of a target at a key, made fit for blending: offset, cut-off and fall-off of one node are brought into
-/// order first (docs/math.md 5), so that every blend of them is in order too.
+/// The value of a target at a key, made fit for blending: offset, cut-off and fall-off of one node
+/// are brought into order first (docs/math.md 5), so that every blend of them is in order too.
 fn sanitized(target: &Target, value: &dyn Fn(&Target) -> Option<Value>) -> Option<Value> {
     let own = value(target)?;
     let Target::Input { node, port } = target else { return Some(own) };
@@ -113,9 +127,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn colours_of_three_and_four_numbers_blend() {
+    fn colors_of_three_and_four_numbers_blend() {
         let opaque = Value::Vector(vec![1.0, 0.0, 0.0]);
         let clear = Value::Vector(vec![0.0, 0.0, 0.0, 0.0]);
-        assert_eq!(blend(&[&opaque, &clear], &[0.5, 0.5], false), Some(Value::Vector(vec![0.5, 0.0, 0.0, 0.5])));
+        assert_eq!(
+            blend(&[&opaque, &clear], &[0.5, 0.5], false),
+            Some(Value::Vector(vec![0.5, 0.0, 0.0, 0.5]))
+        );
     }
 }

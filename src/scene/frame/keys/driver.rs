@@ -1,4 +1,5 @@
-//! What decides between the keys of a set: a light's direction, a number of the scene, or a wire of the look.
+//! What decides between the keys of a set: a light's direction, a number of the scene, or a wire of
+//! the look.
 
 use glam::DVec3;
 use indexmap::IndexMap;
@@ -8,7 +9,8 @@ use crate::compile::{CompiledShader, HostProgram, LightValues, Param};
 use crate::document::{Driver, Light, LightKind};
 use crate::ids::LightId;
 
-/// What computes the wires that drive keys: the look's module, or one that was made of an earlier state of its values.
+/// What computes the wires that drive keys: the look's module, or one that was made of an earlier
+/// state of its values.
 #[derive(Clone, Copy, Debug)]
 pub struct Wires<'a> {
     /// The module's host program.
@@ -24,19 +26,28 @@ impl<'a> Wires<'a> {
     }
 }
 
-/// As far as an object that is not there counts as being, scene units; wires count within so much of 0.
+/// As far as an object that is not there counts as being, scene units; wires count within so much
+/// of 0.
 pub(super) const FAR_AWAY: f64 = 1e6;
 
 /// What a driver is at a moment; a wire is computed by the module that has it, and is 0 here.
-pub fn driver_value(driver: &Driver, lights: &IndexMap<LightId, Light>, moment: &Moment<'_>) -> f64 {
+pub fn driver_value(
+    driver: &Driver,
+    lights: &IndexMap<LightId, Light>,
+    moment: &Moment<'_>,
+) -> f64 {
     match driver {
         Driver::Distance => moment.distance.clamp(0.0, FAR_AWAY),
         Driver::Facing => match (moment.front.try_normalize(), moment.view.try_normalize()) {
             (Some(front), Some(view)) => 2.0 * (0.5 * front.distance(view)).clamp(0.0, 1.0).asin(),
             _ => 0.0,
         },
-        Driver::Height(id) => lights.get(id).map_or(0.0, |light| toward_light(light, moment).y.clamp(-1.0, 1.0).asin()),
-        Driver::Near(id) => moment.near.get(id).map_or(FAR_AWAY, |distance| distance.clamp(0.0, FAR_AWAY)),
+        Driver::Height(id) => lights
+            .get(id)
+            .map_or(0.0, |light| toward_light(light, moment).y.clamp(-1.0, 1.0).asin()),
+        Driver::Near(id) => {
+            moment.near.get(id).map_or(FAR_AWAY, |distance| distance.clamp(0.0, FAR_AWAY))
+        }
         Driver::Wire(_) => 0.0,
     }
 }
@@ -46,6 +57,8 @@ pub(super) fn toward_light(light: &Light, moment: &Moment<'_>) -> DVec3 {
     let resolved = LightValues::new(light, moment.illumination, moment.camera_from_world);
     match light.kind {
         LightKind::Directional => resolved.direction,
-        LightKind::Point | LightKind::Spot => (resolved.position - moment.center).try_normalize().unwrap_or(DVec3::Z),
+        LightKind::Point | LightKind::Spot => {
+            (resolved.position - moment.center).try_normalize().unwrap_or(DVec3::Z)
+        }
     }
 }

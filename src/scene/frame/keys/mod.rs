@@ -1,10 +1,12 @@
 //! Values at a time and under a direction: what keys make of a look's values.
 //!
-//! An object's values come from, each over the one before: the document, the scene's overrides of exposed parameters,
-//! time keys, direction keys (BADF eq. 9). Words and switches move in time only, and change what is compiled.
+//! An object's values come from, each over the one before: the document, the scene's overrides of
+//! exposed parameters, time keys, direction keys (BADF eq. 9). Words and switches move in time
+//! only, and change what is compiled.
 //!
-//! [`Rig`] is where they come together; what it asks lies in rooms of its own: tracks in [`time`], the blend of values
-//! under weights in [`blend`], what decides in [`driver`], and a light's fields by name in [`light`].
+//! [`Rig`] is where they come together; what it asks lies in rooms of its own: tracks in [`time`],
+//! the blend of values under weights in [`blend`], what decides in [`driver`], and a light's fields
+//! by name in [`light`].
 
 mod blend;
 mod driver;
@@ -78,7 +80,7 @@ pub struct KeyedValues {
     pub values: HashMap<Target, Value>,
     /// The lights as they are then.
     pub lights: IndexMap<LightId, Light>,
-    /// For each set of direction keys the direction that decides, or the drivers' values, and the weight of each of its
-    /// keys.
+    /// For each set of direction keys the direction that decides, or the drivers' values, and the
+    /// weight of each of its keys.
     pub decided: Vec<(DVec3, Vec<f64>)>,
 }

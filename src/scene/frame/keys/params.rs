@@ -12,7 +12,13 @@ pub struct ParamTable(HashMap<(NodePath, PortName), ParamId>);
 impl ParamTable {
     /// A table over a compiled shader's parameters.
     pub fn new(params: &[Param]) -> Self {
-        Self(params.iter().enumerate().map(|(id, param)| ((param.path.clone(), param.port.clone()), id)).collect())
+        Self(
+            params
+                .iter()
+                .enumerate()
+                .map(|(id, param)| ((param.path.clone(), param.port.clone()), id))
+                .collect(),
+        )
     }
 
     /// The parameter of an input.

@@ -14,7 +14,9 @@ use super::{KeyedValues, Moment, ObjectValues};
 use crate::compile::{HostInputs, LightValues, Param};
 use crate::diag::Diagnostic;
 use crate::directions::KeyWeights;
-use crate::document::{ColorSpace, DirectionKeys, KeyDirection, Light, Look, Target, TimeKeys, Value};
+use crate::document::{
+    ColorSpace, DirectionKeys, KeyDirection, Light, Look, Target, TimeKeys, Value,
+};
 use crate::ids::{LightId, NodePath, PortName};
 
 /// A look's keys with their weights solved, ready for any number of objects and moments.
@@ -28,7 +30,8 @@ pub struct Rig {
 }
 
 impl Rig {
-    /// Solves the direction keys of `look`. Diagnostics tell of keys that are merged or lie too close.
+    /// Solves the direction keys of `look`. Diagnostics tell of keys that are merged or lie too
+    /// close.
     pub fn new(look: &Look) -> (Self, Vec<Diagnostic>) {
         let mut problems = Vec::new();
         let mut index = 0;
@@ -45,10 +48,18 @@ impl Rig {
     }
 
     fn with(look: &Look, weights_of: &mut dyn FnMut(&DirectionKeys) -> KeyWeights) -> Self {
-        let mut directions: Vec<_> = look.direction_keys.iter().map(|keys| (keys.clone(), weights_of(keys))).collect();
-        let exposed = look.exposed.iter().map(|exposed| (exposed.name.clone(), exposed.target.clone())).collect();
-        let (lights, mut time, space) = (look.lights.clone(), look.time_keys.clone(), look.color_space);
-        let in_space = |value: &mut Value| *value = std::mem::replace(value, Value::Bool(false)).in_space(space);
+        let mut directions: Vec<_> =
+            look.direction_keys.iter().map(|keys| (keys.clone(), weights_of(keys))).collect();
+        let exposed = look
+            .exposed
+            .iter()
+            .map(|exposed| (exposed.name.clone(), exposed.target.clone()))
+            .collect();
+        let (lights, mut time, space) =
+            (look.lights.clone(), look.time_keys.clone(), look.color_space);
+        let in_space = |value: &mut Value| {
+            *value = std::mem::replace(value, Value::Bool(false)).in_space(space)
+        };
         time.iter_mut().flat_map(|track| &mut track.keys).for_each(|key| in_space(&mut key.value));
         let keys = directions.iter_mut().flat_map(|(keys, _)| &mut keys.keys);
         keys.flat_map(|key| key.values.values_mut()).for_each(in_space);
@@ -58,11 +69,15 @@ impl Rig {
     /// The rig of another state of the look. Weights are solved anew only where keys moved.
     #[must_use]
     pub fn renewed(&self, look: &Look) -> Self {
-        let places = |keys: &DirectionKeys| -> Vec<[f64; 3]> { keys.keys.iter().map(|key| key.direction).collect() };
+        let places = |keys: &DirectionKeys| -> Vec<[f64; 3]> {
+            keys.keys.iter().map(|key| key.direction).collect()
+        };
         let known = |keys: &DirectionKeys| {
             let mut known = self.directions.iter();
             let is_same = |own: &DirectionKeys| {
-                own.scheme == keys.scheme && own.by.axes() == keys.by.axes() && places(own) == places(keys)
+                own.scheme == keys.scheme
+                    && own.by.axes() == keys.by.axes()
+                    && places(own) == places(keys)
             };
             known.find(|(own, _)| is_same(own)).map(|(_, w)| w.clone())
         };
@@ -80,9 +95,13 @@ impl Rig {
         wires: Wires<'_>,
         moment: &Moment<'_>,
     ) -> Result<ObjectValues, Diagnostic> {
-        let base = |node: &NodePath, port: &PortName| table.find(node, port).and_then(|id| params[id].value.clone());
-        let KeyedValues { values, lights, decided } = self.keyed_values(&base, Some(wires), moment)?;
-        let resolve = |light: &Light| LightValues::new(light, moment.illumination, moment.camera_from_world);
+        let base = |node: &NodePath, port: &PortName| {
+            table.find(node, port).and_then(|id| params[id].value.clone())
+        };
+        let KeyedValues { values, lights, decided } =
+            self.keyed_values(&base, Some(wires), moment)?;
+        let resolve =
+            |light: &Light| LightValues::new(light, moment.illumination, moment.camera_from_world);
         Ok(ObjectValues {
             params: values
                 .into_iter()
@@ -96,8 +115,8 @@ impl Rig {
         })
     }
 
-    /// Everything that keys and exposed parameters set at a moment, and what decided. `base` gives what an input has
-    /// without keys. Without `wires` what they drive counts as 0.
+    /// Everything that keys and exposed parameters set at a moment, and what decided. `base` gives
+    /// what an input has without keys. Without `wires` what they drive counts as 0.
     ///
     /// # Errors
     /// A node of the project that runs without end, where it drives keys.
@@ -167,11 +186,14 @@ impl Rig {
         let KeyDirection::Drivers(drivers) = by else { return Ok(()) };
         let mut lights = lights.clone();
         set_lights(&mut lights, values);
-        let resolve = |light: &Light| LightValues::new(light, moment.illumination, moment.camera_from_world);
+        let resolve =
+            |light: &Light| LightValues::new(light, moment.illumination, moment.camera_from_world);
         let lights = lights.iter().map(|(id, light)| (id.clone(), resolve(light))).collect();
         for (axis, driver) in drivers.iter().enumerate() {
             let Some(wire) = driver.output() else { continue };
-            let Some(program) = wires.host.drivers.iter().find(|known| known.wire == *wire) else { continue };
+            let Some(program) = wires.host.drivers.iter().find(|known| known.wire == *wire) else {
+                continue;
+            };
             let mut params = HashMap::new();
             for id in wires.host.params_of(program) {
                 let Param { path: node, port, .. } = &wires.params[id];
@@ -193,7 +215,12 @@ impl Rig {
         Ok(())
     }
 
-    fn direction(&self, by: &KeyDirection, lights: &IndexMap<LightId, Light>, moment: &Moment<'_>) -> DVec3 {
+    fn direction(
+        &self,
+        by: &KeyDirection,
+        lights: &IndexMap<LightId, Light>,
+        moment: &Moment<'_>,
+    ) -> DVec3 {
         match by {
             KeyDirection::View => moment.view,
             KeyDirection::Drivers(drivers) => {
@@ -211,9 +238,13 @@ impl Rig {
     }
 }
 
-/// What is known while a set is driven: values that are set, lights, and what inputs have without keys.
-type Known<'a> =
-    (&'a HashMap<Target, Value>, &'a IndexMap<LightId, Light>, &'a dyn Fn(&NodePath, &PortName) -> Option<Value>);
+/// What is known while a set is driven: values that are set, lights, and what inputs have without
+/// keys.
+type Known<'a> = (
+    &'a HashMap<Target, Value>,
+    &'a IndexMap<LightId, Light>,
+    &'a dyn Fn(&NodePath, &PortName) -> Option<Value>,
+);
 
 fn solve(keys: &DirectionKeys) -> (KeyWeights, Vec<Diagnostic>) {
     let places: Vec<DVec3> = keys.keys.iter().map(|key| DVec3::from(key.direction)).collect();
@@ -241,7 +272,8 @@ mod tests {
             };
             let keys = places.iter().enumerate().map(key).collect();
             let (by, scheme) = (KeyDirection::View, Default::default());
-            let set = DirectionKeys { name: String::new(), by, scheme, keys, unknown: Unknown::new() };
+            let set =
+                DirectionKeys { name: String::new(), by, scheme, keys, unknown: Unknown::new() };
             Look { direction_keys: vec![set], ..Look::default() }
         };
         let moment = Moment {
@@ -259,12 +291,18 @@ mod tests {
             frame: 0.0,
             object_id: 0.0,
         };
-        let of = |rig: &Rig| rig.keyed_values(&|_, _| None, None, &moment).unwrap().values[&target].clone();
+        let of = |rig: &Rig| {
+            rig.keyed_values(&|_, _| None, None, &moment).unwrap().values[&target].clone()
+        };
         let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
         let (first, _) = Rig::new(&look_with(&[x, z], 1.0));
         // Other values, other places, one more key, one less: always as if it were made anew.
-        for look in [look_with(&[x, z], 3.0), look_with(&[z, x], 1.0), look_with(&[x, y, z], 1.0), look_with(&[x], 1.0)]
-        {
+        for look in [
+            look_with(&[x, z], 3.0),
+            look_with(&[z, x], 1.0),
+            look_with(&[x, y, z], 1.0),
+            look_with(&[x], 1.0),
+        ] {
             assert_eq!(of(&first.renewed(&look)), of(&Rig::new(&look).0));
         }
         assert_ne!(of(&first), of(&first.renewed(&look_with(&[x, z], 3.0))));

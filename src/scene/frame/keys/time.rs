@@ -5,7 +5,8 @@ use std::borrow::Cow;
 use super::blend::blend;
 use crate::document::{Interpolation, Look, Target, TimeKey, Value, Values};
 
-/// The value of a track at a time; `None` for an empty one. Before the first key and after the last, theirs holds.
+/// The value of a track at a time; `None` for an empty one. Before the first key and after the
+/// last, theirs holds.
 pub fn at_time(keys: &[TimeKey], time: f64, is_direction: bool) -> Option<Value> {
     let next = keys.partition_point(|key| key.time <= time);
     let Some(before) = next.checked_sub(1).map(|index| &keys[index]) else {
@@ -22,21 +23,27 @@ pub fn at_time(keys: &[TimeKey], time: f64, is_direction: bool) -> Option<Value>
     Some(mix(&before.value, &after.value, t, is_direction))
 }
 
-/// Between two values; what has no between (words, switches, curves) holds the first until the second.
+/// Between two values; what has no between (words, switches, curves) holds the first until the
+/// second.
 fn mix(a: &Value, b: &Value, t: f64, is_direction: bool) -> Value {
     let weights = [1.0 - t, t];
     blend(&[a, b], &weights, is_direction).unwrap_or_else(|| a.clone())
 }
 
-/// The look with the words and switches that its time keys and `exposed` values set: what is compiled then.
+/// The look with the words and switches that its time keys and `exposed` values set: what is
+/// compiled then.
 pub fn structural_look<'l>(look: &'l Look, time: f64, exposed: &Values) -> Cow<'l, Look> {
-    let timed = look.time_keys.iter().filter_map(|track| Some((&track.target, at_time(&track.keys, time, false)?)));
+    let timed = look
+        .time_keys
+        .iter()
+        .filter_map(|track| Some((&track.target, at_time(&track.keys, time, false)?)));
     let set = look.exposed.iter().filter_map(|e| Some((&e.target, exposed.get(&e.name)?.clone())));
     let mut changed = Cow::Borrowed(look);
     for (target, value) in set.chain(timed) {
         let Target::Input { node, port } = target else { continue };
         let is_word = matches!(&value, Value::Text(_)) && value.color().is_none();
-        // Inside a definition a value belongs to every use of it, so only the look's own nodes can be set.
+        // Inside a definition a value belongs to every use of it, so only the look's own nodes can
+        // be set.
         if let (true, [id]) = (is_word, node.ids())
             && let Some(node) = changed.to_mut().graph.nodes.get_mut(id)
         {
@@ -53,7 +60,12 @@ mod tests {
 
     fn track(interpolation: Interpolation) -> Vec<TimeKey> {
         [(1.0, 10.0), (3.0, 20.0)]
-            .map(|(time, value)| TimeKey { time, value: Value::Number(value), interpolation, unknown: Unknown::new() })
+            .map(|(time, value)| TimeKey {
+                time,
+                value: Value::Number(value),
+                interpolation,
+                unknown: Unknown::new(),
+            })
             .to_vec()
     }
 
@@ -64,7 +76,10 @@ mod tests {
             other => panic!("{other:?}"),
         };
         let linear = track(Interpolation::Linear);
-        assert_eq!([0.0, 1.0, 1.5, 3.0, 9.0].map(|t| number(&linear, t)), [10.0, 10.0, 12.5, 20.0, 20.0]);
+        assert_eq!(
+            [0.0, 1.0, 1.5, 3.0, 9.0].map(|t| number(&linear, t)),
+            [10.0, 10.0, 12.5, 20.0, 20.0]
+        );
         assert_eq!(number(&track(Interpolation::Smooth), 1.5), 10.0 + 10.0 * (0.25 * 0.25 * 2.5));
         assert_eq!(number(&track(Interpolation::Stepped), 2.999), 10.0);
         assert!(at_time(&[], 0.0, false).is_none());

@@ -1,8 +1,9 @@
-//! Files into meshes: [`import`] takes bytes and a name, so that it also works where there are no paths; [`load`] reads
-//! the bytes from a path.
+//! Files into meshes: [`import`] takes bytes and a name, so that it also works where there are no
+//! paths; [`load`] reads the bytes from a path.
 //!
-//! One reader a format gives a [`Soup`]; all of them check lengths against [`MAX_FILE_BYTES`], [`MAX_VERTICES`],
-//! [`MAX_TRIANGLES`] and what is left of the file before they allocate, and report through [`Report`].
+//! One reader a format gives a [`Soup`]; all of them check lengths against [`MAX_FILE_BYTES`],
+//! [`MAX_VERTICES`], [`MAX_TRIANGLES`] and what is left of the file before they allocate, and
+//! report through [`Report`].
 
 mod cursor;
 mod gltf;
@@ -51,8 +52,8 @@ pub struct Imported {
     pub notes: Vec<Diagnostic>,
 }
 
-/// Reads a file's `bytes` as the format that the ending of `name` says (obj, ply, stl, gltf, glb), or else its first
-/// bytes. `name` is also what diagnostics call the file.
+/// Reads a file's `bytes` as the format that the ending of `name` says (obj, ply, stl, gltf, glb),
+/// or else its first bytes. `name` is also what diagnostics call the file.
 ///
 /// # Errors
 /// Everything that keeps the file from being used, up to a bound.
@@ -72,17 +73,24 @@ pub fn import(name: &str, bytes: &[u8], siblings: Siblings) -> Result<Imported, 
 pub fn load(path: &Path) -> Result<Imported, Vec<Diagnostic>> {
     let name = path.display().to_string();
     let bytes = files::read(path, MAX_FILE_BYTES).map_err(|why| {
-        let hint = if path.exists() { "name a file that you may read" } else { "check the spelling and the folder" };
+        let hint = if path.exists() {
+            "name a file that you may read"
+        } else {
+            "check the spelling and the folder"
+        };
         let problem = Diagnostic::error("mesh-read", format!("the mesh cannot be read: {why}"));
         vec![problem.in_file(name.as_str()).hint(hint)]
     })?;
     let folder = path.parent().unwrap_or(Path::new(""));
-    import(&name, &bytes, &|sibling| files::read(&folder.join(sibling), MAX_FILE_BYTES).map_err(|why| why.to_string()))
+    import(&name, &bytes, &|sibling| {
+        files::read(&folder.join(sibling), MAX_FILE_BYTES).map_err(|why| why.to_string())
+    })
 }
 
 fn read(name: &str, bytes: &[u8], siblings: Siblings, report: &mut Report) -> Soup {
     if bytes.len() as u64 > MAX_FILE_BYTES {
-        let message = format!("the file has {} bytes, more than the {MAX_FILE_BYTES} allowed", bytes.len());
+        let message =
+            format!("the file has {} bytes, more than the {MAX_FILE_BYTES} allowed", bytes.len());
         report.error("mesh-too-large", message);
         return Soup::default();
     }
@@ -101,7 +109,10 @@ fn read(name: &str, bytes: &[u8], siblings: Siblings, report: &mut Report) -> So
         _ if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") => ply::read(bytes, report),
         _ => {
             let message = format!("`{ending}` is no mesh format that can be read");
-            report.add(Diagnostic::error("mesh-format", message).hint("use an OBJ, PLY, STL, glTF or GLB file"));
+            report.add(
+                Diagnostic::error("mesh-format", message)
+                    .hint("use an OBJ, PLY, STL, glTF or GLB file"),
+            );
             Soup::default()
         }
     };
@@ -130,8 +141,15 @@ fn foreign(bytes: &[u8], ending: &str) -> Option<Diagnostic> {
 fn finish(soup: Soup, report: &mut Report) -> Mesh {
     let count = soup.triangles.len();
     if count == 0 {
-        let message = if soup.points.is_empty() { "the mesh is empty" } else { "the mesh has points but no faces" };
-        report.add(Diagnostic::error("mesh-empty", message).hint("export the surface as polygons or triangles"));
+        let message = if soup.points.is_empty() {
+            "the mesh is empty"
+        } else {
+            "the mesh has points but no faces"
+        };
+        report.add(
+            Diagnostic::error("mesh-empty", message)
+                .hint("export the surface as polygons or triangles"),
+        );
         return Mesh::default();
     }
     let (mesh, made) = build(soup, CREASE_ANGLE);
@@ -140,7 +158,8 @@ fn finish(soup: Soup, report: &mut Report) -> Mesh {
         return mesh;
     }
     if made.degenerate > 0 {
-        let message = format!("{} of {count} triangles have no area and were left out", made.degenerate);
+        let message =
+            format!("{} of {count} triangles have no area and were left out", made.degenerate);
         report.add(Diagnostic::warning("mesh-degenerate", message));
     }
     let radius = mesh.bounds().radius;
@@ -150,11 +169,15 @@ fn finish(soup: Soup, report: &mut Report) -> Mesh {
             RADII.start(),
             RADII.end()
         );
-        report.add(Diagnostic::error("mesh-scale", message).hint("scale the mesh where it was made"));
+        report
+            .add(Diagnostic::error("mesh-scale", message).hint("scale the mesh where it was made"));
     }
     if made.normals > 0 {
         let degrees = CREASE_ANGLE.to_degrees().round();
-        let message = format!("normals were made for {} corners, with creases above {degrees} degrees", made.normals);
+        let message = format!(
+            "normals were made for {} corners, with creases above {degrees} degrees",
+            made.normals
+        );
         report.add(Diagnostic::note("mesh-normals-made", message));
     }
     mesh

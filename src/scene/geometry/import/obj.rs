@@ -1,8 +1,9 @@
-//! Wavefront OBJ: polygons of any shape, negative indices, materials by `usemtl`, colours behind the coordinates.
+//! Wavefront OBJ: polygons of any shape, negative indices, materials by `usemtl`, colors behind
+//! the coordinates.
 //!
-//! Two walks through the lines: first the points, normals and UVs, then the faces, since a face may name a point that
-//! comes later. Smoothing groups are left to the crease angle; material libraries, lines, points and groups say nothing
-//! that Chiaro uses.
+//! Two walks through the lines: first the points, normals and UVs, then the faces, since a face may
+//! name a point that comes later. Smoothing groups are left to the crease angle; material
+//! libraries, lines, points and groups say nothing that Chiaro uses.
 
 use super::report::Report;
 use super::{MAX_TRIANGLES, MAX_VERTICES};
@@ -10,7 +11,8 @@ use crate::diag::Diagnostic;
 use crate::geometry::mesh::DEFAULT_MATERIAL;
 use crate::geometry::soup::{Corner, NONE, Polygon, Soup};
 
-/// Reads the text of an OBJ file; text that is no UTF-8 is read with replacement characters in names.
+/// Reads the text of an OBJ file; text that is no UTF-8 is read with replacement characters in
+/// names.
 pub(super) fn read(bytes: &[u8], report: &mut Report) -> Soup {
     let text = String::from_utf8_lossy(bytes);
     let mut reader = Reader { text: &text, soup: Soup::default(), colored: 0, report };
@@ -29,7 +31,10 @@ pub(super) fn read(bytes: &[u8], report: &mut Report) -> Soup {
     }
     let counts = [reader.soup.points.len(), reader.soup.normals.len(), reader.soup.uvs.len()];
     if counts.iter().any(|&count| count > MAX_VERTICES) {
-        reader.report.error("mesh-too-large", format!("the file has more than {MAX_VERTICES} points, normals or UVs"));
+        reader.report.error(
+            "mesh-too-large",
+            format!("the file has more than {MAX_VERTICES} points, normals or UVs"),
+        );
         return Soup::default();
     }
     reader.faces();
@@ -41,14 +46,18 @@ pub(super) fn read(bytes: &[u8], report: &mut Report) -> Soup {
     soup
 }
 
-/// Colours are 0 to 1; some programs write 0 to 255.
+/// Colors are 0 to 1; some programs write 0 to 255.
 fn scaled_colors(mut colors: Vec<[f32; 4]>) -> Vec<[f32; 4]> {
     let in_bytes = colors.iter().any(|c| c[..3].iter().any(|&x| x > 1.0));
     let scale = if in_bytes { 1.0 / 255.0 } else { 1.0 };
     for color in &mut colors {
         let [r, g, b, a] = *color;
-        // A point without a colour among points with one is white in either unit.
-        *color = if a < 0.0 { [1.0; 4] } else { [r * scale, g * scale, b * scale, a].map(|x| x.clamp(0.0, 1.0)) };
+        // A point without a color among points with one is white in either unit.
+        *color = if a < 0.0 {
+            [1.0; 4]
+        } else {
+            [r * scale, g * scale, b * scale, a].map(|x| x.clamp(0.0, 1.0))
+        };
     }
     colors
 }
@@ -68,7 +77,8 @@ impl<'a> Statements<'a> {
         tokens.clear();
         for line in self.lines.by_ref() {
             let line = line.split('#').next().unwrap_or("");
-            let (line, goes_on) = line.trim_end().strip_suffix('\\').map_or((line, false), |line| (line, true));
+            let (line, goes_on) =
+                line.trim_end().strip_suffix('\\').map_or((line, false), |line| (line, true));
             tokens.extend(line.split_ascii_whitespace());
             if !goes_on && !tokens.is_empty() {
                 break;
@@ -81,7 +91,7 @@ impl<'a> Statements<'a> {
 struct Reader<'a, 'r> {
     text: &'a str,
     soup: Soup,
-    /// How many points have a colour.
+    /// How many points have a color.
     colored: usize,
     report: &'r mut Report,
 }
@@ -92,13 +102,14 @@ impl Reader<'_, '_> {
     }
 
     fn unsupported(&mut self, keyword: &str) {
-        let diagnostic = Diagnostic::warning("mesh-unsupported", format!("`{keyword}` surfaces are left out"))
-            .hint("export the surface as polygons");
+        let diagnostic =
+            Diagnostic::warning("mesh-unsupported", format!("`{keyword}` surfaces are left out"))
+                .hint("export the surface as polygons");
         self.report.add_at(self.text, keyword, diagnostic);
     }
 
-    /// The numbers after the keyword, at least `least` and at most `N`; zeros where they are not understood, so that
-    /// counting goes on. The second value is how many there are.
+    /// The numbers after the keyword, at least `least` and at most `N`; zeros where they are not
+    /// understood, so that counting goes on. The second value is how many there are.
     fn numbers<const N: usize>(
         &mut self,
         tokens: &[&str],
@@ -117,7 +128,10 @@ impl Reader<'_, '_> {
             match token.parse::<f32>() {
                 Ok(number) if number.is_finite() => *value = number,
                 Ok(_) => {
-                    let message = format!("{what} {} has the coordinate `{token}`, which is not finite", index + 1);
+                    let message = format!(
+                        "{what} {} has the coordinate `{token}`, which is not finite",
+                        index + 1
+                    );
                     self.error(token, "mesh-not-finite", message);
                 }
                 Err(_) => {
@@ -133,7 +147,8 @@ impl Reader<'_, '_> {
         let index = self.soup.points.len();
         let ([x, y, z, r, g, b, a], given) = self.numbers::<7>(tokens, 3, "vertex", index);
         self.soup.points.push([x, y, z]);
-        // Four numbers are x y z w: w matters to rational curves only. An alpha below 0 marks a point without colour.
+        // Four numbers are x y z w: w matters to rational curves only. An alpha below 0 marks a
+        // point without color.
         self.soup.colors.push(match given {
             6 => [r, g, b, 1.0],
             7 => [r, g, b, a.max(0.0)],
@@ -167,11 +182,16 @@ impl Reader<'_, '_> {
                 "vt" => before[1] += 1,
                 "vn" => before[2] += 1,
                 "usemtl" => {
-                    let name = if tokens.len() > 1 { tokens[1..].join(" ") } else { DEFAULT_MATERIAL.to_owned() };
+                    let name = if tokens.len() > 1 {
+                        tokens[1..].join(" ")
+                    } else {
+                        DEFAULT_MATERIAL.to_owned()
+                    };
                     material = Some(self.soup.material(&name));
                 }
                 "f" | "fo" => {
-                    let material = *material.get_or_insert_with(|| self.soup.material(DEFAULT_MATERIAL));
+                    let material =
+                        *material.get_or_insert_with(|| self.soup.material(DEFAULT_MATERIAL));
                     self.face(&tokens, before, material, &mut polygon);
                 }
                 _ => {}
@@ -211,14 +231,18 @@ impl Reader<'_, '_> {
                 continue;
             }
             let Ok(number) = field.parse::<i64>() else {
-                let message = format!("`{token}` is not a corner: write vertex, vertex/uv or vertex/uv/normal");
+                let message = format!(
+                    "`{token}` is not a corner: write vertex, vertex/uv or vertex/uv/normal"
+                );
                 self.error(token, "mesh-syntax", message);
                 return None;
             };
             let count = counts[slot];
-            let index = if number < 0 { number.saturating_add(before[slot] as i64) } else { number - 1 };
+            let index =
+                if number < 0 { number.saturating_add(before[slot] as i64) } else { number - 1 };
             if number == 0 || index < 0 || index >= count as i64 {
-                let message = format!("{what} {number} is out of range: there are {count} in the file");
+                let message =
+                    format!("{what} {number} is out of range: there are {count} in the file");
                 self.error(token, "mesh-index", message);
                 return None;
             }

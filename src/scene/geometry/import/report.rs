@@ -5,7 +5,8 @@ use crate::diag::{Diagnostic, LineColumn, has_errors};
 /// How many problems of one file are told; the others are counted.
 const MAX_TOLD: usize = 20;
 
-/// What a reader's function returns instead of a result; boxed, because a diagnostic is big and results are many.
+/// What a reader's function returns instead of a result; boxed, because a diagnostic is big and
+/// results are many.
 pub(super) type Problem = Box<Diagnostic>;
 
 /// The diagnostics of one file.
@@ -35,7 +36,13 @@ impl Report {
     }
 
     /// Adds an error at `token`, which is a slice of `text`.
-    pub(super) fn error_at(&mut self, text: &str, token: &str, code: &'static str, message: impl Into<String>) {
+    pub(super) fn error_at(
+        &mut self,
+        text: &str,
+        token: &str,
+        code: &'static str,
+        message: impl Into<String>,
+    ) {
         self.add_at(text, token, Diagnostic::error(code, message));
     }
 

@@ -1,5 +1,5 @@
-//! STL, as text and binary. Facet normals are left out: the winding says the same, and better. Points repeat for every
-//! facet; [`super::super::build`] welds them.
+//! STL, as text and binary. Facet normals are left out: the winding says the same, and better.
+//! Points repeat for every facet; [`super::super::build`] welds them.
 
 use super::cursor::Cursor;
 use super::report::Report;
@@ -19,7 +19,8 @@ fn declared(bytes: &[u8]) -> Option<u64> {
     Some(u64::from(u32::from_le_bytes([count[0], count[1], count[2], count[3]])))
 }
 
-/// Whether a file is as long as a binary one. Those may begin with anything, also with `solid`, so their length decides.
+/// Whether a file is as long as a binary one. Those may begin with anything, also with `solid`, so
+/// their length decides.
 pub(super) fn is_binary(bytes: &[u8]) -> bool {
     declared(bytes).is_some_and(|count| HEADER as u64 + FACET as u64 * count == bytes.len() as u64)
 }
@@ -51,20 +52,25 @@ fn joined(points: &[[f32; 3]]) -> Soup {
         }
     }
     let corner = |i: usize| Corner { point: index_of[welded[i] as usize], normal: NONE, uv: NONE };
-    soup.triangles = (0..points.len() / 3).map(|t| [corner(3 * t), corner(3 * t + 1), corner(3 * t + 2)]).collect();
+    soup.triangles = (0..points.len() / 3)
+        .map(|t| [corner(3 * t), corner(3 * t + 1), corner(3 * t + 2)])
+        .collect();
     soup.material_of = vec![material; soup.triangles.len()];
     soup
 }
 
 fn binary(bytes: &[u8], declared: Option<u64>, report: &mut Report) -> Vec<[f32; 3]> {
     let Some(count) = declared else {
-        report
-            .error("mesh-truncated", format!("the file has {} bytes; an STL file has at least {HEADER}", bytes.len()));
+        report.error(
+            "mesh-truncated",
+            format!("the file has {} bytes; an STL file has at least {HEADER}", bytes.len()),
+        );
         return Vec::new();
     };
     let there = ((bytes.len() - HEADER) / FACET) as u64;
     if there < count {
-        report.error("mesh-truncated", format!("the file ends after {there} of its {count} facets"));
+        report
+            .error("mesh-truncated", format!("the file ends after {there} of its {count} facets"));
         return Vec::new();
     }
     if too_many(count, report) {
@@ -91,7 +97,10 @@ fn binary(bytes: &[u8], declared: Option<u64>, report: &mut Report) -> Vec<[f32;
 fn too_many(facets: u64, report: &mut Report) -> bool {
     let most = MAX_TRIANGLES.min(MAX_VERTICES) as u64;
     if facets > most {
-        report.error("mesh-too-large", format!("the file has {facets} facets, more than the {most} allowed"));
+        report.error(
+            "mesh-too-large",
+            format!("the file has {facets} facets, more than the {most} allowed"),
+        );
     }
     facets > most
 }
@@ -109,12 +118,18 @@ fn text(text: &str, report: &mut Report) -> Vec<[f32; 3]> {
             "facet" => facet_start = points.len(),
             "vertex" => points.push(vertex(text, keyword, words, report)),
             "endfacet" if points.len() - facet_start != 3 => {
-                let message = format!("a facet has {} vertices instead of 3", points.len() - facet_start);
+                let message =
+                    format!("a facet has {} vertices instead of 3", points.len() - facet_start);
                 report.error_at(text, keyword, "mesh-syntax", message);
                 points.truncate(facet_start);
             }
             "endfacet" | "outer" | "endloop" => {}
-            _ => report.error_at(text, keyword, "mesh-syntax", format!("`{keyword}` is no word of an STL file")),
+            _ => report.error_at(
+                text,
+                keyword,
+                "mesh-syntax",
+                format!("`{keyword}` is no word of an STL file"),
+            ),
         }
         if too_many(points.len() as u64 / 3, report) {
             return points;
@@ -126,7 +141,12 @@ fn text(text: &str, report: &mut Report) -> Vec<[f32; 3]> {
     points
 }
 
-fn vertex<'a>(text: &str, keyword: &str, words: impl Iterator<Item = &'a str>, report: &mut Report) -> [f32; 3] {
+fn vertex<'a>(
+    text: &str,
+    keyword: &str,
+    words: impl Iterator<Item = &'a str>,
+    report: &mut Report,
+) -> [f32; 3] {
     let mut point = [0.0; 3];
     let mut count = 0;
     for word in words {
@@ -136,13 +156,25 @@ fn vertex<'a>(text: &str, keyword: &str, words: impl Iterator<Item = &'a str>, r
                     *slot = number;
                 }
             }
-            Ok(_) => report.error_at(text, word, "mesh-not-finite", format!("the coordinate `{word}` is not finite")),
-            Err(_) => report.error_at(text, word, "mesh-syntax", format!("`{word}` is not a number")),
+            Ok(_) => report.error_at(
+                text,
+                word,
+                "mesh-not-finite",
+                format!("the coordinate `{word}` is not finite"),
+            ),
+            Err(_) => {
+                report.error_at(text, word, "mesh-syntax", format!("`{word}` is not a number"))
+            }
         }
         count += 1;
     }
     if count != 3 {
-        report.error_at(text, keyword, "mesh-syntax", format!("a vertex has {count} numbers instead of 3"));
+        report.error_at(
+            text,
+            keyword,
+            "mesh-syntax",
+            format!("a vertex has {count} numbers instead of 3"),
+        );
     }
     point
 }

@@ -1,4 +1,5 @@
-//! A city of plain houses, of as many triangles as the thesis's (27,860): for paint that is laid on walls in repeats.
+//! A city of plain houses, of as many triangles as the thesis's (27,860): for paint that is laid on
+//! walls in repeats.
 
 use glam::DVec3;
 
@@ -16,8 +17,8 @@ const EMPTY: usize = 24;
 /// Repeats of the paint along the side of a lot; one is a window's width, and a floor high.
 const BAYS: f64 = 2.0;
 
-/// A square of houses on the ground, from -1 to 1 along x and z, y up. Walls have whole repeats, u to the right and v up,
-/// roofs and ground as many in the same measure.
+/// A square of houses on the ground, from -1 to 1 along x and z, y up. Walls have whole repeats, u
+/// to the right and v up, roofs and ground as many in the same measure.
 pub(super) fn city() -> Soup {
     let whole = along(LOTS);
     let scale = 2.0 / whole;
@@ -34,7 +35,8 @@ pub(super) fn city() -> Soup {
         let middle = corner + DVec3::new(scale, 0.0, scale) / 2.0;
         // Taller toward the middle, and a tower here and there.
         let center = (-4.0 * middle.length_squared()).exp();
-        let floors = 2.0 + (5.0 * third).floor() + (center * (8.0 * fourth + 26.0 * fourth.powi(6))).floor();
+        let floors =
+            2.0 + (5.0 * third).floor() + (center * (8.0 * fourth + 26.0 * fourth.powi(6))).floor();
         let from = corner + DVec3::new(inset, 0.0, inset);
         builder.house(from, DVec3::new(size, floors * builder.bay, size));
     }
@@ -64,7 +66,8 @@ fn empty() -> Vec<u32> {
     lots
 }
 
-/// A number in [0, 1) that looks random and is always the same (the finisher of MurmurHash3, Appleby).
+/// A number in [0, 1) that looks random and is always the same (the finisher of MurmurHash3,
+/// Appleby).
 fn chance(of: u32, which: u32) -> f64 {
     let mut h = of.wrapping_mul(0x9e37_79b1) ^ which.wrapping_add(1).wrapping_mul(0x85eb_ca77);
     h = (h ^ (h >> 16)).wrapping_mul(0x85eb_ca6b);
@@ -90,13 +93,19 @@ impl Builder {
         self.quad(from + y + z, x, -z, [size.x / self.bay, size.z / self.bay]);
     }
 
-    /// The ground in five strips, which with the houses make as many triangles as the thesis's city has.
+    /// The ground in five strips, which with the houses make as many triangles as the thesis's city
+    /// has.
     fn ground(&mut self) {
         const STRIPS: u32 = 5;
         let depth = 2.0 / f64::from(STRIPS);
         for strip in 0..STRIPS {
             let corner = DVec3::new(-1.0, 0.0, -1.0 + depth * f64::from(strip + 1));
-            self.quad(corner, DVec3::X * 2.0, DVec3::NEG_Z * depth, [2.0 / self.bay, depth / self.bay]);
+            self.quad(
+                corner,
+                DVec3::X * 2.0,
+                DVec3::NEG_Z * depth,
+                [2.0 / self.bay, depth / self.bay],
+            );
         }
     }
 

@@ -1,9 +1,9 @@
-//! A creature: a seated cub with bat's ears, horns, a smile and a curled tail. It looks along +z and is about 2.4 units
-//! high.
+//! A creature: a seated cub with bat's ears, horns, a smile and a curled tail. It looks along +z
+//! and is about 2.4 units high.
 //!
-//! It is made to judge a shading look on, so it has what shading must cope with: convex masses (skull, belly, thighs),
-//! tight ridges (brows, lids, lips, horns), real hollows (ears, eye sockets, nostrils, mouth), and folds in rows (belly,
-//! fingers, toes).
+//! It is made to judge a shading look on, so it has what shading must cope with: convex masses
+//! (skull, belly, thighs), tight ridges (brows, lids, lips, horns), real hollows (ears, eye
+//! sockets, nostrils, mouth), and folds in rows (belly, fingers, toes).
 
 use glam::{DQuat, DVec3};
 
@@ -11,7 +11,8 @@ use super::nets::Cells;
 use super::sculpture::{Sculpture, Solid, ball, ellipsoid, stroke};
 
 /// Smaller in the face.
-pub(super) const CELLS: Cells = Cells { edge: 0.032, detail: [[-0.48, 0.48], [0.10, 0.92], [0.34, 0.72]], fine: 0.5 };
+pub(super) const CELLS: Cells =
+    Cells { edge: 0.032, detail: [[-0.48, 0.48], [0.10, 0.92], [0.34, 0.72]], fine: 0.5 };
 
 /// The whole of it.
 pub(super) fn sculpture() -> Sculpture {
@@ -96,11 +97,20 @@ fn tail(clay: &mut Sculpture) {
 }
 
 fn leg(clay: &mut Sculpture, side: Side) {
-    clay.add(0.14, side.ellipsoid([0.42, -0.80, 0.10], [0.235, 0.285, 0.345], [0.0, 1.0, 0.0], 0.35));
+    clay.add(
+        0.14,
+        side.ellipsoid([0.42, -0.80, 0.10], [0.235, 0.285, 0.345], [0.0, 1.0, 0.0], 0.35),
+    );
     clay.add(0.09, side.ellipsoid([0.47, -1.00, 0.46], [0.155, 0.105, 0.25], [0.0, 1.0, 0.0], 0.3));
     for (x, z, r) in [(0.40, 0.68, 0.085), (0.535, 0.70, 0.09), (0.655, 0.625, 0.08)] {
         clay.add(0.03, side.ball([x, -1.015, z], r));
-        clay.add(0.02, side.stroke([[x + 0.005, -1.02, z + 0.06, 0.035], [x + 0.015, -1.055, z + 0.125, 0.008]]));
+        clay.add(
+            0.02,
+            side.stroke([
+                [x + 0.005, -1.02, z + 0.06, 0.035],
+                [x + 0.015, -1.055, z + 0.125, 0.008],
+            ]),
+        );
     }
 }
 
@@ -121,7 +131,11 @@ fn arm(clay: &mut Sculpture, side: Side) {
     }
     clay.add(
         0.025,
-        side.stroke([[0.37, -0.52, 0.52, 0.045], [0.31, -0.455, 0.56, 0.042], [0.26, -0.44, 0.555, 0.036]]),
+        side.stroke([
+            [0.37, -0.52, 0.52, 0.045],
+            [0.31, -0.455, 0.56, 0.042],
+            [0.26, -0.44, 0.555, 0.036],
+        ]),
     );
 }
 
@@ -132,16 +146,26 @@ fn head(clay: &mut Sculpture) {
     }
     // The muzzle, and the bridge of the nose.
     clay.add(0.16, ellipsoid([0.0, 0.30, 0.42], [0.30, 0.19, 0.24], DQuat::IDENTITY));
-    clay.add(0.10, stroke(&[[0.0, 0.62, 0.46, 0.06], [0.0, 0.48, 0.58, 0.075], [0.0, 0.42, 0.64, 0.085]]));
+    clay.add(
+        0.10,
+        stroke(&[[0.0, 0.62, 0.46, 0.06], [0.0, 0.48, 0.58, 0.075], [0.0, 0.42, 0.64, 0.085]]),
+    );
     for side in [-1.0, 1.0].map(Side) {
         clay.add(0.06, side.ball([0.085, 0.40, 0.66], 0.060));
-        clay.cut(0.04, side.ellipsoid([0.090, 0.392, 0.718], [0.030, 0.040, 0.06], [0.0, 0.0, 1.0], 0.5));
+        clay.cut(
+            0.04,
+            side.ellipsoid([0.090, 0.392, 0.718], [0.030, 0.040, 0.06], [0.0, 0.0, 1.0], 0.5),
+        );
     }
     // A tuft between the horns.
     for (x, y, lean) in [(-0.07, 1.10, -0.06), (0.0, 1.15, 0.0), (0.07, 1.10, 0.06)] {
         clay.add(
             0.04,
-            stroke(&[[x, 0.98, 0.10, 0.06], [x + lean, y, 0.16, 0.03], [x + 1.6 * lean, y + 0.03, 0.21, 0.012]]),
+            stroke(&[
+                [x, 0.98, 0.10, 0.06],
+                [x + lean, y, 0.16, 0.03],
+                [x + 1.6 * lean, y + 0.03, 0.21, 0.012],
+            ]),
         );
     }
 }
@@ -152,7 +176,14 @@ fn ear(clay: &mut Sculpture, side: Side) {
     clay.add(0.16, side.ellipsoid([1.03, 0.99, -0.11], [0.07, 0.20, 0.05], axis, lean));
     // The hollow, and a fold in it.
     clay.cut(0.07, side.ellipsoid([0.775, 0.775, 0.035], [0.16, 0.345, 0.125], axis, lean));
-    clay.add(0.10, side.stroke([[0.56, 0.57, 0.03, 0.06], [0.67, 0.70, -0.062, 0.05], [0.82, 0.82, -0.115, 0.03]]));
+    clay.add(
+        0.10,
+        side.stroke([
+            [0.56, 0.57, 0.03, 0.06],
+            [0.67, 0.70, -0.062, 0.05],
+            [0.82, 0.82, -0.115, 0.03],
+        ]),
+    );
 }
 
 fn horn(clay: &mut Sculpture, side: Side) {
@@ -175,7 +206,10 @@ fn horn(clay: &mut Sculpture, side: Side) {
 
 fn eye(clay: &mut Sculpture, side: Side) {
     // The socket, and the lids that line it.
-    clay.cut(0.06, side.ellipsoid([0.245, 0.575, 0.49], [0.145, 0.150, 0.16], [0.0, 1.0, 0.0], 0.3));
+    clay.cut(
+        0.06,
+        side.ellipsoid([0.245, 0.575, 0.49], [0.145, 0.150, 0.16], [0.0, 1.0, 0.0], 0.3),
+    );
     clay.add(
         0.055,
         side.stroke([
@@ -220,7 +254,10 @@ fn mouth(clay: &mut Sculpture) {
         [x, y, skin - 0.012 + 0.042 * t.powi(6), 0.034]
     });
     clay.cut(0.045, stroke(&smile));
-    clay.cut(0.05, ellipsoid([0.0, 0.185, 0.56], [0.18, 0.055, 0.18], DQuat::from_rotation_x(0.15)));
+    clay.cut(
+        0.05,
+        ellipsoid([0.0, 0.185, 0.56], [0.18, 0.055, 0.18], DQuat::from_rotation_x(0.15)),
+    );
     // The tongue.
     clay.add(0.03, ellipsoid([0.0, 0.145, 0.47], [0.10, 0.035, 0.12], DQuat::from_rotation_x(0.1)));
     for side in [-1.0, 1.0].map(Side) {

@@ -11,13 +11,15 @@ use crate::geometry::soup::{Corner, Soup};
 const ROUNDING: f64 = 0.16;
 const HALF: f64 = 0.8;
 
-/// Six faces; between them a quarter of a cylinder along each edge and an eighth of a sphere at each corner.
+/// Six faces; between them a quarter of a cylinder along each edge and an eighth of a sphere at
+/// each corner.
 pub(super) fn cube() -> Soup {
     let flat = HALF - ROUNDING;
     // Coordinates across a face: the rounding's half in even angles, the flat part in even steps.
     let bends = (1..=12).map(|i| flat + ROUNDING * (f64::from(i) / 12.0 * FRAC_PI_4).tan());
     let upper: Vec<f64> = (1..=8).map(|i| flat * f64::from(i) / 8.0).chain(bends).collect();
-    let across: Vec<f64> = upper.iter().rev().map(|x| -x).chain([0.0]).chain(upper.iter().copied()).collect();
+    let across: Vec<f64> =
+        upper.iter().rev().map(|x| -x).chain([0.0]).chain(upper.iter().copied()).collect();
     let mut soup = Soup::default();
     // Right, up and out of each face.
     let (x, y, z) = (DVec3::X, DVec3::Y, DVec3::Z);

@@ -7,10 +7,12 @@ const SAMPLES: usize = 5;
 /// How often it is refined.
 const REFINEMENTS: usize = 3;
 
-/// A tube through points `[x, y, z, radius]`: the natural cubic spline, whose curvature is continuous.
+/// A tube through points `[x, y, z, radius]`: the natural cubic spline, whose curvature is
+/// continuous.
 #[derive(Clone, Debug)]
 pub(super) struct Curve {
-    /// Of each span between two points: the value is `s[0] + s[1] t + s[2] t² + s[3] t³`, t from 0 to 1.
+    /// Of each span between two points: the value is `s[0] + s[1] t + s[2] t² + s[3] t³`, t from 0
+    /// to 1.
     spans: Vec<[DVec4; 4]>,
     samples: Vec<DVec3>,
 }
@@ -30,7 +32,8 @@ impl Curve {
             .collect();
         let count = spans.len() * SAMPLES;
         let mut curve = Self { spans, samples: Vec::new() };
-        curve.samples = (0..=count).map(|i| curve.at(i as f64 / SAMPLES as f64).truncate()).collect();
+        curve.samples =
+            (0..=count).map(|i| curve.at(i as f64 / SAMPLES as f64).truncate()).collect();
         curve
     }
 
@@ -62,7 +65,8 @@ impl Curve {
         (middle, 1.05 * (0..self.samples.len()).map(reach).fold(0.0, f64::max))
     }
 
-    /// Negative inside. The nearest place on the axis is where the way there stands at right angles on the curve.
+    /// Negative inside. The nearest place on the axis is where the way there stands at right angles
+    /// on the curve.
     pub(super) fn distance(&self, p: DVec3) -> f64 {
         let mut nearest = (f64::INFINITY, 0);
         for (i, sample) in self.samples.iter().enumerate() {
@@ -83,14 +87,16 @@ impl Curve {
             // Without the bend where it would lead away from the least distance.
             let steep = slope.length_squared();
             let change = steep + away.dot(bend);
-            t = (t - away.dot(slope) / if change > 0.3 * steep { change } else { steep }).clamp(low, high);
+            t = (t - away.dot(slope) / if change > 0.3 * steep { change } else { steep })
+                .clamp(low, high);
         }
         let found = self.at(t);
         p.distance(found.truncate()) - found.w
     }
 }
 
-/// The derivatives at the points of the spline with no bend at its ends: the tridiagonal system by elimination.
+/// The derivatives at the points of the spline with no bend at its ends: the tridiagonal system by
+/// elimination.
 fn natural_slopes(points: &[DVec4]) -> Vec<DVec4> {
     let last = points.len() - 1;
     let right = |i: usize| (points[(i + 1).min(last)] - points[i.saturating_sub(1)]) * 3.0;
@@ -98,7 +104,8 @@ fn natural_slopes(points: &[DVec4]) -> Vec<DVec4> {
     let mut slopes = vec![DVec4::ZERO; points.len()];
     for i in 0..=last {
         let diagonal = if i == 0 || i == last { 2.0 } else { 4.0 };
-        let (before, slope_before) = if i == 0 { (0.0, DVec4::ZERO) } else { (upper[i - 1], slopes[i - 1]) };
+        let (before, slope_before) =
+            if i == 0 { (0.0, DVec4::ZERO) } else { (upper[i - 1], slopes[i - 1]) };
         upper[i] = 1.0 / (diagonal - before);
         slopes[i] = (right(i) - slope_before) * upper[i];
     }
@@ -115,22 +122,35 @@ mod tests {
 
     #[test]
     fn a_straight_tube_is_a_capsule() {
-        let tube = Curve::through(&[[0.0, 0.0, 0.0, 0.5], [1.0, 0.0, 0.0, 0.5], [3.0, 0.0, 0.0, 0.5]]);
-        for (p, d) in [([2.0, 1.0, 0.0], 0.5), ([-2.0, 0.0, 0.0], 1.5), ([4.0, 0.0, 1.0], 2f64.sqrt() - 0.5)] {
-            assert!((tube.distance(p.into()) - d).abs() < 1e-3, "{p:?}: {} instead of {d}", tube.distance(p.into()));
+        let tube =
+            Curve::through(&[[0.0, 0.0, 0.0, 0.5], [1.0, 0.0, 0.0, 0.5], [3.0, 0.0, 0.0, 0.5]]);
+        for (p, d) in
+            [([2.0, 1.0, 0.0], 0.5), ([-2.0, 0.0, 0.0], 1.5), ([4.0, 0.0, 1.0], 2f64.sqrt() - 0.5)]
+        {
+            assert!(
+                (tube.distance(p.into()) - d).abs() < 1e-3,
+                "{p:?}: {} instead of {d}",
+                tube.distance(p.into())
+            );
         }
     }
 
     #[test]
     fn the_curve_meets_its_points_smoothly() {
-        let points = [[0.0, 0.0, 0.0, 0.1], [1.0, 1.0, 0.0, 0.2], [2.0, 0.0, 1.0, 0.3], [4.0, 0.0, 0.0, 0.1]];
+        let points = [
+            [0.0, 0.0, 0.0, 0.1],
+            [1.0, 1.0, 0.0, 0.2],
+            [2.0, 0.0, 1.0, 0.3],
+            [4.0, 0.0, 0.0, 0.1],
+        ];
         let curve = Curve::through(&points);
         for (i, p) in points.iter().enumerate() {
             assert!(curve.at(i as f64).distance(DVec4::from(*p)) < 1e-12);
         }
         for pair in curve.spans.windows(2) {
-            let [end, start] = [(&pair[0], 1.0), (&pair[1], 0.0)]
-                .map(|(s, t)| (s[1] + (s[2] * 2.0 + s[3] * (3.0 * t)) * t, s[2] * 2.0 + s[3] * (6.0 * t)));
+            let [end, start] = [(&pair[0], 1.0), (&pair[1], 0.0)].map(|(s, t)| {
+                (s[1] + (s[2] * 2.0 + s[3] * (3.0 * t)) * t, s[2] * 2.0 + s[3] * (6.0 * t))
+            });
             assert!(end.0.distance(start.0) < 1e-12 && end.1.distance(start.1) < 1e-12);
         }
     }

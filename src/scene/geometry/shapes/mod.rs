@@ -1,7 +1,8 @@
 //! Shapes of our own to judge a look on: each of known curvature or of many kinds of it.
 //!
-//! All but the plane, the waves and the city are closed; all lie within about 1.5 units of the origin, y up, the front towards +z. They are made
-//! once, at first use, from formulas alone, so they are the same everywhere.
+//! All but the plane, the waves and the city are closed; all lie within about 1.5 units of the
+//! origin, y up, the front towards +z. They are made once, at first use, from formulas alone, so
+//! they are the same everywhere.
 
 mod blob;
 mod city;
@@ -54,11 +55,17 @@ pub const SHAPES: &[Shape] = &[
         help: "Balls run together: convex lobes with soft hollows between them.",
         make: || uv::spherical(&nets::polygonize(&blob::sculpture(), blob::CELLS)),
     },
-    Shape { name: "knot", label: "Knot", help: "A trefoil tube that passes over and under itself.", make: sweep::knot },
+    Shape {
+        name: "knot",
+        label: "Knot",
+        help: "A trefoil tube that passes over and under itself.",
+        make: sweep::knot,
+    },
     Shape {
         name: "creature",
         label: "Creature",
-        help: "A seated cub with brows, eyes, mouth, ears and folds: a character with real hollows.",
+        help: "A seated cub with brows, eyes, mouth, ears and folds: a character with real \
+               hollows.",
         make: || uv::boxed(&nets::polygonize(&creature::sculpture(), creature::CELLS)),
     },
     Shape {
@@ -73,11 +80,17 @@ pub const SHAPES: &[Shape] = &[
         help: "A thin wall, hollow inside, with a lip and a foot.",
         make: revolve::vase,
     },
-    Shape { name: "plane", label: "Plane", help: "A flat square, for textures and thresholds.", make: cube::plane },
+    Shape {
+        name: "plane",
+        label: "Plane",
+        help: "A flat square, for textures and thresholds.",
+        make: cube::plane,
+    },
     Shape {
         name: "waves",
         label: "Waves",
-        help: "A flat square in waves, for painted surfaces: every tile is lit and seen from somewhere else.",
+        help: "A flat square in waves, for painted surfaces: every tile is lit and seen from \
+               somewhere else.",
         make: cube::waves,
     },
     Shape {
@@ -89,7 +102,8 @@ pub const SHAPES: &[Shape] = &[
     Shape {
         name: "city",
         label: "City",
-        help: "2,785 houses between streets, with whole repeats of a tile on every wall: 27,860 triangles.",
+        help: "2,785 houses between streets, with whole repeats of a tile on every wall: 27,860 \
+               triangles.",
         make: city::city,
     },
 ];

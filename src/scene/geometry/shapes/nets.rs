@@ -1,8 +1,9 @@
 //! A field's surface as quads: surface nets on a grid, evened out and put back onto the surface.
 //!
-//! Each sheet of the surface in a cell of the grid gets a vertex, each edge that the surface crosses a quad. Then every vertex
-//! moves, a few times, to the middle of its neighbours and by Newton's method back to where the field is 0, which makes
-//! even triangles; and the normal is the field's gradient, so the shading is as smooth as the field.
+//! Each sheet of the surface in a cell of the grid gets a vertex, each edge that the surface
+//! crosses a quad. Then every vertex moves, a few times, to the middle of its neighbours and by
+//! Newton's method back to where the field is 0, which makes even triangles; and the normal is the
+//! field's gradient, so the shading is as smooth as the field.
 
 use glam::DVec3;
 use rayon::iter::{
@@ -33,7 +34,8 @@ pub(super) struct Net {
 pub(super) struct Cells {
     /// Their edge, in the shape's units.
     pub edge: f64,
-    /// Within these coordinates, for each axis by itself, edges are `fine` times as long; `[0, 0]` for nowhere.
+    /// Within these coordinates, for each axis by itself, edges are `fine` times as long; `[0, 0]`
+    /// for nowhere.
     pub detail: [[f64; 2]; 3],
     pub fine: f64,
 }
@@ -44,7 +46,8 @@ impl Cells {
         Self { edge, detail: [[0.0; 2]; 3], fine: 1.0 }
     }
 
-    /// Coordinates along an axis from below `min` to beyond `max`, as many as a multiple of `multiple`.
+    /// Coordinates along an axis from below `min` to beyond `max`, as many as a multiple of
+    /// `multiple`.
     fn marks(&self, axis: usize, min: f64, max: f64, multiple: usize) -> Vec<f64> {
         let [low, high] = self.detail[axis];
         // From fine to coarse over a few cells.
@@ -69,7 +72,8 @@ pub(super) fn polygonize(sculpture: &Sculpture, cells: Cells) -> Net {
     let cell = cells.edge;
     let grid = Grid::sample(sculpture, cells);
     let (mut net, pieces) = grid.net(sculpture);
-    let (mut evened, mut counts) = (vec![DVec3::ZERO; net.points.len()], vec![0.0; net.points.len()]);
+    let (mut evened, mut counts) =
+        (vec![DVec3::ZERO; net.points.len()], vec![0.0; net.points.len()]);
     for quad in &net.quads {
         quad.iter().for_each(|&i| counts[i as usize] += 2.0);
     }
@@ -124,14 +128,17 @@ impl Grid {
         let (min, max) = sculpture.bounds();
         let marks = [0, 1, 2].map(|axis| cells.marks(axis, min[axis], max[axis], BLOCK * REGION));
         let size = [0, 1, 2].map(|axis| marks[axis].len());
-        let mut grid = Self { marks, size, cell: cells.edge, values: vec![0.0; size[0] * size[1] * size[2]] };
+        let mut grid =
+            Self { marks, size, cell: cells.edge, values: vec![0.0; size[0] * size[1] * size[2]] };
         let all = sculpture.all();
-        let regions: Vec<_> = steps([0; 3], size.map(|n| n / (BLOCK * REGION)), BLOCK * REGION).collect();
+        let regions: Vec<_> =
+            steps([0; 3], size.map(|n| n / (BLOCK * REGION)), BLOCK * REGION).collect();
         let known = regions.into_par_iter().flat_map_iter(|region| {
             let (center, radius) = grid.block(region, BLOCK * REGION);
             let (pieces, _) = sculpture.near(center, radius, &all);
             let grid = &grid;
-            steps(region, [REGION; 3], BLOCK).map(move |block| (block, grid.values_of(sculpture, block, &pieces)))
+            steps(region, [REGION; 3], BLOCK)
+                .map(move |block| (block, grid.values_of(sculpture, block, &pieces)))
         });
         for (block, values) in known.collect::<Vec<_>>() {
             for (at, value) in steps(block, [BLOCK; 3], 1).zip(values) {
@@ -143,7 +150,12 @@ impl Grid {
     }
 
     /// The values of one block, x fastest: exact near the surface, elsewhere the one in the middle.
-    fn values_of(&self, sculpture: &Sculpture, first: [usize; 3], among: &[u16]) -> [f32; BLOCK * BLOCK * BLOCK] {
+    fn values_of(
+        &self,
+        sculpture: &Sculpture,
+        first: [usize; 3],
+        among: &[u16],
+    ) -> [f32; BLOCK * BLOCK * BLOCK] {
         let (center, radius) = self.block(first, BLOCK);
         let (pieces, middle) = sculpture.near(center, radius, among);
         // A cell more, so that crossings between blocks have both ends right.
@@ -177,7 +189,8 @@ impl Grid {
         let mut crossed: Vec<[u32; EDGES]> = Vec::new();
         let mut cell_of = vec![NOWHERE; self.values.len()];
         for at in steps([0; 3], self.size.map(|n| n - 1), 1) {
-            let values: [f64; 8] = std::array::from_fn(|i| f64::from(self.values[self.index(corner(at, i))]));
+            let values: [f64; 8] =
+                std::array::from_fn(|i| f64::from(self.values[self.index(corner(at, i))]));
             if values.iter().any(|v| *v < 0.0) && values.iter().any(|v| *v >= 0.0) {
                 cell_of[self.index(at)] = crossed.len() as u32;
                 crossed.push(self.sheets(at, &values, &mut net.points));
@@ -191,7 +204,10 @@ impl Grid {
             for axis in 0..3 {
                 let (second, third) = ((axis + 1) % 3, (axis + 2) % 3);
                 let inside = self.values[index] < 0.0;
-                if inside == (self.values[index + strides[axis]] < 0.0) || at[second] == 0 || at[third] == 0 {
+                if inside == (self.values[index + strides[axis]] < 0.0)
+                    || at[second] == 0
+                    || at[third] == 0
+                {
                     continue;
                 }
                 // The four cells around the edge, and which of their corners it begins at.
@@ -204,14 +220,16 @@ impl Grid {
             }
         }
         let all = sculpture.all();
-        let pieces = net.points.par_iter().map(|p| sculpture.near(*p, 2.0 * self.cell, &all).0).collect();
+        let pieces =
+            net.points.par_iter().map(|p| sculpture.near(*p, 2.0 * self.cell, &all).0).collect();
         net.normals = vec![DVec3::Y; net.points.len()];
         (net, pieces)
     }
 
-    /// Appends a point for each sheet of the surface in a cell, the mean of where the sheet crosses the cell's edges, and
-    /// gives the sheet's point for each edge. Two sheets in one cell must not share a point, or the surface would touch
-    /// itself there. Where a face has two opposite corners inside, those are taken to be apart, from either side.
+    /// Appends a point for each sheet of the surface in a cell, the mean of where the sheet crosses
+    /// the cell's edges, and gives the sheet's point for each edge. Two sheets in one cell must not
+    /// share a point, or the surface would touch itself there. Where a face has two opposite
+    /// corners inside, those are taken to be apart, from either side.
     fn sheets(&self, at: [usize; 3], values: &[f64; 8], points: &mut Vec<DVec3>) -> [u32; EDGES] {
         let inside = values.map(|v| v < 0.0);
         let mut sheet: [usize; EDGES] = std::array::from_fn(|edge| edge);
@@ -221,13 +239,20 @@ impl Grid {
             // The face's corners in a ring, and the edge from each to the next.
             let ring = [base, base | u, base | u | v, base | v];
             let (along_u, along_v) = ((axis + 1) % 3, (axis + 2) % 3);
-            let edges = [base * 3 + along_u, (base | u) * 3 + along_v, (base | v) * 3 + along_u, base * 3 + along_v];
+            let edges = [
+                base * 3 + along_u,
+                (base | u) * 3 + along_v,
+                (base | v) * 3 + along_u,
+                base * 3 + along_v,
+            ];
             let crossed = |k: usize| inside[ring[k % 4]] != inside[ring[(k + 1) % 4]];
             let found: Vec<usize> = (0..4).filter(|&k| crossed(k)).collect();
             match found[..] {
                 [a, b] => merge(&mut sheet, edges[a], edges[b]),
                 [_, _, _, _] => {
-                    (0..4).filter(|&k| inside[ring[k]]).for_each(|k| merge(&mut sheet, edges[k], edges[(k + 3) % 4]));
+                    (0..4)
+                        .filter(|&k| inside[ring[k]])
+                        .for_each(|k| merge(&mut sheet, edges[k], edges[(k + 3) % 4]));
                 }
                 _ => {}
             }
@@ -256,7 +281,8 @@ impl Grid {
     }
 }
 
-/// Slots for the edges of a cell: the corner where it begins times 3, plus its axis. Half of them are none.
+/// Slots for the edges of a cell: the corner where it begins times 3, plus its axis. Half of them
+/// are none.
 const EDGES: usize = 24;
 /// No cell, no point.
 const NOWHERE: u32 = u32::MAX;
@@ -275,6 +301,7 @@ fn merge(sheet: &mut [usize; EDGES], a: usize, b: usize) {
 /// The places `first + i * step` for every i below `counts`, x fastest.
 fn steps(first: [usize; 3], counts: [usize; 3], step: usize) -> impl Iterator<Item = [usize; 3]> {
     let [nx, ny, nz] = counts;
-    (0..nx * ny * nz)
-        .map(move |i| [first[0] + i % nx * step, first[1] + i / nx % ny * step, first[2] + i / nx / ny * step])
+    (0..nx * ny * nz).map(move |i| {
+        [first[0] + i % nx * step, first[1] + i / nx % ny * step, first[2] + i / nx / ny * step]
+    })
 }

@@ -21,7 +21,8 @@ struct Ring {
     v: f64,
 }
 
-/// Turns a profile, given from below upwards as seen with the outside to the right. A ring on the axis is one point.
+/// Turns a profile, given from below upwards as seen with the outside to the right. A ring on the
+/// axis is one point.
 fn revolve(profile: &[Ring], closed: bool, segments: usize) -> Soup {
     let mut soup = Soup::default();
     let material = soup.material(DEFAULT_MATERIAL);
@@ -44,7 +45,8 @@ fn revolve(profile: &[Ring], closed: bool, segments: usize) -> Soup {
                 soup.uvs.push([u as f32, pair[dj].v as f32]);
                 Corner { point, normal: point, uv: soup.uvs.len() as u32 - 1 }
             };
-            let [a, b, c, d] = [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(di, dj)| corner(&mut soup, di, dj));
+            let [a, b, c, d] =
+                [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(di, dj)| corner(&mut soup, di, dj));
             if pair[0].at.x > 0.0 {
                 soup.triangles.push([a, b, c]);
             }
@@ -58,7 +60,13 @@ fn revolve(profile: &[Ring], closed: bool, segments: usize) -> Soup {
 }
 
 /// A circle's arc, `steps` of it, angles from the outward horizontal upwards.
-fn arc(center: DVec2, radius: f64, from: f64, to: f64, steps: usize) -> impl Iterator<Item = (DVec2, DVec2)> {
+fn arc(
+    center: DVec2,
+    radius: f64,
+    from: f64,
+    to: f64,
+    steps: usize,
+) -> impl Iterator<Item = (DVec2, DVec2)> {
     (0..=steps).map(move |i| {
         let normal = DVec2::from_angle(from + (to - from) * i as f64 / steps as f64);
         (center + normal * radius, normal)
@@ -165,13 +173,14 @@ pub(super) fn vase() -> Soup {
     revolve(&profile, false, SEGMENTS)
 }
 
-/// Points and tangents of the natural cubic spline, `steps` to a span. The ends lie on the axis, and the surface is level
-/// there, because the curve goes on mirrored beyond them.
+/// Points and tangents of the natural cubic spline, `steps` to a span. The ends lie on the axis,
+/// and the surface is level there, because the curve goes on mirrored beyond them.
 fn spline(points: &[DVec2], steps: usize) -> Vec<(DVec2, DVec2)> {
     let mirrored = |p: &DVec2| DVec2::new(-p.x, p.y);
     let before = points[1..3].iter().rev().map(mirrored);
     let after = points.iter().rev().skip(1).take(2).map(mirrored);
-    let all: Vec<[f64; 4]> = before.chain(points.iter().copied()).chain(after).map(|p| [p.x, p.y, 0.0, 0.0]).collect();
+    let all: Vec<[f64; 4]> =
+        before.chain(points.iter().copied()).chain(after).map(|p| [p.x, p.y, 0.0, 0.0]).collect();
     let curve = Curve::through(&all);
     let count = (points.len() - 1) * steps;
     let at = |i: usize| curve.at(2.0 + i as f64 / steps as f64).truncate().truncate();

@@ -1,9 +1,10 @@
-//! Soft modelling clay: a signed distance field made of rounded pieces, each added to or cut from what came before with
-//! a smooth seam.
+//! Soft modelling clay: a signed distance field made of rounded pieces, each added to or cut from
+//! what came before with a smooth seam.
 //!
-//! The seam is the cubic smooth minimum, whose second derivatives are continuous, so that curvature shows no line along
-//! it. It reaches exactly as far as its width `k`: a piece farther away than that changes nothing, and is not
-//! evaluated. [`Sculpture::near`] finds the few pieces that matter in a small ball.
+//! The seam is the cubic smooth minimum, whose second derivatives are continuous, so that curvature
+//! shows no line along it. It reaches exactly as far as its width `k`: a piece farther away than
+//! that changes nothing, and is not evaluated. [`Sculpture::near`] finds the few pieces that matter
+//! in a small ball.
 
 use glam::{DMat3, DQuat, DVec3};
 
@@ -42,7 +43,11 @@ pub(super) fn ball(center: [f64; 3], radius: f64) -> Solid {
 
 /// An ellipsoid whose axes are turned by `turn`.
 pub(super) fn ellipsoid(center: [f64; 3], radii: [f64; 3], turn: DQuat) -> Solid {
-    Solid::Ellipsoid { center: center.into(), radii: radii.into(), local: DMat3::from_quat(turn.inverse()) }
+    Solid::Ellipsoid {
+        center: center.into(),
+        radii: radii.into(),
+        local: DMat3::from_quat(turn.inverse()),
+    }
 }
 
 /// A round tube through points `[x, y, z, radius]`, bent smoothly.
@@ -106,7 +111,8 @@ impl Sculpture {
         })
     }
 
-    /// Where one meets the surface who comes along -z from `z` at `x` and `y`; `None` where there is nothing.
+    /// Where one meets the surface who comes along -z from `z` at `x` and `y`; `None` where there
+    /// is nothing.
     pub(super) fn front(&self, x: f64, y: f64, z: f64) -> Option<f64> {
         let (all, mut at) = (self.all(), DVec3::new(x, y, z));
         for _ in 0..256 {
@@ -124,7 +130,8 @@ impl Sculpture {
         (0..self.pieces.len() as u16).collect()
     }
 
-    /// Which of the pieces `among` matter within `radius` of `center`, in order, and the field at `center`.
+    /// Which of the pieces `among` matter within `radius` of `center`, in order, and the field at
+    /// `center`.
     pub(super) fn near(&self, center: DVec3, radius: f64, among: &[u16]) -> (Vec<u16>, f64) {
         let mut found = Vec::new();
         let mut d = f64::INFINITY;
@@ -146,11 +153,17 @@ impl Sculpture {
     /// The field and its gradient at `p`, from the four corners of a tetrahedron.
     pub(super) fn gradient(&self, p: DVec3, pieces: &[u16]) -> (f64, DVec3) {
         const STEP: f64 = 1e-4;
-        let corners = [DVec3::ONE, DVec3::new(1., -1., -1.), DVec3::new(-1., 1., -1.), DVec3::new(-1., -1., 1.)];
-        let (sum, gradient) = corners.into_iter().fold((0.0, DVec3::ZERO), |(sum, gradient), corner| {
-            let d = self.distance(p + corner * STEP, pieces);
-            (sum + d, gradient + corner * d)
-        });
+        let corners = [
+            DVec3::ONE,
+            DVec3::new(1., -1., -1.),
+            DVec3::new(-1., 1., -1.),
+            DVec3::new(-1., -1., 1.),
+        ];
+        let (sum, gradient) =
+            corners.into_iter().fold((0.0, DVec3::ZERO), |(sum, gradient), corner| {
+                let d = self.distance(p + corner * STEP, pieces);
+                (sum + d, gradient + corner * d)
+            });
         (sum / 4.0, gradient / (4.0 * STEP))
     }
 
@@ -161,7 +174,8 @@ impl Sculpture {
 }
 
 impl Piece {
-    /// By how much, at least, the field `d` lies this side of what the piece would make of it at `p`.
+    /// By how much, at least, the field `d` lies this side of what the piece would make of it at
+    /// `p`.
     fn gap(&self, d: f64, p: DVec3) -> f64 {
         let apart = p.distance(self.center) - self.reach;
         if self.cut { apart + d } else { apart - d }

@@ -18,7 +18,8 @@ fn trefoil(t: f64) -> DVec3 {
     DVec3::new(ring * (2.0 * t).cos(), ring * (2.0 * t).sin(), 0.36 * (3.0 * t).sin())
 }
 
-/// A trefoil tube. Around the curve the frame is the Frenet frame (the curve bends everywhere), so normals are exact.
+/// A trefoil tube. Around the curve the frame is the Frenet frame (the curve bends everywhere), so
+/// normals are exact.
 pub(super) fn knot() -> Soup {
     let mut soup = Soup::default();
     let material = soup.material(DEFAULT_MATERIAL);
@@ -45,7 +46,8 @@ pub(super) fn knot() -> Soup {
                 soup.uvs.push(uv);
                 Corner { point, normal: point, uv: soup.uvs.len() as u32 - 1 }
             };
-            let [a, b, c, d] = [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(di, dj)| corner(&mut soup, di, dj));
+            let [a, b, c, d] =
+                [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(di, dj)| corner(&mut soup, di, dj));
             // The frame (tangent, normal, binormal) is right-handed, so around comes before along.
             soup.triangles.extend([[a, c, b], [a, d, c]]);
         }

@@ -6,7 +6,8 @@ use super::nets::Net;
 use crate::geometry::mesh::DEFAULT_MATERIAL;
 use crate::geometry::soup::{Corner, Soup};
 
-/// Cuts the quads along their shorter diagonals; corners get normals, and UVs from `uvs` of a triangle's points.
+/// Cuts the quads along their shorter diagonals; corners get normals, and UVs from `uvs` of a
+/// triangle's points.
 fn soup(net: &Net, uvs: impl Fn([usize; 3]) -> [DVec2; 3]) -> Soup {
     let mut soup = Soup {
         points: net.points.iter().map(|p| p.as_vec3().to_array()).collect(),
@@ -21,14 +22,19 @@ fn soup(net: &Net, uvs: impl Fn([usize; 3]) -> [DVec2; 3]) -> Soup {
             let points = triangle.map(|i| quad[i]);
             let base = soup.uvs.len() as u32;
             soup.uvs.extend(uvs(points.map(|p| p as usize)).map(|uv| uv.as_vec2().to_array()));
-            soup.triangles.push([0, 1, 2].map(|k| Corner { point: points[k], normal: points[k], uv: base + k as u32 }));
+            soup.triangles.push([0, 1, 2].map(|k| Corner {
+                point: points[k],
+                normal: points[k],
+                uv: base + k as u32,
+            }));
         }
     }
     soup.material_of = vec![material; soup.triangles.len()];
     soup
 }
 
-/// Longitude and latitude seen from the origin: u grows to the right seen from the front, with the seam behind.
+/// Longitude and latitude seen from the origin: u grows to the right seen from the front, with the
+/// seam behind.
 pub(super) fn spherical(net: &Net) -> Soup {
     let turns: Vec<DVec2> = net.points.iter().map(|&p| turn(p)).collect();
     soup(net, |points| {
@@ -48,8 +54,9 @@ fn turn(p: DVec3) -> DVec2 {
     DVec2::new(longitude, latitude)
 }
 
-/// Each triangle seen along the axis that it faces most, each of the six views in a field of its own: three columns
-/// (x, y, z), two rows (from above 0, from below). Even scale, nothing mirrored, seams where the views meet.
+/// Each triangle seen along the axis that it faces most, each of the six views in a field of its
+/// own: three columns (x, y, z), two rows (from above 0, from below). Even scale, nothing mirrored,
+/// seams where the views meet.
 pub(super) fn boxed(net: &Net) -> Soup {
     let ends = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     let (min, max) = net.points.iter().fold(ends, |(min, max), &p| (min.min(p), max.max(p)));

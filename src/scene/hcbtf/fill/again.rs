@@ -1,8 +1,10 @@
-//! Filling again what was filled before, where a stroke has changed a few texels since: the work goes with those.
+//! Filling again what was filled before, where a stroke has changed a few texels since: the work
+//! goes with those.
 //!
-//! With the same grid, the same rules and the same samples painted, every sample has the same recipe as before. Then a tile
-//! that is made texel by texel of paintings is another only where one of those is, and if they have a say in it; one that comes
-//! out as it was stays the same tile, by pointer. So whoever shows tiles finds what changed by comparing pointers.
+//! With the same grid, the same rules and the same samples painted, every sample has the same
+//! recipe as before. Then a tile that is made texel by texel of paintings is another only where one
+//! of those is, and if they have a say in it; one that comes out as it was stays the same tile, by
+//! pointer. So whoever shows tiles finds what changed by comparing pointers.
 
 use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
@@ -20,16 +22,21 @@ const MOST_CHANGED: usize = 4;
 /// A part of a tile: x, y, width and height in texels.
 type Part = [u32; 4];
 
-/// Runs the rules for every sample, as [`fill`] does, with the help of what they made of the HCBTF `before`: what is equal is not
-/// made again. Tiles that have become equal may stay two.
+/// Runs the rules for every sample, as [`fill`] does, with the help of what they made of the HCBTF
+/// `before`: what is equal is not made again. Tiles that have become equal may stay two.
 ///
 /// `progress` counts rows of texels that are made, be they but a few texels long.
 ///
 /// # Errors
 /// As [`fill`].
-pub fn refill(hcbtf: &Hcbtf, before: (&Hcbtf, &Filled), progress: &Progress) -> Result<Filled, NotFilled> {
+pub fn refill(
+    hcbtf: &Hcbtf,
+    before: (&Hcbtf, &Filled),
+    progress: &Progress,
+) -> Result<Filled, NotFilled> {
     let (old, filled) = before;
-    let changed = changed(hcbtf, old).filter(|_| filled.grid == hcbtf.grid && old.grid == hcbtf.grid);
+    let changed =
+        changed(hcbtf, old).filter(|_| filled.grid == hcbtf.grid && old.grid == hcbtf.grid);
     let Some(changed) = changed else { return fill(hcbtf, progress) };
     let plan = Plan::new(hcbtf, progress).ok_or(NotFilled::Stopped)?;
     let mut old_tiles = vec![0; plan.recipes.len()];
@@ -60,7 +67,8 @@ enum Made {
     Patched(Part, Vec<u8>),
 }
 
-/// The paintings that are others, by number, each with the part of it that is; `None` where more than that has changed.
+/// The paintings that are others, by number, each with the part of it that is; `None` where more
+/// than that has changed.
 fn changed(now: &Hcbtf, old: &Hcbtf) -> Option<HashMap<u32, Part>> {
     let is_alike = now.grid == old.grid && now.is_tiling == old.is_tiling && now.rules == old.rules;
     if !is_alike || !now.painted.keys().eq(old.painted.keys()) {
@@ -118,9 +126,15 @@ impl Again<'_> {
             Source::Painted(number) => self.changed.get(&number).copied(),
             Source::Blend { .. } => {
                 let weights = self.weights(recipe);
-                weights.iter().filter_map(|(number, _)| self.changed.get(number).copied()).reduce(around)
+                weights
+                    .iter()
+                    .filter_map(|(number, _)| self.changed.get(number).copied())
+                    .reduce(around)
             }
-            Source::Empty | Source::Uniform(_) | Source::Morph { .. } | Source::Generated { .. } => None,
+            Source::Empty
+            | Source::Uniform(_)
+            | Source::Morph { .. }
+            | Source::Generated { .. } => None,
         };
         let whole = |_| [0, 0, self.plan.grid.size[0], self.plan.grid.size[1]];
         if is_whole(recipe) { part.map(whole) } else { part }
@@ -156,10 +170,15 @@ impl Again<'_> {
             let begin = texels.len();
             match recipe.source {
                 Source::Painted(number) => {
-                    let painted =
-                        self.plan.painted.get(number as usize)?.tile.bytes().get(4 * from..4 * (from + wide))?;
+                    let painted = self
+                        .plan
+                        .painted
+                        .get(number as usize)?
+                        .tile
+                        .bytes()
+                        .get(4 * from..4 * (from + wide))?;
                     texels.extend_from_slice(painted);
-                    bake::recolour(recipe, &mut texels[begin..]);
+                    bake::recolor(recipe, &mut texels[begin..]);
                 }
                 _ => {
                     blend::row(&weights, &self.plan.painted, from, &mut colors);
@@ -173,20 +192,28 @@ impl Again<'_> {
     }
 }
 
-/// Whether a tile is made as a whole: what is turned is resampled from places all over it, and what is painted is there.
+/// Whether a tile is made as a whole: what is turned is resampled from places all over it, and what
+/// is painted is there.
 fn is_whole(recipe: &Recipe) -> bool {
-    recipe.turn.get() != 0.0 || matches!(recipe.source, Source::Painted(_)) && !recipe.is_recoloured()
+    recipe.turn.get() != 0.0
+        || matches!(recipe.source, Source::Painted(_)) && !recipe.is_recolored()
 }
 
 /// The smallest part that holds two.
 fn around(one: Part, other: Part) -> Part {
     let [x, y] = [0, 1].map(|axis| one[axis].min(other[axis]));
-    let [right, bottom] = [0, 1].map(|axis| (one[axis] + one[axis + 2]).max(other[axis] + other[axis + 2]));
+    let [right, bottom] =
+        [0, 1].map(|axis| (one[axis] + one[axis + 2]).max(other[axis] + other[axis + 2]));
     [x, y, right - x, bottom - y]
 }
 
 /// All tiles, each that was the same and is patched alike once.
-fn together(plan: &Plan<'_>, filled: &Filled, old_tiles: &[u32], mut made: HashMap<usize, Made>) -> Filled {
+fn together(
+    plan: &Plan<'_>,
+    filled: &Filled,
+    old_tiles: &[u32],
+    mut made: HashMap<usize, Made>,
+) -> Filled {
     let mut patched: HashMap<(u32, Part, Vec<u8>), Arc<Tile>> = HashMap::new();
     let mut known: HashMap<*const Tile, u32> = HashMap::new();
     let mut tiles: Vec<Arc<Tile>> = Vec::new();
@@ -197,7 +224,9 @@ fn together(plan: &Plan<'_>, filled: &Filled, old_tiles: &[u32], mut made: HashM
             None | Some(Made::AsBefore) => before.clone(),
             Some(Made::Other(tile)) => tile,
             Some(Made::Patched(part, texels)) => {
-                let patch = |(_, part, texels): &(u32, Part, Vec<u8>)| Arc::new(with(before, *part, texels));
+                let patch = |(_, part, texels): &(u32, Part, Vec<u8>)| {
+                    Arc::new(with(before, *part, texels))
+                };
                 let key = (*old, part, texels);
                 let tile = patched.get(&key).cloned().unwrap_or_else(|| patch(&key));
                 patched.entry(key).or_insert(tile).clone()
@@ -222,7 +251,9 @@ fn with(tile: &Tile, [left, top, wide, _]: Part, texels: &[u8]) -> Tile {
     let mut tile = tile.clone();
     let stride = 4 * tile.size()[0] as usize;
     let (left, wide) = (4 * left as usize, 4 * wide as usize);
-    for (row, new) in tile.bytes_mut().chunks_exact_mut(stride).skip(top as usize).zip(texels.chunks_exact(wide)) {
+    for (row, new) in
+        tile.bytes_mut().chunks_exact_mut(stride).skip(top as usize).zip(texels.chunks_exact(wide))
+    {
         row[left..left + wide].copy_from_slice(new);
     }
     tile

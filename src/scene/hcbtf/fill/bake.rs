@@ -26,7 +26,7 @@ pub(super) fn tile(plan: &Plan<'_>, recipe: &Recipe, progress: &Progress) -> Opt
         }
         Source::Painted(number) => {
             let painted = plan.painted.get(number as usize)?.tile;
-            match (recipe.turn.get() == 0.0, recipe.is_recoloured()) {
+            match (recipe.turn.get() == 0.0, recipe.is_recolored()) {
                 (true, false) => at_once(painted.clone()),
                 (true, true) => rows.of_bytes(painted),
                 (false, _) => rows.turned(plan.is_tiling, |x, y| {
@@ -38,7 +38,8 @@ pub(super) fn tile(plan: &Plan<'_>, recipe: &Recipe, progress: &Progress) -> Opt
         Source::Blend { address, sharpness } => {
             let weights = blend::weights(address, sharpness.get(), &plan.grid, &plan.painted);
             let width = size[0] as usize;
-            let blend = |y: usize, row: &mut [Color]| blend::row(&weights, &plan.painted, y * width, row);
+            let blend =
+                |y: usize, row: &mut [Color]| blend::row(&weights, &plan.painted, y * width, row);
             if recipe.turn.get() == 0.0 {
                 return rows.each(|y, row| blend(y, row));
             }
@@ -53,9 +54,17 @@ pub(super) fn tile(plan: &Plan<'_>, recipe: &Recipe, progress: &Progress) -> Opt
             rows.turned(plan.is_tiling, |x, y| blended[y * width + x])
         }
         Source::Morph { address, sharpness } => {
-            let morph = plan.flows.morph(address, sharpness.get(), &plan.grid, plan.is_tiling, &plan.painted);
+            let morph = plan.flows.morph(
+                address,
+                sharpness.get(),
+                &plan.grid,
+                plan.is_tiling,
+                &plan.painted,
+            );
             match recipe.turn.get() == 0.0 {
-                true => rows.each(|y, row| row.iter_mut().enumerate().for_each(|(x, color)| *color = morph.at(x, y))),
+                true => rows.each(|y, row| {
+                    row.iter_mut().enumerate().for_each(|(x, color)| *color = morph.at(x, y))
+                }),
                 false => rows.turned(plan.is_tiling, |x, y| morph.at(x, y)),
             }
         }
@@ -70,7 +79,7 @@ pub(super) fn tile(plan: &Plan<'_>, recipe: &Recipe, progress: &Progress) -> Opt
     }
 }
 
-/// What becomes of straight colours from 0 to 255.
+/// What becomes of straight colors from 0 to 255.
 pub(super) struct Mapping {
     factors: Color,
     offsets: Color,
@@ -97,8 +106,8 @@ fn tables(recipe: &Recipe) -> [[u8; 256]; 3] {
     })
 }
 
-/// Recolours some texels of what is painted.
-pub(super) fn recolour(recipe: &Recipe, texels: &mut [u8]) {
+/// Recolors some texels of what is painted.
+pub(super) fn recolor(recipe: &Recipe, texels: &mut [u8]) {
     let maps = recipe.maps.map(|map| map.map(|number| number.get()));
     for texel in texels.chunks_exact_mut(4) {
         for (channel, [factor, offset]) in texel.iter_mut().zip(maps) {
@@ -115,7 +124,7 @@ struct Rows<'a> {
 }
 
 impl Rows<'_> {
-    /// From the colours that `row` writes.
+    /// From the colors that `row` writes.
     fn each(&self, mut row: impl FnMut(usize, &mut [Color])) -> Option<Arc<Tile>> {
         let [width, height] = self.size.map(|side| side as usize);
         let mapping = Mapping::new(self.recipe);
@@ -134,7 +143,9 @@ impl Rows<'_> {
 
     fn turned(&self, is_tiling: bool, texel: impl Fn(usize, usize) -> Color) -> Option<Arc<Tile>> {
         let turned = Turned::new(self.size, is_tiling, self.recipe.turn.get(), texel);
-        self.each(|y, row| row.iter_mut().enumerate().for_each(|(x, color)| *color = turned.at(x, y)))
+        self.each(|y, row| {
+            row.iter_mut().enumerate().for_each(|(x, color)| *color = turned.at(x, y))
+        })
     }
 
     /// From a tile as it is: a table for each channel does.
@@ -146,7 +157,8 @@ impl Rows<'_> {
                 return None;
             }
             for texel in row.chunks_exact_mut(4) {
-                (0..3).for_each(|channel| texel[channel] = tables[channel][texel[channel] as usize]);
+                (0..3)
+                    .for_each(|channel| texel[channel] = tables[channel][texel[channel] as usize]);
             }
             self.progress.add(1);
         }

@@ -1,20 +1,27 @@
 //! Blending painted samples by how near they are: the thesis's first idea, which it found too slow.
 //!
-//! The kernel is Shepard's (1968): a sample at distance d has the weight d^(-2 sharpness), divided by the sum of all. It
-//! tends to 1 toward a painted sample whatever else is painted, needs no width, and so works for two samples as for two
-//! thousand, however they lie. Distance is on the product of the two spheres: the root of the sum of the squares of the two
-//! great-circle angles, of the lights and of the views. At the normal a direction has no step around it, and none is asked.
+//! The kernel is Shepard's (1968): a sample at distance d has the weight d^(-2 sharpness), divided
+//! by the sum of all. It tends to 1 toward a painted sample whatever else is painted, needs no
+//! width, and so works for two samples as for two thousand, however they lie. Distance is on the
+//! product of the two spheres: the root of the sum of the squares of the two great-circle angles,
+//! of the lights and of the views. At the normal a direction has no step around it, and none is
+//! asked.
 
 use super::lock::squared_distance;
 use super::plan::Painted;
 use crate::document::{Address, Grid};
 
-/// Samples whose weight is below this, divided by how many are painted, are left out: together they are less than a
-/// thousandth of the step between two bytes.
+/// Samples whose weight is below this, divided by how many are painted, are left out: together they
+/// are less than a thousandth of the step between two bytes.
 const NEGLIGIBLE: f64 = 1e-6;
 
 /// The painted samples that count at an address, by number, with weights that sum to 1.
-pub(super) fn weights(address: Address, sharpness: f64, grid: &Grid, painted: &[Painted<'_>]) -> Vec<(u32, f32)> {
+pub(super) fn weights(
+    address: Address,
+    sharpness: f64,
+    grid: &Grid,
+    painted: &[Painted<'_>],
+) -> Vec<(u32, f32)> {
     let (light, view) = (grid.light.vector(address.light), grid.view.vector(address.view));
     // In logarithms: powers of small distances overflow, those of large ones underflow.
     let logs = painted.iter().map(|sample| {
@@ -25,14 +32,21 @@ pub(super) fn weights(address: Address, sharpness: f64, grid: &Grid, painted: &[
     let largest = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let sum: f64 = logs.iter().map(|log| (log - largest).exp()).sum();
     let least = NEGLIGIBLE / painted.len().max(1) as f64;
-    let numbered = logs.iter().enumerate().map(|(number, log)| (number as u32, (log - largest).exp() / sum));
+    let numbered =
+        logs.iter().enumerate().map(|(number, log)| (number as u32, (log - largest).exp() / sum));
     let kept: Vec<(u32, f64)> = numbered.filter(|(_, weight)| *weight >= least).collect();
     let sum: f64 = kept.iter().map(|(_, weight)| weight).sum();
     kept.into_iter().map(|(number, weight)| (number, (weight / sum) as f32)).collect()
 }
 
-/// A row of the blend, or a part of one, from a texel on: straight RGBA from 0 to 255, colours weighted by alpha as well.
-pub(super) fn row(weights: &[(u32, f32)], painted: &[Painted<'_>], from: usize, blended: &mut [[f32; 4]]) {
+/// A row of the blend, or a part of one, from a texel on: straight RGBA from 0 to 255, colors
+/// weighted by alpha as well.
+pub(super) fn row(
+    weights: &[(u32, f32)],
+    painted: &[Painted<'_>],
+    from: usize,
+    blended: &mut [[f32; 4]],
+) {
     blended.fill([0.0; 4]);
     let wide = blended.len();
     let rows = || {
@@ -42,7 +56,7 @@ pub(super) fn row(weights: &[(u32, f32)], painted: &[Painted<'_>], from: usize, 
             Some((sample.tile.bytes().get(range.clone())?, *weight, sample.is_opaque))
         })
     };
-    // Each adds colour times alpha, and 255 times alpha.
+    // Each adds color times alpha, and 255 times alpha.
     for (row, weight, is_opaque) in rows() {
         if is_opaque {
             // Most are, and then all bytes are treated alike, many at once: three times as fast.
@@ -65,7 +79,8 @@ pub(super) fn row(weights: &[(u32, f32)], painted: &[Painted<'_>], from: usize, 
         if alpha > 0.0 {
             (sum[0], sum[1], sum[2]) = (sum[0] / alpha, sum[1] / alpha, sum[2] / alpha);
         } else {
-            // Nothing is seen here; the colours are blended all the same, as painting programs keep them.
+            // Nothing is seen here; the colors are blended all the same, as painting programs keep
+            // them.
             for (row, weight, _) in rows() {
                 (0..3).for_each(|channel| sum[channel] += weight * f32::from(row[4 * x + channel]));
             }

@@ -7,7 +7,8 @@ use glam::DVec3;
 use super::plan::{Painted, SAME_ANGLE};
 use crate::document::{Address, Direction, Grid, HcbtfAngle as Angle};
 
-/// The angle between unit vectors, in radians: relatively exact where they are near, and to 1e-8 where they are opposite.
+/// The angle between unit vectors, in radians: relatively exact where they are near, and to 1e-8
+/// where they are opposite.
 pub(super) fn angle(a: DVec3, b: DVec3) -> f64 {
     2.0 * (0.5 * (a - b).length()).min(1.0).asin()
 }
@@ -25,8 +26,8 @@ struct Locked {
 }
 
 impl Locked {
-    /// What equal directions have in common for sure; the step around the normal only where the ring is known, because at
-    /// the normal every step agrees.
+    /// What equal directions have in common for sure; the step around the normal only where the
+    /// ring is known, because at the normal every step agrees.
     fn key(self, direction: Direction) -> [u32; 2] {
         match direction {
             _ if self.theta => [0; 2],
@@ -52,8 +53,14 @@ pub(super) struct Lock {
 
 impl Lock {
     pub(super) fn new(angles: &[Angle], painted: &[Painted<'_>]) -> Self {
-        let light = Locked { theta: angles.contains(&Angle::LightTheta), phi: angles.contains(&Angle::LightPhi) };
-        let view = Locked { theta: angles.contains(&Angle::ViewTheta), phi: angles.contains(&Angle::ViewPhi) };
+        let light = Locked {
+            theta: angles.contains(&Angle::LightTheta),
+            phi: angles.contains(&Angle::LightPhi),
+        };
+        let view = Locked {
+            theta: angles.contains(&Angle::ViewTheta),
+            phi: angles.contains(&Angle::ViewPhi),
+        };
         let mut lock = Self { light, view, groups: HashMap::new() };
         for (number, sample) in painted.iter().enumerate() {
             lock.groups.entry(lock.key(sample.address)).or_default().push(number as u32);
@@ -65,9 +72,14 @@ impl Lock {
         [self.light.key(address.light), self.view.key(address.view)]
     }
 
-    /// The number of the nearest painted sample that differs in the locked angles alone; of several equally near, the first
-    /// by address.
-    pub(super) fn nearest(&self, address: Address, grid: &Grid, painted: &[Painted<'_>]) -> Option<u32> {
+    /// The number of the nearest painted sample that differs in the locked angles alone; of several
+    /// equally near, the first by address.
+    pub(super) fn nearest(
+        &self,
+        address: Address,
+        grid: &Grid,
+        painted: &[Painted<'_>],
+    ) -> Option<u32> {
         let (light, view) = (grid.light.vector(address.light), grid.view.vector(address.view));
         let mut best: Option<(f64, u32)> = None;
         for number in self.groups.get(&self.key(address))? {

@@ -1,10 +1,12 @@
 //! Fills that do not destroy: an ordered list of rules derives every sample that is not painted.
 //!
-//! It goes in three steps. The `plan` walks the rules for every sample and writes down a recipe: which painted sample,
-//! blend or colour it begins with, by how much it is turned, and what becomes of its colours. All changes of colour are
-//! affine in each channel, and turning commutes with them, so a recipe has one turn and one map however many rules had a
-//! part in it, and a tile is resampled once and rounded once (thesis figure 37 shows what repeated turning loses). Equal
-//! recipes are one recipe; `bake` makes a tile of each, on all cores; tiles that came out equal are shared.
+//! It goes in three steps. The `plan` walks the rules for every sample and writes down a recipe:
+//! which painted sample, blend or color it begins with, by how much it is turned, and what becomes
+//! of its colors. All changes of color are affine in each channel, and turning commutes with
+//! them, so a recipe has one turn and one map however many rules had a part in it, and a tile is
+//! resampled once and rounded once (thesis figure 37 shows what repeated turning loses). Equal
+//! recipes are one recipe; `bake` makes a tile of each, on all cores; tiles that came out equal are
+//! shared.
 //!
 //! Every tile depends on its recipe alone, so the result is the same on any number of threads.
 
@@ -43,7 +45,8 @@ pub enum Provenance {
     Filled {
         /// The rule, counted from 0.
         by: usize,
-        /// The later rules that changed it, in order; those that leave this sample as it is are not among them.
+        /// The later rules that changed it, in order; those that leave this sample as it is are not
+        /// among them.
         changed_by: Vec<usize>,
     },
     /// No rule fills it: it is transparent black.
@@ -75,7 +78,8 @@ impl Which {
 pub struct Estimate {
     /// Samples of the grid.
     pub samples: u64,
-    /// Different tiles among them, as far as is known before they are made; painted ones are counted.
+    /// Different tiles among them, as far as is known before they are made; painted ones are
+    /// counted.
     pub tiles: u64,
     /// Memory that the result takes, in bytes, at most.
     pub bytes: u64,
@@ -145,7 +149,8 @@ impl Filled {
         &self.rules
     }
 
-    /// The tile of a sample; `None` outside the grid. Samples that are equal have the same tile, by pointer.
+    /// The tile of a sample; `None` outside the grid. Samples that are equal have the same tile, by
+    /// pointer.
     pub fn tile(&self, address: Address) -> Option<&Arc<Tile>> {
         self.tiles.get(self.tile_index(address)?)
     }
@@ -165,7 +170,8 @@ impl Filled {
         &self.tiles
     }
 
-    /// Memory that it takes, in bytes: each tile once, painted ones too, which it shares with the HCBTF.
+    /// Memory that it takes, in bytes: each tile once, painted ones too, which it shares with the
+    /// HCBTF.
     pub fn bytes(&self) -> u64 {
         bytes(self.grid, self.tiles.len() as u64)
     }
@@ -173,7 +179,11 @@ impl Filled {
     /// Every sample with its tile and its provenance, in the order of [`Grid::addresses`].
     pub fn iter(&self) -> impl Iterator<Item = (Address, &Arc<Tile>, &Provenance)> {
         self.grid.addresses().zip(&self.samples).filter_map(|(address, [tile, provenance])| {
-            Some((address, self.tiles.get(*tile as usize)?, self.provenances.get(*provenance as usize)?))
+            Some((
+                address,
+                self.tiles.get(*tile as usize)?,
+                self.provenances.get(*provenance as usize)?,
+            ))
         })
     }
 
@@ -185,7 +195,9 @@ impl Filled {
 /// Memory of a filled grid with this many different tiles.
 fn bytes(grid: Grid, tiles: u64) -> u64 {
     let tile = 4 * grid.texels() as u64 + size_of::<Tile>() as u64 + size_of::<Arc<Tile>>() as u64;
-    tiles.saturating_mul(tile).saturating_add(grid.sample_count().saturating_mul(size_of::<[u32; 2]>() as u64))
+    tiles
+        .saturating_mul(tile)
+        .saturating_add(grid.sample_count().saturating_mul(size_of::<[u32; 2]>() as u64))
 }
 
 /// Memory that a filled grid takes at most, in bytes: no two samples alike.
@@ -216,17 +228,21 @@ fn laid_out<'a>(hcbtf: &'a Hcbtf, progress: &Progress) -> Result<(Plan<'a>, Esti
     Ok((plan, estimate))
 }
 
-/// Runs the rules for every sample. Painted samples always win; samples outside the grid and painted tiles of another size
-/// than the grid's are left out.
+/// Runs the rules for every sample. Painted samples always win; samples outside the grid and
+/// painted tiles of another size than the grid's are left out.
 ///
-/// `progress` counts rows of texels, and what generators make ready before as so many rows as take as long.
+/// `progress` counts rows of texels, and what generators make ready before as so many rows as take
+/// as long.
 ///
 /// # Errors
 /// Where it was stopped, and where the grid is too large or none at all.
 pub fn fill(hcbtf: &Hcbtf, progress: &Progress) -> Result<Filled, NotFilled> {
     let (mut plan, _) = laid_out(hcbtf, progress)?;
     plan.prepare(hcbtf, progress).ok_or(NotFilled::Stopped)?;
-    let baked = plan.recipes.par_iter().map(|recipe| bake::tile(&plan, recipe, progress).ok_or(NotFilled::Stopped));
+    let baked = plan
+        .recipes
+        .par_iter()
+        .map(|recipe| bake::tile(&plan, recipe, progress).ok_or(NotFilled::Stopped));
     let baked: Vec<Arc<Tile>> = baked.collect::<Result<_, _>>()?;
     let (tiles, place) = shared(baked);
     let mut samples = plan.samples;
@@ -237,19 +253,27 @@ pub fn fill(hcbtf: &Hcbtf, progress: &Progress) -> Result<Filled, NotFilled> {
     Ok(Filled { grid, is_tiling, rules, tiles, provenances: plan.provenances, samples })
 }
 
-/// Runs the rules for one sample alone: what [`fill`] would give it, in the time of one tile. For showing it before all
-/// others are done; `None` outside the grid.
+/// Runs the rules for one sample alone: what [`fill`] would give it, in the time of one tile. For
+/// showing it before all others are done; `None` outside the grid.
 ///
 /// # Errors
 /// As [`fill`].
-pub fn sample(hcbtf: &Hcbtf, address: Address, progress: &Progress) -> Result<Option<Arc<Tile>>, NotFilled> {
+pub fn sample(
+    hcbtf: &Hcbtf,
+    address: Address,
+    progress: &Progress,
+) -> Result<Option<Arc<Tile>>, NotFilled> {
     hcbtf.grid.check().map_err(|why| NotFilled::BadGrid { why })?;
     if !hcbtf.grid.contains(address) {
         return Ok(None);
     }
-    let mut plan = Plan::of(hcbtf, vec![address.canonical()], progress).ok_or(NotFilled::Stopped)?;
+    let mut plan =
+        Plan::of(hcbtf, vec![address.canonical()], progress).ok_or(NotFilled::Stopped)?;
     plan.prepare(hcbtf, progress).ok_or(NotFilled::Stopped)?;
-    let tile = plan.recipes.first().map(|recipe| bake::tile(&plan, recipe, progress).ok_or(NotFilled::Stopped));
+    let tile = plan
+        .recipes
+        .first()
+        .map(|recipe| bake::tile(&plan, recipe, progress).ok_or(NotFilled::Stopped));
     tile.transpose()
 }
 

@@ -11,11 +11,13 @@ use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 use super::lock::{Lock, angle};
 use super::morph::Flows;
 use super::{Progress, Provenance};
-use crate::document::{Address, Direction, Directions, Grid, Hcbtf, HcbtfAngle as Angle, Rule, Tile};
+use crate::document::{
+    Address, Direction, Directions, Grid, Hcbtf, HcbtfAngle as Angle, Rule, Tile,
+};
 use crate::hcbtf::generate::Generator;
 
-/// Directions nearer than this, in radians, are the same: angles of one grid differ by far more, and those that ought to be
-/// equal by rounding alone.
+/// Directions nearer than this, in radians, are the same: angles of one grid differ by far more,
+/// and those that ought to be equal by rounding alone.
 pub(super) const SAME_ANGLE: f64 = 1e-9;
 
 /// A painted sample with what distances need.
@@ -39,7 +41,7 @@ pub(super) enum Source {
     Blend { address: Address, sharpness: Bits },
     /// The nearest painted samples, moved toward each other.
     Morph { address: Address, sharpness: Bits },
-    /// One colour, straight RGBA.
+    /// One color, straight RGBA.
     Uniform([u8; 4]),
     /// What the generator of a rule draws.
     Generated { rule: u32, address: Address },
@@ -78,7 +80,7 @@ impl Recipe {
         Self { source, turn: Bits::new(0.0), maps: [[Bits::new(1.0), Bits::new(0.0)]; 3] }
     }
 
-    pub(super) fn is_recoloured(&self) -> bool {
+    pub(super) fn is_recolored(&self) -> bool {
         self.maps.iter().any(|[factor, offset]| factor.get() != 1.0 || offset.get() != 0.0)
     }
 
@@ -113,10 +115,15 @@ impl<'a> Plan<'a> {
     }
 
     /// Walks the rules for some samples alone, by canonical address.
-    pub(super) fn of(hcbtf: &'a Hcbtf, addresses: Vec<Address>, progress: &Progress) -> Option<Self> {
+    pub(super) fn of(
+        hcbtf: &'a Hcbtf,
+        addresses: Vec<Address>,
+        progress: &Progress,
+    ) -> Option<Self> {
         let planner = Planner::new(hcbtf);
         let walk = |address| (!progress.is_stopped()).then(|| planner.sample(address));
-        let walked: Vec<(Recipe, Provenance)> = addresses.into_par_iter().map(walk).collect::<Option<_>>()?;
+        let walked: Vec<(Recipe, Provenance)> =
+            addresses.into_par_iter().map(walk).collect::<Option<_>>()?;
         let mut recipes: IndexMap<Recipe, ()> = IndexMap::new();
         let mut provenances: IndexSet<Provenance> = IndexSet::new();
         let samples = walked.into_iter().map(|(recipe, provenance)| {
@@ -136,7 +143,8 @@ impl<'a> Plan<'a> {
         })
     }
 
-    /// Makes ready what some recipe needs, once it is laid out how long that and all tiles take; `None` where it is stopped.
+    /// Makes ready what some recipe needs, once it is laid out how long that and all tiles take;
+    /// `None` where it is stopped.
     pub(super) fn prepare(&mut self, hcbtf: &Hcbtf, progress: &Progress) -> Option<()> {
         let rules = &hcbtf.rules;
         let mut generated: Vec<Vec<Address>> = vec![Vec::new(); rules.len()];
@@ -151,7 +159,10 @@ impl<'a> Plan<'a> {
         });
         let pairs = Flows::pairs(morphed, &self.grid, &self.painted, progress)?;
         let rows = u64::from(self.grid.size[1]);
-        let ahead = rules.iter().zip(&generated).map(|(rule, addresses)| Generator::tiles_ahead(rule, addresses));
+        let ahead = rules
+            .iter()
+            .zip(&generated)
+            .map(|(rule, addresses)| Generator::tiles_ahead(rule, addresses));
         let ahead = ahead.fold(Flows::TILES_AHEAD * pairs.len() as u64, u64::saturating_add);
         progress.begin((self.recipes.len() as u64).saturating_add(ahead).saturating_mul(rows));
         for (rule, addresses) in rules.iter().zip(generated) {
@@ -179,14 +190,20 @@ struct Planner<'a> {
 impl<'a> Planner<'a> {
     fn new(hcbtf: &'a Hcbtf) -> Self {
         let grid = hcbtf.grid;
-        let fits = |(address, tile): &(&Address, &Arc<Tile>)| grid.contains(**address) && tile.size() == grid.size;
+        let fits = |(address, tile): &(&Address, &Arc<Tile>)| {
+            grid.contains(**address) && tile.size() == grid.size
+        };
         let painted = hcbtf.painted.iter().filter(fits).map(|(address, tile)| {
             let (light, view) = (grid.light.vector(address.light), grid.view.vector(address.view));
             let is_opaque = tile.bytes().iter().skip(3).step_by(4).all(|alpha| *alpha == 255);
             Painted { address: address.canonical(), light, view, tile, is_opaque }
         });
         let painted: Vec<Painted<'_>> = painted.collect();
-        let numbers = painted.iter().enumerate().map(|(number, sample)| (sample.address, number as u32)).collect();
+        let numbers = painted
+            .iter()
+            .enumerate()
+            .map(|(number, sample)| (sample.address, number as u32))
+            .collect();
         let lock = |rule: &Rule| match rule {
             Rule::Lock { angles } => Some(Lock::new(angles, &painted)),
             _ => None,
@@ -223,7 +240,8 @@ impl<'a> Planner<'a> {
 
     /// What a rule fills a sample with, if it does.
     fn source(&self, rule: &Rule, number: usize, address: Address) -> Option<Source> {
-        let painted = |from: &Address| self.numbers.get(&from.canonical()).copied().map(Source::Painted);
+        let painted =
+            |from: &Address| self.numbers.get(&from.canonical()).copied().map(Source::Painted);
         match rule {
             Rule::Copy { from } => painted(from),
             Rule::Lock { .. } => {
@@ -242,7 +260,8 @@ impl<'a> Planner<'a> {
             Rule::Mirror { color: [r, g, b, a], width } => {
                 let off = self.off_mirrored(address);
                 let fade = || 0.5 + 0.5 * (PI * off / width).cos();
-                (off < *width).then(|| Source::Uniform([*r, *g, *b, (f64::from(*a) * fade()).round() as u8]))
+                (off < *width)
+                    .then(|| Source::Uniform([*r, *g, *b, (f64::from(*a) * fade()).round() as u8]))
             }
             Rule::Specular { from, width } => {
                 if self.off_mirrored(address) <= width + SAME_ANGLE {
@@ -276,14 +295,18 @@ fn change(rule: &Rule, recipe: &mut Recipe, address: Address, grid: &Grid) {
             let kept = 1.0 - finite(*amount).clamp(0.0, 1.0) * (1.0 - theta.cos().max(0.0));
             recipe.then([kept; 3], shadow.map(|channel| f64::from(channel) * (1.0 - kept)));
         }
-        // One colour has nothing that could be turned, and at the normal there is nothing to turn by.
-        Rule::Rotate { turns } if address.view.theta > 0 && !matches!(recipe.source, Source::Uniform(_)) => {
+        // One color has nothing that could be turned, and at the normal there is nothing to turn
+        // by.
+        Rule::Rotate { turns }
+            if address.view.theta > 0 && !matches!(recipe.source, Source::Uniform(_)) =>
+        {
             let share = f64::from(address.view.phi) / f64::from(grid.view.phi.max(1));
             recipe.turn = Bits::new(snapped(recipe.turn.get() + finite(*turns) * share));
         }
         Rule::Recolor { angle, from, to } => {
             let at = along(*angle, address, grid);
-            let channel = |i: usize| (f64::from(from[i]) * (1.0 - at) + f64::from(to[i]) * at) / 255.0;
+            let channel =
+                |i: usize| (f64::from(from[i]) * (1.0 - at) + f64::from(to[i]) * at) / 255.0;
             recipe.then([channel(0), channel(1), channel(2)], [0.0; 3]);
         }
         _ => {}
@@ -301,10 +324,12 @@ fn snapped(turns: f64) -> f64 {
     if (4.0 * turns - quarters).abs() < SAME_ANGLE { (quarters / 4.0) % 1.0 } else { turns }
 }
 
-/// How far a sample is along an angle, from 0 to 1: from the normal to the horizon, or from phi 0 half a turn around, and
-/// back. At the normal every step around it is equally right, so it is in the middle.
+/// How far a sample is along an angle, from 0 to 1: from the normal to the horizon, or from phi 0
+/// half a turn around, and back. At the normal every step around it is equally right, so it is in
+/// the middle.
 fn along(angle: Angle, address: Address, grid: &Grid) -> f64 {
-    let from_normal = |directions: Directions, direction: Direction| directions.angles(direction)[0] / FRAC_PI_2;
+    let from_normal =
+        |directions: Directions, direction: Direction| directions.angles(direction)[0] / FRAC_PI_2;
     let around = |directions: Directions, direction: Direction| match direction.theta {
         0 => 0.5,
         _ => 1.0 - (1.0 - directions.angles(direction)[1] / PI).abs(),

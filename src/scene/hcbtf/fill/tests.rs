@@ -5,11 +5,17 @@ use glam::DVec3;
 use super::*;
 use crate::document::{Direction, Directions, HcbtfAngle as Angle, Rule};
 
-const GRID: Grid = Grid { size: [4, 3], light: Directions { theta: 3, phi: 5 }, view: Directions { theta: 4, phi: 4 } };
+const GRID: Grid = Grid {
+    size: [4, 3],
+    light: Directions { theta: 3, phi: 5 },
+    view: Directions { theta: 4, phi: 4 },
+};
 
 /// A byte that looks random and is the same in every run.
 fn hash(numbers: &[u32]) -> u8 {
-    let mixed = numbers.iter().fold(0x9e37_79b9_u32, |hash, n| (hash ^ n).wrapping_mul(0x85eb_ca6b).rotate_left(13));
+    let mixed = numbers
+        .iter()
+        .fold(0x9e37_79b9_u32, |hash, n| (hash ^ n).wrapping_mul(0x85eb_ca6b).rotate_left(13));
     (mixed >> 11) as u8
 }
 
@@ -25,7 +31,10 @@ fn make_opaque(tile: &mut Arc<Tile>) {
 /// Painted with noise at the addresses, with these rules.
 fn painted(grid: Grid, addresses: &[Address], rules: Vec<Rule>) -> Hcbtf {
     let mut hcbtf = Hcbtf::new(grid);
-    hcbtf.painted = addresses.iter().map(|at| (*at, noise(grid.size, grid.index(*at).unwrap() as u32))).collect();
+    hcbtf.painted = addresses
+        .iter()
+        .map(|at| (*at, noise(grid.size, grid.index(*at).unwrap() as u32)))
+        .collect();
     hcbtf.rules = rules;
     hcbtf
 }
@@ -64,17 +73,20 @@ fn off_mirror(at: Address) -> f64 {
     between(unit(angles(GRID.light, at.light)), unit([theta, phi + PI]))
 }
 
-fn colour(tile: &Tile, i: usize) -> [f64; 4] {
+fn color(tile: &Tile, i: usize) -> [f64; 4] {
     std::array::from_fn(|channel| f64::from(tile.bytes()[4 * i + channel]))
 }
 
-/// Holds every texel of every sample that is not painted against a formula for straight RGBA, to half a step.
+/// Holds every texel of every sample that is not painted against a formula for straight RGBA, to
+/// half a step.
 fn expect(hcbtf: &Hcbtf, formula: impl Fn(Address, usize) -> [f64; 4]) {
     let filled = filled(hcbtf);
-    for (address, tile, _) in filled.iter().filter(|(_, _, provenance)| **provenance != Provenance::Painted) {
+    for (address, tile, _) in
+        filled.iter().filter(|(_, _, provenance)| **provenance != Provenance::Painted)
+    {
         for i in 0..hcbtf.grid.texels() {
-            let (got, wanted) = (colour(tile, i), formula(address, i));
-            // The colour of what is rounded to nothing is nobody's.
+            let (got, wanted) = (color(tile, i), formula(address, i));
+            // The color of what is rounded to nothing is nobody's.
             let channels = if wanted[3] > 0.0 && wanted[3] < 0.5 { 3..4 } else { 0..4 };
             let near = channels.into_iter().all(|c| (got[c] - wanted[c]).abs() <= 0.502);
             assert!(near, "{address}, texel {i}: {got:?}, wanted {wanted:?}");
@@ -90,8 +102,12 @@ fn without_rules_the_rest_is_empty() {
     assert_eq!(filled.iter().count() as u64, GRID.sample_count());
     for (address, tile, provenance) in filled.iter() {
         match hcbtf.painted(address) {
-            Some(painted) => assert!(Arc::ptr_eq(painted, tile) && *provenance == Provenance::Painted),
-            None => assert!(tile.bytes().iter().all(|b| *b == 0) && *provenance == Provenance::Empty),
+            Some(painted) => {
+                assert!(Arc::ptr_eq(painted, tile) && *provenance == Provenance::Painted)
+            }
+            None => {
+                assert!(tile.bytes().iter().all(|b| *b == 0) && *provenance == Provenance::Empty)
+            }
         }
         assert_eq!(filled.tile(address).map(Arc::as_ptr), Some(Arc::as_ptr(tile)));
         assert_eq!(filled.provenance(address), Some(provenance));
@@ -137,7 +153,8 @@ fn copies_are_pointers_and_rules_work_in_order() {
     let from = Address::new([1, 1], [0, 0]);
     let copy = Rule::Copy { from: Address { view: Direction { theta: 0, phi: 2 }, ..from } };
     let lambert = Rule::Lambert { shadow: [0; 3], amount: 1.0 };
-    let hcbtf = painted(GRID, &[from], vec![lambert.clone(), copy.clone(), Rule::Color { color: [3; 4] }]);
+    let hcbtf =
+        painted(GRID, &[from], vec![lambert.clone(), copy.clone(), Rule::Color { color: [3; 4] }]);
     let all = filled(&hcbtf);
     assert_eq!(all.tiles().len(), 1, "a rule that changes finds nothing before it is filled");
     assert!(all.iter().all(|(_, tile, _)| Arc::ptr_eq(tile, &hcbtf.painted[&from])));
@@ -159,10 +176,12 @@ fn lambert_darkens_by_the_cosine_of_the_light() {
     let (shadow, amount) = ([20, 40, 250], 0.7);
     let hcbtf = painted(GRID, &[from], vec![Rule::Copy { from }, Rule::Lambert { shadow, amount }]);
     expect(&hcbtf, |at, i| {
-        let source = colour(&hcbtf.painted[&from], i);
+        let source = color(&hcbtf.painted[&from], i);
         let lit = angles(GRID.light, at.light)[0].cos();
         let mixed = |c: usize| source[c] * lit + f64::from(shadow[c]) * (1.0 - lit);
-        std::array::from_fn(|c| if c < 3 { (1.0 - amount) * source[c] + amount * mixed(c) } else { source[3] })
+        std::array::from_fn(|c| {
+            if c < 3 { (1.0 - amount) * source[c] + amount * mixed(c) } else { source[3] }
+        })
     });
 }
 
@@ -171,7 +190,11 @@ fn recolor_goes_along_each_angle() {
     let from = Address::new([2, 1], [1, 3]);
     let (first, last) = ([255, 100, 0], [0, 200, 255]);
     for angle in [Angle::LightTheta, Angle::LightPhi, Angle::ViewTheta, Angle::ViewPhi] {
-        let hcbtf = painted(GRID, &[from], vec![Rule::Copy { from }, Rule::Recolor { angle, from: first, to: last }]);
+        let hcbtf = painted(
+            GRID,
+            &[from],
+            vec![Rule::Copy { from }, Rule::Recolor { angle, from: first, to: last }],
+        );
         expect(&hcbtf, |at, i| {
             let (of, direction) = match angle {
                 Angle::LightTheta | Angle::LightPhi => (GRID.light, at.light),
@@ -183,8 +206,10 @@ fn recolor_goes_along_each_angle() {
                 _ if direction.theta == 0 => 0.5,
                 _ => phi.min(TAU - phi) / PI,
             };
-            let source = colour(&hcbtf.painted[&from], i);
-            let factor = |c: usize| (f64::from(first[c]) + (f64::from(last[c]) - f64::from(first[c])) * along) / 255.0;
+            let source = color(&hcbtf.painted[&from], i);
+            let factor = |c: usize| {
+                (f64::from(first[c]) + (f64::from(last[c]) - f64::from(first[c])) * along) / 255.0
+            };
             std::array::from_fn(|c| if c < 3 { source[c] * factor(c) } else { source[3] })
         });
     }
@@ -192,19 +217,26 @@ fn recolor_goes_along_each_angle() {
 
 #[test]
 fn blend_is_shepards_mean_weighted_by_alpha() {
-    for (sharpness, count) in [(0.0, 30), (0.5, 30), (1.0, 1), (1.0, 30), (3.0, 30), (8.0, 30), (64.0, 3)] {
+    for (sharpness, count) in
+        [(0.0, 30), (0.5, 30), (1.0, 1), (1.0, 30), (3.0, 30), (8.0, 30), (64.0, 3)]
+    {
         let addresses: Vec<Address> = some_addresses().into_iter().take(count).collect();
         let mut hcbtf = painted(GRID, &addresses, vec![Rule::Blend { sharpness }]);
         hcbtf.painted.values_mut().step_by(2).for_each(make_opaque);
         expect(&hcbtf, |at, i| {
-            let logs =
-                hcbtf.painted.iter().map(|(address, tile)| (-2.0 * sharpness * distance(at, *address).ln(), tile));
+            let logs = hcbtf
+                .painted
+                .iter()
+                .map(|(address, tile)| (-2.0 * sharpness * distance(at, *address).ln(), tile));
             let largest = logs.clone().map(|(log, _)| log).fold(f64::MIN, f64::max);
             let (mut sum, mut plain, mut weights) = ([0.0; 4], [0.0; 3], 0.0);
             for (log, tile) in logs {
-                let (weight, [r, g, b, a]) = ((log - largest).exp(), colour(tile, i));
+                let (weight, [r, g, b, a]) = ((log - largest).exp(), color(tile, i));
                 weights += weight;
-                [r * a, g * a, b * a, a].iter().zip(&mut sum).for_each(|(c, sum)| *sum += weight * c);
+                [r * a, g * a, b * a, a]
+                    .iter()
+                    .zip(&mut sum)
+                    .for_each(|(c, sum)| *sum += weight * c);
                 [r, g, b].iter().zip(&mut plain).for_each(|(c, sum)| *sum += weight * c);
             }
             match (sum, plain) {
@@ -217,7 +249,7 @@ fn blend_is_shepards_mean_weighted_by_alpha() {
 }
 
 #[test]
-fn one_painted_sample_blends_to_itself_and_hidden_colours_are_kept() {
+fn one_painted_sample_blends_to_itself_and_hidden_colors_are_kept() {
     let grid = Grid { size: [2, 1], ..GRID };
     let mut hcbtf = Hcbtf::new(grid);
     let tile = |bytes: [u8; 8]| Arc::new(Tile::new([2, 1], bytes.to_vec()).unwrap());
@@ -243,7 +275,11 @@ fn mirror_fades_from_the_mirrored_direction_and_specular_copies_there() {
         let seen = if off < width { 1.0 } else { 0.0 };
         [200.0 * seen, 100.0 * seen, 50.0 * seen, 240.0 * fade]
     });
-    let hcbtf = painted(GRID, &[from], vec![Rule::Specular { from, width: FRAC_PI_2 / 3.0 }, Rule::Color { color }]);
+    let hcbtf = painted(
+        GRID,
+        &[from],
+        vec![Rule::Specular { from, width: FRAC_PI_2 / 3.0 }, Rule::Color { color }],
+    );
     let mut copied = 0;
     for (address, tile, _) in filled(&hcbtf).iter().filter(|(address, _, _)| *address != from) {
         let is_near = off_mirror(address) <= FRAC_PI_2 / 3.0 + 1e-6;
@@ -258,7 +294,8 @@ fn lock_takes_the_nearest_that_agrees_in_the_free_angles() {
     let all = [Angle::LightTheta, Angle::LightPhi, Angle::ViewTheta, Angle::ViewPhi];
     let addresses = some_addresses();
     for chosen in 1..16_u32 {
-        let angles: Vec<Angle> = (0..4).filter(|bit| chosen >> bit & 1 == 1).map(|bit| all[bit]).collect();
+        let angles: Vec<Angle> =
+            (0..4).filter(|bit| chosen >> bit & 1 == 1).map(|bit| all[bit]).collect();
         let is_locked = |angle: Angle| angles.contains(&angle);
         let hcbtf = painted(GRID, &addresses, vec![Rule::Lock { angles: angles.clone() }]);
         let filled = filled(&hcbtf);
@@ -269,13 +306,16 @@ fn lock_takes_the_nearest_that_agrees_in_the_free_angles() {
             let agrees = |other: &Address| {
                 let same = |theta: Angle, phi: Angle, a: Direction, b: Direction| {
                     let any_step = a.theta == 0 || b.theta == 0;
-                    (is_locked(theta) || a.theta == b.theta) && (is_locked(phi) || a.phi == b.phi || any_step)
+                    (is_locked(theta) || a.theta == b.theta)
+                        && (is_locked(phi) || a.phi == b.phi || any_step)
                 };
                 same(Angle::LightTheta, Angle::LightPhi, address.light, other.light)
                     && same(Angle::ViewTheta, Angle::ViewPhi, address.view, other.view)
             };
             let candidates = || hcbtf.painted.iter().filter(|(other, _)| agrees(other));
-            let nearest = candidates().map(|(other, _)| distance(address, *other)).fold(f64::INFINITY, f64::min);
+            let nearest = candidates()
+                .map(|(other, _)| distance(address, *other))
+                .fold(f64::INFINITY, f64::min);
             let best = candidates().find(|(other, _)| distance(address, **other) < nearest + 1e-6);
             match best {
                 Some((_, wanted)) => assert!(Arc::ptr_eq(tile, wanted), "{address}, {angles:?}"),
@@ -314,7 +354,8 @@ fn quarter_turns_of_a_square_tile_move_texels_and_nothing_else() {
             let texel = |x: i64, y: i64| source.texel(x, y);
             let last = i64::from(side) - 1;
             for (x, y) in (0..=last).flat_map(|y| (0..=last).map(move |x| (x, y))) {
-                // What points up at phi 0 points right after a quarter, down after a half, left after three.
+                // What points up at phi 0 points right after a quarter, down after a half, left
+                // after three.
                 assert_eq!(at_step(&filled, 0).texel(x, y), texel(x, y));
                 assert_eq!(at_step(&filled, 3).texel(x, y), texel(y, last - x), "{side}");
                 assert_eq!(at_step(&filled, 6).texel(x, y), texel(last - x, last - y));
@@ -322,7 +363,8 @@ fn quarter_turns_of_a_square_tile_move_texels_and_nothing_else() {
             }
         }
     }
-    // A mark at the upper edge, where v is largest and phi 0 looks from, goes to the right edge with the eye.
+    // A mark at the upper edge, where v is largest and phi 0 looks from, goes to the right edge
+    // with the eye.
     let mut tile = Tile::filled([5, 5], [0, 0, 0, 255]);
     tile.bytes_mut()[4 * 2] = 255;
     let (_, filled) = turned(tile, true, 4, &[1.0]);
@@ -336,7 +378,8 @@ fn quarter_turns_of_a_square_tile_move_texels_and_nothing_else() {
 #[test]
 fn turns_that_add_up_are_resampled_once() {
     let source = noise([8, 8], 3);
-    // Each alone falls between texels; together they are a quarter (thesis figure 37 shows what turning twice would lose).
+    // Each alone falls between texels; together they are a quarter (thesis figure 37 shows what
+    // turning twice would lose).
     let (_, at_once) = turned((*source).clone(), true, 8, &[2.0]);
     let (_, by_parts) = turned((*source).clone(), true, 8, &[0.3, 1.2, 0.5]);
     for step in 0..8 {
@@ -353,13 +396,14 @@ fn turns_that_add_up_are_resampled_once() {
 }
 
 #[test]
-fn turning_keeps_flat_colours_and_ramps_and_makes_no_halo() {
+fn turning_keeps_flat_colors_and_ramps_and_makes_no_halo() {
     for color in [[200, 30, 7, 255], [200, 30, 7, 90], [9, 8, 7, 0]] {
         let (_, filled) = turned(Tile::filled([7, 4], color), true, 9, &[1.0]);
         assert_eq!(filled.tiles().len(), 1, "{color:?}");
     }
     // A ramp is turned as the plane that it is, but for its edges.
-    let ramp = (0..32_u32).flat_map(|y| (0..32).flat_map(move |x| [(4 * x + 2 * y) as u8, 0, 0, 255]));
+    let ramp =
+        (0..32_u32).flat_map(|y| (0..32).flat_map(move |x| [(4 * x + 2 * y) as u8, 0, 0, 255]));
     let (_, filled) = turned(Tile::new([32, 32], ramp.collect()).unwrap(), false, 10, &[1.0]);
     for step in 1..10 {
         let (sin, cos) = (TAU * f64::from(step) / 10.0).sin_cos();
@@ -371,11 +415,17 @@ fn turning_keeps_flat_colours_and_ramps_and_makes_no_halo() {
         }
     }
     // A hard edge between two greys stays within them, and transparent texels do not darken it.
-    let edge = (0..16).flat_map(|_| (0..16).flat_map(|x| if x < 8 { [80, 80, 80, 255] } else { [160, 160, 160, 255] }));
+    let edge = (0..16).flat_map(|_| {
+        (0..16).flat_map(|x| if x < 8 { [80, 80, 80, 255] } else { [160, 160, 160, 255] })
+    });
     let (_, filled) = turned(Tile::new([16, 16], edge.collect()).unwrap(), false, 7, &[1.0]);
     for (_, tile, _) in filled.iter() {
         let seen = tile.bytes().chunks_exact(4).filter(|texel| texel[3] > 0);
-        assert!(seen.clone().all(|texel| (79..=161).contains(&texel[0])), "{:?}", seen.map(|t| t[0]).max());
+        assert!(
+            seen.clone().all(|texel| (79..=161).contains(&texel[0])),
+            "{:?}",
+            seen.map(|t| t[0]).max()
+        );
     }
 }
 
@@ -427,12 +477,18 @@ fn what_is_too_large_is_refused_before_memory_is_taken() {
     let grid = Grid { size: [1, 1], light: most, view: most };
     let samples = grid.sample_count();
     assert_eq!(fill(&Hcbtf::new(grid), &Progress::new()), Err(NotFilled::TooMany { samples }));
-    let large =
-        Grid { size: [4095, 4095], light: Directions { theta: 6, phi: 10 }, view: Directions { theta: 1, phi: 1 } };
+    let large = Grid {
+        size: [4095, 4095],
+        light: Directions { theta: 6, phi: 10 },
+        view: Directions { theta: 1, phi: 1 },
+    };
     let mut hcbtf = Hcbtf::new(large);
-    // One colour for each ring that the light is at: six tiles; with a second angle, more than there is room for.
-    hcbtf.rules =
-        vec![Rule::Color { color: [9; 4] }, Rule::Recolor { angle: Angle::LightTheta, from: [0; 3], to: [255; 3] }];
+    // One color for each ring that the light is at: six tiles; with a second angle, more than
+    // there is room for.
+    hcbtf.rules = vec![
+        Rule::Color { color: [9; 4] },
+        Rule::Recolor { angle: Angle::LightTheta, from: [0; 3], to: [255; 3] },
+    ];
     assert_eq!(estimate(&hcbtf).unwrap().tiles, 6);
     hcbtf.grid.light.theta = 100;
     assert!(matches!(estimate(&hcbtf), Err(NotFilled::TooLarge { .. })));
@@ -440,7 +496,8 @@ fn what_is_too_large_is_refused_before_memory_is_taken() {
 
 #[test]
 fn nothing_that_rules_can_say_makes_it_panic() {
-    let address = Address { light: Direction { theta: 99, phi: 99 }, view: Direction { theta: 0, phi: 7 } };
+    let address =
+        Address { light: Direction { theta: 99, phi: 99 }, view: Direction { theta: 0, phi: 7 } };
     let numbers = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, 0.0, 1e-300, 1e300];
     let mut rules = Vec::new();
     for number in numbers {
@@ -461,7 +518,8 @@ fn nothing_that_rules_can_say_makes_it_panic() {
     }
 }
 
-/// The aim: a whole HCBTF of the thesis's size from few samples, in well under a second. Told, not judged: machines differ.
+/// The aim: a whole HCBTF of the thesis's size from few samples, in well under a second. Told, not
+/// judged: machines differ.
 #[test]
 #[ignore = "a measurement; run it with optimization"]
 fn how_long_a_blend_of_the_thesis_takes() {
@@ -476,8 +534,12 @@ fn how_long_a_blend_of_the_thesis_takes() {
             let clock = crate::clock::Clock::start();
             let filled = filled(&hcbtf);
             let (rules, seconds) = (hcbtf.rules.len(), clock.seconds());
-            let told = format!("{count} painted, {rules} rules: {seconds:.3} s, {} tiles", filled.tiles().len());
-            std::io::Write::write_all(&mut std::io::stderr(), format!("{told}\n").as_bytes()).unwrap();
+            let told = format!(
+                "{count} painted, {rules} rules: {seconds:.3} s, {} tiles",
+                filled.tiles().len()
+            );
+            std::io::Write::write_all(&mut std::io::stderr(), format!("{told}\n").as_bytes())
+                .unwrap();
         }
     }
 }
@@ -503,8 +565,22 @@ fn after_a_stroke_only_what_it_changed_is_made_again() {
     for (rules, is_local) in [
         (vec![Rule::Blend { sharpness: 1.5 }], true),
         (vec![Rule::Blend { sharpness: 1.5 }, shade.clone(), tint.clone()], true),
-        (vec![Rule::Lock { angles: vec![Angle::ViewPhi] }, Rule::Copy { from: first }, shade.clone()], true),
-        (vec![Rule::Specular { from: first, width: 0.7 }, Rule::Color { color: [9, 8, 7, 255] }, tint], true),
+        (
+            vec![
+                Rule::Lock { angles: vec![Angle::ViewPhi] },
+                Rule::Copy { from: first },
+                shade.clone(),
+            ],
+            true,
+        ),
+        (
+            vec![
+                Rule::Specular { from: first, width: 0.7 },
+                Rule::Color { color: [9, 8, 7, 255] },
+                tint,
+            ],
+            true,
+        ),
         (vec![Rule::Blend { sharpness: 2.0 }, Rule::Rotate { turns: 0.3 }], false),
         (vec![Rule::Morph { sharpness: 2.0 }, shade], false),
         (Vec::new(), true),
@@ -517,17 +593,29 @@ fn after_a_stroke_only_what_it_changed_is_made_again() {
             let (progress, all) = (Progress::new(), Progress::new());
             let again = refill(&now, (&hcbtf, &before), &progress).unwrap();
             let anew = fill(&now, &all).unwrap();
-            let tiles = |filled: &Filled| filled.iter().map(|(_, tile, _)| (**tile).clone()).collect::<Vec<_>>();
+            let tiles = |filled: &Filled| {
+                filled.iter().map(|(_, tile, _)| (**tile).clone()).collect::<Vec<_>>()
+            };
             assert!(tiles(&again) == tiles(&anew), "{:?}", hcbtf.rules);
             assert!(again.iter().zip(anew.iter()).all(|(a, b)| a.0 == b.0 && a.2 == b.2));
             // What is seen through takes another way, once.
             if is_local && color[3] == 255 {
                 let [done, total] = progress.steps();
                 let most = GRID.sample_count() * u64::from(part[3]) + u64::from(GRID.size[1]);
-                assert!(done == total && total <= most && total < all.steps()[1], "{:?}: {total}", hcbtf.rules);
+                assert!(
+                    done == total && total <= most && total < all.steps()[1],
+                    "{:?}: {total}",
+                    hcbtf.rules
+                );
             }
-            for ((_, old, _), (_, new, _)) in before.iter().zip(again.iter()).filter(|(old, _)| old.0 != first) {
-                assert!(Arc::ptr_eq(old, new) || old != new || color[3] != 255 || !is_local, "{:?}", hcbtf.rules);
+            for ((_, old, _), (_, new, _)) in
+                before.iter().zip(again.iter()).filter(|(old, _)| old.0 != first)
+            {
+                assert!(
+                    Arc::ptr_eq(old, new) || old != new || color[3] != 255 || !is_local,
+                    "{:?}",
+                    hcbtf.rules
+                );
             }
             (hcbtf, before) = (now, again);
         }

@@ -1,13 +1,14 @@
 //! Turning a tile's content about its middle.
 //!
-//! What points along v (up) at no turn points along u (right) after a quarter, as phi goes. Each texel is looked up in the
-//! unturned source by Catmull-Rom's cubic, which is sharper than a linear filter and gives the texels themselves where it
-//! meets them, so that quarter turns of a square tile lose nothing. It is kept within the four nearest texels, so strokes get
-//! no halo, and works on premultiplied colours, so transparent texels do not bleed in.
+//! What points along v (up) at no turn points along u (right) after a quarter, as phi goes. Each
+//! texel is looked up in the unturned source by Catmull-Rom's cubic, which is sharper than a linear
+//! filter and gives the texels themselves where it meets them, so that quarter turns of a square
+//! tile lose nothing. It is kept within the four nearest texels, so strokes get no halo, and works
+//! on premultiplied colors, so transparent texels do not bleed in.
 
 use std::f64::consts::TAU;
 
-/// A straight RGBA colour from 0 to 255.
+/// A straight RGBA color from 0 to 255.
 pub(super) type Color = [f32; 4];
 
 /// How a tile is looked up that was turned.
@@ -20,7 +21,8 @@ pub(super) struct Turned<F> {
 }
 
 impl<F: Fn(usize, usize) -> Color> Turned<F> {
-    /// A tile of the given size, whose texels `texel` gives by x and y, turned by `turns` in [0, 1).
+    /// A tile of the given size, whose texels `texel` gives by x and y, turned by `turns` in [0,
+    /// 1).
     pub(super) fn new(size: [u32; 2], is_tiling: bool, turns: f64, texel: F) -> Self {
         let quarters = 4.0 * turns;
         // Exact where it can be: a cosine of 6e-17 would move texels by a rounding error.
@@ -34,7 +36,7 @@ impl<F: Fn(usize, usize) -> Color> Turned<F> {
         Self { size, is_tiling, cos_sin, texel }
     }
 
-    /// The colour at a texel of the turned tile.
+    /// The color at a texel of the turned tile.
     pub(super) fn at(&self, x: usize, y: usize) -> Color {
         let [width, height] = self.size.map(f64::from);
         let middle = [0.5 * (width - 1.0), 0.5 * (height - 1.0)];
@@ -61,7 +63,7 @@ impl<F: Fn(usize, usize) -> Color> Turned<F> {
         let (across, down) = (cubic(fx), cubic(fy));
         let mut sum = [0.0; 4];
         let (mut least, mut most) = ([f32::INFINITY; 4], [f32::NEG_INFINITY; 4]);
-        // For where nothing is seen: the colours of the nearest, whatever their alpha.
+        // For where nothing is seen: the colors of the nearest, whatever their alpha.
         let mut hidden = [0.0; 3];
         for (row, weight_down) in down.into_iter().enumerate() {
             for (column, weight_across) in across.into_iter().enumerate() {
@@ -71,21 +73,24 @@ impl<F: Fn(usize, usize) -> Color> Turned<F> {
                 let premultiplied = [r * a, g * a, b * a, a];
                 (0..4).for_each(|i| sum[i] += weight * premultiplied[i]);
                 if (1..3).contains(&row) && (1..3).contains(&column) {
-                    // What cannot be seen has no say in the colours, but in the alpha.
+                    // What cannot be seen has no say in the colors, but in the alpha.
                     for i in if a > 0.0 { 0..4 } else { 3..4 } {
                         least[i] = least[i].min(texel[i]);
                         most[i] = most[i].max(texel[i]);
                     }
                     let near = |f: f32, is_second: bool| if is_second { f } else { 1.0 - f };
                     let weight = near(fx, column == 2) * near(fy, row == 2);
-                    hidden = [hidden[0] + weight * r, hidden[1] + weight * g, hidden[2] + weight * b];
+                    hidden =
+                        [hidden[0] + weight * r, hidden[1] + weight * g, hidden[2] + weight * b];
                 }
             }
         }
         let alpha = sum[3].max(least[3]).min(most[3]);
         if alpha > 0.0 {
-            // The sum of alphas can be 0 where the clamped one is not: then any colour within bounds is as good.
-            let straight = |i: usize| (sum[i] / sum[3].max(f32::MIN_POSITIVE)).max(least[i]).min(most[i]);
+            // The sum of alphas can be 0 where the clamped one is not: then any color within
+            // bounds is as good.
+            let straight =
+                |i: usize| (sum[i] / sum[3].max(f32::MIN_POSITIVE)).max(least[i]).min(most[i]);
             [straight(0), straight(1), straight(2), alpha]
         } else {
             [hidden[0], hidden[1], hidden[2], 0.0]
@@ -93,7 +98,8 @@ impl<F: Fn(usize, usize) -> Color> Turned<F> {
     }
 }
 
-/// The texel before a place, and how far beyond it the place is; what is a texel but for rounding is one.
+/// The texel before a place, and how far beyond it the place is; what is a texel but for rounding
+/// is one.
 fn split(place: f64) -> (i64, f32) {
     let nearest = place.round();
     if (place - nearest).abs() < 1e-9 {

@@ -1,7 +1,9 @@
-//! Generators: rules that draw samples instead of deriving them from what is painted (the thesis's future work, 12).
+//! Generators: rules that draw samples instead of deriving them from what is painted (the thesis's
+//! future work, 12).
 //!
-//! A generator is made ready once for a tile of a grid, and then gives the tile of each sample by itself. A tile depends on
-//! the generator's parameters, the grid and the address alone, so it is the same on any number of threads.
+//! A generator is made ready once for a tile of a grid, and then gives the tile of each sample by
+//! itself. A tile depends on the generator's parameters, the grid and the address alone, so it is
+//! the same on any number of threads.
 
 mod relief;
 mod strokes;
@@ -25,17 +27,17 @@ impl Generator {
     pub(super) fn new(rule: &Rule, hcbtf: &Hcbtf, progress: &Progress) -> Option<Self> {
         match rule {
             Rule::Strokes(strokes) => {
-                strokes::Ready::new(strokes, &hcbtf.grid, hcbtf.is_tiling, progress).map(Self::Strokes)
+                strokes::Ready::new(strokes, &hcbtf.grid, hcbtf.is_tiling, progress)
+                    .map(Self::Strokes)
             }
-            Rule::Relief(relief) => {
-                relief::Ready::new(relief, hcbtf, progress).map(|ready| Self::Relief(Box::new(ready)))
-            }
+            Rule::Relief(relief) => relief::Ready::new(relief, hcbtf, progress)
+                .map(|ready| Self::Relief(Box::new(ready))),
             _ => None,
         }
     }
 
-    /// Making the generator of a rule ready takes about as long as so many tiles, those of views and lights included that
-    /// samples share.
+    /// Making the generator of a rule ready takes about as long as so many tiles, those of views
+    /// and lights included that samples share.
     pub(super) fn tiles_ahead(rule: &Rule, samples: &[Address]) -> u64 {
         match rule {
             Rule::Relief(_) if !samples.is_empty() => relief::tiles_ahead(samples),

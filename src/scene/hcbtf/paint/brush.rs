@@ -7,15 +7,15 @@ use crate::document::Tile;
 /// What a stroke does to the texels that it meets.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Tool {
-    /// Lays the brush's colour over them.
+    /// Lays the brush's color over them.
     Paint,
-    /// Takes their alpha away; their colour stays beneath.
+    /// Takes their alpha away; their color stays beneath.
     Erase,
-    /// Carries the colour along that lay where the stroke came from: the flow is how much of it stays on the brush from
-    /// stamp to stamp, the opacity how much of it is laid down.
+    /// Carries the color along that lay where the stroke came from: the flow is how much of it
+    /// stays on the brush from stamp to stamp, the opacity how much of it is laid down.
     Smudge,
-    /// Lays a picture over them, as wide as the brush, again and again. A picture as wide in texels as the brush is laid
-    /// on whole texels, so that none is blurred.
+    /// Lays a picture over them, as wide as the brush, again and again. A picture as wide in texels
+    /// as the brush is laid on whole texels, so that none is blurred.
     Stamp(Arc<Tile>),
 }
 
@@ -38,9 +38,11 @@ pub enum Pressure {
 pub struct Brush {
     /// What it does.
     pub tool: Tool,
-    /// Its diameter in texels, at most [`Brush::MAX_SIZE`]. Up to 1 it paints exactly the texel under the pointer.
+    /// Its diameter in texels, at most [`Brush::MAX_SIZE`]. Up to 1 it paints exactly the texel
+    /// under the pointer.
     pub size: f64,
-    /// Which part of the radius covers wholly, from 0 (soft from the middle on) to 1 (an antialiased edge).
+    /// Which part of the radius covers wholly, from 0 (soft from the middle on) to 1 (an
+    /// antialiased edge).
     pub hardness: f64,
     /// How much a whole stroke covers at most, from 0 to 1.
     pub opacity: f64,
@@ -61,7 +63,8 @@ impl Brush {
     /// The brush with all numbers in their ranges; `None` where it can paint nothing.
     pub(super) fn settled(&self) -> Option<Settled> {
         let Self { size, hardness, opacity, flow, spacing, .. } = *self;
-        let are_numbers = [size, hardness, opacity, flow, spacing].iter().all(|number| number.is_finite());
+        let are_numbers =
+            [size, hardness, opacity, flow, spacing].iter().all(|number| number.is_finite());
         (are_numbers && size > 0.0 && size <= Self::MAX_SIZE).then(|| Settled {
             size,
             hardness: hardness.clamp(0.0, 1.0),
@@ -92,12 +95,20 @@ pub(super) struct Settled {
 impl Settled {
     /// The diameter in texels.
     pub(super) fn size_at(&self, pressure: f64) -> f64 {
-        if matches!(self.pressure, Pressure::Size | Pressure::Both) { self.size * pressure } else { self.size }
+        if matches!(self.pressure, Pressure::Size | Pressure::Both) {
+            self.size * pressure
+        } else {
+            self.size
+        }
     }
 
     /// How much the stroke covers at most, from 0 to 1.
     pub(super) fn opacity_at(&self, pressure: f64) -> f64 {
-        if matches!(self.pressure, Pressure::Opacity | Pressure::Both) { self.opacity * pressure } else { self.opacity }
+        if matches!(self.pressure, Pressure::Opacity | Pressure::Both) {
+            self.opacity * pressure
+        } else {
+            self.opacity
+        }
     }
 
     /// From a stamp to the next, in texels.
@@ -129,8 +140,8 @@ pub struct Symmetry {
     pub across_u: bool,
     /// Mirrored along v, top to bottom.
     pub across_v: bool,
-    /// So many copies around the middle, a whole turn apart in all; 0 and 1 are the stroke alone. At most
-    /// [`Symmetry::MAX_TURNS`] are made.
+    /// So many copies around the middle, a whole turn apart in all; 0 and 1 are the stroke alone.
+    /// At most [`Symmetry::MAX_TURNS`] are made.
     pub turns: u32,
 }
 

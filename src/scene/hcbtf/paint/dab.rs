@@ -16,15 +16,27 @@ pub(super) struct Dab {
 }
 
 impl Dab {
-    /// A brush of a diameter in texels. Its edge is at least about a texel wide, half of it outside where it is hard, so
-    /// that a hard brush covers as much as its disc. Up to a diameter of 1 it is one whole texel, the one it is in, covered
-    /// by the square of the diameter.
+    /// A brush of a diameter in texels. Its edge is at least about a texel wide, half of it outside
+    /// where it is hard, so that a hard brush covers as much as its disc. Up to a diameter of 1 it
+    /// is one whole texel, the one it is in, covered by the square of the diameter.
     pub(super) fn new(center: DVec2, size: f64, hardness: f64) -> Self {
         let (radius, half) = (size / 2.0, hardness / 2.0);
         if size > 1.0 {
-            Self { center, hardness, inner: radius * hardness - half, outer: radius + half, dot: None }
+            Self {
+                center,
+                hardness,
+                inner: radius * hardness - half,
+                outer: radius + half,
+                dot: None,
+            }
         } else {
-            Self { center: center.floor() + 0.5, hardness, inner: 0.0, outer: 0.5, dot: Some(size * size) }
+            Self {
+                center: center.floor() + 0.5,
+                hardness,
+                inner: 0.0,
+                outer: 0.5,
+                dot: Some(size * size),
+            }
         }
     }
 

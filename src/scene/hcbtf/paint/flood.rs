@@ -16,15 +16,17 @@ pub struct Flood {
 }
 
 impl Flood {
-    /// As far a flood goes under soft edges where nobody says: hard brushes of any usual size have no wider ones.
+    /// As far a flood goes under soft edges where nobody says: hard brushes of any usual size have
+    /// no wider ones.
     pub const EDGE: u32 = 4;
 }
 
-/// The tile with another colour in the texels that are like the one at `[x, y]`, and reached from it along sides of such.
+/// The tile with another color in the texels that are like the one at `[x, y]`, and reached from
+/// it along sides of such.
 ///
-/// What is wholly transparent is alike whatever colour lies under that. At soft edges a texel is a mix of the old colour and
-/// of what lies beyond: there the new colour takes the old one's share. A place outside the tile, or a
-/// tolerance that is no number, fills nothing.
+/// What is wholly transparent is alike whatever color lies under that. At soft edges a texel is a
+/// mix of the old color and of what lies beyond: there the new color takes the old one's share. A
+/// place outside the tile, or a tolerance that is no number, fills nothing.
 pub fn fill(tile: &Tile, at: [u32; 2], color: [u8; 4], flood: Flood) -> Tile {
     let Flood { tolerance, edge, wraps } = flood;
     let mut filled = tile.clone();

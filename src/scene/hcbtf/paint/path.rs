@@ -1,12 +1,14 @@
 //! Where along a stroke its stamps lie.
 //!
-//! They lie at even distances along the path, whatever pieces the pointer's events cut it into: what is left until the
-//! next stamp is carried from piece to piece. The sums of differently cut paths differ in their last bits, so places and
-//! pressures are put on a grid afterwards, whose borders lie where no reasonable number is.
+//! They lie at even distances along the path, whatever pieces the pointer's events cut it into:
+//! what is left until the next stamp is carried from piece to piece. The sums of differently cut
+//! paths differ in their last bits, so places and pressures are put on a grid afterwards, whose
+//! borders lie where no reasonable number is.
 
 use glam::DVec2;
 
-/// Places are multiples of this many texels: sums, mirror images and squares of such are exact in f64.
+/// Places are multiples of this many texels: sums, mirror images and squares of such are exact in
+/// f64.
 const GRID: f64 = 1.0 / 256.0;
 /// Pressures are multiples of this.
 const PRESSURE_GRID: f64 = 1.0 / 4096.0;
@@ -34,8 +36,9 @@ pub(super) struct Path {
 }
 
 impl Path {
-    /// Goes straight on and calls `lay` with the place and the pressure of every stamp on the way, at most `most` and one:
-    /// on a longer way they lie farther apart. What is no place or no pressure is passed over.
+    /// Goes straight on and calls `lay` with the place and the pressure of every stamp on the way,
+    /// at most `most` and one: on a longer way they lie farther apart. What is no place or no
+    /// pressure is passed over.
     pub(super) fn to(
         &mut self,
         at: DVec2,

@@ -49,8 +49,11 @@ impl Picture {
             let size = picture.size(level).map(|side| (side + 1) / 2);
             let texels = (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| (x, y)));
             let texels = texels.map(|(x, y)| {
-                let four = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(i, j)| picture.texel(level, 2 * x + i, 2 * y + j));
-                std::array::from_fn(|channel| four.iter().map(|texel| texel[channel]).sum::<f32>() / 4.0)
+                let four = [(0, 0), (1, 0), (0, 1), (1, 1)]
+                    .map(|(i, j)| picture.texel(level, 2 * x + i, 2 * y + j));
+                std::array::from_fn(|channel| {
+                    four.iter().map(|texel| texel[channel]).sum::<f32>() / 4.0
+                })
             });
             let texels = texels.collect();
             picture.halves.push(Level { size, texels });
@@ -111,7 +114,7 @@ impl Laid<'_> {
         [[low.x as i64, high.x as i64], [low.y as i64, high.y as i64]]
     }
 
-    /// Its colour at a texel, premultiplied, between the four nearest of the picture's.
+    /// Its color at a texel, premultiplied, between the four nearest of the picture's.
     pub(super) fn color(&self, column: i64, row: i64) -> [f32; 4] {
         let away = DVec2::new(column as f64, row as f64) + 0.5 - self.center;
         let half = DVec2::from(self.picture.tile.size().map(f64::from)) / 2.0;

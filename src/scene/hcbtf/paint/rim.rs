@@ -1,23 +1,24 @@
-//! The soft edges of what was filled: texels that are mixes of the old colour and of what lies beyond get the new colour in
-//! place of the old one's share, so that no rim of it is left.
+//! The soft edges of what was filled: texels that are mixes of the old color and of what lies
+//! beyond get the new color in place of the old one's share, so that no rim of it is left.
 //!
-//! A soft edge is climbed from the filled texels outward for as long as texels become less like the old colour. The top of
-//! the climb is what lies beyond, and how far up a texel stands is its share of that. Colours count by how much of them is
-//! seen (premultiplied), so that edges toward what is transparent are edges like others. What is no mix of both, as where a
-//! third colour comes in, stays as it is.
+//! A soft edge is climbed from the filled texels outward for as long as texels become less like the
+//! old color. The top of the climb is what lies beyond, and how far up a texel stands is its share
+//! of that. Colors count by how much of them is seen (premultiplied), so that edges toward what is
+//! transparent are edges like others. What is no mix of both, as where a third color comes in,
+//! stays as it is.
 
 use super::canvas::Canvas;
 
 /// Red, green, blue and alpha, each from 0 to 255, weighted by alpha.
 type Seen = [f64; 4];
 
-/// A texel may be this far from the mix that it is taken for, in 255ths: each of the three colours is rounded, and brushes
-/// blend straight bytes.
+/// A texel may be this far from the mix that it is taken for, in 255ths: each of the three colors
+/// is rounded, and brushes blend straight bytes.
 const ROUNDED: f64 = 10.0;
 
 /// What was filled with what, and how wide its soft edges may be.
 pub(super) struct Edge {
-    /// The old colour, straight.
+    /// The old color, straight.
     pub(super) first: [u8; 4],
     /// The new one.
     pub(super) color: [u8; 4],
@@ -26,7 +27,8 @@ pub(super) struct Edge {
     pub(super) canvas: Canvas,
 }
 
-/// Gives the new colour to soft edges around the texels that `is_filled` names. `before` is the tile as it was.
+/// Gives the new color to soft edges around the texels that `is_filled` names. `before` is the
+/// tile as it was.
 pub(super) fn recolor(before: &[[u8; 4]], edge: &Edge, is_filled: &[bool], after: &mut [[u8; 4]]) {
     let first = seen(edge.first);
     let far = |index: usize| distance(seen(before[index]), first);
@@ -36,22 +38,27 @@ pub(super) fn recolor(before: &[[u8; 4]], edge: &Edge, is_filled: &[bool], after
     let mut beyond: Vec<Option<Seen>> = vec![None; if rim.is_empty() { 0 } else { before.len() }];
     for index in rim {
         let own = seen(before[index]);
-        let higher = neighbours(edge.canvas, index).filter(|other| far(*other) > far(index) && !is_filled[*other]);
+        let higher = neighbours(edge.canvas, index)
+            .filter(|other| far(*other) > far(index) && !is_filled[*other]);
         let tops = higher.map(|other| beyond[other].unwrap_or_else(|| seen(before[other])));
         // Of several tops the one that this is most plainly a mix of.
-        let best = tops.map(|top| (top, share(own, first, top))).filter(|(_, (_, error))| *error <= ROUNDED);
+        let best = tops
+            .map(|top| (top, share(own, first, top)))
+            .filter(|(_, (_, error))| *error <= ROUNDED);
         let best = best.min_by(|(_, (_, a)), (_, (_, b))| a.total_cmp(b));
         let (top, part) = best.map_or((own, 1.0), |(top, (part, _))| (top, part));
         beyond[index] = Some(top);
         if part < 1.0 {
             let color = seen(edge.color);
-            after[index] =
-                straight([0, 1, 2, 3].map(|channel| color[channel] + (top[channel] - color[channel]) * part));
+            after[index] = straight(
+                [0, 1, 2, 3].map(|channel| color[channel] + (top[channel] - color[channel]) * part),
+            );
         }
     }
 }
 
-/// The texels of the soft edges: reached from what is filled, each less like the old colour than the one before it.
+/// The texels of the soft edges: reached from what is filled, each less like the old color than
+/// the one before it.
 fn climbed(edge: &Edge, is_filled: &[bool], far: &impl Fn(usize) -> f64) -> Vec<usize> {
     let mut rim = Vec::new();
     if edge.width == 0 {
@@ -83,7 +90,9 @@ fn climbed(edge: &Edge, is_filled: &[bool], far: &impl Fn(usize) -> f64) -> Vec<
 fn neighbours(canvas: Canvas, index: usize) -> impl Iterator<Item = usize> {
     let [width, height] = canvas.size.map(|side| side as i64);
     let (x, y) = (index as i64 % width, index as i64 / width);
-    let around = (-1..=1).flat_map(|down| (-1..=1).map(move |across| (across, down))).filter(|by| *by != (0, 0));
+    let around = (-1..=1)
+        .flat_map(|down| (-1..=1).map(move |across| (across, down)))
+        .filter(|by| *by != (0, 0));
     around.filter_map(move |(across, down)| {
         let (x, y) = (x + across, y + down);
         let is_on = (0..width).contains(&x) && (0..height).contains(&y);
@@ -92,11 +101,14 @@ fn neighbours(canvas: Canvas, index: usize) -> impl Iterator<Item = usize> {
     })
 }
 
-/// Which part of a colour is the other end of a mix, and how far the colour is from that mix.
+/// Which part of a color is the other end of a mix, and how far the color is from that mix.
 fn share(own: Seen, first: Seen, top: Seen) -> (f64, f64) {
     let whole = [0, 1, 2, 3].map(|channel| top[channel] - first[channel]);
     let length = whole.iter().map(|part| part * part).sum::<f64>();
-    let along = [0, 1, 2, 3].map(|channel| (own[channel] - first[channel]) * whole[channel]).iter().sum::<f64>();
+    let along = [0, 1, 2, 3]
+        .map(|channel| (own[channel] - first[channel]) * whole[channel])
+        .iter()
+        .sum::<f64>();
     let part = if length > 0.0 { (along / length).clamp(0.0, 1.0) } else { 1.0 };
     let mix = [0, 1, 2, 3].map(|channel| first[channel] + whole[channel] * part);
     (part, distance(own, mix))
@@ -118,7 +130,7 @@ fn straight([r, g, b, a]: Seen) -> [u8; 4] {
     }
 }
 
-/// How far two colours are apart in the channel in which they are farthest.
+/// How far two colors are apart in the channel in which they are farthest.
 fn distance(a: Seen, b: Seen) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }

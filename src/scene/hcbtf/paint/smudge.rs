@@ -1,4 +1,4 @@
-//! Carrying colour along.
+//! Carrying color along.
 
 use glam::DVec2;
 
@@ -34,7 +34,8 @@ impl Smudge {
         Some(Self { work, carried: vec![Vec::new(); copies], side })
     }
 
-    /// Lays what copy number `copy` carries, and takes up what is there. The first stamp takes up only.
+    /// Lays what copy number `copy` carries, and takes up what is there. The first stamp takes up
+    /// only.
     pub(super) fn lay(
         &mut self,
         (copy, at): (usize, DVec2),
@@ -54,7 +55,15 @@ impl Smudge {
             for across in canvas.spans(0, columns) {
                 dirty.mark(across, down);
                 for row in 0..down.count {
-                    self.lay_row(copy, corner, (&dab, opacity), [across, down], row, texels, canvas.size[0]);
+                    self.lay_row(
+                        copy,
+                        corner,
+                        (&dab, opacity),
+                        [across, down],
+                        row,
+                        texels,
+                        canvas.size[0],
+                    );
                 }
             }
         }
@@ -80,20 +89,24 @@ impl Smudge {
                 let index = (down.start + row) * width + across.start + column;
                 let carried = self.carried[copy][carried_row + (x - corner[0]) as usize];
                 let work = &mut self.work[index];
-                *work = std::array::from_fn(|channel| work[channel] + (carried[channel] - work[channel]) * part);
+                *work = std::array::from_fn(|channel| {
+                    work[channel] + (carried[channel] - work[channel]) * part
+                });
                 texels[index] = straight(*work, texels[index]);
             }
         }
     }
 
-    /// Mixes what lies under the brush into what it carries. Beyond a tile that ends lie its outermost texels.
+    /// Mixes what lies under the brush into what it carries. Beyond a tile that ends lie its
+    /// outermost texels.
     fn take_up(&mut self, copy: usize, corner: [i64; 2], kept: f64, canvas: Canvas) {
         let (side, kept) = (self.side, kept as f32);
         let is_first = self.carried[copy].is_empty();
         if is_first {
             self.carried[copy] = vec![[0.0; 4]; side * side];
         }
-        let columns: Vec<usize> = (0..side).map(|column| canvas.nearest(0, corner[0] + column as i64)).collect();
+        let columns: Vec<usize> =
+            (0..side).map(|column| canvas.nearest(0, corner[0] + column as i64)).collect();
         for (row, carried) in self.carried[copy].chunks_exact_mut(side).enumerate() {
             let y = canvas.nearest(1, corner[1] + row as i64) * canvas.size[0];
             for (column, carried) in columns.iter().zip(carried) {
@@ -101,7 +114,9 @@ impl Smudge {
                 *carried = if is_first {
                     under
                 } else {
-                    std::array::from_fn(|channel| under[channel] + (carried[channel] - under[channel]) * kept)
+                    std::array::from_fn(|channel| {
+                        under[channel] + (carried[channel] - under[channel]) * kept
+                    })
                 };
             }
         }

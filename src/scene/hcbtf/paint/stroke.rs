@@ -1,10 +1,11 @@
 //! A stroke of the brush.
 //!
-//! Painting and erasing keep two buffers: the tile as it was, and how much the stroke covers each texel. Stamps add to
-//! the second alone, each by the flow and none beyond the opacity, and the tile is made of both anew wherever stamps
-//! fell. So a stroke that crosses itself is no darker there, and nothing is rounded twice. Coverage is kept in f64, so
-//! that the order of mirrored stamps is not seen in any byte. A picture's stamps keep their colour beside it. Smudging
-//! works on the tile itself.
+//! Painting and erasing keep two buffers: the tile as it was, and how much the stroke covers each
+//! texel. Stamps add to the second alone, each by the flow and none beyond the opacity, and the
+//! tile is made of both anew wherever stamps fell. So a stroke that crosses itself is no darker
+//! there, and nothing is rounded twice. Coverage is kept in f64, so that the order of mirrored
+//! stamps is not seen in any byte. A picture's stamps keep their color beside it. Smudging works
+//! on the tile itself.
 
 use std::fmt;
 
@@ -23,7 +24,8 @@ use crate::document::Tile;
 /// Texels that changed: `[x, y, width, height]`, inside the tile.
 pub type Changed = [u32; 4];
 
-/// As many texels are stamped at most from one place to the next; stamps that would be more lie farther apart.
+/// As many texels are stamped at most from one place to the next; stamps that would be more lie
+/// farther apart.
 const MOST_TEXELS: f64 = 1_073_741_824.0;
 /// As many stamps are laid at most from one place to the next, copies counted.
 const MOST_STAMPS: f64 = 1_048_576.0;
@@ -47,7 +49,7 @@ pub struct Stroke {
 /// What a stroke did so far.
 #[derive(Clone)]
 enum Work {
-    /// Lays this colour, 0 to 255, at most by this alpha, where it covers.
+    /// Lays this color, 0 to 255, at most by this alpha, where it covers.
     Color {
         color: [f64; 3],
         alpha: f64,
@@ -57,7 +59,7 @@ enum Work {
     Erase {
         coverage: Vec<f64>,
     },
-    /// Straight colours, 0 to 255, and how much they cover, 0 to 1.
+    /// Straight colors, 0 to 255, and how much they cover, 0 to 1.
     Picture {
         picture: Picture,
         laid: Vec<[f32; 4]>,
@@ -73,9 +75,10 @@ impl fmt::Debug for Stroke {
 }
 
 impl Stroke {
-    /// Begins a stroke over a tile as it is. Where `wraps` the tile repeats, and the stroke goes across its edges. A brush
-    /// with a number that is none, larger than [`Brush::MAX_SIZE`], or of so many texels with all copies that a stamp would
-    /// take seconds (2^30, for smudging 2^24), paints nothing.
+    /// Begins a stroke over a tile as it is. Where `wraps` the tile repeats, and the stroke goes
+    /// across its edges. A brush with a number that is none, larger than [`Brush::MAX_SIZE`], or of
+    /// so many texels with all copies that a stamp would take seconds (2^30, for smudging 2^24),
+    /// paints nothing.
     pub fn begin(tile: &Tile, brush: &Brush, symmetry: &Symmetry, wraps: bool) -> Self {
         let size = tile.size().map(|side| side as usize);
         let texels = size[0] * size[1];
@@ -84,10 +87,16 @@ impl Stroke {
         let work = settled.map(|settled| match &brush.tool {
             Tool::Paint => {
                 let [red, green, blue, alpha] = brush.color.map(f64::from);
-                Work::Color { color: [red, green, blue], alpha: alpha / 255.0, coverage: vec![0.0; texels] }
+                Work::Color {
+                    color: [red, green, blue],
+                    alpha: alpha / 255.0,
+                    coverage: vec![0.0; texels],
+                }
             }
             Tool::Erase => Work::Erase { coverage: vec![0.0; texels] },
-            Tool::Smudge => Smudge::new(tile, settled.size, copies.len()).map_or(Work::Nothing, Work::Smudge),
+            Tool::Smudge => {
+                Smudge::new(tile, settled.size, copies.len()).map_or(Work::Nothing, Work::Smudge)
+            }
             Tool::Stamp(picture) => {
                 // The smallest that pressure makes it.
                 let picture = Picture::new(picture, settled.size_at(0.0));
@@ -110,17 +119,23 @@ impl Stroke {
         }
     }
 
-    /// Goes on to a place, in texels from the upper left corner, which may lie outside the tile, with a pressure between 0
-    /// and 1. Returns what changed. Places and pressures that are no numbers, and places more than 1,048,576 texels away,
-    /// are passed over.
+    /// Goes on to a place, in texels from the upper left corner, which may lie outside the tile,
+    /// with a pressure between 0 and 1. Returns what changed. Places and pressures that are no
+    /// numbers, and places more than 1,048,576 texels away, are passed over.
     ///
-    /// One call lays at most 2^20 stamps of 2^30 texels together; on a longer way they lie farther apart. Otherwise it does
-    /// not matter how a way is cut into calls.
+    /// One call lays at most 2^20 stamps of 2^30 texels together; on a longer way they lie farther
+    /// apart. Otherwise it does not matter how a way is cut into calls.
     pub fn to(&mut self, at: DVec2, pressure: f64) -> Vec<Changed> {
         let Some(brush) = self.brush else { return Vec::new() };
         let most = self.most_stamps(brush.size);
         let mut path = self.path;
-        path.to(at, pressure, most, |pressure| brush.step_at(pressure), |at, pressure| self.lay(&brush, at, pressure));
+        path.to(
+            at,
+            pressure,
+            most,
+            |pressure| brush.step_at(pressure),
+            |at, pressure| self.lay(&brush, at, pressure),
+        );
         self.path = path;
         let changed = self.dirty.take();
         for rectangle in &changed {
@@ -154,7 +169,10 @@ impl Stroke {
     /// Lays a stamp and its copies.
     fn lay(&mut self, brush: &Settled, at: DVec2, pressure: f64) {
         let (size, opacity) = (brush.size_at(pressure), brush.opacity_at(pressure));
-        if size < SMALLEST || opacity <= 0.0 || brush.flow <= 0.0 && !matches!(self.work, Work::Smudge(_)) {
+        if size < SMALLEST
+            || opacity <= 0.0
+            || brush.flow <= 0.0 && !matches!(self.work, Work::Smudge(_))
+        {
             return;
         }
         // One texel is chosen once: the copies of a place between two would choose otherwise.
@@ -162,11 +180,19 @@ impl Stroke {
         let Self { work, canvas, dirty, copies, tile, .. } = self;
         match work {
             Work::Color { coverage, .. } | Work::Erase { coverage } => {
-                let places: Vec<DVec2> = copies.iter().map(|copy| canvas.on_tile(copy.place(at))).collect();
+                let places: Vec<DVec2> =
+                    copies.iter().map(|copy| canvas.on_tile(copy.place(at))).collect();
                 for (index, &place) in places.iter().enumerate() {
                     // On the axis of a mirror there are not two stamps.
                     if !places[..index].contains(&place) {
-                        cover(coverage, &Dab::new(place, size, brush.hardness), opacity, brush.flow, *canvas, dirty);
+                        cover(
+                            coverage,
+                            &Dab::new(place, size, brush.hardness),
+                            opacity,
+                            brush.flow,
+                            *canvas,
+                            dirty,
+                        );
                     }
                 }
             }
@@ -180,7 +206,13 @@ impl Stroke {
             Work::Smudge(smudge) => {
                 let middle = at.floor() + 0.5;
                 for (index, copy) in copies.iter().enumerate() {
-                    smudge.lay((index, copy.place(middle)), (brush, pressure), *canvas, tile, dirty);
+                    smudge.lay(
+                        (index, copy.place(middle)),
+                        (brush, pressure),
+                        *canvas,
+                        tile,
+                        dirty,
+                    );
                 }
             }
             Work::Nothing => {}
@@ -197,17 +229,23 @@ impl Stroke {
             let texels = after[range.clone()].iter_mut().zip(&before[range.clone()]);
             match &self.work {
                 Work::Color { color, alpha, coverage } => {
-                    for ((after, before), cover) in texels.zip(&coverage[range]).filter(|(_, cover)| **cover > 0.0) {
+                    for ((after, before), cover) in
+                        texels.zip(&coverage[range]).filter(|(_, cover)| **cover > 0.0)
+                    {
                         *after = over(*before, *color, cover * alpha);
                     }
                 }
                 Work::Erase { coverage } => {
-                    for ((after, before), cover) in texels.zip(&coverage[range]).filter(|(_, cover)| **cover > 0.0) {
+                    for ((after, before), cover) in
+                        texels.zip(&coverage[range]).filter(|(_, cover)| **cover > 0.0)
+                    {
                         *after = erased(*before, *cover);
                     }
                 }
                 Work::Picture { laid, .. } => {
-                    for ((after, before), laid) in texels.zip(&laid[range]).filter(|(_, laid)| laid[3] > 0.0) {
+                    for ((after, before), laid) in
+                        texels.zip(&laid[range]).filter(|(_, laid)| laid[3] > 0.0)
+                    {
                         let [red, green, blue, alpha] = laid.map(f64::from);
                         *after = over(*before, [red, green, blue], alpha);
                     }
@@ -225,14 +263,23 @@ fn extent(work: &Work, size: f64) -> [f64; 2] {
 }
 
 /// Adds a stamp to the coverage: so much of what lacks to the opacity.
-fn cover(coverage: &mut [f64], dab: &Dab, opacity: f64, flow: f64, canvas: Canvas, dirty: &mut Dirty) {
+fn cover(
+    coverage: &mut [f64],
+    dab: &Dab,
+    opacity: f64,
+    flow: f64,
+    canvas: Canvas,
+    dirty: &mut Dirty,
+) {
     for down in canvas.spans(1, dab.rows()) {
         canvas.spans(0, dab.columns()).for_each(|across| dirty.mark(across, down));
         for row in 0..down.count {
             let y = down.from + row as i64;
             for across in canvas.spans(0, dab.columns_at(y)) {
                 let start = (down.start + row) * canvas.size[0] + across.start;
-                for (column, covered) in coverage[start..start + across.count].iter_mut().enumerate() {
+                for (column, covered) in
+                    coverage[start..start + across.count].iter_mut().enumerate()
+                {
                     let lacking = opacity - *covered;
                     if lacking > 0.0 {
                         *covered += flow * dab.cover(across.from + column as i64, y) * lacking;
@@ -282,8 +329,16 @@ fn lay_texel(texel: &mut [f32; 4], color: [f32; 4], opacity: f32, flow: f32) {
     texel[3] += added * (opacity - texel[3]).max(0.0);
 }
 
-/// A tile with a straight stroke, between places in texels from the upper left corner, at full pressure.
-pub fn line(tile: &Tile, brush: &Brush, symmetry: &Symmetry, wraps: bool, from: DVec2, to: DVec2) -> Tile {
+/// A tile with a straight stroke, between places in texels from the upper left corner, at full
+/// pressure.
+pub fn line(
+    tile: &Tile,
+    brush: &Brush,
+    symmetry: &Symmetry,
+    wraps: bool,
+    from: DVec2,
+    to: DVec2,
+) -> Tile {
     let mut stroke = Stroke::begin(tile, brush, symmetry, wraps);
     stroke.to(from, 1.0);
     stroke.to(to, 1.0);

@@ -5,7 +5,8 @@ use glam::{DMat2, DVec2};
 use super::brush::Symmetry;
 use super::path;
 
-/// Sines are rounded to multiples of this, so that they are the same on every machine, and quarter turns exact.
+/// Sines are rounded to multiples of this, so that they are the same on every machine, and quarter
+/// turns exact.
 const SINES: f64 = 1.0 / 1_099_511_627_776.0;
 
 /// One of the copies.
@@ -31,10 +32,12 @@ pub(super) fn copies(symmetry: &Symmetry, size: [u32; 2]) -> Vec<Mirrored> {
     let mut copies: Vec<Mirrored> = Vec::new();
     for turn in 0..turns {
         let angle = std::f64::consts::TAU * f64::from(turn) / f64::from(turns);
-        let [sine, cosine] = [angle.sin(), angle.cos()].map(|number| (number / SINES).round() * SINES);
+        let [sine, cosine] =
+            [angle.sin(), angle.cos()].map(|number| (number / SINES).round() * SINES);
         let turned = DMat2::from_cols(DVec2::new(cosine, sine), DVec2::new(-sine, cosine));
-        for (&u, &v) in
-            flips(symmetry.across_u).iter().flat_map(|u| flips(symmetry.across_v).iter().map(move |v| (u, v)))
+        for (&u, &v) in flips(symmetry.across_u)
+            .iter()
+            .flat_map(|u| flips(symmetry.across_v).iter().map(move |v| (u, v)))
         {
             let copy = Mirrored { middle, turn: turned * DMat2::from_diagonal(DVec2::new(u, v)) };
             // Half a turn is both flips at once.

@@ -1,4 +1,5 @@
-//! What painting does, by closed formulas where there are some, and by what must stay the same otherwise.
+//! What painting does, by closed formulas where there are some, and by what must stay the same
+//! otherwise.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -15,7 +16,13 @@ fn at(x: f64, y: f64) -> DVec2 {
     DVec2::new(x, y)
 }
 
-fn stroke(tile: &Tile, brush: &Brush, symmetry: Symmetry, wraps: bool, points: &[(DVec2, f64)]) -> Tile {
+fn stroke(
+    tile: &Tile,
+    brush: &Brush,
+    symmetry: Symmetry,
+    wraps: bool,
+    points: &[(DVec2, f64)],
+) -> Tile {
     let mut stroke = Stroke::begin(tile, brush, &symmetry, wraps);
     for &(at, pressure) in points {
         stroke.to(at, pressure);
@@ -31,7 +38,7 @@ fn texels(tile: &Tile) -> &[[u8; 4]] {
     tile.bytes().as_chunks().0
 }
 
-/// A tile of many colours, some of them clear.
+/// A tile of many colors, some of them clear.
 fn motley(size: [u32; 2], seed: u32) -> Tile {
     let mut state = seed | 1;
     let mut next = move || {
@@ -75,7 +82,14 @@ fn a_hard_brush_of_one_texel_is_the_texel_under_the_pointer() {
         }
     }
     // A line along a row is that row, without a gap.
-    let tile = line(&Tile::filled([8, 8], CLEAR), &brush, &Symmetry::default(), false, at(0.5, 2.5), at(7.5, 2.5));
+    let tile = line(
+        &Tile::filled([8, 8], CLEAR),
+        &brush,
+        &Symmetry::default(),
+        false,
+        at(0.5, 2.5),
+        at(7.5, 2.5),
+    );
     let painted: Vec<usize> = (0..64).filter(|index| texels(&tile)[*index][3] > 0).collect();
     assert_eq!(painted, (16..24).collect::<Vec<_>>());
 }
@@ -89,7 +103,8 @@ fn flow_adds_up_to_the_opacity_and_no_further() {
     let expected = (255.0 * 0.8 * (1.0 - 0.7_f64.powi(4))).round() as u8;
     assert_eq!(tile.texel(32, 64)[3], expected);
 
-    let there_and_back: Vec<_> = (0..60).map(|turn| (at(if turn % 2 == 0 { 30.0 } else { 90.0 }, 64.5), 1.0)).collect();
+    let there_and_back: Vec<_> =
+        (0..60).map(|turn| (at(if turn % 2 == 0 { 30.0 } else { 90.0 }, 64.5), 1.0)).collect();
     let tile = stroke(&base, &brush, Symmetry::default(), false, &there_and_back);
     assert_eq!(tile.texel(60, 64)[3], 204);
     assert!(texels(&tile).iter().all(|texel| texel[3] <= 204));
@@ -102,28 +117,48 @@ fn flow_adds_up_to_the_opacity_and_no_further() {
 fn pressure_drives_what_it_is_told_to() {
     let base = Tile::filled([64, 64], CLEAR);
     let with = |pressure| Brush { size: 40.0, pressure, ..Brush::default() };
-    let half = |brush: Brush| stroke(&base, &brush, Symmetry::default(), false, &[(at(32.0, 32.0), 0.5)]);
-    assert_eq!(half(with(Pressure::Size)), dot(&base, &Brush { size: 20.0, ..Brush::default() }, at(32.0, 32.0)));
+    let half =
+        |brush: Brush| stroke(&base, &brush, Symmetry::default(), false, &[(at(32.0, 32.0), 0.5)]);
+    assert_eq!(
+        half(with(Pressure::Size)),
+        dot(&base, &Brush { size: 20.0, ..Brush::default() }, at(32.0, 32.0))
+    );
     let faint = Brush { size: 40.0, opacity: 0.5, ..Brush::default() };
     assert_eq!(half(with(Pressure::Opacity)), dot(&base, &faint, at(32.0, 32.0)));
-    assert_eq!(half(with(Pressure::Both)), dot(&base, &Brush { size: 20.0, ..faint }, at(32.0, 32.0)));
+    assert_eq!(
+        half(with(Pressure::Both)),
+        dot(&base, &Brush { size: 20.0, ..faint }, at(32.0, 32.0))
+    );
     assert_eq!(half(with(Pressure::None)), dot(&base, &with(Pressure::None), at(32.0, 32.0)));
 }
 
 #[test]
 fn a_soft_edge_over_nothing_is_not_darkened() {
-    let brush = Brush { size: 30.0, hardness: 0.1, color: [250, 200, 20, 255], flow: 0.4, ..Brush::default() };
-    let tile = line(&Tile::filled([64, 64], CLEAR), &brush, &Symmetry::default(), true, at(3.0, 4.0), at(50.0, 70.0));
+    let brush = Brush {
+        size: 30.0,
+        hardness: 0.1,
+        color: [250, 200, 20, 255],
+        flow: 0.4,
+        ..Brush::default()
+    };
+    let tile = line(
+        &Tile::filled([64, 64], CLEAR),
+        &brush,
+        &Symmetry::default(),
+        true,
+        at(3.0, 4.0),
+        at(50.0, 70.0),
+    );
     let seen: Vec<_> = texels(&tile).iter().filter(|texel| texel[3] > 0).collect();
     assert!(seen.len() > 500 && seen.iter().all(|texel| texel[..3] == [250, 200, 20]));
-    // Over the same colour it stays that colour.
+    // Over the same color it stays that color.
     let base = Tile::filled([64, 64], [250, 200, 20, 90]);
     let tile = line(&base, &brush, &Symmetry::default(), true, at(3.0, 4.0), at(50.0, 70.0));
     assert!(texels(&tile).iter().all(|texel| texel[..3] == [250, 200, 20] && texel[3] >= 90));
 }
 
 #[test]
-fn the_eraser_takes_alpha_and_leaves_colour() {
+fn the_eraser_takes_alpha_and_leaves_color() {
     let brush = Brush { tool: Tool::Erase, size: 20.0, opacity: 0.75, ..Brush::default() };
     let tile = dot(&Tile::filled([32, 32], [1, 2, 3, 200]), &brush, at(16.0, 16.0));
     assert_eq!((tile.texel(16, 16), tile.texel(0, 0)), ([1, 2, 3, 50], [1, 2, 3, 200]));
@@ -132,7 +167,8 @@ fn the_eraser_takes_alpha_and_leaves_colour() {
 #[test]
 fn a_stamp_of_its_own_size_copies_texel_by_texel() {
     let picture = motley([6, 4], 5);
-    let brush = Brush { tool: Tool::Stamp(Arc::new(picture.clone())), size: 6.0, ..Brush::default() };
+    let brush =
+        Brush { tool: Tool::Stamp(Arc::new(picture.clone())), size: 6.0, ..Brush::default() };
     let base = Tile::filled([16, 16], CLEAR);
     let tile = dot(&base, &brush, at(8.3, 8.4));
     for (x, y) in (0..16).flat_map(|x| (0..16).map(move |y| (x, y))) {
@@ -146,32 +182,45 @@ fn a_stamp_of_its_own_size_copies_texel_by_texel() {
     let both = stroke(&base, &brush, mirrored, false, &[(at(4.0, 8.0), 1.0)]);
     assert!((0..16).all(|x| (0..16).all(|y| both.texel(x, y) == both.texel(15 - x, y))));
     // Smaller it has the same mean.
-    let checks =
-        Tile::new([8, 8], (0..64).flat_map(|i| if (i + i / 8) % 2 == 0 { [255; 4] } else { [0, 0, 0, 255] }).collect());
-    let brush = Brush { tool: Tool::Stamp(Arc::new(checks.unwrap())), size: 2.0, ..Brush::default() };
+    let checks = Tile::new(
+        [8, 8],
+        (0..64)
+            .flat_map(|i| if (i + i / 8) % 2 == 0 { [255; 4] } else { [0, 0, 0, 255] })
+            .collect(),
+    );
+    let brush =
+        Brush { tool: Tool::Stamp(Arc::new(checks.unwrap())), size: 2.0, ..Brush::default() };
     assert_eq!(dot(&base, &brush, at(8.0, 8.0)).texel(8, 8), [128, 128, 128, 255]);
 }
 
 #[test]
-fn smudging_carries_colour_along() {
+fn smudging_carries_color_along() {
     let halves = |x: usize| if x < 32 { [200, 0, 0, 255] } else { [0, 0, 200, 255] };
-    let base = Tile::new([64, 16], (0..64 * 16).flat_map(|index| halves(index % 64)).collect()).unwrap();
+    let base =
+        Tile::new([64, 16], (0..64 * 16).flat_map(|index| halves(index % 64)).collect()).unwrap();
     let smudged = |flow| {
         let brush = Brush { tool: Tool::Smudge, size: 8.0, flow, ..Brush::default() };
         line(&base, &brush, &Symmetry::default(), false, at(20.0, 8.0), at(50.0, 8.0))
     };
     // The redder the longer it is carried, and the less the farther.
-    let reds =
-        [0.0, 0.2, 0.5, 0.8, 1.0].map(|flow| (32..64).map(|x| u32::from(smudged(flow).texel(x, 8)[0])).sum::<u32>());
+    let reds = [0.0, 0.2, 0.5, 0.8, 1.0]
+        .map(|flow| (32..64).map(|x| u32::from(smudged(flow).texel(x, 8)[0])).sum::<u32>());
     assert!(reds[0] == 0 && reds.is_sorted_by(|a, b| a < b), "{reds:?}");
     let tile = smudged(0.5);
     let red = |x: i64| tile.texel(x, 8)[0];
-    assert!(red(33) > 100 && (33..60).all(|x| red(x) >= red(x + 1)), "{:?}", (33..60).map(red).collect::<Vec<_>>());
-    assert_eq!((tile.texel(20, 8), tile.texel(60, 8), tile.texel(40, 1)), (halves(0), halves(63), halves(63)));
+    assert!(
+        red(33) > 100 && (33..60).all(|x| red(x) >= red(x + 1)),
+        "{:?}",
+        (33..60).map(red).collect::<Vec<_>>()
+    );
+    assert_eq!(
+        (tile.texel(20, 8), tile.texel(60, 8), tile.texel(40, 1)),
+        (halves(0), halves(63), halves(63))
+    );
     // At full flow it is what lay under the brush in the beginning.
     assert_eq!(smudged(1.0).texel(49, 8), halves(0));
     let brush = Brush { tool: Tool::Smudge, size: 8.0, flow: 0.8, ..Brush::default() };
-    // One colour stays as it is, whatever its alpha.
+    // One color stays as it is, whatever its alpha.
     let flat = Tile::filled([40, 40], [13, 77, 201, 3]);
     assert_eq!(line(&flat, &brush, &Symmetry::default(), true, at(0.0, 0.0), at(50.0, 31.0)), flat);
 }
@@ -184,14 +233,18 @@ fn bad_numbers_do_nothing() {
         assert_eq!(dot(&base, &brush, at(4.0, 4.0)), base);
         let path = [(at(bad * 1e7, 4.0), 1.0), (at(4.0, f64::NAN), 1.0), (at(4.0, 4.0), f64::NAN)];
         assert_eq!(stroke(&base, &Brush::default(), Symmetry::default(), false, &path[1..]), base);
-        let brush = Brush { opacity: bad, hardness: bad, flow: bad, spacing: bad, ..Brush::default() };
+        let brush =
+            Brush { opacity: bad, hardness: bad, flow: bad, spacing: bad, ..Brush::default() };
         let tile = stroke(&base, &brush, Symmetry::default(), true, &path);
         assert!(tile == base || bad > 1.0 && bad.is_finite());
         assert_eq!(fill(&base, [9, 0], [1; 4], hard(0.0, true)), base);
         assert_eq!(fill(&base, [0, 0], [1; 4], hard(f64::NAN, true)), base);
     }
     let tall = Tool::Stamp(Arc::new(Tile::filled([1, 4000], [1; 4])));
-    assert_eq!(dot(&base, &Brush { tool: tall, size: 8000.0, ..Brush::default() }, at(0.0, 0.0)), base);
+    assert_eq!(
+        dot(&base, &Brush { tool: tall, size: 8000.0, ..Brush::default() }, at(0.0, 0.0)),
+        base
+    );
     let many = Symmetry { across_u: true, across_v: true, turns: u32::MAX };
     let huge = Brush { size: 8192.0, ..Brush::default() };
     assert_eq!(stroke(&base, &huge, many, true, &[(at(0.0, 0.0), 1.0)]), base);
@@ -207,7 +260,7 @@ fn a_long_way_has_no_more_stamps_than_it_may() {
 }
 
 #[test]
-fn a_picked_colour_is_the_texel() {
+fn a_picked_color_is_the_texel() {
     let tile = motley([5, 3], 9);
     assert_eq!(pick(&tile, [3, 1]), tile.texel(3, 1));
     assert_eq!(pick(&tile, [99, u32::MAX]), tile.texel(4, 2));
@@ -222,7 +275,7 @@ fn soft() -> Flood {
     Flood { tolerance: 0.1, edge: Flood::EDGE, wraps: true }
 }
 
-/// A round stroke of a colour with a soft edge.
+/// A round stroke of a color with a soft edge.
 fn soft_disc(base: &Tile, color: [u8; 4]) -> Tile {
     dot(base, &Brush { size: 20.0, hardness: 0.7, color, ..Brush::default() }, at(16.3, 15.6))
 }
@@ -230,11 +283,15 @@ fn soft_disc(base: &Tile, color: [u8; 4]) -> Tile {
 /// The largest difference of any channel, as it is seen over black and over white.
 fn apart(a: &Tile, b: &Tile) -> i32 {
     let over = |ground: i32, [r, g, b, a]: [u8; 4]| {
-        [r, g, b].map(|channel| (i32::from(channel) * i32::from(a) + ground * (255 - i32::from(a))) / 255)
+        [r, g, b].map(|channel| {
+            (i32::from(channel) * i32::from(a) + ground * (255 - i32::from(a))) / 255
+        })
     };
     let pairs = texels(a).iter().zip(texels(b));
     let of = |(a, b): (&[u8; 4], &[u8; 4])| {
-        let at = |ground| over(ground, *a).into_iter().zip(over(ground, *b)).map(|(a, b)| (a - b).abs()).max();
+        let at = |ground| {
+            over(ground, *a).into_iter().zip(over(ground, *b)).map(|(a, b)| (a - b).abs()).max()
+        };
         at(0).max(at(255)).unwrap_or(0)
     };
     pairs.map(of).max().unwrap_or(0)
@@ -243,8 +300,8 @@ fn apart(a: &Tile, b: &Tile) -> i32 {
 #[test]
 fn a_flood_leaves_no_ring_around_a_soft_disc() {
     let (white, red, blue) = ([255, 255, 255, 255], [220, 30, 20, 255], [20, 60, 200, 255]);
-    // What is within the tolerance takes the color whole: twice as much where the ground is seen half, and more where the
-    // ground is nearer to the disc than the color is.
+    // What is within the tolerance takes the color whole: twice as much where the ground is seen
+    // half, and more where the ground is nearer to the disc than the color is.
     let grounds = [white, [10, 90, 40, 255], CLEAR, [255, 255, 255, 128]];
     for (ground, (tolerance, most)) in
         grounds.into_iter().flat_map(|ground| [(0.02, 14), (0.1, 48)].map(|of| (ground, of)))
@@ -266,7 +323,7 @@ fn a_flood_leaves_no_ring_around_a_soft_disc() {
 }
 
 #[test]
-fn a_flood_goes_on_under_the_seam_and_stops_at_hard_edges_and_other_colours() {
+fn a_flood_goes_on_under_the_seam_and_stops_at_hard_edges_and_other_colors() {
     let (white, black, red) = ([255; 4], [0, 0, 0, 255], [220, 30, 20, 255]);
     // A soft disc over the corner, whose parts are edges of one another.
     let base = Tile::filled([32, 32], white);
@@ -284,7 +341,9 @@ fn a_flood_goes_on_under_the_seam_and_stops_at_hard_edges_and_other_colours() {
     assert_eq!(fill(&halves(white), [2, 2], red, Flood { wraps: false, ..soft() }), halves(red));
     // A line as thin as a texel keeps its color, and what is behind it too.
     let mut lined = halves(white);
-    (0..8).for_each(|y| lined.bytes_mut()[4 * (y * 16 + 4)..][..4].copy_from_slice(&[90, 90, 90, 255]));
+    (0..8).for_each(|y| {
+        lined.bytes_mut()[4 * (y * 16 + 4)..][..4].copy_from_slice(&[90, 90, 90, 255])
+    });
     let filled = fill(&lined, [1, 1], red, Flood { wraps: false, ..soft() });
     assert_eq!([3, 4, 5].map(|x| filled.texel(x, 3)), [red, [90, 90, 90, 255], white]);
 }
@@ -295,7 +354,8 @@ fn naive_fill(tile: &Tile, from: [u32; 2], color: [u8; 4], tolerance: f64, wraps
     let first = pick(tile, from);
     let is_like = |x: i64, y: i64| {
         let texel = tile.texel(x, y);
-        let near = (0..4).all(|i| (f64::from(texel[i]) - f64::from(first[i])).abs() <= tolerance * 255.0);
+        let near =
+            (0..4).all(|i| (f64::from(texel[i]) - f64::from(first[i])).abs() <= tolerance * 255.0);
         near || texel[3] == 0 && first[3] == 0
     };
     let mut reached = vec![false; (width * height) as usize];
@@ -306,7 +366,8 @@ fn naive_fill(tile: &Tile, from: [u32; 2], color: [u8; 4], tolerance: f64, wraps
             let is_reached = |(i, j): (i64, i64)| {
                 let (x, y) = (x + i, y + j);
                 let is_in = (0..width).contains(&x) && (0..height).contains(&y);
-                (wraps || is_in) && before[(y.rem_euclid(height) * width + x.rem_euclid(width)) as usize]
+                (wraps || is_in)
+                    && before[(y.rem_euclid(height) * width + x.rem_euclid(width)) as usize]
             };
             if is_like(x, y) && [(1, 0), (-1, 0), (0, 1), (0, -1)].into_iter().any(is_reached) {
                 reached[(y * width + x) as usize] = true;
@@ -316,8 +377,10 @@ fn naive_fill(tile: &Tile, from: [u32; 2], color: [u8; 4], tolerance: f64, wraps
             break;
         }
     }
-    let texels =
-        texels(tile).iter().zip(reached).flat_map(|(texel, is_reached)| if is_reached { color } else { *texel });
+    let texels = texels(tile)
+        .iter()
+        .zip(reached)
+        .flat_map(|(texel, is_reached)| if is_reached { color } else { *texel });
     Tile::new(tile.size(), texels.collect()).unwrap()
 }
 
@@ -331,10 +394,14 @@ fn tools() -> impl Strategy<Value = Tool> {
 }
 
 fn brushes(size: impl Strategy<Value = f64>) -> impl Strategy<Value = Brush> {
-    let pressure =
-        prop_oneof![Just(Pressure::None), Just(Pressure::Size), Just(Pressure::Opacity), Just(Pressure::Both)];
-    (tools(), size, 0.0..=1.0, 0.1..=1.0, 0.05..=1.0, 0.05..0.6, any::<[u8; 4]>(), pressure).prop_map(
-        |(tool, size, hardness, opacity, flow, spacing, color, pressure)| Brush {
+    let pressure = prop_oneof![
+        Just(Pressure::None),
+        Just(Pressure::Size),
+        Just(Pressure::Opacity),
+        Just(Pressure::Both)
+    ];
+    (tools(), size, 0.0..=1.0, 0.1..=1.0, 0.05..=1.0, 0.05..0.6, any::<[u8; 4]>(), pressure)
+        .prop_map(|(tool, size, hardness, opacity, flow, spacing, color, pressure)| Brush {
             tool,
             size,
             hardness,
@@ -343,8 +410,7 @@ fn brushes(size: impl Strategy<Value = f64>) -> impl Strategy<Value = Brush> {
             spacing,
             color,
             pressure,
-        },
-    )
+        })
 }
 
 fn points(reach: std::ops::Range<f64>) -> impl Strategy<Value = Vec<(DVec2, f64)>> {
@@ -381,7 +447,8 @@ proptest! {
         prop_assert_eq!(whole.bytes(), chopped.bytes());
     }
 
-    /// A stroke across the seam is that on a plane of copies, folded: so short that it meets no texel twice.
+    /// A stroke across the seam is that on a plane of copies, folded: so short that it meets no
+    /// texel twice.
     #[test]
     fn wrapping_is_painting_on_a_plane_of_copies(
         brush in brushes(1.0..12.0),

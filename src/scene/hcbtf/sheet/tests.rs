@@ -2,7 +2,11 @@ use super::*;
 use crate::document::Directions;
 use crate::hcbtf::fill::fill;
 
-const ODD: Grid = Grid { size: [3, 5], light: Directions { theta: 2, phi: 3 }, view: Directions { theta: 4, phi: 1 } };
+const ODD: Grid = Grid {
+    size: [3, 5],
+    light: Directions { theta: 2, phi: 3 },
+    view: Directions { theta: 4, phi: 1 },
+};
 
 fn directions(theta: u32, phi: u32) -> Directions {
     Directions { theta, phi }
@@ -27,8 +31,9 @@ fn hash_sheet(grid: &Grid) -> Picture {
             // One value for all steps at the normal.
             let phi_i = if theta_i == 0 { 0 } else { phi_i };
             let phi_r = if theta_r == 0 { 0 } else { phi_r };
-            let key =
-                [ix, iy, theta_i, phi_i, theta_r, phi_r].into_iter().fold(1, |key: u32, n| key.wrapping_mul(257) ^ n);
+            let key = [ix, iy, theta_i, phi_i, theta_r, phi_r]
+                .into_iter()
+                .fold(1, |key: u32, n| key.wrapping_mul(257) ^ n);
             rgba.extend((0..4).map(|channel| byte(key.wrapping_mul(4) + channel)));
         }
     }
@@ -55,7 +60,8 @@ fn a_consistent_sheet_comes_back_byte_for_byte() {
         let (back, notes) = there_and_back(&sheet, grid);
         assert!(notes.is_empty(), "{notes:?}");
         assert!(back == sheet, "{grid:?}");
-        let (read, _) = read(&sheet.to_png().unwrap(), grid, "sheet.png", &Progress::new()).unwrap();
+        let (read, _) =
+            read(&sheet.to_png().unwrap(), grid, "sheet.png", &Progress::new()).unwrap();
         assert_eq!(read, import(&sheet, grid, "sheet.png").unwrap().0);
         assert_eq!(read.painted.len() as u64, grid.sample_count());
     }
@@ -83,24 +89,34 @@ fn copies_that_differ_are_told_and_not_taken() {
         }
         there_and_back(&sheet, grid)
     };
-    // Rows of 5: padding, steps 0 to 2, padding; columns of 8: views 0 to 3, for each lights 0 and 1.
+    // Rows of 5: padding, steps 0 to 2, padding; columns of 8: views 0 to 3, for each lights 0 and
+    // 1.
     let (back, notes) = spoiled(&[[9, 4], [3, 5]]);
     assert!(back == clean, "padding is made anew");
     assert_eq!(notes.len(), 1);
     let told = notes[0].to_string();
-    assert!(told.contains("2 texels of padding rows") && told.contains("the first at x 9, y 4"), "{told}");
+    assert!(
+        told.contains("2 texels of padding rows") && told.contains("the first at x 9, y 4"),
+        "{told}"
+    );
     assert!(told.contains("sheet.png: warning[hcbtf-copies]"), "{told}");
 
     // Column 2 is view ring 1, light ring 0; row 7 is step 1.
     let (back, notes) = spoiled(&[[2, 7]]);
     assert!(back == clean, "step 0 is taken");
     assert_eq!(notes.len(), 1, "{notes:?}");
-    assert!(notes[0].message.contains("1 texels at the normal differ between steps of the light"), "{notes:?}");
+    assert!(
+        notes[0].message.contains("1 texels at the normal differ between steps of the light"),
+        "{notes:?}"
+    );
 
     // The normal's own step 0 is what counts, so every copy of it differs now.
     let (back, notes) = spoiled(&[[2, 6]]);
     assert!(back != clean);
-    assert!(notes.iter().any(|note| note.message.starts_with("2 texels at the normal")), "{notes:?}");
+    assert!(
+        notes.iter().any(|note| note.message.starts_with("2 texels at the normal")),
+        "{notes:?}"
+    );
 
     let views = Grid { size: [1, 1], light: directions(2, 2), view: directions(2, 3) };
     let clean = hash_sheet(&views);
@@ -109,17 +125,28 @@ fn copies_that_differ_are_told_and_not_taken() {
     sheet.rgba[4 * ((2 * 4 + 1) * 4 + 1)] ^= 0x80;
     let (back, notes) = there_and_back(&sheet, views);
     assert!(back == clean);
-    assert!(notes.iter().any(|note| note.message.contains("between steps of the view")), "{notes:?}");
+    assert!(
+        notes.iter().any(|note| note.message.contains("between steps of the view")),
+        "{notes:?}"
+    );
 }
 
 #[test]
 fn other_sizes_and_other_files_are_refused() {
     let sheet = hash_sheet(&ODD);
     let problems = import(&sheet, Grid::THESIS, "a.png").unwrap_err();
-    assert!(problems[0].to_string().contains("it has 24 x 25 texels; the grid asks for 1152 x 3840"), "{problems:?}");
-    let problems = read(&sheet.to_png().unwrap(), Grid::THESIS, "a.png", &Progress::new()).unwrap_err();
+    assert!(
+        problems[0].to_string().contains("it has 24 x 25 texels; the grid asks for 1152 x 3840"),
+        "{problems:?}"
+    );
+    let problems =
+        read(&sheet.to_png().unwrap(), Grid::THESIS, "a.png", &Progress::new()).unwrap_err();
     assert!(problems[0].hints[0].contains("--grid"), "{problems:?}");
-    assert!(read(b"nothing", ODD, "a.png", &Progress::new()).unwrap_err()[0].message.contains("it is no PNG"));
+    assert!(
+        read(b"nothing", ODD, "a.png", &Progress::new()).unwrap_err()[0]
+            .message
+            .contains("it is no PNG")
+    );
     let lying = Picture { size: sheet.size, rgba: vec![0; 4] };
     assert!(import(&lying, ODD, "a.png").is_err());
     let huge = Grid { size: [4095; 2], light: directions(255, 255), view: directions(255, 255) };
@@ -132,7 +159,9 @@ fn other_sizes_and_other_files_are_refused() {
 #[test]
 fn empty_samples_stay_empty() {
     let mut hcbtf = Hcbtf::new(ODD);
-    hcbtf.painted.insert(Address::new([1, 2], [3, 0]), Arc::new(Tile::filled(ODD.size, [1, 2, 3, 0])));
+    hcbtf
+        .painted
+        .insert(Address::new([1, 2], [3, 0]), Arc::new(Tile::filled(ODD.size, [1, 2, 3, 0])));
     let sheet = export(&fill(&hcbtf, &Progress::new()).unwrap()).unwrap();
     assert_eq!(import(&sheet, ODD, "a.png").unwrap().0.painted, hcbtf.painted);
 }
@@ -151,8 +180,8 @@ fn every_place_of_the_sheet_tells_what_it_holds() {
     }
     assert_eq!(own, grid.sample_count() * 6, "every texel of every sample once");
     assert_eq!(held(&grid, [width, 0]), None);
-    // By hand from A.3: the third light ring of the second view ring, in the block of the texel to the right; the row of
-    // padding above light step 0 of view step 1 is a copy of light step 3.
+    // By hand from A.3: the third light ring of the second view ring, in the block of the texel to
+    // the right; the row of padding above light step 0 of view step 1 is a copy of light step 3.
     let found = held(&grid, [6 + 3 + 2, 6]).unwrap();
     assert_eq!(found, Held { address: Address::new([2, 3], [1, 1]), texel: [1, 0], is_copy: true });
 }

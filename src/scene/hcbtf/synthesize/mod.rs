@@ -1,10 +1,12 @@
-//! New tiles from a painted one (the thesis's future work, 12): patches of the tile are laid side by side, each where it
-//! fits what lies there, and cut where it fits best (Efros and Freeman, Image Quilting, 2001).
+//! New tiles from a painted one (the thesis's future work, 12): patches of the tile are laid side
+//! by side, each where it fits what lies there, and cut where it fits best (Efros and Freeman,
+//! Image Quilting, 2001).
 //!
-//! One map of source texels is found for all samples together: how well texels fit is the sum over samples. So a texel of
-//! the new tile is one and the same texel of the old in every sample, and whatever it does with light and eye it keeps
-//! doing. Patches are also laid across the new tile's edges, so it repeats. Patches that merely go on where their neighbour
-//! was taken from are passed over while there are others, or the old tile would come out again.
+//! One map of source texels is found for all samples together: how well texels fit is the sum over
+//! samples. So a texel of the new tile is one and the same texel of the old in every sample, and
+//! whatever it does with light and eye it keeps doing. Patches are also laid across the new tile's
+//! edges, so it repeats. Patches that merely go on where their neighbour was taken from are passed
+//! over while there are others, or the old tile would come out again.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -24,7 +26,8 @@ pub struct Synthesis {
     pub size: [u32; 2],
     /// Another number lays other patches.
     pub seed: u32,
-    /// Texels along a patch's side; `None` for half of the old tile's shorter side. Large patches keep large forms whole.
+    /// Texels along a patch's side; `None` for half of the old tile's shorter side. Large patches
+    /// keep large forms whole.
     pub patch: Option<u32>,
 }
 
@@ -39,13 +42,20 @@ const OVERLAP: f64 = 0.34;
 /// The smallest patch.
 const LEAST_PATCH: u32 = 3;
 
-/// Makes a tile of another size, or another one of the same, of all samples of an HCBTF. `progress` counts patches.
+/// Makes a tile of another size, or another one of the same, of all samples of an HCBTF. `progress`
+/// counts patches.
 ///
-/// Rules that look at each texel by itself stay; others are baked, and every sample is then painted.
+/// Rules that look at each texel by itself stay; others are baked, and every sample is then
+/// painted.
 ///
 /// # Errors
-/// Where it is stopped, where the sizes cannot be, and where the result would be larger than a file may be.
-pub fn synthesize(hcbtf: &Hcbtf, how: &Synthesis, progress: &Progress) -> Result<Hcbtf, Diagnostic> {
+/// Where it is stopped, where the sizes cannot be, and where the result would be larger than a file
+/// may be.
+pub fn synthesize(
+    hcbtf: &Hcbtf,
+    how: &Synthesis,
+    progress: &Progress,
+) -> Result<Hcbtf, Diagnostic> {
     let filled = fill(hcbtf, progress)?;
     synthesize_filled(hcbtf, &filled, how, progress)
 }
@@ -63,14 +73,23 @@ pub fn synthesize_filled(
     let grid = Grid { size: how.size, ..hcbtf.grid };
     grid.check().map_err(|why| Diagnostic::error("hcbtf-grid", why))?;
     let smallest = hcbtf.grid.size.into_iter().chain(how.size).min().unwrap_or_default();
-    let patch = how.patch.unwrap_or((hcbtf.grid.size[0].min(hcbtf.grid.size[1])) / 2).max(LEAST_PATCH);
-    if smallest <= LEAST_PATCH || how.patch.is_some_and(|patch| !(LEAST_PATCH..smallest).contains(&patch)) {
-        let message = format!("patches of {patch} texels do not fit tiles whose shorter side is {smallest}");
-        let hint = format!("patches have at least {LEAST_PATCH} texels along a side, and fewer than both tiles");
+    let patch =
+        how.patch.unwrap_or((hcbtf.grid.size[0].min(hcbtf.grid.size[1])) / 2).max(LEAST_PATCH);
+    if smallest <= LEAST_PATCH
+        || how.patch.is_some_and(|patch| !(LEAST_PATCH..smallest).contains(&patch))
+    {
+        let message =
+            format!("patches of {patch} texels do not fit tiles whose shorter side is {smallest}");
+        let hint = format!(
+            "patches have at least {LEAST_PATCH} texels along a side, and fewer than both tiles"
+        );
         return Err(Diagnostic::error("bad-argument", message).hint(hint));
     }
     let keeps_rules = hcbtf.rules.iter().all(is_by_texel);
-    check_painted(&grid, if keeps_rules { hcbtf.painted.len() as u64 } else { grid.sample_count() })?;
+    check_painted(
+        &grid,
+        if keeps_rules { hcbtf.painted.len() as u64 } else { grid.sample_count() },
+    )?;
     let quilt = Quilt::new(filled, hcbtf.is_tiling, how, patch.min(smallest - 1));
     let stopped = || Diagnostic::from(super::NotFilled::Stopped);
     let map = quilt.laid(progress).ok_or_else(stopped)?;
@@ -79,7 +98,11 @@ pub fn synthesize_filled(
         Tile::new(how.size, map.iter().flat_map(texel).collect()).map(Arc::new)
     };
     let painted: BTreeMap<_, _> = match keeps_rules {
-        true => hcbtf.painted.iter().filter_map(|(address, tile)| Some((*address, mapped(tile)?))).collect(),
+        true => hcbtf
+            .painted
+            .iter()
+            .filter_map(|(address, tile)| Some((*address, mapped(tile)?)))
+            .collect(),
         false => {
             // Tiles that are shared stay so.
             let tiles: Vec<_> = filled.tiles().par_iter().map(|tile| mapped(tile)).collect();
@@ -103,7 +126,7 @@ struct Quilt {
     size: [usize; 2],
     patch: usize,
     seed: u32,
-    /// For each source texel, its colours in the judging samples.
+    /// For each source texel, its colors in the judging samples.
     looks: Vec<u8>,
     /// Bytes of a texel in `looks`.
     stride: usize,
@@ -116,18 +139,31 @@ const EMPTY: u32 = u32::MAX;
 
 impl Quilt {
     fn new(filled: &Filled, is_tiling: bool, how: &Synthesis, patch: u32) -> Self {
-        let [source, size] = [filled.grid().size, how.size].map(|size| size.map(|side| side as usize));
+        let [source, size] =
+            [filled.grid().size, how.size].map(|size| size.map(|side| side as usize));
         let all = filled.tiles();
-        let judges: Vec<&Arc<Tile>> = all.iter().step_by(all.len().div_ceil(JUDGES).max(1)).collect();
+        let judges: Vec<&Arc<Tile>> =
+            all.iter().step_by(all.len().div_ceil(JUDGES).max(1)).collect();
         let texels = 0..source[0] * source[1];
-        let looks = texels.flat_map(|at| judges.iter().flat_map(move |tile| tile.bytes()[4 * at..4 * at + 4].to_vec()));
+        let looks = texels.flat_map(|at| {
+            judges.iter().flat_map(move |tile| tile.bytes()[4 * at..4 * at + 4].to_vec())
+        });
         let looks = looks.collect();
         let step = ((f64::from(patch) * (1.0 - OVERLAP)) as usize).max(1);
         let begins = size.map(|side| {
             let count = side.div_ceil(step);
             (0..count).map(|index| index * side / count).collect()
         });
-        Self { source, is_tiling, size, patch: patch as usize, seed: how.seed, looks, stride: 4 * judges.len(), begins }
+        Self {
+            source,
+            is_tiling,
+            size,
+            patch: patch as usize,
+            seed: how.seed,
+            looks,
+            stride: 4 * judges.len(),
+            begins,
+        }
     }
 
     /// For each texel of the new tile, the source texel that it is; `None` where it is stopped.
@@ -171,15 +207,20 @@ impl Quilt {
     /// Where a patch is taken from.
     fn choose(&self, map: &[u32], at: [usize; 2], number: u64) -> [usize; 2] {
         // A source that does not repeat has no patches across its edges.
-        let room = self.source.map(|side| if self.is_tiling { side } else { side - self.patch + 1 });
+        let room =
+            self.source.map(|side| if self.is_tiling { side } else { side - self.patch + 1 });
         let places = room[0] * room[1];
         let tried: Vec<usize> = match places <= MOST_TRIED {
             true => (0..places).collect(),
-            false => (0..MOST_TRIED as u64).map(|salt| (self.random(number, salt + 1) as usize) % places).collect(),
+            false => (0..MOST_TRIED as u64)
+                .map(|salt| (self.random(number, salt + 1) as usize) % places)
+                .collect(),
         };
         let place = |index: usize| [index % room[0], index / room[0]];
         let inside = (0..self.patch).flat_map(|y| (0..self.patch).map(move |x| [x, y]));
-        let laid = inside.map(|within| (within, map[self.texel(at, within)])).filter(|(_, texel)| *texel != EMPTY);
+        let laid = inside
+            .map(|within| (within, map[self.texel(at, within)]))
+            .filter(|(_, texel)| *texel != EMPTY);
         let laid: Vec<([usize; 2], u32)> = laid.collect();
         let judged = tried.into_par_iter().map(|index| {
             let from = place(index);
@@ -190,7 +231,8 @@ impl Quilt {
                 goes_on += usize::from(own == *texel);
                 error += self.difference(own, *texel);
             }
-            // Half of what lies there already is the very same texels: nothing new would come of it.
+            // Half of what lies there already is the very same texels: nothing new would come of
+            // it.
             (error, 2 * goes_on > laid.len(), from)
         });
         let judged: Vec<(u64, bool, [usize; 2])> = judged.collect();
@@ -198,7 +240,8 @@ impl Quilt {
         let eligible = || judged.iter().filter(|(_, goes_on, _)| !(is_new && *goes_on));
         let least = eligible().map(|(error, ..)| *error).min().unwrap_or_default();
         let bound = (least as f64 * (1.0 + TOLERANCE)) as u64;
-        let good: Vec<[usize; 2]> = eligible().filter(|(error, ..)| *error <= bound).map(|(.., from)| *from).collect();
+        let good: Vec<[usize; 2]> =
+            eligible().filter(|(error, ..)| *error <= bound).map(|(.., from)| *from).collect();
         let chosen = self.random(number, 0) as usize % good.len().max(1);
         good.get(chosen).copied().unwrap_or_default()
     }
@@ -210,7 +253,8 @@ impl Quilt {
             EMPTY => 0,
             texel => self.difference(self.taken(from, within), texel),
         };
-        // Across: for each row the first and the last column that is new. Down: for each column, rows.
+        // Across: for each row the first and the last column that is new. Down: for each column,
+        // rows.
         let across = self.cuts(0, at, |along, over| cost([over, along]));
         let down = self.cuts(1, at, |along, over| cost([along, over]));
         for [x, y] in (0..patch).flat_map(|y| (0..patch).map(move |x| [x, y])) {
@@ -225,9 +269,14 @@ impl Quilt {
         }
     }
 
-    /// For every line along a patch, from where to where it is new: cut in the overlap with the patch before it, and with
-    /// the first one where it reaches around the tile.
-    fn cuts(&self, axis: usize, at: [usize; 2], cost: impl Fn(usize, usize) -> u64) -> Vec<[usize; 2]> {
+    /// For every line along a patch, from where to where it is new: cut in the overlap with the
+    /// patch before it, and with the first one where it reaches around the tile.
+    fn cuts(
+        &self,
+        axis: usize,
+        at: [usize; 2],
+        cost: impl Fn(usize, usize) -> u64,
+    ) -> Vec<[usize; 2]> {
         let patch = self.patch;
         let begins = &self.begins[axis];
         let index = begins.iter().position(|begin| *begin == at[axis]).unwrap_or_default();
@@ -235,7 +284,8 @@ impl Quilt {
             0 => 0,
             _ => (begins[index - 1] + patch).saturating_sub(at[axis]).min(patch),
         };
-        let after = (at[axis] + patch).saturating_sub(self.size[axis]).min(patch - before.min(patch));
+        let after =
+            (at[axis] + patch).saturating_sub(self.size[axis]).min(patch - before.min(patch));
         let mut cuts = vec![[0, patch]; patch];
         if before > 0 {
             for (cut, over) in cuts.iter_mut().zip(cheapest(patch, before, &cost)) {
@@ -244,7 +294,9 @@ impl Quilt {
         }
         if after > 0 {
             let begin = patch - after;
-            for (cut, over) in cuts.iter_mut().zip(cheapest(patch, after, |along, over| cost(along, begin + over))) {
+            for (cut, over) in
+                cuts.iter_mut().zip(cheapest(patch, after, |along, over| cost(along, begin + over)))
+            {
                 cut[1] = begin + over;
             }
         }
@@ -252,16 +304,18 @@ impl Quilt {
     }
 }
 
-/// The line down a strip that costs least: for each step along it a place across, next to the one before.
+/// The line down a strip that costs least: for each step along it a place across, next to the one
+/// before.
 fn cheapest(long: usize, wide: usize, cost: impl Fn(usize, usize) -> u64) -> Vec<usize> {
     let mut sums = vec![vec![0_u64; wide]; long];
     for along in 0..long {
         for over in 0..wide {
             let least = match along {
                 0 => 0,
-                _ => {
-                    (over.saturating_sub(1)..(over + 2).min(wide)).map(|near| sums[along - 1][near]).min().unwrap_or(0)
-                }
+                _ => (over.saturating_sub(1)..(over + 2).min(wide))
+                    .map(|near| sums[along - 1][near])
+                    .min()
+                    .unwrap_or(0),
             };
             sums[along][over] = cost(along, over).saturating_add(least);
         }

@@ -9,14 +9,19 @@ const GRID: Grid = {
     Grid { size: [20, 16], light: directions, view: directions }
 };
 
-/// Smooth noise, in each sample of another brightness, with the texel's own number in red and green of the first.
+/// Smooth noise, in each sample of another brightness, with the texel's own number in red and green
+/// of the first.
 fn source() -> Hcbtf {
     let mut hcbtf = Hcbtf::new(GRID);
     for (number, address) in GRID.addresses().enumerate() {
         let texels = (0..GRID.texels()).flat_map(|at| {
             let place = [(at % 20) as f32 / 20.0, (at / 20) as f32 / 16.0];
             let grey = (smooth(7, [4, 3], place) * (255.0 - 10.0 * number as f32)) as u8;
-            if number == 0 { [(at % 256) as u8, (at / 256) as u8, 0, 255] } else { [grey, grey, 255 - grey, 255] }
+            if number == 0 {
+                [(at % 256) as u8, (at / 256) as u8, 0, 255]
+            } else {
+                [grey, grey, 255 - grey, 255]
+            }
         });
         hcbtf.painted.insert(address, Arc::new(Tile::new(GRID.size, texels.collect()).unwrap()));
     }
@@ -32,7 +37,10 @@ const HOW: Synthesis = Synthesis { size: [37, 29], seed: 4, patch: None };
 /// Which source texel each texel is, as the first sample tells.
 fn origins(hcbtf: &Hcbtf) -> Vec<usize> {
     let tile = hcbtf.painted(Address::default()).unwrap();
-    tile.bytes().chunks_exact(4).map(|texel| usize::from(texel[0]) + 256 * usize::from(texel[1])).collect()
+    tile.bytes()
+        .chunks_exact(4)
+        .map(|texel| usize::from(texel[0]) + 256 * usize::from(texel[1]))
+        .collect()
 }
 
 #[test]
@@ -53,8 +61,8 @@ fn every_sample_is_made_of_the_same_texels() {
     assert!(origins.chunks_exact(37).any(|row| row.windows(2).any(|pair| !is_next(pair))));
 }
 
-/// No two neighbours of the new tile differ by more than the source's do, across its edges either, in the samples that are
-/// smooth; and on the mean they differ hardly more.
+/// No two neighbours of the new tile differ by more than the source's do, across its edges either,
+/// in the samples that are smooth; and on the mean they differ hardly more.
 #[test]
 fn seams_are_not_seen() {
     let mut source = source();
@@ -76,7 +84,10 @@ fn seams_are_not_seen() {
     let (most, mean) = steps(&source);
     for seed in 0..4 {
         let (found, found_mean) = steps(&made(&source, &Synthesis { seed, ..HOW }));
-        assert!(found <= 1.6 * most && found_mean < 1.25 * mean, "{seed}: {found} of {most}, {found_mean} of {mean}");
+        assert!(
+            found <= 1.6 * most && found_mean < 1.25 * mean,
+            "{seed}: {found} of {most}, {found_mean} of {mean}"
+        );
     }
 }
 
@@ -96,7 +107,10 @@ fn it_is_the_same_on_any_number_of_threads_and_another_by_its_seed() {
 fn rules_stay_where_they_work_on_texels_alone() {
     let mut source = source();
     source.painted.retain(|address, _| *address == Address::default());
-    source.rules = vec![Rule::Copy { from: Address::default() }, Rule::Lambert { shadow: [9; 3], amount: 0.5 }];
+    source.rules = vec![
+        Rule::Copy { from: Address::default() },
+        Rule::Lambert { shadow: [9; 3], amount: 0.5 },
+    ];
     let kept = made(&source, &HOW);
     assert_eq!((kept.painted.len(), &kept.rules), (1, &source.rules));
     source.rules.push(Rule::Rotate { turns: 1.0 });
@@ -113,8 +127,10 @@ fn what_cannot_be_made_is_told() {
     assert_eq!(told(Synthesis { patch: Some(2), ..HOW }), "bad-argument");
     assert_eq!(told(Synthesis { size: [3, 30], ..HOW }), "bad-argument");
     let many = Directions { theta: 3, phi: 8 };
-    let many =
-        Hcbtf { rules: vec![Rule::Rotate { turns: 1.0 }], ..Hcbtf::new(Grid { light: many, view: many, ..GRID }) };
+    let many = Hcbtf {
+        rules: vec![Rule::Rotate { turns: 1.0 }],
+        ..Hcbtf::new(Grid { light: many, view: many, ..GRID })
+    };
     let large = Synthesis { size: [4095, 4095], ..HOW };
     assert_eq!(synthesize(&many, &large, &Progress::new()).unwrap_err().code, "too-large");
     let stopped = Progress::new();

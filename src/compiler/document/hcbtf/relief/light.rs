@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Bounded;
 
-/// The sun and the sky of a relief, both of which may change their colours as the sun sinks.
+/// The sun and the sky of a relief, both of which may change their colors as the sun sinks.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Illumination {
@@ -12,16 +12,16 @@ pub struct Illumination {
     pub sun: [u8; 3],
     /// The sun when it is low.
     pub low_sun: [u8; 3],
-    /// 1 shows a surface that faces the sun in its own colour.
+    /// 1 shows a surface that faces the sun in its own color.
     pub sun_amount: f64,
     /// The sky, equal from everywhere, when the sun is high.
     pub sky: [u8; 3],
     /// The sky when the sun is low.
     pub low_sky: [u8; 3],
-    /// 1 shows an open surface under the sky alone in its own colour.
+    /// 1 shows an open surface under the sky alone in its own color.
     pub sky_amount: f64,
-    /// Whether the tile stands upright: the sun is low where its direction is near the tile's horizontal (u and the
-    /// normal), rather than near the horizon around the normal.
+    /// Whether the tile stands upright: the sun is low where its direction is near the tile's
+    /// horizontal (u and the normal), rather than near the horizon around the normal.
     #[serde(rename = "upright")]
     pub is_upright: bool,
     /// Half the width of a shadow's soft edge, as an angle of the sun, in radians.

@@ -12,9 +12,9 @@ pub use presets::{PRESETS, Preset};
 
 use super::{Address, Grid};
 
-/// What a generator is told of a relief of the tile: a height field with colours, as it is seen and lit from every
-/// direction. Lengths are in parts of the tile's width, texels being square; angles in radians; colours straight bytes as
-/// they are seen.
+/// What a generator is told of a relief of the tile: a height field with colors, as it is seen and
+/// lit from every direction. Lengths are in parts of the tile's width, texels being square; angles
+/// in radians; colors straight bytes as they are seen.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Relief {
@@ -75,7 +75,8 @@ impl Relief {
     pub fn check(&self, grid: &Grid) -> Result<(), String> {
         let own = [("depth", self.depth, 0.0, 1.0), ("pivot", self.pivot, 0.0, 1.0)];
         let all = own.into_iter().chain(self.pattern.bounds()).chain(self.light.bounds());
-        for (name, value, least, most) in all.chain(self.glint.bounds()).chain(self.finish.bounds()) {
+        for (name, value, least, most) in all.chain(self.glint.bounds()).chain(self.finish.bounds())
+        {
             if !(least..=most).contains(&value) {
                 return Err(format!("`{name}` is {value}; it must be from {least} to {most}"));
             }
@@ -85,13 +86,17 @@ impl Relief {
         }
         let [width, height] = grid.size;
         if grid.texels() > Self::MAX_TEXELS {
-            return Err(format!("a relief has at most 512 x 512 texels; the grid's tiles have {width} x {height}"));
+            return Err(format!(
+                "a relief has at most 512 x 512 texels; the grid's tiles have {width} x {height}"
+            ));
         }
         let directions = grid.view.distinct_count() + grid.light.distinct_count();
         let bytes = grid.texels() as u64 * directions * Self::BYTES_PER_TEXEL;
         if bytes > Self::MAX_BYTES {
             let (mib, most) = (bytes >> 20, Self::MAX_BYTES >> 20);
-            return Err(format!("drawing the relief would take {mib} MiB; at most {most} MiB can be"));
+            return Err(format!(
+                "drawing the relief would take {mib} MiB; at most {most} MiB can be"
+            ));
         }
         Ok(())
     }

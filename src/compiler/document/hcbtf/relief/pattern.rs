@@ -1,4 +1,4 @@
-//! What a relief is of: its heights and its colours.
+//! What a relief is of: its heights and its colors.
 
 use serde::{Deserialize, Serialize};
 
@@ -16,7 +16,7 @@ pub enum Channel {
     Alpha,
 }
 
-/// What a relief is of. Colours are straight RGB as bytes, as they are seen.
+/// What a relief is of. Colors are straight RGB as bytes, as they are seen.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "pattern", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Pattern {
@@ -29,7 +29,7 @@ pub enum Pattern {
         /// Whether high and low change places.
         #[serde(rename = "inverted")]
         is_inverted: bool,
-        /// The sample that gives the colours.
+        /// The sample that gives the colors.
         colors: Address,
     },
     /// Bricks or blocks in courses.
@@ -48,7 +48,7 @@ pub enum Pattern {
         unevenness: f64,
         /// How rough they are.
         roughness: f64,
-        /// Bricks are of colours between these.
+        /// Bricks are of colors between these.
         colors: [[u8; 3]; 2],
         /// The mortar.
         joint_color: [u8; 3],
@@ -63,7 +63,7 @@ pub enum Pattern {
         grit: f64,
         /// 0 is flat with steep sides, 1 is round.
         roundness: f64,
-        /// Stones are of colours between these.
+        /// Stones are of colors between these.
         colors: [[u8; 3]; 2],
         /// What holds them.
         binder: [u8; 3],
@@ -184,7 +184,11 @@ impl Pattern {
                 part("roughness", *roughness),
             ],
             Self::Ripples { count, bend, roughness, .. } => {
-                vec![("count", f64::from(*count), 0.0, 64.0), ("bend", *bend, 0.0, 4.0), part("roughness", *roughness)]
+                vec![
+                    ("count", f64::from(*count), 0.0, 64.0),
+                    ("bend", *bend, 0.0, 4.0),
+                    part("roughness", *roughness),
+                ]
             }
         };
         bounds.into_iter()

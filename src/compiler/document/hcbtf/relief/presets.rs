@@ -6,8 +6,13 @@ use super::{Finish, Glint, Illumination, Pattern, Relief};
 pub type Preset = (&'static str, fn() -> Relief);
 
 /// Reliefs to begin with.
-pub const PRESETS: [Preset; 5] =
-    [("Bricks", bricks), ("Asphalt", asphalt), ("Facade", facade), ("Arches", arches), ("Sand", sand)];
+pub const PRESETS: [Preset; 5] = [
+    ("Bricks", bricks),
+    ("Asphalt", asphalt),
+    ("Facade", facade),
+    ("Arches", arches),
+    ("Sand", sand),
+];
 
 fn bricks() -> Relief {
     let pattern = Pattern::Bricks {
@@ -105,7 +110,12 @@ fn arches() -> Relief {
 }
 
 fn sand() -> Relief {
-    let pattern = Pattern::Ripples { count: 7, bend: 1.1, roughness: 0.25, colors: [[176, 132, 84], [238, 208, 154]] };
+    let pattern = Pattern::Ripples {
+        count: 7,
+        bend: 1.1,
+        roughness: 0.25,
+        colors: [[176, 132, 84], [238, 208, 154]],
+    };
     let glint = Glint { amount: 0.8, sharpness: 60.0, share: 0.06, lean: 0.3 };
     Relief { pattern, depth: 0.035, glint, ..Relief::default() }
 }

@@ -1,4 +1,5 @@
-//! What people are told of the rules, in one list: help on the command line, the table of docs/format.md, the window.
+//! What people are told of the rules, in one list: help on the command line, the table of
+//! docs/format.md, the window.
 
 use serde_json::Value;
 
@@ -17,13 +18,19 @@ pub struct RuleAbout {
     pub fields: &'static [(&'static str, &'static str)],
 }
 
-const SHARPNESS: (&str, &str) = ("sharpness", "0 to 64; 1 is soft, at 8 nearly the nearest alone is seen");
+const SHARPNESS: (&str, &str) =
+    ("sharpness", "0 to 64; 1 is soft, at 8 nearly the nearest alone is seen");
 const FROM: (&str, &str) = ("from", "a painted sample");
 const WIDTH: (&str, &str) = ("width", "radians, 0 to pi");
 
 /// Every rule: those that fill, then those that change.
 pub(super) const ABOUT: [RuleAbout; 12] = [
-    RuleAbout { word: "copy", label: "Copy", does: "fills with one painted sample", fields: &[FROM] },
+    RuleAbout {
+        word: "copy",
+        label: "Copy",
+        does: "fills with one painted sample",
+        fields: &[FROM],
+    },
     RuleAbout {
         word: "lock",
         label: "Lock angles",
@@ -33,35 +40,45 @@ pub(super) const ABOUT: [RuleAbout; 12] = [
     RuleAbout {
         word: "blend",
         label: "Blend",
-        does: "fills with the mean of all painted samples, weighted by d^(-2 sharpness) and alpha; d is the root of the sum \
+        does: "fills with the mean of all painted samples, weighted by d^(-2 sharpness) and alpha; \
+               d is the root of the sum \
                of the squared great-circle angles between the lights and between the views",
         fields: &[SHARPNESS],
     },
     RuleAbout {
         word: "morph",
         label: "Morph",
-        does: "fills with the two or three nearest painted samples, weighted as by `blend`, their strokes moved toward each \
+        does: "fills with the two or three nearest painted samples, weighted as by `blend`, their \
+               strokes moved toward each \
                other in place of faded; blended where nothing in them is alike",
         fields: &[SHARPNESS],
     },
     RuleAbout {
         word: "mirror",
         label: "Highlight",
-        does: "fills with one color where the light is less than `width` off the mirrored view; its alpha fades outward as a \
+        does: "fills with one color where the light is less than `width` off the mirrored view; \
+               its alpha fades outward as a \
                raised cosine",
         fields: &[("color", "RGBA bytes"), WIDTH],
     },
     RuleAbout {
         word: "specular",
         label: "Copy near the mirror",
-        does: "fills with one painted sample where the light is at most `width` off the mirrored view",
+        does: "fills with one painted sample where the light is at most `width` off the mirrored \
+               view",
         fields: &[FROM, WIDTH],
     },
-    RuleAbout { word: "color", label: "Color", does: "fills with one color", fields: &[("color", "RGBA bytes")] },
+    RuleAbout {
+        word: "color",
+        label: "Color",
+        does: "fills with one color",
+        fields: &[("color", "RGBA bytes")],
+    },
     RuleAbout {
         word: "strokes",
         label: "Strokes",
-        does: "fills with strokes that stand on the tile, as each eye and each light see them (docs/format.md, *Strokes*)",
+        does: "fills with strokes that stand on the tile, as each eye and each light see them \
+               (docs/format.md, *Strokes*)",
         fields: &[
             ("seed", "another number scatters anew"),
             ("ground", "what is seen between the strokes"),
@@ -72,7 +89,8 @@ pub(super) const ABOUT: [RuleAbout; 12] = [
     RuleAbout {
         word: "relief",
         label: "Relief",
-        does: "fills with a height field as each eye sees it under each light (docs/format.md, *A relief*)",
+        does: "fills with a height field as each eye sees it under each light (docs/format.md, *A \
+               relief*)",
         fields: &[
             ("seed", "another number scatters anew"),
             ("pattern", "what it is a relief of"),
@@ -86,20 +104,24 @@ pub(super) const ABOUT: [RuleAbout; 12] = [
     RuleAbout {
         word: "lambert",
         label: "Darken by Lambert",
-        does: "changes: mixed with the shadow's color by 1 - cos(theta) of the light, times `amount`",
+        does: "changes: mixed with the shadow's color by 1 - cos(theta) of the light, times \
+               `amount`",
         fields: &[("shadow", "RGB bytes"), ("amount", "0 to 1")],
     },
     RuleAbout {
         word: "rotate",
         label: "Turn with the eye",
-        does: "changes: the content turned with the view around the normal, `turns` times as fast; Catmull-Rom's cubic kept \
-               within the four nearest texels, exact at quarter turns of square tiles, wrapped around where the tile repeats",
+        does: "changes: the content turned with the view around the normal, `turns` times as fast; \
+               Catmull-Rom's cubic kept \
+               within the four nearest texels, exact at quarter turns of square tiles, wrapped \
+               around where the tile repeats",
         fields: &[("turns", "-1000 to 1000")],
     },
     RuleAbout {
         word: "recolor",
         label: "Recolor",
-        does: "changes: multiplied by a color, `from` at the normal and `to` at the horizon, or `from` at step 0 and `to` \
+        does: "changes: multiplied by a color, `from` at the normal and `to` at the horizon, or \
+               `from` at step 0 and `to` \
                half a turn away; at the normal itself the middle of both",
         fields: &[("angle", "one, as in `lock`"), ("from", "RGB bytes"), ("to", "RGB bytes")],
     },
@@ -113,15 +135,21 @@ impl RuleAbout {
 
     /// Its fields with what they are where a file leaves them out, if that can be told shortly.
     pub fn defaults(&self) -> Vec<(&'static str, &'static str, Option<String>)> {
-        let fresh = self.fresh().and_then(|rule| serde_json::to_value(rule).ok()).unwrap_or_default();
-        self.fields.iter().map(|(name, what)| (*name, *what, fresh.get(*name).and_then(told))).collect()
+        let fresh =
+            self.fresh().and_then(|rule| serde_json::to_value(rule).ok()).unwrap_or_default();
+        self.fields
+            .iter()
+            .map(|(name, what)| (*name, *what, fresh.get(*name).and_then(told)))
+            .collect()
     }
 }
 
 /// A value that can be told shortly.
 fn told(value: &Value) -> Option<String> {
     match value {
-        Value::Number(number) => number.as_f64().map(|number| format!("{}", (1e4 * number).round() / 1e4)),
+        Value::Number(number) => {
+            number.as_f64().map(|number| format!("{}", (1e4 * number).round() / 1e4))
+        }
         Value::String(word) => Some(word.clone()),
         Value::Array(items) if !items.is_empty() => {
             let items: Option<Vec<String>> = items.iter().map(told).collect();
@@ -136,7 +164,9 @@ fn told(value: &Value) -> Option<String> {
 
 /// The table of docs/format.md.
 pub(in crate::document) fn table() -> String {
-    let mut table = "| rule | in the window | fields, and what they are where left out | what it does |\n".to_owned();
+    let mut table =
+        "| rule | in the window | fields, and what they are where left out | what it does |\n"
+            .to_owned();
     table += "| --- | --- | --- | --- |\n";
     for about in Rule::ABOUT {
         let field = |(name, what, default): (&str, &str, Option<String>)| {
@@ -144,7 +174,13 @@ pub(in crate::document) fn table() -> String {
             format!("`{name}`{default}: {what}")
         };
         let fields: Vec<String> = about.defaults().into_iter().map(field).collect();
-        table += &format!("| `{}` | {} | {} | {} |\n", about.word, about.label, fields.join("; "), about.does);
+        table += &format!(
+            "| `{}` | {} | {} | {} |\n",
+            about.word,
+            about.label,
+            fields.join("; "),
+            about.does
+        );
     }
     table
 }
@@ -156,12 +192,23 @@ mod tests {
     #[test]
     fn the_list_is_that_of_the_rules() {
         for about in Rule::ABOUT {
-            let fresh = about.fresh().unwrap_or_else(|| panic!("`{}` has a field without a default", about.word));
+            let fresh = about
+                .fresh()
+                .unwrap_or_else(|| panic!("`{}` has a field without a default", about.word));
             assert_eq!((fresh.word(), fresh.about()), (about.word, about));
-            assert!(about.does.starts_with(if fresh.fills() { "fills " } else { "changes: " }), "{}", about.word);
+            assert!(
+                about.does.starts_with(if fresh.fills() { "fills " } else { "changes: " }),
+                "{}",
+                about.word
+            );
             let written = serde_json::to_value(&fresh).unwrap();
-            let mut written: Vec<&str> =
-                written.as_object().unwrap().keys().map(String::as_str).filter(|name| *name != "rule").collect();
+            let mut written: Vec<&str> = written
+                .as_object()
+                .unwrap()
+                .keys()
+                .map(String::as_str)
+                .filter(|name| *name != "rule")
+                .collect();
             let mut listed: Vec<&str> = about.fields.iter().map(|(name, _)| *name).collect();
             written.sort_unstable();
             listed.sort_unstable();

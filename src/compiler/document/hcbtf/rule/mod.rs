@@ -9,8 +9,9 @@ use serde::{Deserialize, Serialize};
 pub use self::about::RuleAbout;
 use super::{Address, Angle, Grid, Relief, Strokes};
 
-/// How samples that nobody painted come about. Rules work in order: those that fill take samples that are still empty,
-/// those that change take what was filled before them; what is painted stays as it is (thesis 10.1).
+/// How samples that nobody painted come about. Rules work in order: those that fill take samples
+/// that are still empty, those that change take what was filled before them; what is painted stays
+/// as it is (thesis 10.1).
 ///
 /// What a file leaves out is as the window makes it ([`RuleAbout::fresh`]).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -22,28 +23,31 @@ pub enum Rule {
         #[serde(default)]
         from: Address,
     },
-    /// Fills: what is painted does not depend on these angles. Where several painted samples differ in them alone, the
-    /// nearest is taken; where none differs in them alone, the sample stays empty. At the normal there is no angle around
-    /// it, so any agrees.
+    /// Fills: what is painted does not depend on these angles. Where several painted samples differ
+    /// in them alone, the nearest is taken; where none differs in them alone, the sample stays
+    /// empty. At the normal there is no angle around it, so any agrees.
     Lock {
         /// The angles that do not matter.
         #[serde(default = "eye_around")]
         angles: Vec<Angle>,
     },
-    /// Fills: blends what is painted by how near its light and its view are, on the product of the two spheres.
+    /// Fills: blends what is painted by how near its light and its view are, on the product of the
+    /// two spheres.
     Blend {
         /// How fast influence falls: 1 is soft, 8 takes nearly the nearest alone.
         #[serde(default = "blend_sharpness")]
         sharpness: f64,
     },
-    /// Fills: as [`Rule::Blend`], of the two or three nearest alone, with their strokes moved in place of faded (thesis 12).
-    /// What is alike in them is looked for; where nothing is, they are blended.
+    /// Fills: as [`Rule::Blend`], of the two or three nearest alone, with their strokes moved in
+    /// place of faded (thesis 12). What is alike in them is looked for; where nothing is, they are
+    /// blended.
     Morph {
         /// How fast influence falls, as in [`Rule::Blend`].
         #[serde(default = "morph_sharpness")]
         sharpness: f64,
     },
-    /// Fills: one colour, where the light is near the mirrored direction of the view, fading outward.
+    /// Fills: one color, where the light is near the mirrored direction of the view, fading
+    /// outward.
     Mirror {
         /// Straight RGBA as bytes; the alpha is that at the mirrored direction itself.
         #[serde(default = "highlight")]
@@ -52,8 +56,8 @@ pub enum Rule {
         #[serde(default = "highlight_width")]
         width: f64,
     },
-    /// Fills: copies a painted sample to where the light is near the mirrored direction of the view, and only there
-    /// (thesis 10.1: copying restricted to the specular reflection).
+    /// Fills: copies a painted sample to where the light is near the mirrored direction of the
+    /// view, and only there (thesis 10.1: copying restricted to the specular reflection).
     Specular {
         /// The painted sample to copy.
         #[serde(default)]
@@ -62,7 +66,7 @@ pub enum Rule {
         #[serde(default = "copy_width")]
         width: f64,
     },
-    /// Fills: one colour.
+    /// Fills: one color.
     Color {
         /// Straight RGBA as bytes.
         #[serde(default = "grey")]
@@ -81,16 +85,17 @@ pub enum Rule {
         #[serde(default = "one")]
         amount: f64,
     },
-    /// Changes: turns the tile's content with the view around the normal, so that it keeps facing the eye: what points
-    /// along v at phi 0 points toward the eye at every phi. Each turned tile is resampled from its unturned source (thesis
-    /// figure 37), also where several rules turn it. The view along the normal is not turned.
+    /// Changes: turns the tile's content with the view around the normal, so that it keeps facing
+    /// the eye: what points along v at phi 0 points toward the eye at every phi. Each turned tile
+    /// is resampled from its unturned source (thesis figure 37), also where several rules turn it.
+    /// The view along the normal is not turned.
     Rotate {
         /// Turns of the content for each turn of the view.
         #[serde(default = "one")]
         turns: f64,
     },
-    /// Changes: multiplies by a colour that goes from one to another along an angle. At the normal, which has no angle
-    /// around it, by the middle of the two.
+    /// Changes: multiplies by a color that goes from one to another along an angle. At the normal,
+    /// which has no angle around it, by the middle of the two.
     Recolor {
         /// Along which angle.
         #[serde(default = "light_height")]
@@ -225,7 +230,9 @@ impl Rule {
             Self::Rotate { turns } => within("turns", *turns, -Self::MAX_TURNS, Self::MAX_TURNS),
             Self::Strokes(strokes) => strokes.check(),
             Self::Relief(relief) => relief.check(grid),
-            Self::Copy { .. } | Self::Lock { .. } | Self::Color { .. } | Self::Recolor { .. } => Ok(()),
+            Self::Copy { .. } | Self::Lock { .. } | Self::Color { .. } | Self::Recolor { .. } => {
+                Ok(())
+            }
         }
     }
 }

@@ -2,7 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-use super::{Bundle, Placement, StrokeGround, StrokeHighlight, StrokeShadow, StrokeShape, StrokeTones, Strokes};
+use super::{
+    Bundle, Placement, StrokeGround, StrokeHighlight, StrokeShadow, StrokeShape, StrokeTones,
+    Strokes,
+};
 
 impl Strokes {
     /// Names of strokes to begin with, as [`Self::preset`] takes them.

@@ -20,11 +20,12 @@ fn number(kind: DataType) -> Number {
     }
 }
 
-/// The elements of an accessor as rows of `N` numbers: those that it has more are left out, those it lacks are
-/// `fill`. Normalised whole numbers become 0 to 1, or -1 to 1.
+/// The elements of an accessor as rows of `N` numbers: those that it has more are left out, those
+/// it lacks are `fill`. Normalised whole numbers become 0 to 1, or -1 to 1.
 ///
 /// # Errors
-/// Where the accessor reaches beyond its view, its view beyond the buffer, or the count beyond the bounds.
+/// Where the accessor reaches beyond its view, its view beyond the buffer, or the count beyond the
+/// bounds.
 pub(super) fn rows<const N: usize>(
     accessor: &Accessor,
     buffers: &[Vec<u8>],
@@ -33,7 +34,8 @@ pub(super) fn rows<const N: usize>(
     let count = accessor.count();
     // Indices come three a triangle; nothing else comes in greater numbers.
     if count > 3 * MAX_TRIANGLES.max(MAX_VERTICES) {
-        let message = format!("accessor {} has {count} elements, more than are allowed", accessor.index());
+        let message =
+            format!("accessor {} has {count} elements, more than are allowed", accessor.index());
         return Err(Diagnostic::error("mesh-too-large", message).into());
     }
     let layout = Layout {
@@ -93,7 +95,12 @@ impl Layout {
         self.kind.size() * self.width
     }
 
-    fn read<const N: usize>(&self, bytes: &[u8], stride: usize, count: usize) -> Option<Vec<[f64; N]>> {
+    fn read<const N: usize>(
+        &self,
+        bytes: &[u8],
+        stride: usize,
+        count: usize,
+    ) -> Option<Vec<[f64; N]>> {
         let needed = stride.checked_mul(count.checked_sub(1)?)?.checked_add(self.size())?;
         if needed > bytes.len() {
             return None;

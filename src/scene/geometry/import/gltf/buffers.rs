@@ -62,18 +62,25 @@ pub(super) fn load(
     let mut buffers = Vec::new();
     for buffer in document.buffers() {
         let bytes = match buffer.source() {
-            Source::Bin => binary.map(<[u8]>::to_vec).ok_or_else(|| "the file has no binary chunk".to_owned()),
+            Source::Bin => {
+                binary.map(<[u8]>::to_vec).ok_or_else(|| "the file has no binary chunk".to_owned())
+            }
             Source::Uri(uri) => from_uri(uri, siblings),
         };
         let bytes = bytes.unwrap_or_else(|why| {
-            let diagnostic =
-                Diagnostic::error("mesh-reference", format!("buffer {} is missing: {why}", buffer.index()));
+            let diagnostic = Diagnostic::error(
+                "mesh-reference",
+                format!("buffer {} is missing: {why}", buffer.index()),
+            );
             report.add(diagnostic.hint("keep the .bin file beside the .gltf, or export as .glb"));
             Vec::new()
         });
         total += bytes.len() as u64;
         if total > MAX_FILE_BYTES {
-            report.error("mesh-too-large", format!("the buffers have more than the {MAX_FILE_BYTES} bytes allowed"));
+            report.error(
+                "mesh-too-large",
+                format!("the buffers have more than the {MAX_FILE_BYTES} bytes allowed"),
+            );
             return Vec::new();
         }
         buffers.push(bytes);
@@ -128,13 +135,23 @@ mod tests {
 
     #[test]
     fn base64_with_and_without_padding() {
-        let decoded = |text: &str| from_uri(&format!("data:;base64,{text}"), &|_| Err(String::new())).ok();
+        let decoded =
+            |text: &str| from_uri(&format!("data:;base64,{text}"), &|_| Err(String::new())).ok();
         // The examples of RFC 4648.
-        for (text, bytes) in
-            [("", ""), ("Zg==", "f"), ("Zm8=", "fo"), ("Zm9v", "foo"), ("Zm9vYg==", "foob"), ("Zm9vYmFy", "foobar")]
-        {
+        for (text, bytes) in [
+            ("", ""),
+            ("Zg==", "f"),
+            ("Zm8=", "fo"),
+            ("Zm9v", "foo"),
+            ("Zm9vYg==", "foob"),
+            ("Zm9vYmFy", "foobar"),
+        ] {
             assert_eq!(decoded(text).as_deref(), Some(bytes.as_bytes()), "{text}");
-            assert_eq!(decoded(text.trim_end_matches('=')).as_deref(), Some(bytes.as_bytes()), "{text}");
+            assert_eq!(
+                decoded(text.trim_end_matches('=')).as_deref(),
+                Some(bytes.as_bytes()),
+                "{text}"
+            );
         }
         assert_eq!(decoded(" Zm9v\n").as_deref(), Some(&b"foo"[..]));
         assert_eq!(decoded("Zm9v!"), None);
@@ -147,7 +164,14 @@ mod tests {
     fn only_relative_paths_are_followed() {
         let anything: Siblings = &|_| Ok(vec![1]);
         assert!(from_uri("a/b.bin", anything).is_ok());
-        for uri in ["/etc/passwd", "file:///etc/passwd", "http://x/y", "\\\\host\\x", "data:,x", "data:;base64"] {
+        for uri in [
+            "/etc/passwd",
+            "file:///etc/passwd",
+            "http://x/y",
+            "\\\\host\\x",
+            "data:,x",
+            "data:;base64",
+        ] {
             assert!(from_uri(uri, anything).is_err(), "{uri}");
         }
     }

@@ -1,5 +1,5 @@
-//! What a glTF asks of its reader beyond the core of 2.0: extensions that change the triangles are read or refused,
-//! never passed over.
+//! What a glTF asks of its reader beyond the core of 2.0: extensions that change the triangles are
+//! read or refused, never passed over.
 
 use gltf::json::mesh::Semantic;
 use gltf::json::validation::Checked;
@@ -10,13 +10,15 @@ use crate::diag::Diagnostic;
 use crate::geometry::import::report::Report;
 
 /// Extensions without which a file's triangles cannot be read.
-const COMPRESSIONS: [&str; 3] = ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"];
+const COMPRESSIONS: [&str; 3] =
+    ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"];
 
-/// What extensions do that leave the triangles as they are, by what follows the vendor's prefix in their names.
+/// What extensions do that leave the triangles as they are, by what follows the vendor's prefix in
+/// their names.
 const APPEARANCE: [&str; 4] = ["materials_", "texture_", "lights_", "audio_"];
 
-/// Extensions that are read, or that leave the triangles as they are: they widen what accessors may hold, which is read
-/// anyway, or add data that Chiaro has no use for.
+/// Extensions that are read, or that leave the triangles as they are: they widen what accessors may
+/// hold, which is read anyway, or add data that Chiaro has no use for.
 const HARMLESS: [&str; 16] = [
     INSTANCING,
     "KHR_mesh_quantization",
@@ -45,7 +47,8 @@ fn is_harmless(name: &str) -> bool {
 /// Reports extensions that the file cannot be read without.
 pub(super) fn check(file: &File, report: &mut Report) {
     let required = &file.extensions_required;
-    let named = COMPRESSIONS.iter().filter(|name| required.iter().any(|required| required == *name));
+    let named =
+        COMPRESSIONS.iter().filter(|name| required.iter().any(|required| required == *name));
     let compression = named.copied().next().or_else(|| compression_in_use(file));
     if let Some(name) = compression {
         let message = format!("the meshes are compressed with {name}, which cannot be read");
@@ -97,10 +100,17 @@ mod tests {
 
     #[test]
     fn what_changes_no_triangle_may_be_required() {
-        for name in ["KHR_materials_unlit", "KHR_texture_transform", "EXT_texture_webp", "KHR_lights_punctual"] {
+        for name in [
+            "KHR_materials_unlit",
+            "KHR_texture_transform",
+            "EXT_texture_webp",
+            "KHR_lights_punctual",
+        ] {
             assert!(is_harmless(name), "{name}");
         }
-        for name in ["CESIUM_RTC", "KHR_node_visibility", "KHR_draco_mesh_compression", "materials_", ""] {
+        for name in
+            ["CESIUM_RTC", "KHR_node_visibility", "KHR_draco_mesh_compression", "materials_", ""]
+        {
             assert!(!is_harmless(name) || name == "materials_", "{name}");
         }
     }

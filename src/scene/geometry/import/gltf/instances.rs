@@ -1,4 +1,5 @@
-//! Copies of one node's mesh (`EXT_mesh_gpu_instancing`): accessors of moves, turns and scales, in the node's space.
+//! Copies of one node's mesh (`EXT_mesh_gpu_instancing`): accessors of moves, turns and scales, in
+//! the node's space.
 
 use glam::{DMat4, DQuat, DVec3};
 use gltf::accessor::Dimensions;
@@ -30,11 +31,12 @@ struct Instances {
 }
 
 impl<'a> Placed<'a> {
-    /// The mesh of a node with the copies that the node asks for. `drawn` counts the primitives of the whole file, each as
-    /// often as it is there.
+    /// The mesh of a node with the copies that the node asks for. `drawn` counts the primitives of
+    /// the whole file, each as often as it is there.
     ///
     /// # Errors
-    /// Where an accessor is missing or cannot be read, and where there are more primitives than vertices are allowed.
+    /// Where an accessor is missing or cannot be read, and where there are more primitives than
+    /// vertices are allowed.
     pub(super) fn read(
         document: &Document,
         node: &Node<'a>,
@@ -45,7 +47,8 @@ impl<'a> Placed<'a> {
         let Some(mesh) = node.mesh() else { return Ok(None) };
         let mut instances = None;
         if let Some(extension) = node.extension_value(INSTANCING) {
-            let named = Named { document, node: node.index(), attributes: &extension["attributes"] };
+            let named =
+                Named { document, node: node.index(), attributes: &extension["attributes"] };
             let count = |count| count_drawn(&mesh, count, drawn);
             instances = named.read(buffers, count)?;
         }
@@ -55,10 +58,13 @@ impl<'a> Placed<'a> {
         Ok(Some(Self { mesh, world, instances }))
     }
 
-    /// The transforms from the mesh's space to the scene's, one for each time that the mesh is there.
+    /// The transforms from the mesh's space to the scene's, one for each time that the mesh is
+    /// there.
     pub(super) fn worlds(&self) -> impl Iterator<Item = DMat4> + '_ {
         let count = self.instances.as_ref().map_or(1, |instances| instances.count);
-        let local = |index| self.instances.as_ref().map_or(DMat4::IDENTITY, |instances| instances.local(index));
+        let local = |index| {
+            self.instances.as_ref().map_or(DMat4::IDENTITY, |instances| instances.local(index))
+        };
         (0..count).map(move |index| self.world * local(index))
     }
 }
@@ -98,7 +104,11 @@ impl<'d> Named<'d, '_> {
         Box::new(Diagnostic::error("mesh-syntax", message))
     }
 
-    fn accessor(&self, name: &str, dimensions: Dimensions) -> Result<Option<gltf::Accessor<'d>>, Problem> {
+    fn accessor(
+        &self,
+        name: &str,
+        dimensions: Dimensions,
+    ) -> Result<Option<gltf::Accessor<'d>>, Problem> {
         let Some(index) = self.attributes.get(name) else { return Ok(None) };
         let index = index.as_u64().and_then(|index| usize::try_from(index).ok());
         let accessor = index.and_then(|index| self.document.accessors().nth(index));
@@ -118,8 +128,11 @@ impl<'d> Named<'d, '_> {
         let translations = self.accessor("TRANSLATION", Dimensions::Vec3)?;
         let rotations = self.accessor("ROTATION", Dimensions::Vec4)?;
         let scales = self.accessor("SCALE", Dimensions::Vec3)?;
-        let counts: Vec<usize> =
-            [&translations, &rotations, &scales].into_iter().flatten().map(gltf::Accessor::count).collect();
+        let counts: Vec<usize> = [&translations, &rotations, &scales]
+            .into_iter()
+            .flatten()
+            .map(gltf::Accessor::count)
+            .collect();
         // Without any of them, other attributes may count copies that all stand in one place.
         let Some(&count) = counts.first() else { return Ok(None) };
         if counts.iter().any(|&other| other != count) {

@@ -1,9 +1,10 @@
-//! glTF 2.0, as JSON and GLB: the meshes of the scene in their places, all in one. Skins, morph targets and
-//! animations are left out with a note.
+//! glTF 2.0, as JSON and GLB: the meshes of the scene in their places, all in one. Skins, morph
+//! targets and animations are left out with a note.
 //!
-//! Where normals are missing the specification asks for flat ones; Chiaro makes smooth ones with creases as for every
-//! other format, since most such files are scans and a shading look has little to say on facets. v is turned to run up
-//! the image, and vertex colours, which are linear, to display colours, as in all of Chiaro's meshes.
+//! Where normals are missing the specification asks for flat ones; Chiaro makes smooth ones with
+//! creases as for every other format, since most such files are scans and a shading look has little
+//! to say on facets. v is turned to run up the image, and vertex colors, which are linear, to
+//! display colors, as in all of Chiaro's meshes.
 
 mod accessor;
 mod buffers;
@@ -26,8 +27,8 @@ use super::report::Report;
 use crate::diag::{Diagnostic, LineColumn};
 use crate::geometry::soup::Soup;
 
-/// As much of the JSON as says where triangles are. What else there is need not even be valid: animations, cameras,
-/// textures and whatever later versions and extensions add.
+/// As much of the JSON as says where triangles are. What else there is need not even be valid:
+/// animations, cameras, textures and whatever later versions and extensions add.
 #[derive(Default, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
 struct File {
@@ -65,10 +66,15 @@ pub(super) fn read(bytes: &[u8], siblings: Siblings, report: &mut Report) -> Sou
         return soup;
     }
     let placed = place_meshes(&document, &buffers, report);
-    let places = placed.iter().flat_map(|placed| placed.worlds().map(move |world| (&placed.mesh, world)));
-    for (primitive, world) in places.flat_map(|(mesh, world)| mesh.primitives().map(move |p| (p, world))) {
+    let places =
+        placed.iter().flat_map(|placed| placed.worlds().map(move |world| (&placed.mesh, world)));
+    for (primitive, world) in
+        places.flat_map(|(mesh, world)| mesh.primitives().map(move |p| (p, world)))
+    {
         // One is enough: the soup is of no more use, and a mesh may stand in very many places.
-        if let Err(diagnostic) = primitive::append(&primitive, &world, &buffers, &mut soup, &mut skipped) {
+        if let Err(diagnostic) =
+            primitive::append(&primitive, &world, &buffers, &mut soup, &mut skipped)
+        {
             report.add(*diagnostic);
             return Soup::default();
         }
@@ -96,8 +102,10 @@ impl Skipped {
             report.add(Diagnostic::note("mesh-unsupported", message));
         }
         if self.morphs {
-            report
-                .add(Diagnostic::note("mesh-unsupported", "morph targets are left out: the mesh has its first shape"));
+            report.add(Diagnostic::note(
+                "mesh-unsupported",
+                "morph targets are left out: the mesh has its first shape",
+            ));
         }
         if self.other > 0 {
             let message = format!("{} primitives of points or lines are left out", self.other);
@@ -113,7 +121,9 @@ fn parse(json: &[u8], skipped: &mut Skipped, report: &mut Report) -> Option<Docu
         Err(error) => {
             let code = if error.is_eof() { "mesh-truncated" } else { "mesh-syntax" };
             let at = LineColumn { line: error.line() as u32, column: error.column() as u32 };
-            report.add(Diagnostic::error(code, format!("the glTF's JSON cannot be read: {error}")).at(at));
+            report.add(
+                Diagnostic::error(code, format!("the glTF's JSON cannot be read: {error}")).at(at),
+            );
             return None;
         }
     };
@@ -131,7 +141,9 @@ fn parse(json: &[u8], skipped: &mut Skipped, report: &mut Report) -> Option<Docu
         return None;
     }
     let mut problems = Vec::new();
-    root.validate(&root, json::Path::new, &mut |path, error| problems.push((path().to_string(), error)));
+    root.validate(&root, json::Path::new, &mut |path, error| {
+        problems.push((path().to_string(), error))
+    });
     // An accessor without a view is all zeros, which the crate does not know.
     let is_zeros = |path: &str| path.starts_with("accessors[") && path.ends_with("].bufferView");
     problems.retain(|(path, error)| !(*error == Error::Missing && is_zeros(path)));
@@ -139,15 +151,17 @@ fn parse(json: &[u8], skipped: &mut Skipped, report: &mut Report) -> Option<Docu
         return Some(Document::from_json_without_validation(root));
     }
     for (path, problem) in problems {
-        let diagnostic = Diagnostic::error("mesh-syntax", format!("the glTF is not valid: {problem}"));
+        let diagnostic =
+            Diagnostic::error("mesh-syntax", format!("the glTF is not valid: {problem}"));
         report.add(diagnostic.json_path(path));
     }
     None
 }
 
-/// What is read of a file, as the crate's document; `None` where its version is missing. What is not read is dropped, so
-/// that nothing wrong in it keeps the geometry from being used: textures, cameras and skins that nodes and materials name,
-/// and attributes of the maker's own. Bounds of positions, which many writers leave out, are filled in.
+/// What is read of a file, as the crate's document; `None` where its version is missing. What is
+/// not read is dropped, so that nothing wrong in it keeps the geometry from being used: textures,
+/// cameras and skins that nodes and materials name, and attributes of the maker's own. Bounds of
+/// positions, which many writers leave out, are filled in.
 fn geometry_of(file: File) -> Option<Root> {
     let mut root = Root {
         asset: file.asset?,
@@ -170,7 +184,8 @@ fn geometry_of(file: File) -> Option<Root> {
     }
     for material in &mut root.materials {
         material.pbr_metallic_roughness = Default::default();
-        (material.normal_texture, material.occlusion_texture, material.emissive_texture) = (None, None, None);
+        (material.normal_texture, material.occlusion_texture, material.emissive_texture) =
+            (None, None, None);
     }
     let zero = json::serialize::to_value([0.0; 3]).ok();
     for accessor in &mut root.accessors {
@@ -179,26 +194,38 @@ fn geometry_of(file: File) -> Option<Root> {
     Some(root)
 }
 
-/// An accessor that a primitive names and the file lacks: the crate's validation looks positions up before it checks
-/// that they are there.
+/// An accessor that a primitive names and the file lacks: the crate's validation looks positions up
+/// before it checks that they are there.
 fn missing_accessor(root: &Root) -> Option<usize> {
     let primitives = root.meshes.iter().flat_map(|mesh| &mesh.primitives);
-    let mut named = primitives.flat_map(|primitive| primitive.attributes.values()).map(gltf::json::Index::value);
+    let mut named = primitives
+        .flat_map(|primitive| primitive.attributes.values())
+        .map(gltf::json::Index::value);
     named.find(|&index| index >= root.accessors.len())
 }
 
-/// The meshes of the default scene (else the first; else of all nodes without parent), each with its places.
-fn place_meshes<'a>(document: &'a Document, buffers: &[Vec<u8>], report: &mut Report) -> Vec<Placed<'a>> {
-    let mut open: Vec<(gltf::Node, DMat4)> = match document.default_scene().or_else(|| document.scenes().next()) {
-        Some(scene) => scene.nodes().map(|node| (node, DMat4::IDENTITY)).collect(),
-        None => {
-            let mut is_child = vec![false; document.nodes().len()];
-            for child in document.nodes().flat_map(|node| node.children()) {
-                is_child[child.index()] = true;
+/// The meshes of the default scene (else the first; else of all nodes without parent), each with
+/// its places.
+fn place_meshes<'a>(
+    document: &'a Document,
+    buffers: &[Vec<u8>],
+    report: &mut Report,
+) -> Vec<Placed<'a>> {
+    let mut open: Vec<(gltf::Node, DMat4)> =
+        match document.default_scene().or_else(|| document.scenes().next()) {
+            Some(scene) => scene.nodes().map(|node| (node, DMat4::IDENTITY)).collect(),
+            None => {
+                let mut is_child = vec![false; document.nodes().len()];
+                for child in document.nodes().flat_map(|node| node.children()) {
+                    is_child[child.index()] = true;
+                }
+                document
+                    .nodes()
+                    .filter(|n| !is_child[n.index()])
+                    .map(|node| (node, DMat4::IDENTITY))
+                    .collect()
             }
-            document.nodes().filter(|n| !is_child[n.index()]).map(|node| (node, DMat4::IDENTITY)).collect()
-        }
-    };
+        };
     // Depth first in the file's order.
     open.reverse();
     let mut seen = vec![false; document.nodes().len()];
@@ -206,13 +233,21 @@ fn place_meshes<'a>(document: &'a Document, buffers: &[Vec<u8>], report: &mut Re
     let mut drawn = 0;
     while let Some((node, parent)) = open.pop() {
         if std::mem::replace(&mut seen[node.index()], true) {
-            report.error("mesh-syntax", format!("node {} has two parents, or is in itself", node.index()));
+            report.error(
+                "mesh-syntax",
+                format!("node {} has two parents, or is in itself", node.index()),
+            );
             continue;
         }
-        let local = DMat4::from_cols_array_2d(&node.transform().matrix().map(|column| column.map(f64::from)));
+        let local = DMat4::from_cols_array_2d(
+            &node.transform().matrix().map(|column| column.map(f64::from)),
+        );
         let world = parent * local;
         if !world.is_finite() {
-            report.error("mesh-not-finite", format!("node {} has a transform that is not finite", node.index()));
+            report.error(
+                "mesh-not-finite",
+                format!("node {} has a transform that is not finite", node.index()),
+            );
             continue;
         }
         match Placed::read(document, &node, world, buffers, &mut drawn) {

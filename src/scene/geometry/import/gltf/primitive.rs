@@ -30,8 +30,9 @@ pub(super) fn append(
     skipped.morphs |= primitive.morph_targets().len() > 0;
     let indices = primitive.indices();
     let index_count = indices.as_ref().map_or(positions.count(), gltf::Accessor::count);
-    let too_large =
-        |what: &str, most: usize| Diagnostic::error("mesh-too-large", format!("the scene has more than {most} {what}"));
+    let too_large = |what: &str, most: usize| {
+        Diagnostic::error("mesh-too-large", format!("the scene has more than {most} {what}"))
+    };
     if positions.count().saturating_add(soup.points.len()) > MAX_VERTICES {
         return Err(too_large("vertices", MAX_VERTICES).into());
     }
@@ -54,14 +55,15 @@ pub(super) fn append(
     let mirrored = DMat3::from_mat4(*world).determinant() < 0.0;
     let wind = |[a, b, c]: [u32; 3]| if mirrored { [b, a, c] } else { [a, b, c] }.map(corner);
     match primitive.mode() {
-        Mode::TriangleStrip => soup.triangles.extend(
-            indices
-                .windows(3)
-                .enumerate()
-                .map(|(k, w)| wind(if k % 2 == 0 { [w[0], w[1], w[2]] } else { [w[1], w[0], w[2]] })),
-        ),
+        Mode::TriangleStrip => {
+            soup.triangles.extend(indices.windows(3).enumerate().map(|(k, w)| {
+                wind(if k % 2 == 0 { [w[0], w[1], w[2]] } else { [w[1], w[0], w[2]] })
+            }))
+        }
         Mode::TriangleFan => {
-            soup.triangles.extend(indices.get(1..).unwrap_or(&[]).windows(2).map(|w| wind([indices[0], w[0], w[1]])));
+            soup.triangles.extend(
+                indices.get(1..).unwrap_or(&[]).windows(2).map(|w| wind([indices[0], w[0], w[1]])),
+            );
         }
         _ => soup.triangles.extend(indices.chunks_exact(3).map(|t| wind([t[0], t[1], t[2]]))),
     }
@@ -71,15 +73,23 @@ pub(super) fn append(
 }
 
 /// The indices of a primitive of `count` vertices.
-fn read_indices(accessor: &gltf::Accessor, count: usize, buffers: &[Vec<u8>]) -> Result<Vec<u32>, Problem> {
+fn read_indices(
+    accessor: &gltf::Accessor,
+    count: usize,
+    buffers: &[Vec<u8>],
+) -> Result<Vec<u32>, Problem> {
     let whole = matches!(accessor.data_type(), DataType::U8 | DataType::U16 | DataType::U32);
     if !whole || accessor.dimensions() != Dimensions::Scalar || accessor.normalized() {
-        let message = format!("accessor {} holds no indices, but is used as such", accessor.index());
+        let message =
+            format!("accessor {} holds no indices, but is used as such", accessor.index());
         return Err(Diagnostic::error("mesh-syntax", message).into());
     }
     let rows = accessor::rows::<1>(accessor, buffers, 0.0)?;
     if let Some([wrong]) = rows.iter().find(|[i]| *i >= count as f64) {
-        let message = format!("accessor {} names vertex {wrong}; there are {count}, counted from 0", accessor.index());
+        let message = format!(
+            "accessor {} names vertex {wrong}; there are {count}, counted from 0",
+            accessor.index()
+        );
         return Err(Diagnostic::error("mesh-index", message).into());
     }
     Ok(rows.iter().map(|[i]| *i as u32).collect())
@@ -115,14 +125,27 @@ struct Has {
     uvs: Option<usize>,
 }
 
-/// Appends the attributes of a primitive's vertices, turned to world space. On an error the soup is of no more use.
-fn attributes(primitive: &Primitive, world: &DMat4, buffers: &[Vec<u8>], soup: &mut Soup) -> Result<Has, Problem> {
+/// Appends the attributes of a primitive's vertices, turned to world space. On an error the soup is
+/// of no more use.
+fn attributes(
+    primitive: &Primitive,
+    world: &DMat4,
+    buffers: &[Vec<u8>],
+    soup: &mut Soup,
+) -> Result<Has, Problem> {
     check_counts(primitive)?;
-    let read3 = |semantic| primitive.get(&semantic).map(|a| accessor::rows::<3>(&a, buffers, 0.0)).transpose();
-    let read4 = |semantic| primitive.get(&semantic).map(|a| accessor::rows::<4>(&a, buffers, 1.0)).transpose();
+    let read3 = |semantic| {
+        primitive.get(&semantic).map(|a| accessor::rows::<3>(&a, buffers, 0.0)).transpose()
+    };
+    let read4 = |semantic| {
+        primitive.get(&semantic).map(|a| accessor::rows::<4>(&a, buffers, 1.0)).transpose()
+    };
     let positions = read3(Semantic::Positions)?.unwrap_or_default();
     let normals = read3(Semantic::Normals)?;
-    let uvs = primitive.get(&Semantic::TexCoords(0)).map(|a| accessor::rows::<2>(&a, buffers, 0.0)).transpose()?;
+    let uvs = primitive
+        .get(&Semantic::TexCoords(0))
+        .map(|a| accessor::rows::<2>(&a, buffers, 0.0))
+        .transpose()?;
     let (tangents, colors) = (read4(Semantic::Tangents)?, read4(Semantic::Colors(0))?);
     let count = positions.len();
     let linear = DMat3::from_mat4(*world);
@@ -133,9 +156,13 @@ fn attributes(primitive: &Primitive, world: &DMat4, buffers: &[Vec<u8>], soup: &
         linear.x_axis.cross(linear.y_axis),
     ) * linear.determinant().signum();
     let side = linear.determinant().signum() as f32;
-    let has = Has { normals: normals.as_ref().map(|_| soup.normals.len()), uvs: uvs.as_ref().map(|_| soup.uvs.len()) };
+    let has = Has {
+        normals: normals.as_ref().map(|_| soup.normals.len()),
+        uvs: uvs.as_ref().map(|_| soup.uvs.len()),
+    };
     let base = soup.points.len();
-    soup.points.extend(positions.iter().map(|&p| world.transform_point3(p.into()).as_vec3().to_array()));
+    soup.points
+        .extend(positions.iter().map(|&p| world.transform_point3(p.into()).as_vec3().to_array()));
     // Unit length at once, so that no scale overflows an f32.
     let turn = |m: DMat3, v: DVec3| (m * v).normalize_or_zero().as_vec3();
     soup.normals.extend(normals.iter().flatten().map(|&n| turn(cofactors, n.into()).to_array()));
@@ -157,12 +184,17 @@ fn attributes(primitive: &Primitive, world: &DMat4, buffers: &[Vec<u8>], soup: &
         soup.colors.resize(soup.points.len(), [1.0; 4]);
     }
     let finite = |rows: &[f32]| rows.iter().all(|x| x.is_finite());
-    let raw = |rows: &Option<Vec<[f64; 3]>>, i: usize| rows.as_ref().is_none_or(|r| r[i].iter().all(|x| x.is_finite()));
+    let raw = |rows: &Option<Vec<[f64; 3]>>, i: usize| {
+        rows.as_ref().is_none_or(|r| r[i].iter().all(|x| x.is_finite()))
+    };
     for i in 0..count {
         let uv = uvs.as_ref().is_none_or(|uvs| uvs[i].iter().all(|x| (*x as f32).is_finite()));
         let tangent = tangents.as_ref().is_none_or(|t| t[i].iter().all(|x| x.is_finite()));
         if !finite(&soup.points[base + i]) || !raw(&normals, i) || !uv || !tangent {
-            let message = format!("vertex {i} of primitive {} has numbers that are not finite", primitive.index());
+            let message = format!(
+                "vertex {i} of primitive {} has numbers that are not finite",
+                primitive.index()
+            );
             return Err(Diagnostic::error("mesh-not-finite", message).into());
         }
     }

@@ -98,7 +98,12 @@ pub(super) fn read(bytes: &[u8], report: &mut Report) -> Option<Header> {
         };
         if !understood {
             let shown: String = line.trim().chars().take(80).collect();
-            report.error_at(&text, line, "mesh-syntax", format!("`{shown}` is no line of a PLY header"));
+            report.error_at(
+                &text,
+                line,
+                "mesh-syntax",
+                format!("`{shown}` is no line of a PLY header"),
+            );
         }
     }
     if encoding.is_none() && !report.has_errors() {
@@ -126,7 +131,9 @@ fn property(words: &[&str]) -> Option<Property> {
             let list = number(count).filter(|n| n.max().is_some())?;
             Some(Property { name: name.to_owned(), list: Some(list), number: number(kind)? })
         }
-        ["property", kind, name] => Some(Property { name: name.to_owned(), list: None, number: number(kind)? }),
+        ["property", kind, name] => {
+            Some(Property { name: name.to_owned(), list: None, number: number(kind)? })
+        }
         _ => None,
     }
 }

@@ -1,5 +1,5 @@
-//! PLY, as text and binary of either byte order: polygons and triangle strips; normals, colours and UVs by vertex, UVs
-//! by corner. Elements and properties of other names are read over.
+//! PLY, as text and binary of either byte order: polygons and triangle strips; normals, colors and
+//! UVs by vertex, UVs by corner. Elements and properties of other names are read over.
 
 mod header;
 mod source;
@@ -16,9 +16,13 @@ use crate::geometry::soup::{Corner, NONE, Polygon, Soup};
 /// What programs call a vertex's properties.
 const POSITION: [&[&str]; 3] = [&["x"], &["y"], &["z"]];
 const NORMAL: [&[&str]; 3] = [&["nx", "normal_x"], &["ny", "normal_y"], &["nz", "normal_z"]];
-const UV: [&[&str]; 2] = [&["s", "u", "texture_u", "s0", "u0"], &["t", "v", "texture_v", "t0", "v0"]];
-const COLOR: [&[&str]; 3] =
-    [&["red", "diffuse_red", "r"], &["green", "diffuse_green", "g"], &["blue", "diffuse_blue", "b"]];
+const UV: [&[&str]; 2] =
+    [&["s", "u", "texture_u", "s0", "u0"], &["t", "v", "texture_v", "t0", "v0"]];
+const COLOR: [&[&str]; 3] = [
+    &["red", "diffuse_red", "r"],
+    &["green", "diffuse_green", "g"],
+    &["blue", "diffuse_blue", "b"],
+];
 const ALPHA: [&[&str]; 1] = [&["alpha", "diffuse_alpha", "a"]];
 const FACE: &[&str] = &["vertex_indices", "vertex_index"];
 
@@ -33,7 +37,12 @@ pub(super) fn read(bytes: &[u8], report: &mut Report) -> Soup {
     if report.has_errors() { Soup::default() } else { soup }
 }
 
-fn elements(header: &Header, source: &mut Source, soup: &mut Soup, report: &mut Report) -> Result<(), Problem> {
+fn elements(
+    header: &Header,
+    source: &mut Source,
+    soup: &mut Soup,
+    report: &mut Report,
+) -> Result<(), Problem> {
     for element in header.elements.iter().filter(|e| !e.properties.is_empty()) {
         check_counts(element, header.encoding, source)?;
         match element.name.as_str() {
@@ -46,7 +55,8 @@ fn elements(header: &Header, source: &mut Source, soup: &mut Soup, report: &mut 
     Ok(())
 }
 
-/// Refuses counts beyond the bounds or beyond what the rest of the file can hold, before anything is allocated.
+/// Refuses counts beyond the bounds or beyond what the rest of the file can hold, before anything
+/// is allocated.
 fn check_counts(element: &Element, encoding: Encoding, source: &Source) -> Result<(), Problem> {
     let Element { name, count, .. } = element;
     let most = match name.as_str() {
@@ -78,18 +88,29 @@ fn skip(element: &Element, source: &mut Source) -> Result<(), Problem> {
 
 /// Where properties of those names are, if all of them are there.
 fn locate<const N: usize>(element: &Element, names: [&[&str]; N]) -> Option<[usize; N]> {
-    let found = names.map(|names| element.find(names).filter(|&i| element.properties[i].list.is_none()));
+    let found =
+        names.map(|names| element.find(names).filter(|&i| element.properties[i].list.is_none()));
     found.iter().all(Option::is_some).then(|| found.map(Option::unwrap_or_default))
 }
 
-fn vertices(element: &Element, source: &mut Source, soup: &mut Soup, report: &mut Report) -> Result<(), Problem> {
+fn vertices(
+    element: &Element,
+    source: &mut Source,
+    soup: &mut Soup,
+    report: &mut Report,
+) -> Result<(), Problem> {
     let Some(position) = locate(element, POSITION) else {
-        return Err(Diagnostic::error("mesh-syntax", "the vertices have no properties `x`, `y` and `z`").into());
+        return Err(Diagnostic::error(
+            "mesh-syntax",
+            "the vertices have no properties `x`, `y` and `z`",
+        )
+        .into());
     };
     let (normal, uv) = (locate(element, NORMAL), locate(element, UV));
     let (color, alpha) = (locate(element, COLOR), locate(element, ALPHA));
     // Whole numbers are 0 to their greatest value, floats 0 to 1.
-    let scales: Vec<f64> = element.properties.iter().map(|p| 1.0 / p.number.max().unwrap_or(1.0)).collect();
+    let scales: Vec<f64> =
+        element.properties.iter().map(|p| 1.0 / p.number.max().unwrap_or(1.0)).collect();
     let mut row = vec![0.0; element.properties.len()];
     let mut values = Vec::new();
     soup.points.reserve(element.count as usize);
@@ -102,7 +123,8 @@ fn vertices(element: &Element, source: &mut Source, soup: &mut Soup, report: &mu
         for &slot in used.chain(color.iter().flatten()).chain(alpha.iter().flatten()) {
             if !(row[slot] as f32).is_finite() {
                 let name = &element.properties[slot].name;
-                let message = format!("vertex {i} has `{name}` = {}, which is not finite", row[slot]);
+                let message =
+                    format!("vertex {i} has `{name}` = {}, which is not finite", row[slot]);
                 report.add(source.here(Diagnostic::error("mesh-not-finite", message)));
             }
         }
@@ -135,16 +157,25 @@ fn index(number: f64, count: usize, source: &Source, what: &str) -> Result<u32, 
 
 fn check_triangles(soup: &Soup) -> Result<(), Problem> {
     if soup.triangles.len() > MAX_TRIANGLES {
-        return Err(
-            Diagnostic::error("mesh-too-large", format!("the file has more than {MAX_TRIANGLES} triangles")).into()
-        );
+        return Err(Diagnostic::error(
+            "mesh-too-large",
+            format!("the file has more than {MAX_TRIANGLES} triangles"),
+        )
+        .into());
     }
     Ok(())
 }
 
-fn faces(element: &Element, source: &mut Source, soup: &mut Soup, report: &mut Report) -> Result<(), Problem> {
+fn faces(
+    element: &Element,
+    source: &mut Source,
+    soup: &mut Soup,
+    report: &mut Report,
+) -> Result<(), Problem> {
     let Some(list) = element.find(FACE).filter(|&i| element.properties[i].list.is_some()) else {
-        return Err(Diagnostic::error("mesh-syntax", "the faces have no list `vertex_indices`").into());
+        return Err(
+            Diagnostic::error("mesh-syntax", "the faces have no list `vertex_indices`").into()
+        );
     };
     let wedge_uvs = element.find(&["texcoord"]).filter(|&i| element.properties[i].list.is_some());
     let material = soup.material(DEFAULT_MATERIAL);
@@ -180,7 +211,12 @@ fn faces(element: &Element, source: &mut Source, soup: &mut Soup, report: &mut R
 }
 
 /// Strips as the Stanford scans have them: -1 ends one.
-fn strips(element: &Element, source: &mut Source, soup: &mut Soup, report: &mut Report) -> Result<(), Problem> {
+fn strips(
+    element: &Element,
+    source: &mut Source,
+    soup: &mut Soup,
+    report: &mut Report,
+) -> Result<(), Problem> {
     let Some(list) = element.find(FACE) else { return skip(element, source) };
     let material = soup.material(DEFAULT_MATERIAL);
     let mut values = Vec::new();
@@ -195,7 +231,13 @@ fn strips(element: &Element, source: &mut Source, soup: &mut Soup, report: &mut 
     Ok(())
 }
 
-fn strip(values: &[f64], material: u32, source: &Source, soup: &mut Soup, report: &mut Report) -> Result<(), Problem> {
+fn strip(
+    values: &[f64],
+    material: u32,
+    source: &Source,
+    soup: &mut Soup,
+    report: &mut Report,
+) -> Result<(), Problem> {
     for run in values.split(|&v| v == -1.0 || v == Number::U32.max().unwrap_or(-1.0)) {
         let mut corners = Vec::with_capacity(run.len());
         for &number in run {

@@ -52,7 +52,8 @@ impl<'a> Source<'a> {
         let count = self.number(list, what)?;
         // The comparison also refuses NaN; every number takes a byte at least.
         if !(0.0..=self.left() as f64).contains(&count) || count.fract() != 0.0 {
-            let message = format!("{} has a list of {count} numbers, more than the file holds", what());
+            let message =
+                format!("{} has a list of {count} numbers, more than the file holds", what());
             return Err(self.here(Diagnostic::error("mesh-truncated", message)).into());
         }
         for _ in 0..count as usize {
@@ -69,7 +70,11 @@ impl<'a> Source<'a> {
         let number = std::str::from_utf8(word).ok().and_then(|text| text.parse::<f64>().ok());
         number.ok_or_else(|| {
             let shown: String = String::from_utf8_lossy(word).chars().take(40).collect();
-            self.here(Diagnostic::error("mesh-syntax", format!("`{shown}` in {} is not a number", what()))).into()
+            self.here(Diagnostic::error(
+                "mesh-syntax",
+                format!("`{shown}` in {} is not a number", what()),
+            ))
+            .into()
         })
     }
 

@@ -1,8 +1,9 @@
 //! Where each texel of a painted tile goes to in another: block matching from coarse to fine.
 //!
-//! At each level the patch around a texel is looked for in the other tile near where the coarser level has found it. What a patch
-//! without marks finds says nothing, so matches are spread by how much there is in their patches, and where there is nothing
-//! around, the coarser level stands. In the end a motion that does not bring the tiles nearer to each other is taken back.
+//! At each level the patch around a texel is looked for in the other tile near where the coarser
+//! level has found it. What a patch without marks finds says nothing, so matches are spread by how
+//! much there is in their patches, and where there is nothing around, the coarser level stands. In
+//! the end a motion that does not bring the tiles nearer to each other is taken back.
 
 use glam::Vec2;
 
@@ -24,7 +25,7 @@ const SHORTEST: f32 = 1e-5;
 /// The squared difference below which texels are alike.
 const ALIKE: f32 = 1e-3;
 
-/// Premultiplied colours from 0 to 1.
+/// Premultiplied colors from 0 to 1.
 struct Level {
     size: [i64; 2],
     is_tiling: bool,
@@ -62,10 +63,14 @@ impl Level {
     fn halved(&self) -> Self {
         let size = self.size.map(|side| (side + 1) / 2);
         let mean = |x: i64, y: i64| {
-            let four = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(right, down)| self.at(2 * x + right, 2 * y + down));
+            let four = [(0, 0), (1, 0), (0, 1), (1, 1)]
+                .map(|(right, down)| self.at(2 * x + right, 2 * y + down));
             std::array::from_fn(|i| four.iter().map(|texel| texel[i]).sum::<f32>() / 4.0)
         };
-        let texels = (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| (x, y))).map(|(x, y)| mean(x, y)).collect();
+        let texels = (0..size[1])
+            .flat_map(|y| (0..size[0]).map(move |x| (x, y)))
+            .map(|(x, y)| mean(x, y))
+            .collect();
         Self { size, is_tiling: self.is_tiling, texels }
     }
 
@@ -85,7 +90,12 @@ fn patch(reach: i64) -> impl Iterator<Item = (i64, i64)> {
 
 impl Flow {
     /// From a tile to another of its size; `None` where it is stopped.
-    pub(in super::super) fn new(from: &Tile, to: &Tile, is_tiling: bool, progress: &Progress) -> Option<Self> {
+    pub(in super::super) fn new(
+        from: &Tile,
+        to: &Tile,
+        is_tiling: bool,
+        progress: &Progress,
+    ) -> Option<Self> {
         let mut levels = vec![[Level::new(from, is_tiling), Level::new(to, is_tiling)]];
         while let Some(last) = levels.last() {
             let longer = last[0].size[0].max(last[0].size[1]) as usize;
@@ -116,7 +126,11 @@ impl Flow {
     }
 
     fn still(level: &Level) -> Self {
-        Self { size: level.size, is_tiling: level.is_tiling, moves: vec![Vec2::ZERO; level.texels.len()] }
+        Self {
+            size: level.size,
+            is_tiling: level.is_tiling,
+            moves: vec![Vec2::ZERO; level.texels.len()],
+        }
     }
 
     /// The same for a level of twice the size; moves are in texels here.
@@ -135,7 +149,9 @@ impl Flow {
     fn between(&self, place: Vec2) -> Vec2 {
         let (low, part) = (place.floor(), place - place.floor());
         let (x, y) = (low.x as i64, low.y as i64);
-        let at = |right: i64, down: i64| self.moves[wrapped(x + right, y + down, self.size, self.is_tiling)];
+        let at = |right: i64, down: i64| {
+            self.moves[wrapped(x + right, y + down, self.size, self.is_tiling)]
+        };
         at(0, 0).lerp(at(1, 0), part.x).lerp(at(0, 1).lerp(at(1, 1), part.x), part.y)
     }
 
@@ -148,8 +164,9 @@ impl Flow {
             let mut best = (f32::INFINITY, Vec2::ZERO);
             for (right, down) in patch(reach) {
                 let by = start + Vec2::new(right as f32, down as f32);
-                let cost = patch(PATCH)
-                    .map(|(i, j)| squared(from.at(x + i, y + j), to.at(x + i + by.x as i64, y + j + by.y as i64)));
+                let cost = patch(PATCH).map(|(i, j)| {
+                    squared(from.at(x + i, y + j), to.at(x + i + by.x as i64, y + j + by.y as i64))
+                });
                 let cost = cost.sum::<f32>() + SHORTEST * by.length_squared();
                 if cost < best.0 {
                     best = (cost, by);
@@ -180,12 +197,18 @@ impl Flow {
             let (x, y) = texel(index);
             squared(from.at(x, y), to.at(x + by.x.round() as i64, y + by.y.round() as i64))
         };
-        let differences: Vec<[f32; 2]> =
-            self.moves.iter().enumerate().map(|(index, by)| [off(index, *by), off(index, Vec2::ZERO)]).collect();
+        let differences: Vec<[f32; 2]> = self
+            .moves
+            .iter()
+            .enumerate()
+            .map(|(index, by)| [off(index, *by), off(index, Vec2::ZERO)])
+            .collect();
         let share = |index: usize| {
             let (x, y) = texel(index);
-            let around = patch(2 * SPREAD).map(|(i, j)| differences[wrapped(x + i, y + j, self.size, self.is_tiling)]);
-            let [moved, still] = around.fold([ALIKE; 2], |sum, by| [sum[0] + by[0], sum[1] + by[1]]);
+            let around = patch(2 * SPREAD)
+                .map(|(i, j)| differences[wrapped(x + i, y + j, self.size, self.is_tiling)]);
+            let [moved, still] =
+                around.fold([ALIKE; 2], |sum, by| [sum[0] + by[0], sum[1] + by[1]]);
             (1.5 - moved / still).clamp(0.0, 1.0)
         };
         let shares: Vec<f32> = (0..self.moves.len()).map(share).collect();
@@ -211,6 +234,7 @@ impl Flow {
 fn marks(level: &Level, x: i64, y: i64) -> f32 {
     let texels = || patch(PATCH).map(|(i, j)| level.at(x + i, y + j));
     let count = ((2 * PATCH + 1) * (2 * PATCH + 1)) as f32;
-    let mean = texels().fold([0.0; 4], |sum, texel| std::array::from_fn(|i| sum[i] + texel[i] / count));
+    let mean =
+        texels().fold([0.0; 4], |sum, texel| std::array::from_fn(|i| sum[i] + texel[i] / count));
     texels().map(|texel| squared(texel, mean)).sum()
 }

@@ -1,8 +1,9 @@
-//! Moving strokes between painted samples, where a blend would fade one in while the other goes (thesis 12).
+//! Moving strokes between painted samples, where a blend would fade one in while the other goes
+//! (thesis 12).
 //!
-//! Of the two or three nearest samples each is moved along its [`Flow`]s to where its content is between all of them, by their
-//! weights, and they are blended there. Where nothing in one sample is like something in the other nothing moves, and the
-//! blend is what is left.
+//! Of the two or three nearest samples each is moved along its [`Flow`]s to where its content is
+//! between all of them, by their weights, and they are blended there. Where nothing in one sample
+//! is like something in the other nothing moves, and the blend is what is left.
 
 mod flow;
 
@@ -25,7 +26,12 @@ const MAX_PAIRS: usize = 8192;
 const ROUNDS: usize = 12;
 
 /// The nearest painted samples by number, with weights that sum to 1.
-fn nearest(address: Address, sharpness: f64, grid: &Grid, painted: &[Painted<'_>]) -> Vec<(u32, f32)> {
+fn nearest(
+    address: Address,
+    sharpness: f64,
+    grid: &Grid,
+    painted: &[Painted<'_>],
+) -> Vec<(u32, f32)> {
     let mut weights = blend::weights(address, sharpness, grid, painted);
     // The first of equal ones, so that the order is always the same.
     weights.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
@@ -45,7 +51,8 @@ impl Flows {
     /// To find where the texels of a pair go takes about as long as so many tiles.
     pub(super) const TILES_AHEAD: u64 = 8;
 
-    /// The pairs that these samples need, each an address and a sharpness; `None` where it is stopped.
+    /// The pairs that these samples need, each an address and a sharpness; `None` where it is
+    /// stopped.
     pub(super) fn pairs(
         samples: impl Iterator<Item = (Address, f64)>,
         grid: &Grid,
@@ -96,7 +103,9 @@ impl Flows {
         let near = nearest(address, sharpness, grid, painted);
         let source = |&(number, weight): &(u32, f32)| {
             let tile = painted.get(number as usize)?.tile;
-            let others = near.iter().filter_map(|(other, weight)| Some((self.known.get(&[number, *other])?, *weight)));
+            let others = near
+                .iter()
+                .filter_map(|(other, weight)| Some((self.known.get(&[number, *other])?, *weight)));
             Some(Source { tile, weight, flows: others.collect() })
         };
         Morph { is_tiling, sources: near.iter().filter_map(source).collect() }
@@ -117,7 +126,7 @@ pub(super) struct Morph<'a> {
 }
 
 impl Morph<'_> {
-    /// The colour at a texel: straight RGBA from 0 to 255.
+    /// The color at a texel: straight RGBA from 0 to 255.
     pub(super) fn at(&self, x: usize, y: usize) -> Color {
         let mut sum = [0.0; 4];
         // For where nothing is seen.
@@ -140,7 +149,9 @@ impl Source<'_> {
     fn at(&self, x: usize, y: usize, is_tiling: bool) -> [f32; 4] {
         let size = Vec2::from(self.tile.size().map(|side| side as f32));
         let to = Vec2::new(x as f32 + 0.5, y as f32 + 0.5) / size;
-        let moved = |place: Vec2| self.flows.iter().map(|(flow, weight)| flow.at(place) * *weight).sum::<Vec2>();
+        let moved = |place: Vec2| {
+            self.flows.iter().map(|(flow, weight)| flow.at(place) * *weight).sum::<Vec2>()
+        };
         let mut place = to;
         for _ in 0..ROUNDS {
             place = to - moved(place);
@@ -153,7 +164,8 @@ impl Source<'_> {
         let texel = |right: i64, down: i64| {
             let [width, height] = self.tile.size().map(i64::from);
             let (x, y) = (low.x as i64 + right, low.y as i64 + down);
-            let (x, y) = if is_tiling { (x, y) } else { (x.clamp(0, width - 1), y.clamp(0, height - 1)) };
+            let (x, y) =
+                if is_tiling { (x, y) } else { (x.clamp(0, width - 1), y.clamp(0, height - 1)) };
             let [r, g, b, a] = self.tile.texel(x, y).map(f32::from);
             [r * a, g * a, b * a, a]
         };

@@ -10,7 +10,8 @@ const SIDE: u32 = 32;
 fn marked(places: &[[f64; 2]], radius: f64) -> Tile {
     let bytes = (0..SIDE * SIDE).flat_map(|index| {
         let (x, y) = (f64::from(index % SIDE) + 0.5, f64::from(index / SIDE) + 0.5);
-        let wrapped = |off: f64| (off.rem_euclid(f64::from(SIDE))).min((-off).rem_euclid(f64::from(SIDE)));
+        let wrapped =
+            |off: f64| (off.rem_euclid(f64::from(SIDE))).min((-off).rem_euclid(f64::from(SIDE)));
         let off = places.iter().map(|[u, v]| wrapped(x - u).hypot(wrapped(y - v)) - radius);
         let ink = (0.5 - off.fold(f64::INFINITY, f64::min)).clamp(0.0, 1.0);
         let gray = (255.0 * (1.0 - ink)).round() as u8;
@@ -54,13 +55,19 @@ fn a_stroke_moves_and_does_not_fade() {
             assert!(ink(&tile, place) < 0.1, "{a:?} to {b:?}: {place:?} has {}", ink(&tile, place));
         }
         // As much ink as was painted.
-        let all = |tile: &Tile| tile.bytes().iter().step_by(4).map(|byte| 255.0 - f64::from(*byte)).sum::<f64>();
+        let all = |tile: &Tile| {
+            tile.bytes().iter().step_by(4).map(|byte| 255.0 - f64::from(*byte)).sum::<f64>()
+        };
         let (got, painted) = (all(&tile), all(&marked(&[a], 3.0)));
         assert!((got - painted).abs() < 0.25 * painted, "{a:?} to {b:?}: {got} of {painted}");
     }
     // A blend has two of half the strength.
-    let (hcbtf, at) =
-        between(marked(&[[10.5, 12.5]], 3.0), marked(&[[18.5, 16.5]], 3.0), true, Rule::Blend { sharpness: 2.0 });
+    let (hcbtf, at) = between(
+        marked(&[[10.5, 12.5]], 3.0),
+        marked(&[[18.5, 16.5]], 3.0),
+        true,
+        Rule::Blend { sharpness: 2.0 },
+    );
     let blended = sample(&hcbtf, at, &Progress::new()).unwrap().unwrap();
     assert!((ink(&blended, [10.5, 12.5]) - 0.5).abs() < 0.01 && ink(&blended, [14.5, 14.5]) < 0.3);
 }
@@ -84,7 +91,11 @@ fn what_is_painted_stays_and_what_is_alike_nowhere_is_blended() {
     assert_eq!(**filled.tile(Address::new([2, 0], [0, 0])).unwrap(), last);
     // A mark that is in one alone fades.
     for is_tiling in [true, false] {
-        let tile = middle_of(marked(&[[16.5, 16.5]], 4.0), Tile::filled([SIDE, SIDE], [255; 4]), is_tiling);
+        let tile = middle_of(
+            marked(&[[16.5, 16.5]], 4.0),
+            Tile::filled([SIDE, SIDE], [255; 4]),
+            is_tiling,
+        );
         assert!((ink(&tile, [16.5, 16.5]) - 0.5).abs() < 0.06, "{}", ink(&tile, [16.5, 16.5]));
     }
     // Two that are equal are themselves, texel for texel.
@@ -99,8 +110,12 @@ fn what_is_painted_stays_and_what_is_alike_nowhere_is_blended() {
 
 #[test]
 fn it_is_the_same_on_any_number_of_threads_and_can_be_stopped() {
-    let (mut hcbtf, _) =
-        between(marked(&[[10.5, 12.5]], 3.0), marked(&[[18.5, 16.5]], 3.0), true, Rule::Morph { sharpness: 2.0 });
+    let (mut hcbtf, _) = between(
+        marked(&[[10.5, 12.5]], 3.0),
+        marked(&[[18.5, 16.5]], 3.0),
+        true,
+        Rule::Morph { sharpness: 2.0 },
+    );
     hcbtf.grid.light = Directions { theta: 4, phi: 3 };
     hcbtf.painted.insert(Address::new([2, 1], [0, 0]), Arc::new(marked(&[[5.5, 20.5]], 3.0)));
     let on = |threads| {

@@ -1,8 +1,10 @@
-//! The height field: a grid of cells finer than the texels, with a height at every corner and a colour in every cell.
+//! The height field: a grid of cells finer than the texels, with a height at every corner and a
+//! color in every cell.
 //!
-//! Between corners the surface goes on bilinearly, so a step is a steep cell, seen, lit and shaded as any other. Texels
-//! are cut into several cells each so that the mean of what is seen in them is smooth at edges. Eye rays and light are
-//! followed from grid line to grid line: where a line is crossed the surface's height is exact.
+//! Between corners the surface goes on bilinearly, so a step is a steep cell, seen, lit and shaded
+//! as any other. Texels are cut into several cells each so that the mean of what is seen in them is
+//! smooth at edges. Eye rays and light are followed from grid line to grid line: where a line is
+//! crossed the surface's height is exact.
 
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
@@ -17,7 +19,8 @@ const MOST_CELLS: u32 = 4;
 /// Texels of tiles that are no larger are cut into two cells at least.
 const SMALL_SIDE: u32 = 160;
 
-/// A height field that repeats with the tile. Lengths are in cells, x to the right, y down, z out of the tile.
+/// A height field that repeats with the tile. Lengths are in cells, x to the right, y down, z out
+/// of the tile.
 pub(super) struct Field {
     /// Cells along x and y.
     pub(super) size: [usize; 2],
@@ -48,16 +51,23 @@ pub(super) struct Crossing {
 
 impl Field {
     /// `None` where it is stopped.
-    pub(super) fn new(relief: &Relief, tile: [u32; 2], sampler: &Sampler<'_>, progress: &Progress) -> Option<Self> {
+    pub(super) fn new(
+        relief: &Relief,
+        tile: [u32; 2],
+        sampler: &Sampler<'_>,
+        progress: &Progress,
+    ) -> Option<Self> {
         let side = tile[0].max(tile[1]);
-        let per_texel = AIM.div_ceil(side).clamp(if side <= SMALL_SIDE { 2 } else { 1 }, MOST_CELLS);
+        let per_texel =
+            AIM.div_ceil(side).clamp(if side <= SMALL_SIDE { 2 } else { 1 }, MOST_CELLS);
         let size = tile.map(|side| (side * per_texel) as usize);
         let [width, height] = size;
         let scale = relief.depth as f32 * width as f32;
         let place = |x: f32, y: f32| [x / width as f32, y / height as f32];
         let row = |y: usize| -> Option<Vec<(f32, Material)>> {
             let cell = |x: usize| {
-                let (corner, middle) = (place(x as f32, y as f32), place(x as f32 + 0.5, y as f32 + 0.5));
+                let (corner, middle) =
+                    (place(x as f32, y as f32), place(x as f32 + 0.5, y as f32 + 0.5));
                 (sampler.height(corner) * scale, sampler.material(middle))
             };
             if progress.is_stopped() {
@@ -70,17 +80,30 @@ impl Field {
             }
             Some(row)
         };
-        let rows: Vec<Vec<(f32, Material)>> = (0..height).into_par_iter().map(row).collect::<Option<_>>()?;
+        let rows: Vec<Vec<(f32, Material)>> =
+            (0..height).into_par_iter().map(row).collect::<Option<_>>()?;
         let (heights, materials) = rows.into_iter().flatten().unzip();
         Some(Self::of(size, per_texel as usize, heights, materials))
     }
 
     /// A field of given heights at the corners, row by row.
-    pub(super) fn of(size: [usize; 2], per_texel: usize, heights: Vec<f32>, materials: Vec<Material>) -> Self {
+    pub(super) fn of(
+        size: [usize; 2],
+        per_texel: usize,
+        heights: Vec<f32>,
+        materials: Vec<Material>,
+    ) -> Self {
         let top = heights.iter().copied().fold(0.0_f32, f32::max);
         let lowest = heights.iter().copied().fold(top, f32::min);
-        let mut field =
-            Self { size, per_texel, heights, slopes: Vec::new(), materials, top, range: (top - lowest).max(0.0) };
+        let mut field = Self {
+            size,
+            per_texel,
+            heights,
+            slopes: Vec::new(),
+            materials,
+            top,
+            range: (top - lowest).max(0.0),
+        };
         field.slopes = (0..size[0] * size[1]).map(|cell| field.slope(cell)).collect();
         field
     }
@@ -107,7 +130,8 @@ impl Field {
     /// How far apart the lowest and the highest corner of a cell are.
     pub(super) fn steepness(&self, cell: usize) -> f32 {
         let corners = self.corners(cell);
-        corners.iter().copied().fold(f32::MIN, f32::max) - corners.iter().copied().fold(f32::MAX, f32::min)
+        corners.iter().copied().fold(f32::MIN, f32::max)
+            - corners.iter().copied().fold(f32::MAX, f32::min)
     }
 
     /// The unit normal in the middle of a cell.
@@ -132,8 +156,8 @@ impl Field {
         above + (below - above) * fy
     }
 
-    /// Follows a line along the tile from a place in a direction of length 1, and shows every crossing with a line of the
-    /// grid to `visit`, until that says no, or beyond `most`.
+    /// Follows a line along the tile from a place in a direction of length 1, and shows every
+    /// crossing with a line of the grid to `visit`, until that says no, or beyond `most`.
     pub(super) fn follow(
         &self,
         from: [f32; 2],
@@ -179,9 +203,16 @@ impl Field {
         }
     }
 
-    /// How steeply the horizon rises over a place in a direction of length 1: the largest slope to what stands there, and
-    /// not less than `least`. What would not rise above `enough` is not looked for further.
-    pub(super) fn horizon(&self, from: [f32; 3], direction: [f32; 2], least: f32, enough: f32) -> f32 {
+    /// How steeply the horizon rises over a place in a direction of length 1: the largest slope to
+    /// what stands there, and not less than `least`. What would not rise above `enough` is not
+    /// looked for further.
+    pub(super) fn horizon(
+        &self,
+        from: [f32; 3],
+        direction: [f32; 2],
+        least: f32,
+        enough: f32,
+    ) -> f32 {
         let mut slope = least;
         let above = self.top - from[2];
         self.follow([from[0], from[1]], direction, self.farthest(), |crossing| {

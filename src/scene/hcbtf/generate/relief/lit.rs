@@ -1,4 +1,5 @@
-//! What a light and the sky do to the field: how much of the sun every cell sees, and what comes to it otherwise.
+//! What a light and the sky do to the field: how much of the sun every cell sees, and what comes to
+//! it otherwise.
 
 use super::field::Field;
 use super::noise::{mix3, ramp};
@@ -8,7 +9,8 @@ use crate::document::Relief;
 use crate::document::relief::Illumination;
 use crate::hcbtf::Progress;
 
-/// A cell whose corners are farther apart than this, in cells, is a wall: its shadow is found where it is looked at.
+/// A cell whose corners are farther apart than this, in cells, is a wall: its shadow is found where
+/// it is looked at.
 const WALL: f32 = 1.5;
 
 /// The light on the field.
@@ -37,7 +39,8 @@ impl Lit {
         let light = &relief.light;
         let lowness = lowness(light, toward);
         let amount = |colors: [[u8; 3]; 2], amount: f64| {
-            mix3(linear(colors[0]), linear(colors[1]), lowness).map(|channel| channel * amount as f32)
+            mix3(linear(colors[0]), linear(colors[1]), lowness)
+                .map(|channel| channel * amount as f32)
         };
         let sun = amount([light.sun, light.low_sun], light.sun_amount);
         let sky = amount([light.sky, light.low_sky], light.sky_amount);
@@ -50,11 +53,13 @@ impl Lit {
                 return None;
             }
             let cosine = shadows.cosine(field, cell);
-            let seen = if cosine > 0.0 { shadows.visible(field, cell, field.middle(cell)) } else { 0.0 };
+            let seen =
+                if cosine > 0.0 { shadows.visible(field, cell, field.middle(cell)) } else { 0.0 };
             visible.push(seen);
             direct.push(seen * cosine);
         }
-        let own = |cell: usize| -> [f32; 3] { std::array::from_fn(|i| transport.sky[cell] * sky[i]) };
+        let own =
+            |cell: usize| -> [f32; 3] { std::array::from_fn(|i| transport.sky[cell] * sky[i]) };
         let mut ambient: Vec<[f32; 3]> = (0..cells).map(own).collect();
         for _ in 0..light.bounces {
             if progress.is_stopped() {
@@ -75,7 +80,13 @@ impl Lit {
     }
 
     /// How much of the sun is seen at a place of a cell.
-    pub(super) fn visible_at(&self, light: &Illumination, field: &Field, cell: usize, place: [f32; 3]) -> f32 {
+    pub(super) fn visible_at(
+        &self,
+        light: &Illumination,
+        field: &Field,
+        cell: usize,
+        place: [f32; 3],
+    ) -> f32 {
         if field.steepness(cell) < WALL {
             return self.visible[cell];
         }
@@ -105,7 +116,12 @@ impl Shadows {
         let across = x.hypot(y);
         let along = if across > 1e-6 { [x / across, y / across] } else { [0.0; 2] };
         let along = along.map(|part| if part.abs() < 1e-6 { 0.0 } else { part });
-        Self { toward, along, elevation: z.max(0.0).atan2(across), softness: (light.softness as f32).max(1e-4) }
+        Self {
+            toward,
+            along,
+            elevation: z.max(0.0).atan2(across),
+            softness: (light.softness as f32).max(1e-4),
+        }
     }
 
     /// The cosine between the sun and the normal of a cell, 0 where the sun is behind it.
@@ -123,13 +139,15 @@ impl Shadows {
         // A cell does not stand in its own light.
         let plane = x * self.along[0] + y * self.along[1];
         let slope = |elevation: f32| elevation.clamp(-1.5, 1.5).tan();
-        let (lower, upper) = (slope(self.elevation - self.softness), slope(self.elevation + self.softness));
+        let (lower, upper) =
+            (slope(self.elevation - self.softness), slope(self.elevation + self.softness));
         let least = plane.max(lower);
         let horizon = field.horizon(place, self.along, least, upper);
         if horizon <= least {
             return 1.0;
         }
-        // The disc's lower half sinks first; as much of it as the horizon is above the cell's own plane.
+        // The disc's lower half sinks first; as much of it as the horizon is above the cell's own
+        // plane.
         let hidden = 0.5 + (horizon.atan() - self.elevation) / (2.0 * self.softness);
         let own = ((horizon.atan() - plane.atan()) / self.softness).clamp(0.0, 1.0);
         1.0 - hidden.clamp(0.0, 1.0) * own

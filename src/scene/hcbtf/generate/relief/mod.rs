@@ -1,11 +1,13 @@
 //! A relief of the tile: a height field as every eye sees it under every light.
 //!
-//! A `field` of cells finer than the texels is made of the pattern once, and `transport` finds what every cell sees of the
-//! sky and of the others. Then what an eye sees (`seen`) depends on the view alone, and what a light does (`lit`) on the
-//! light alone: each is worked out when it is first asked for and kept, and a sample puts the two together (`shade`).
-//! Light is linear; what a sample shows is in display colours, as all paint is.
+//! A `field` of cells finer than the texels is made of the pattern once, and `transport` finds what
+//! every cell sees of the sky and of the others. Then what an eye sees (`seen`) depends on the view
+//! alone, and what a light does (`lit`) on the light alone: each is worked out when it is first
+//! asked for and kept, and a sample puts the two together (`shade`). Light is linear; what a sample
+//! shows is in display colors, as all paint is.
 //!
-//! Each of them is worked out on one thread, so that no thread waits for itself; samples go over all cores.
+//! Each of them is worked out on one thread, so that no thread waits for itself; samples go over
+//! all cores.
 
 mod field;
 mod lit;
@@ -29,7 +31,8 @@ use super::Color;
 use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Relief};
 use crate::hcbtf::{Progress, noise};
 
-/// How long what is made ahead of the tiles takes, in tiles: as measured for the examples, within a factor of three.
+/// How long what is made ahead of the tiles takes, in tiles: as measured for the examples, within a
+/// factor of three.
 pub(super) const FIELD_TILES: u64 = 12;
 pub(super) const TRANSPORT_TILES: u64 = 30;
 const SEEN_TILES: u64 = 1;
@@ -37,9 +40,14 @@ const LIT_TILES: u64 = 3;
 
 /// What is made ahead of the tiles of these samples takes as long as so many tiles.
 pub(super) fn tiles_ahead(samples: &[Address]) -> u64 {
-    let views: BTreeSet<Direction> = samples.iter().map(|address| address.view.canonical()).collect();
-    let lights: BTreeSet<Direction> = samples.iter().map(|address| address.light.canonical()).collect();
-    FIELD_TILES + TRANSPORT_TILES + SEEN_TILES * views.len() as u64 + LIT_TILES * lights.len() as u64
+    let views: BTreeSet<Direction> =
+        samples.iter().map(|address| address.view.canonical()).collect();
+    let lights: BTreeSet<Direction> =
+        samples.iter().map(|address| address.light.canonical()).collect();
+    FIELD_TILES
+        + TRANSPORT_TILES
+        + SEEN_TILES * views.len() as u64
+        + LIT_TILES * lights.len() as u64
 }
 
 /// Ready to give tiles.
@@ -72,8 +80,11 @@ impl Ready {
 
     /// The texels of a sample; `None` where it is stopped.
     pub(super) fn tile(&self, address: Address, progress: &Progress) -> Option<Vec<Color>> {
-        let (view, light) = (toward(self.grid.view, address.view), toward(self.grid.light, address.light));
-        let of = |directions: Directions, direction: Direction| usize::try_from(directions.index(direction)).ok();
+        let (view, light) =
+            (toward(self.grid.view, address.view), toward(self.grid.light, address.light));
+        let of = |directions: Directions, direction: Direction| {
+            usize::try_from(directions.index(direction)).ok()
+        };
         let seen = self.seen.get(of(self.grid.view, address.view)?)?;
         let rows = u64::from(self.grid.size[1]);
         let seen = seen.get_or_init(|| {

@@ -1,14 +1,17 @@
-//! What an eye sees of the field: for every cell of the tile as it lies there, the place that hides all behind it.
+//! What an eye sees of the field: for every cell of the tile as it lies there, the place that hides
+//! all behind it.
 
 use super::field::Field;
 use super::noise::{ramp, rough};
 use crate::document::Relief;
 use crate::hcbtf::Progress;
 
-/// Eyes farther from the normal look as from here: nearer to the horizon, they would see the field's tops alone.
+/// Eyes farther from the normal look as from here: nearer to the horizon, they would see the
+/// field's tops alone.
 pub(super) const FARTHEST_VIEW: f32 = 78.0 * std::f32::consts::PI / 180.0;
 
-/// A height that changes by more than this part of the relief's from one ray to the next but one is an edge.
+/// A height that changes by more than this part of the relief's from one ray to the next but one is
+/// an edge.
 const EDGE: f32 = 0.16;
 
 /// Where an eye's ray meets the field.
@@ -27,8 +30,14 @@ pub(super) struct Seen {
 }
 
 impl Seen {
-    /// What is seen from a direction: along x, along y (down), and out of the tile. `None` where it is stopped.
-    pub(super) fn new(relief: &Relief, field: &Field, toward: [f32; 3], progress: &Progress) -> Option<Self> {
+    /// What is seen from a direction: along x, along y (down), and out of the tile. `None` where it
+    /// is stopped.
+    pub(super) fn new(
+        relief: &Relief,
+        field: &Field,
+        toward: [f32; 3],
+        progress: &Progress,
+    ) -> Option<Self> {
         let [width, height] = field.size;
         let mut hits = Vec::with_capacity(width * height);
         let eye = Eye::new(relief, field, toward);
@@ -61,7 +70,8 @@ impl<'a> Eye<'a> {
         Self { relief, field, away, tangent: if across > 1e-6 { theta.tan() } else { 0.0 } }
     }
 
-    /// Where the ray through the middle of a cell, at the height that stays in place, meets the field.
+    /// Where the ray through the middle of a cell, at the height that stays in place, meets the
+    /// field.
     fn hit(&self, x: usize, y: usize) -> Hit {
         let field = self.field;
         let [width, height] = field.size.map(|side| side as f32);
@@ -71,7 +81,9 @@ impl<'a> Eye<'a> {
             let place = [start[0] / width, start[1] / height];
             let down = ((4.0 * height / width).round() as u32).max(1);
             for (axis, along) in start.iter_mut().enumerate() {
-                let stray = rough(self.relief.seed.wrapping_add(60 + axis as u32), [4, down], 3, place) - 0.5;
+                let stray =
+                    rough(self.relief.seed.wrapping_add(60 + axis as u32), [4, down], 3, place)
+                        - 0.5;
                 *along += 2.0 * wobble * width * stray;
             }
         }
@@ -107,7 +119,8 @@ impl<'a> Eye<'a> {
     }
 }
 
-/// Ink where one thing stands before another: where what neighbouring rays meet is far apart in height.
+/// Ink where one thing stands before another: where what neighbouring rays meet is far apart in
+/// height.
 fn inked(relief: &Relief, field: &Field, hits: &[Hit]) -> Vec<u8> {
     let [width, height] = field.size;
     let at = |x: usize, y: usize| hits[(y % height) * width + x % width].place[2];
@@ -116,7 +129,8 @@ fn inked(relief: &Relief, field: &Field, hits: &[Hit]) -> Vec<u8> {
         let down = (at(x, y + 1) - at(x, y + height - 1)).abs();
         across.max(down) > EDGE * field.range.max(1e-3)
     };
-    let edges: Vec<bool> = (0..width * height).map(|cell| edge(cell % width, cell / width)).collect();
+    let edges: Vec<bool> =
+        (0..width * height).map(|cell| edge(cell % width, cell / width)).collect();
     let radius = 0.5 * relief.finish.ink_width as f32 * field.per_texel as f32;
     let reach = radius.ceil() as usize;
     let down = ((6.0 * height as f32 / width as f32).round() as u32).max(1);
@@ -124,10 +138,14 @@ fn inked(relief: &Relief, field: &Field, hits: &[Hit]) -> Vec<u8> {
         let (x, y) = (cell % width, cell / width);
         // A pen presses now more, now less.
         let place = [(x as f32 + 0.5) / width as f32, (y as f32 + 0.5) / height as f32];
-        let pressed = radius * (0.55 + 0.9 * rough(relief.seed.wrapping_add(70), [6, down], 2, place));
+        let pressed =
+            radius * (0.55 + 0.9 * rough(relief.seed.wrapping_add(70), [6, down], 2, place));
         let mut most = 0.0_f32;
         for (dx, dy) in (0..=2 * reach).flat_map(|dy| (0..=2 * reach).map(move |dx| (dx, dy))) {
-            let (column, row) = ((x + dx + width - reach % width) % width, (y + dy + height - reach % height) % height);
+            let (column, row) = (
+                (x + dx + width - reach % width) % width,
+                (y + dy + height - reach % height) % height,
+            );
             if edges[row * width + column] {
                 let distance = (dx as f32 - reach as f32).hypot(dy as f32 - reach as f32);
                 most = most.max(1.0 - ramp(pressed - 0.5, pressed + 0.5, distance));

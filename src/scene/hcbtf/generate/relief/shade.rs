@@ -11,7 +11,13 @@ use crate::document::relief::Pattern;
 use crate::hcbtf::Progress;
 
 /// The tile of a sample; `None` where it is stopped.
-pub(super) fn tile(ready: &Ready, seen: &Seen, lit: &Lit, view: [f32; 3], progress: &Progress) -> Option<Vec<Color>> {
+pub(super) fn tile(
+    ready: &Ready,
+    seen: &Seen,
+    lit: &Lit,
+    view: [f32; 3],
+    progress: &Progress,
+) -> Option<Vec<Color>> {
     let field = &ready.field;
     let per_texel = field.per_texel;
     let [width, height] = ready.grid.size.map(|side| side as usize);
@@ -23,7 +29,9 @@ pub(super) fn tile(ready: &Ready, seen: &Seen, lit: &Lit, view: [f32; 3], progre
         }
         for x in 0..width {
             let mut sum = [0.0; 4];
-            for (row, column) in (0..per_texel).flat_map(|row| (0..per_texel).map(move |column| (row, column))) {
+            for (row, column) in
+                (0..per_texel).flat_map(|row| (0..per_texel).map(move |column| (row, column)))
+            {
                 let ray = (y * per_texel + row) * field.size[0] + x * per_texel + column;
                 let ink = seen.ink.get(ray).copied().unwrap_or_default();
                 let ([r, g, b], alpha) = shader.color(&seen.hits[ray], ink);
@@ -34,7 +42,10 @@ pub(super) fn tile(ready: &Ready, seen: &Seen, lit: &Lit, view: [f32; 3], progre
             let [r, g, b] = [sum[0], sum[1], sum[2]].map(straight);
             // Paper shows in texels, not in parts of them.
             let paper = shader.paper(x, y);
-            texels.push([r * paper, g * paper, b * paper, 255.0 * sum[3] / count].map(|channel| channel.min(255.0)));
+            texels.push(
+                [r * paper, g * paper, b * paper, 255.0 * sum[3] / count]
+                    .map(|channel| channel.min(255.0)),
+            );
         }
     }
     Some(texels)
@@ -58,7 +69,9 @@ impl<'a> Shader<'a> {
         let sum: [f32; 3] = std::array::from_fn(|i| lit.toward[i] + view[i]);
         let length = sum.iter().map(|part| part * part).sum::<f32>().sqrt().max(1e-6);
         let glow = match &relief.pattern {
-            Pattern::Facade { lit_color, .. } => linear(*lit_color).map(|channel| channel * lit.lowness),
+            Pattern::Facade { lit_color, .. } => {
+                linear(*lit_color).map(|channel| channel * lit.lowness)
+            }
             _ => [0.0; 3],
         };
         let white = (relief.light.sun_amount + relief.light.sky_amount) as f32;
@@ -72,23 +85,33 @@ impl<'a> Shader<'a> {
         }
     }
 
-    /// The display colour at a place, and its alpha.
+    /// The display color at a place, and its alpha.
     fn color(&self, hit: &Hit, ink: u8) -> ([f32; 3], f32) {
         let (field, lit, relief) = (&self.ready.field, self.lit, &self.ready.relief);
         let cell = hit.cell as usize;
         let material = &field.materials[cell];
         let normal = field.normal(cell);
         let cosine = dot(normal, lit.toward).max(0.0);
-        let visible = if cosine > 0.0 { lit.visible_at(&relief.light, field, cell, hit.place) } else { 0.0 };
+        let visible =
+            if cosine > 0.0 { lit.visible_at(&relief.light, field, cell, hit.place) } else { 0.0 };
         let direct = cosine * visible;
         let light: [f32; 3] = std::array::from_fn(|i| lit.sun[i] * direct + lit.ambient[cell][i]);
         let (light, brightness) = self.in_bands(light);
-        let shine = if direct > 0.0 { visible * self.glint(normal, material.gloss, material.grain) } else { 0.0 };
+        let shine = if direct > 0.0 {
+            visible * self.glint(normal, material.gloss, material.grain)
+        } else {
+            0.0
+        };
         let glow = material.glow;
-        let shown =
-            std::array::from_fn(|i| shown(material.color[i] * light[i] + shine * lit.sun[i] + glow * self.glow[i]));
+        let shown = std::array::from_fn(|i| {
+            shown(material.color[i] * light[i] + shine * lit.sun[i] + glow * self.glow[i])
+        });
         let finish = &relief.finish;
-        let lines = if finish.hatch > 0.0 { self.hatching(hit, brightness.max(glow * lit.lowness)) } else { 0.0 };
+        let lines = if finish.hatch > 0.0 {
+            self.hatching(hit, brightness.max(glow * lit.lowness))
+        } else {
+            0.0
+        };
         let pen = (finish.ink as f32 * f32::from(ink) / 255.0).max(finish.hatch as f32 * lines);
         (mix3(shown, self.ink, pen), material.alpha)
     }
@@ -103,7 +126,8 @@ impl<'a> Shader<'a> {
         }
         let at = brightness * bands as f32;
         // Between two steps lies a short ramp, so that edges are smooth.
-        let stepped = (at.floor() + ramp(0.85, 1.0, at - at.floor())).min(bands as f32) / bands as f32;
+        let stepped =
+            (at.floor() + ramp(0.85, 1.0, at - at.floor())).min(bands as f32) / bands as f32;
         let stepped = mix(0.5 / bands as f32, 1.0, stepped);
         let factor = decode(stepped) * self.white / luminance;
         (light.map(|channel| channel * factor), stepped)
@@ -115,18 +139,21 @@ impl<'a> Shader<'a> {
         if glint.amount <= 0.0 || gloss <= 0.0 {
             return 0.0;
         }
-        let [there, x, y] = chances(hash(self.ready.relief.seed.wrapping_add(80), i64::from(grain), 0));
+        let [there, x, y] =
+            chances(hash(self.ready.relief.seed.wrapping_add(80), i64::from(grain), 0));
         if there >= glint.share as f32 {
             return 0.0;
         }
         let lean = glint.lean as f32;
-        let leaning = [normal[0] + lean * (2.0 * x - 1.0), normal[1] + lean * (2.0 * y - 1.0), normal[2]];
+        let leaning =
+            [normal[0] + lean * (2.0 * x - 1.0), normal[1] + lean * (2.0 * y - 1.0), normal[2]];
         let length = dot(leaning, leaning).sqrt().max(1e-6);
         let mirrored = (dot(leaning, self.half) / length).max(0.0).powf(glint.sharpness as f32);
         glint.amount as f32 * gloss * mirrored
     }
 
-    /// How much hatching lies at a place: lines that grow with the dark, and a second set across them in the darkest.
+    /// How much hatching lies at a place: lines that grow with the dark, and a second set across
+    /// them in the darkest.
     fn hatching(&self, hit: &Hit, brightness: f32) -> f32 {
         let relief = &self.ready.relief;
         let [width, height] = self.ready.field.size.map(|side| side as f32);
@@ -182,7 +209,11 @@ fn shown(linear: f32) -> f32 {
 
 /// Linear light as sRGB shows it (IEC 61966-2-1).
 fn encode(linear: f32) -> f32 {
-    if linear <= 0.003_130_8 { 12.92 * linear.max(0.0) } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
+    if linear <= 0.003_130_8 {
+        12.92 * linear.max(0.0)
+    } else {
+        1.055 * linear.powf(1.0 / 2.4) - 0.055
+    }
 }
 
 fn decode(shown: f32) -> f32 {

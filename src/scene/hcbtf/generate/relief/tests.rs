@@ -16,7 +16,7 @@ use crate::hcbtf::fill::fill;
 
 const WHITE: [f32; 3] = [1.0; 3];
 
-/// A field of given heights and one colour.
+/// A field of given heights and one color.
 fn field(size: [usize; 2], color: [f32; 3], height: impl Fn(usize, usize) -> f32) -> Field {
     let heights = (0..size[0] * size[1]).map(|at| height(at % size[0], at / size[0])).collect();
     Field::of(size, 1, heights, vec![Material::of(color); size[0] * size[1]])
@@ -43,7 +43,14 @@ fn sun() -> Illumination {
 /// A white sky alone.
 fn sky(bounces: u32) -> Illumination {
     let white = [255; 3];
-    Illumination { sun_amount: 0.0, sky: white, low_sky: white, sky_amount: 1.0, bounces, ..Illumination::default() }
+    Illumination {
+        sun_amount: 0.0,
+        sky: white,
+        low_sky: white,
+        sky_amount: 1.0,
+        bounces,
+        ..Illumination::default()
+    }
 }
 
 fn lit(light: Illumination, field: &Field, toward: [f32; 3]) -> Lit {
@@ -52,7 +59,8 @@ fn lit(light: Illumination, field: &Field, toward: [f32; 3]) -> Lit {
     Lit::new(&relief, field, &transport, toward, &Progress::new()).unwrap()
 }
 
-/// A step's shadow is as long as the step is high, times the tangent of the light's angle from the normal.
+/// A step's shadow is as long as the step is high, times the tangent of the light's angle from the
+/// normal.
 #[test]
 fn a_steps_shadow_has_its_length() {
     let (edge, high) = (40, 6.0_f32);
@@ -62,7 +70,9 @@ fn a_steps_shadow_has_its_length() {
         // Along x and along y, from either side.
         for (axis, side) in [(0, 1.0), (1, 1.0), (0, -1.0), (1, -1.0)] {
             let along = |x: usize, y: usize| if axis == 0 { x } else { y };
-            let is_high = |at: usize| if side > 0.0 { (edge..60).contains(&at) } else { (20..=edge).contains(&at) };
+            let is_high = |at: usize| {
+                if side > 0.0 { (edge..60).contains(&at) } else { (20..=edge).contains(&at) }
+            };
             let size = if axis == 0 { [80, 3] } else { [3, 80] };
             let step = field(size, WHITE, |x, y| if is_high(along(x, y)) { high } else { 0.0 });
             let toward = if axis == 0 { [side * sin, 0.0, cos] } else { [0.0, side * sin, cos] };
@@ -73,14 +83,18 @@ fn a_steps_shadow_has_its_length() {
                 // The wall itself is one cell wide.
                 if before > 1.0 && before < 30.0 && (before - length).abs() > 1e-3 {
                     let expected = if before > length { 1.0 } else { 0.0 };
-                    assert_eq!(lit.visible[cell], expected, "{theta}, axis {axis}, {before} of {length}");
+                    assert_eq!(
+                        lit.visible[cell], expected,
+                        "{theta}, axis {axis}, {before} of {length}"
+                    );
                 }
             }
         }
     }
 }
 
-/// What lies higher than the pivot is seen moved toward where it stands from the eye: by its height over the tangent.
+/// What lies higher than the pivot is seen moved toward where it stands from the eye: by its height
+/// over the tangent.
 #[test]
 fn a_raised_plane_is_seen_where_it_ought_to_be() {
     let high = 5.0;
@@ -93,16 +107,22 @@ fn a_raised_plane_is_seen_where_it_ought_to_be() {
             let moved = (1.0 - pivot as f32) * high * theta.min(FARTHEST_VIEW).tan();
             for (at, hit) in seen.hits.iter().enumerate() {
                 let start = [(at % 24) as f32 + 0.5, (at / 24) as f32 + 0.5];
-                let expected = [start[0] + moved * around.sin(), start[1] + moved * around.cos(), high];
+                let expected =
+                    [start[0] + moved * around.sin(), start[1] + moved * around.cos(), high];
                 for (found, expected) in hit.place.iter().zip(expected) {
-                    assert!((found - expected).abs() < 2e-3, "{theta} {around} {pivot}: {:?}, {expected}", hit.place);
+                    assert!(
+                        (found - expected).abs() < 2e-3,
+                        "{theta} {around} {pivot}: {:?}, {expected}",
+                        hit.place
+                    );
                 }
             }
         }
     }
 }
 
-/// The horizon in a direction is the largest slope to any place along it, however it is looked for, and rises with the field.
+/// The horizon in a direction is the largest slope to any place along it, however it is looked for,
+/// and rises with the field.
 #[test]
 fn the_horizon_is_the_steepest_slope_and_rises_with_the_field() {
     let size = [19, 23];
@@ -129,7 +149,8 @@ fn the_horizon_is_the_steepest_slope_and_rises_with_the_field() {
     }
 }
 
-/// Nothing is lost and nothing is won: a white relief under a white sky is white, whatever its form.
+/// Nothing is lost and nothing is won: a white relief under a white sky is white, whatever its
+/// form.
 #[test]
 fn a_white_furnace_stays_white() {
     let size = [24, 20];
@@ -143,25 +164,37 @@ fn a_white_furnace_stays_white() {
         let transport = Transport::new(&white, &Progress::new()).unwrap();
         let ones = vec![WHITE; size[0] * size[1]];
         for cell in 0..size[0] * size[1] {
-            let [whole, ..] = transport.gathered(cell, &ones).map(|seen| seen + transport.sky[cell]);
+            let [whole, ..] =
+                transport.gathered(cell, &ones).map(|seen| seen + transport.sky[cell]);
             assert!((whole - 1.0).abs() < 1e-4 && transport.sky[cell] >= 0.0, "{whole}");
         }
         let mut before = vec![0.0; size[0] * size[1]];
         for bounces in [0, 1, 2, 8, 64] {
             let lit = lit(sky(bounces), &white, [0.0, 0.0, 1.0]);
             for (ambient, before) in lit.ambient.iter().zip(&mut before) {
-                assert!(ambient[0] >= *before - 1e-5 && ambient[0] <= 1.0 + 1e-4, "{bounces}: {}", ambient[0]);
+                assert!(
+                    ambient[0] >= *before - 1e-5 && ambient[0] <= 1.0 + 1e-4,
+                    "{bounces}: {}",
+                    ambient[0]
+                );
                 *before = ambient[0];
             }
         }
         assert!(before.iter().all(|ambient| (ambient - 1.0).abs() < 0.02), "{before:?}");
-        // With a colour that keeps some of the light, every place gets less than the sky alone would give.
+        // With a color that keeps some of the light, every place gets less than the sky alone
+        // would give.
         let grey = field(size, [0.5; 3], form);
-        assert!(lit(sky(64), &grey, [0.0, 0.0, 1.0]).ambient.iter().all(|ambient| ambient[0] <= 1.0 + 1e-4));
+        assert!(
+            lit(sky(64), &grey, [0.0, 0.0, 1.0])
+                .ambient
+                .iter()
+                .all(|ambient| ambient[0] <= 1.0 + 1e-4)
+        );
     }
 }
 
-/// At the foot of a long wall the sky is what the view factor of a wall leaves: (1 + cos of its elevation) / 2.
+/// At the foot of a long wall the sky is what the view factor of a wall leaves: (1 + cos of its
+/// elevation) / 2.
 #[test]
 fn a_wall_hides_its_part_of_the_sky() {
     let (high, wide) = (8.0_f32, 120);
@@ -181,7 +214,10 @@ fn painted(grid: Grid, seed: u32) -> Hcbtf {
         3 => 255,
         _ => (255.0 * noise::chance(seed, at as i64, 0)) as u8,
     });
-    hcbtf.painted.insert(Address::new([0, 0], [0, 0]), Arc::new(Tile::new(grid.size, rgba.collect()).unwrap()));
+    hcbtf.painted.insert(
+        Address::new([0, 0], [0, 0]),
+        Arc::new(Tile::new(grid.size, rgba.collect()).unwrap()),
+    );
     hcbtf
 }
 
@@ -193,15 +229,21 @@ const GRID: Grid = {
 /// Of the painted sample at the normal.
 fn of_painting() -> Relief {
     let from = Address::default();
-    let pattern = Pattern::Painted { heights: from, channel: Channel::Luminance, is_inverted: false, colors: from };
+    let pattern = Pattern::Painted {
+        heights: from,
+        channel: Channel::Luminance,
+        is_inverted: false,
+        colors: from,
+    };
     Relief { pattern, depth: 0.2, ..Relief::default() }
 }
 
-/// A flat relief is Lambert's law: each texel's linear colour times the cosine of the light.
+/// A flat relief is Lambert's law: each texel's linear color times the cosine of the light.
 #[test]
 fn a_flat_relief_is_lamberts_law() {
     let mut hcbtf = painted(GRID, 3);
-    hcbtf.rules = vec![Rule::Relief(Box::new(Relief { depth: 0.0, light: sun(), ..of_painting() }))];
+    hcbtf.rules =
+        vec![Rule::Relief(Box::new(Relief { depth: 0.0, light: sun(), ..of_painting() }))];
     let filled = fill(&hcbtf, &Progress::new()).unwrap();
     let source = hcbtf.painted(Address::default()).unwrap();
     for (address, tile, _) in filled.iter().filter(|(address, ..)| *address != Address::default()) {
@@ -209,8 +251,16 @@ fn a_flat_relief_is_lamberts_law() {
         for (found, texel) in tile.bytes().chunks_exact(4).zip(source.bytes().chunks_exact(4)) {
             for (found, own) in found[..3].iter().zip(texel) {
                 let linear = crate::document::srgb_to_linear(f64::from(*own) / 255.0) * cosine;
-                let shown = if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
-                assert!((f64::from(*found) - 255.0 * shown).abs() < 0.51, "{address}: {found}, {}", 255.0 * shown);
+                let shown = if linear <= 0.003_130_8 {
+                    12.92 * linear
+                } else {
+                    1.055 * linear.powf(1.0 / 2.4) - 0.055
+                };
+                assert!(
+                    (f64::from(*found) - 255.0 * shown).abs() < 0.51,
+                    "{address}: {found}, {}",
+                    255.0 * shown
+                );
             }
             assert_eq!(found[3], 255);
         }
@@ -231,9 +281,12 @@ fn reliefs_go_on_across_the_tiles_edges() {
     let tile = |hcbtf: &Hcbtf, address| {
         let ready = Ready::new(&of_painting(), hcbtf, &Progress::new()).unwrap();
         let color = ready.tile(address, &Progress::new()).unwrap();
-        Tile::new([8, 6], color.iter().flatten().map(|channel| channel.round() as u8).collect()).unwrap()
+        Tile::new([8, 6], color.iter().flatten().map(|channel| channel.round() as u8).collect())
+            .unwrap()
     };
-    for address in [Address::new([1, 1], [1, 2]), Address::new([1, 3], [2, 0]), Address::new([0, 0], [1, 3])] {
+    for address in
+        [Address::new([1, 1], [1, 2]), Address::new([1, 3], [2, 0]), Address::new([0, 0], [1, 3])]
+    {
         let (expected, found) = (shifted(&tile(&hcbtf, address)), tile(&moved, address));
         let off = expected.bytes().iter().zip(found.bytes()).map(|(a, b)| a.abs_diff(*b)).max();
         assert!(off <= Some(1), "{address}: {off:?}");
@@ -244,7 +297,14 @@ fn patterns() -> Vec<Pattern> {
     let gray = [128; 3];
     vec![
         Pattern::default(),
-        Pattern::Stones { count: 5, share: 0.7, grit: 0.5, roundness: 0.5, colors: [gray, [200; 3]], binder: [40; 3] },
+        Pattern::Stones {
+            count: 5,
+            share: 0.7,
+            grit: 0.5,
+            roundness: 0.5,
+            colors: [gray, [200; 3]],
+            binder: [40; 3],
+        },
         Pattern::Facade {
             columns: 3,
             floors: 2,
@@ -285,7 +345,11 @@ fn patterns_repeat_without_a_seam() {
             let at = (step as f32 + 0.3) / 40.0;
             for (one, other) in [([0.0, at], [1.0, at]), ([at, 0.0], [at, 1.0])] {
                 let heights = [one, other].map(|place| sampler.height(place));
-                assert!((heights[0] - heights[1]).abs() < 1e-3, "{:?} {one:?}: {heights:?}", relief.pattern);
+                assert!(
+                    (heights[0] - heights[1]).abs() < 1e-3,
+                    "{:?} {one:?}: {heights:?}",
+                    relief.pattern
+                );
                 let [a, b] = [one, other].map(|place| sampler.material(place).color);
                 assert!((0..3).all(|i| (a[i] - b[i]).abs() < 1e-3), "{:?} {one:?}", relief.pattern);
             }
@@ -358,24 +422,45 @@ fn numbers_out_of_bounds_are_told() {
     wrong(|relief| relief.finish.hatch_lines = 0, "hatch_lines");
     wrong(|relief| relief.finish.wobble = 0.2, "wobble");
     wrong(
-        |relief| relief.pattern = Pattern::Ripples { count: 65, bend: 0.0, roughness: 0.0, colors: [[0; 3]; 2] },
+        |relief| {
+            relief.pattern =
+                Pattern::Ripples { count: 65, bend: 0.0, roughness: 0.0, colors: [[0; 3]; 2] }
+        },
         "count",
     );
     let far = Address::new([5, 0], [0, 0]);
     let mut relief = of_painting();
-    relief.pattern =
-        Pattern::Painted { heights: far, channel: Channel::Alpha, is_inverted: true, colors: Address::default() };
+    relief.pattern = Pattern::Painted {
+        heights: far,
+        channel: Channel::Alpha,
+        is_inverted: true,
+        colors: Address::default(),
+    };
     assert!(relief.check(&GRID).unwrap_err().contains("outside the grid"));
     let fine = Grid { size: [1024, 512], ..GRID };
     assert!(Relief::default().check(&fine).unwrap_err().contains("1024"));
     let many = Directions { theta: 40, phi: 40 };
-    assert!(Relief::default().check(&Grid { size: [256, 256], light: many, view: many }).unwrap_err().contains("MiB"));
+    assert!(
+        Relief::default()
+            .check(&Grid { size: [256, 256], light: many, view: many })
+            .unwrap_err()
+            .contains("MiB")
+    );
     for relief in rules() {
         assert_eq!(relief.check(&GRID), Ok(()));
         let text = serde_json::to_string(&Rule::Relief(Box::new(relief.clone()))).unwrap();
-        assert_eq!(serde_json::from_str::<Rule>(&text).unwrap(), Rule::Relief(Box::new(relief)), "{text}");
+        assert_eq!(
+            serde_json::from_str::<Rule>(&text).unwrap(),
+            Rule::Relief(Box::new(relief)),
+            "{text}"
+        );
     }
-    assert!(serde_json::from_str::<Rule>(r#"{"rule":"relief","dept":1}"#).unwrap_err().to_string().contains("dept"));
+    assert!(
+        serde_json::from_str::<Rule>(r#"{"rule":"relief","dept":1}"#)
+            .unwrap_err()
+            .to_string()
+            .contains("dept")
+    );
 }
 
 /// The sun warms as it sinks; a tile that stands upright counts from its own horizontal.

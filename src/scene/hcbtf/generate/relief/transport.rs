@@ -1,10 +1,12 @@
-//! Which part of its surroundings every cell sees: how much of the sky, and how much of which other cells.
+//! Which part of its surroundings every cell sees: how much of the sky, and how much of which other
+//! cells.
 //!
-//! Around every cell's middle the horizon is followed in [`AZIMUTHS`] directions, from the plane of the cell itself up. Each
-//! time it rises, what made it rise fills the angles between, weighed by the cosine to the cell's normal; what is left is
-//! sky. With e the elevation, n the normal's part along z and t its part along the direction, the weight below e is
-//! n sin(e)^2 / 2 + t (e + sin(e) cos(e)) / 2, the integral of the cosine over the wedge. The weights of a cell, with the
-//! sky's, add up to 1, so no light is made or lost: under a white sky a white relief of any form is white.
+//! Around every cell's middle the horizon is followed in [`AZIMUTHS`] directions, from the plane of
+//! the cell itself up. Each time it rises, what made it rise fills the angles between, weighed by
+//! the cosine to the cell's normal; what is left is sky. With e the elevation, n the normal's part
+//! along z and t its part along the direction, the weight below e is n sin(e)^2 / 2 + t (e + sin(e)
+//! cos(e)) / 2, the integral of the cosine over the wedge. The weights of a cell, with the sky's,
+//! add up to 1, so no light is made or lost: under a white sky a white relief of any form is white.
 
 use std::f32::consts::{FRAC_PI_2, TAU};
 
@@ -62,10 +64,12 @@ impl Transport {
         Some(transport)
     }
 
-    /// What comes to a cell from the cells that it sees, each sending the colour that it has in `sent`.
+    /// What comes to a cell from the cells that it sees, each sending the color that it has in
+    /// `sent`.
     pub(super) fn gathered(&self, cell: usize, sent: &[[f32; 3]]) -> [f32; 3] {
         let mut sum = [0.0; 3];
-        for (from, weight) in &self.seen[self.starts[cell] as usize..self.starts[cell + 1] as usize] {
+        for (from, weight) in &self.seen[self.starts[cell] as usize..self.starts[cell + 1] as usize]
+        {
             let color = sent[*from as usize];
             (0..3).for_each(|i| sum[i] += weight * color[i]);
         }
@@ -82,7 +86,8 @@ fn around(field: &Field, cell: usize) -> Around {
         // Off the axes, where rays would run along grid lines.
         let turn = TAU * (azimuth as f32 + 0.5) / AZIMUTHS as f32;
         let direction = [turn.sin(), turn.cos()];
-        let wedge = Wedge { up: normal[2], along: normal[0] * direction[0] + normal[1] * direction[1] };
+        let wedge =
+            Wedge { up: normal[2], along: normal[0] * direction[0] + normal[1] * direction[1] };
         let plane = -wedge.along / wedge.up;
         let mut slope = plane;
         let begin = wedge.below(plane.atan());

@@ -1,7 +1,8 @@
 //! What is in front, at many places of the tile: a buffer of heights.
 //!
-//! All that is seen at a place of the tile lies on one ray, and what is nearer on it is higher. So the height over the surface
-//! is the depth, for the eye as for the light. Where heights are equal what is drawn later lies above.
+//! All that is seen at a place of the tile lies on one ray, and what is nearer on it is higher. So
+//! the height over the surface is the depth, for the eye as for the light. Where heights are equal
+//! what is drawn later lies above.
 
 use glam::Vec2;
 
@@ -23,7 +24,8 @@ pub(super) struct Hit {
 
 const NOTHING: Hit = Hit { height: -1.0, stroke: GROUND, along: 0.0, across: 0.0 };
 
-/// A corner of what is drawn. Places are in cells from the upper left corner of the tile, and may lie beyond it.
+/// A corner of what is drawn. Places are in cells from the upper left corner of the tile, and may
+/// lie beyond it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
     pub(super) at: Vec2,
@@ -45,14 +47,16 @@ impl Grain {
             return true;
         }
         let noise = |x: usize, y: usize, of: u32| {
-            let mut hash = (x as u32).wrapping_mul(0x9e37_79b1) ^ (y as u32).wrapping_mul(0x85eb_ca77) ^ of;
+            let mut hash =
+                (x as u32).wrapping_mul(0x9e37_79b1) ^ (y as u32).wrapping_mul(0x85eb_ca77) ^ of;
             hash = (hash ^ (hash >> 15)).wrapping_mul(0x2c1b_3c6d);
             hash = (hash ^ (hash >> 12)).wrapping_mul(0x297a_2d39);
             (hash ^ (hash >> 15)) as f32 / u32::MAX as f32
         };
         // The paper's own grain is coarser, and the same for all strokes.
         let paper = noise(x / 3, y / 3, 0);
-        0.6 * paper + 0.4 * noise(x, y, self.stroke.wrapping_add(1)) > self.amount * (0.8 + 0.4 * across * across)
+        0.6 * paper + 0.4 * noise(x, y, self.stroke.wrapping_add(1))
+            > self.amount * (0.8 + 0.4 * across * across)
     }
 }
 
@@ -78,7 +82,8 @@ impl Canvas {
         &self.hits[from..from + self.size[0]]
     }
 
-    /// What is seen at a place, in cells; beyond the edge of a tile that does not repeat there is nothing.
+    /// What is seen at a place, in cells; beyond the edge of a tile that does not repeat there is
+    /// nothing.
     pub(super) fn at(&self, place: Vec2) -> Hit {
         let [width, height] = self.size.map(|side| side as i64);
         let (x, y) = (place.x.floor() as i64, place.y.floor() as i64);
@@ -86,7 +91,8 @@ impl Canvas {
         if !(self.is_tiling || is_inside) {
             return NOTHING;
         }
-        self.hits[(y.rem_euclid(height) * width + x.rem_euclid(width)) as usize - self.first * self.size[0]]
+        self.hits[(y.rem_euclid(height) * width + x.rem_euclid(width)) as usize
+            - self.first * self.size[0]]
     }
 
     /// Draws a triangle of a stroke.
@@ -106,7 +112,11 @@ impl Canvas {
             let dy = (second * to_b.x - first * to_c.x) / area;
             (of(&a), Vec2::new(dx, dy))
         };
-        let planes = [slope(|corner| corner.height), slope(|corner| corner.along), slope(|corner| corner.across)];
+        let planes = [
+            slope(|corner| corner.height),
+            slope(|corner| corner.along),
+            slope(|corner| corner.across),
+        ];
         for y in (top - 0.5).ceil() as i64..(bottom - 0.5).ceil() as i64 {
             let middle = y as f32 + 0.5;
             let (mut left, mut right) = (f32::INFINITY, f32::NEG_INFINITY);
@@ -139,11 +149,22 @@ impl Canvas {
     }
 
     /// Draws one row between two places. `values` gives height, along and across.
-    fn span(&mut self, y: i64, left: f32, right: f32, stroke: u32, grain: Grain, values: impl Fn(f32) -> [f32; 3]) {
+    fn span(
+        &mut self,
+        y: i64,
+        left: f32,
+        right: f32,
+        stroke: u32,
+        grain: Grain,
+        values: impl Fn(f32) -> [f32; 3],
+    ) {
         let [width, height] = self.size;
         let row = if self.is_tiling { y.rem_euclid(height as i64) } else { y };
         let rows = self.hits.len() / width;
-        let Some(row) = usize::try_from(row).ok().and_then(|row| row.checked_sub(self.first)) else { return };
+        let Some(row) = usize::try_from(row).ok().and_then(|row| row.checked_sub(self.first))
+        else {
+            return;
+        };
         if row >= rows || left > right {
             return;
         }

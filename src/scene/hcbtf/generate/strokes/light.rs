@@ -18,7 +18,7 @@ pub(super) struct Light<'a> {
     there: &'a [Option<Seen<'a>>],
     shadows: Option<&'a Shadows>,
     jitter: &'a [Vec2],
-    /// The ground's colour as it is lit, and how much of it shadows take.
+    /// The ground's color as it is lit, and how much of it shadows take.
     ground: Vec3,
     shadowed: Vec3,
     ground_color: Color,
@@ -26,14 +26,20 @@ pub(super) struct Light<'a> {
     amount: f32,
     softness: f32,
     tallest: f32,
-    /// By how much what is seen at a place is off from where the light through it meets the ground, for its height; rows go down.
+    /// By how much what is seen at a place is off from where the light through it meets the ground,
+    /// for its height; rows go down.
     shift: Vec2,
     /// Widths of the tile to a cell.
     cell: f32,
 }
 
 impl<'a> Light<'a> {
-    pub(super) fn new(of: &'a Ready, rays: Rays, there: &'a [Option<Seen<'a>>], shadows: Option<&'a Shadows>) -> Self {
+    pub(super) fn new(
+        of: &'a Ready,
+        rays: Rays,
+        there: &'a [Option<Seen<'a>>],
+        shadows: Option<&'a Shadows>,
+    ) -> Self {
         let ground = &of.strokes.ground;
         let ground_color = ground.color.map(f32::from);
         let color = Vec3::from_slice(&ground_color);
@@ -61,7 +67,8 @@ impl<'a> Light<'a> {
             let row = canvas.row(y + down);
             for across in 0..CELLS {
                 let cell = [x * CELLS + across, y + down];
-                let (color, alpha) = self.color(&row[cell[0]], cell, self.jitter[down * CELLS + across]);
+                let (color, alpha) =
+                    self.color(&row[cell[0]], cell, self.jitter[down * CELLS + across]);
                 sum += color * alpha;
                 alphas += alpha;
             }
@@ -79,15 +86,18 @@ impl<'a> Light<'a> {
     /// What is seen at a cell, lit: straight RGB from 0 to 255, and alpha.
     fn color(&self, hit: &Hit, cell: [usize; 2], jitter: Vec2) -> (Vec3, f32) {
         let shadow = self.amount * self.shadow(hit, cell, jitter);
-        let seen = (hit.stroke != GROUND).then(|| self.there.get(hit.stroke as usize)?.as_ref()).flatten();
+        let seen =
+            (hit.stroke != GROUND).then(|| self.there.get(hit.stroke as usize)?.as_ref()).flatten();
         let (color, alpha) = match seen {
             None => (self.ground - self.shadowed * shadow, self.ground_color[3]),
             Some(seen) => {
                 let [facing, aside, shine] = seen.lit(hit.along);
                 let round = (1.0 - hit.across * hit.across).max(0.0).sqrt();
-                let toward = if aside == 0.0 { facing } else { round * facing + hit.across * aside };
+                let toward =
+                    if aside == 0.0 { facing } else { round * facing + hit.across * aside };
                 let bundle = seen.bundle;
-                let shone = bundle.diffuse as f32 * toward.max(0.0) + bundle.translucent as f32 * (-toward).max(0.0);
+                let shone = bundle.diffuse as f32 * toward.max(0.0)
+                    + bundle.translucent as f32 * (-toward).max(0.0);
                 let reach = 1.0 - shadow;
                 let highlight = Vec3::from(bundle.highlight.color.map(f32::from));
                 let highlight = highlight * (bundle.highlight.amount as f32 * shine * reach);

@@ -1,12 +1,15 @@
-//! Strokes that stand on the tile, drawn for every eye and every light: nearer ones hide those behind, all cast shadows.
+//! Strokes that stand on the tile, drawn for every eye and every light: nearer ones hide those
+//! behind, all cast shadows.
 //!
-//! What is drawn lies on the tile as the lookup will show it, so a stroke is not drawn as it looks but where it is seen: a point
-//! at height h over q is seen from the view v at q - h v_t / v_n, where v_t is what v has along the surface and v_n along the
-//! normal, and its shadow falls the same way along the light. Looked at from where it was drawn for, the tile then shows the
-//! strokes in space. Toward the horizon v_t / v_n is held at four (`seen::MAX_SLOPE`).
+//! What is drawn lies on the tile as the lookup will show it, so a stroke is not drawn as it looks
+//! but where it is seen: a point at height h over q is seen from the view v at q - h v_t / v_n,
+//! where v_t is what v has along the surface and v_n along the normal, and its shadow falls the
+//! same way along the light. Looked at from where it was drawn for, the tile then shows the strokes
+//! in space. Toward the horizon v_t / v_n is held at four (`seen::MAX_SLOPE`).
 //!
-//! `scatter` places the strokes once, from the seed alone; `seen` finds those that are there in a light and turns and lights
-//! them; `canvas` keeps what is in front at sixteen places of each texel, whose mean is the texel.
+//! `scatter` places the strokes once, from the seed alone; `seen` finds those that are there in a
+//! light and turns and lights them; `canvas` keeps what is in front at sixteen places of each
+//! texel, whose mean is the texel.
 
 mod canvas;
 mod light;
@@ -33,8 +36,8 @@ const MAX_CELLS: usize = 1 << 20;
 /// Cells of a map of shadows along a side of a texel, and along its longer side at most.
 const SHADOW_CELLS: usize = 2;
 const MAX_SHADOW_SIDE: usize = 1024;
-/// All maps of shadows that are kept, in bytes, and all that is in front for each view; where they would take more each is
-/// drawn anew.
+/// All maps of shadows that are kept, in bytes, and all that is in front for each view; where they
+/// would take more each is drawn anew.
 const MAX_KEPT: usize = 64 << 20;
 /// A point is in the shadow of what is higher by more than this, in widths of the tile.
 const BIAS: f32 = 2e-3;
@@ -57,7 +60,12 @@ pub(in crate::hcbtf) struct Ready {
 
 impl Ready {
     /// Places the strokes; `None` where it is stopped.
-    pub(super) fn new(strokes: &Strokes, grid: &Grid, is_tiling: bool, progress: &Progress) -> Option<Self> {
+    pub(super) fn new(
+        strokes: &Strokes,
+        grid: &Grid,
+        is_tiling: bool,
+        progress: &Progress,
+    ) -> Option<Self> {
         // What was not checked is not drawn.
         let strokes = if strokes.check().is_ok() { strokes.clone() } else { Strokes::default() };
         let height = grid.size[1] as f32 / grid.size[0] as f32;
@@ -72,7 +80,8 @@ impl Ready {
         let has_tones = strokes.bundles.iter().any(|bundle| bundle.tones.is_some());
         let (views, cells) = (grid.view.distinct_count() as usize, grid.texels() * CELLS * CELLS);
         let fits = cells <= MAX_CELLS && views.saturating_mul(cells * size_of::<Hit>()) <= MAX_KEPT;
-        let fronts = (0..if fits && !has_tones { views } else { 0 }).map(|_| OnceLock::new()).collect();
+        let fronts =
+            (0..if fits && !has_tones { views } else { 0 }).map(|_| OnceLock::new()).collect();
         let count = (CELLS * CELLS) as f32;
         // Vogel's spiral: even in a round.
         let spiral = |k: usize| {
@@ -126,7 +135,15 @@ impl Ready {
         let size = self.grid.size.map(|side| side as usize * CELLS);
         let mut canvas = Canvas::new(size, self.is_tiling, rows);
         let strokes = there.iter().flatten();
-        draw(&mut canvas, strokes, slope(rays.view), size[0] as f32, self.height(), true, progress)?;
+        draw(
+            &mut canvas,
+            strokes,
+            slope(rays.view),
+            size[0] as f32,
+            self.height(),
+            true,
+            progress,
+        )?;
         let canvas = Arc::new(canvas);
         if let Some(kept) = kept {
             // Another thread may have been first; what it drew is the same.
@@ -141,8 +158,16 @@ impl Ready {
     }
 
     /// The shadows in a light, where there are any; `None` where it is stopped.
-    #[expect(clippy::option_option, reason = "the outer is whether it was stopped, as everywhere here")]
-    fn shadows(&self, address: Address, rays: Rays, progress: &Progress) -> Option<Option<Arc<Shadows>>> {
+    #[expect(
+        clippy::option_option,
+        reason = "the outer is whether it was stopped, as everywhere here"
+    )]
+    fn shadows(
+        &self,
+        address: Address,
+        rays: Rays,
+        progress: &Progress,
+    ) -> Option<Option<Arc<Shadows>>> {
         if self.strokes.shadow.amount <= 0.0 || self.tallest <= BIAS {
             return Some(None);
         }

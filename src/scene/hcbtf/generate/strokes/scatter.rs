@@ -1,4 +1,5 @@
-//! Where strokes are, and what each has for its own: from the seed alone, so the same in every sample.
+//! Where strokes are, and what each has for its own: from the seed alone, so the same in every
+//! sample.
 
 use std::f32::consts::TAU;
 
@@ -10,7 +11,8 @@ use crate::hcbtf::noise::mixed;
 
 /// Pieces of a stroke that is no path.
 const SEGMENTS: usize = 8;
-/// So many places are tried for each stroke; the one that is farthest from all others is taken (Mitchell 1991).
+/// So many places are tried for each stroke; the one that is farthest from all others is taken
+/// (Mitchell 1991).
 const CANDIDATES: u64 = 12;
 
 /// A stroke as it stands before the eye has turned it.
@@ -38,7 +40,9 @@ struct Dice {
 impl Dice {
     /// From 0 to below 1.
     fn roll(self, what: u64, index: u64) -> f32 {
-        (mixed(self.seed ^ mixed(what.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ mixed(index))) >> 40) as f32 / 16_777_216.0
+        (mixed(self.seed ^ mixed(what.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ mixed(index))) >> 40)
+            as f32
+            / 16_777_216.0
     }
 
     /// Between two numbers.
@@ -48,7 +52,12 @@ impl Dice {
 }
 
 /// All strokes of a tile that is so many of its widths high; `None` where it is stopped.
-pub(super) fn strokes(of: &Strokes, height: f32, is_tiling: bool, progress: &Progress) -> Option<Vec<Stroke>> {
+pub(super) fn strokes(
+    of: &Strokes,
+    height: f32,
+    is_tiling: bool,
+    progress: &Progress,
+) -> Option<Vec<Stroke>> {
     let mut all = Vec::new();
     for (number, bundle) in of.bundles.iter().enumerate() {
         let dice = Dice { seed: mixed(u64::from(of.seed) << 8 | number as u64) };
@@ -57,7 +66,9 @@ pub(super) fn strokes(of: &Strokes, height: f32, is_tiling: bool, progress: &Pro
                 let places = scattered(*count as usize, height, is_tiling, dice, progress)?;
                 grow(&mut all, number, bundle, &places, dice);
             }
-            Placement::Lattice(count) => grow(&mut all, number, bundle, &lattice(*count, height, dice), dice),
+            Placement::Lattice(count) => {
+                grow(&mut all, number, bundle, &lattice(*count, height, dice), dice)
+            }
             Placement::Paths(paths) => along(&mut all, number, bundle, paths, dice),
         }
     }
@@ -65,7 +76,13 @@ pub(super) fn strokes(of: &Strokes, height: f32, is_tiling: bool, progress: &Pro
 }
 
 /// Places that are evenly scattered; any first few of them are as well.
-fn scattered(count: usize, height: f32, is_tiling: bool, dice: Dice, progress: &Progress) -> Option<Vec<Vec2>> {
+fn scattered(
+    count: usize,
+    height: f32,
+    is_tiling: bool,
+    dice: Dice,
+    progress: &Progress,
+) -> Option<Vec<Vec2>> {
     let mut places: Vec<Vec2> = Vec::with_capacity(count);
     for index in 0..count as u64 {
         if progress.is_stopped() {
@@ -76,13 +93,16 @@ fn scattered(count: usize, height: f32, is_tiling: bool, dice: Dice, progress: &
             let place = Vec2::new(dice.roll(1, at), height * dice.roll(2, at));
             let squared = |other: &Vec2| {
                 let apart = (place - *other).abs();
-                let apart = if is_tiling { apart.min(Vec2::new(1.0, height) - apart) } else { apart };
+                let apart =
+                    if is_tiling { apart.min(Vec2::new(1.0, height) - apart) } else { apart };
                 apart.length_squared()
             };
             (places.iter().map(squared).fold(f32::INFINITY, f32::min), place)
         };
         // Of equal ones the first, so that rounding has no say.
-        let best = (0..CANDIDATES).map(candidate).reduce(|best, next| if next.0 > best.0 { next } else { best });
+        let best = (0..CANDIDATES)
+            .map(candidate)
+            .reduce(|best, next| if next.0 > best.0 { next } else { best });
         places.extend(best.map(|(_, place)| place));
     }
     Some(places)
@@ -97,8 +117,10 @@ fn lattice(count: u32, height: f32, dice: Dice) -> Vec<Vec2> {
         Vec2::new(along, height * (row as f32 + 0.5) / rows as f32)
     };
     let all = (0..rows).flat_map(|row| (0..columns).map(move |column| place(row, column)));
-    let mut places: Vec<(u32, Vec2)> =
-        all.enumerate().map(|(index, place)| ((dice.roll(3, index as u64) * 16_777_216.0) as u32, place)).collect();
+    let mut places: Vec<(u32, Vec2)> = all
+        .enumerate()
+        .map(|(index, place)| ((dice.roll(3, index as u64) * 16_777_216.0) as u32, place))
+        .collect();
     places.sort_by_key(|(order, _)| *order);
     places.into_iter().map(|(_, place)| place).collect()
 }
@@ -120,7 +142,8 @@ fn grow(all: &mut Vec<Stroke>, number: usize, bundle: &Bundle, places: &[Vec2], 
 fn curve(bundle: &Bundle, place: Vec2, dice: Dice, index: u64) -> Vec<Vec3> {
     let is_flat = bundle.shape == StrokeShape::Ribbon;
     let length = dice.between(4, index, bundle.length);
-    let heading = bundle.direction as f32 + bundle.spread as f32 * (2.0 * dice.roll(5, index) - 1.0);
+    let heading =
+        bundle.direction as f32 + bundle.spread as f32 * (2.0 * dice.roll(5, index) - 1.0);
     let curl = bundle.curl as f32 * (2.0 * dice.roll(6, index) - 1.0);
     let mut at = place.extend(dice.between(11, index, bundle.lift));
     let mut points = vec![at];
@@ -144,21 +167,39 @@ fn curve(bundle: &Bundle, place: Vec2, dice: Dice, index: u64) -> Vec<Vec3> {
 }
 
 /// Strokes that somebody drew.
-fn along(all: &mut Vec<Stroke>, number: usize, bundle: &Bundle, paths: &[Vec<[f64; 3]>], dice: Dice) {
+fn along(
+    all: &mut Vec<Stroke>,
+    number: usize,
+    bundle: &Bundle,
+    paths: &[Vec<[f64; 3]>],
+    dice: Dice,
+) {
     for (index, path) in paths.iter().enumerate().filter(|(_, path)| !path.is_empty()) {
         let rank = (index as f64 + 0.5) / paths.len() as f64;
-        let points: Vec<Vec3> = path.iter().map(|[u, v, h]| Vec3::new(*u as f32, *v as f32, *h as f32)).collect();
-        let middle = points.iter().map(|point| point.truncate()).sum::<Vec2>() / points.len() as f32;
+        let points: Vec<Vec3> =
+            path.iter().map(|[u, v, h]| Vec3::new(*u as f32, *v as f32, *h as f32)).collect();
+        let middle =
+            points.iter().map(|point| point.truncate()).sum::<Vec2>() / points.len() as f32;
         if bundle.shape == StrokeShape::Dot || points.len() == 1 {
             let dots = points.iter().map(|point| vec![*point]);
-            dots.for_each(|dot| all.push(stroke(number, bundle, middle, dot, rank, dice, index as u64)));
+            dots.for_each(|dot| {
+                all.push(stroke(number, bundle, middle, dot, rank, dice, index as u64))
+            });
         } else {
             all.push(stroke(number, bundle, middle, points, rank, dice, index as u64));
         }
     }
 }
 
-fn stroke(number: usize, bundle: &Bundle, place: Vec2, points: Vec<Vec3>, rank: f64, dice: Dice, index: u64) -> Stroke {
+fn stroke(
+    number: usize,
+    bundle: &Bundle,
+    place: Vec2,
+    points: Vec<Vec3>,
+    rank: f64,
+    dice: Dice,
+    index: u64,
+) -> Stroke {
     let rgb = |color: [u8; 3]| Vec3::from(color.map(f32::from));
     let mix = dice.roll(7, index);
     let light = 1.0 + bundle.variation as f32 * (2.0 * dice.roll(8, index) - 1.0);
@@ -175,7 +216,8 @@ fn stroke(number: usize, bundle: &Bundle, place: Vec2, points: Vec<Vec3>, rank: 
 }
 
 impl Stroke {
-    /// Its points as an eye at this step around the normal finds them, after so many turns about its place.
+    /// Its points as an eye at this step around the normal finds them, after so many turns about
+    /// its place.
     pub(super) fn turned(&self, turns: f64) -> Vec<Vec3> {
         let turns = turns.rem_euclid(1.0) as f32;
         if turns == 0.0 {

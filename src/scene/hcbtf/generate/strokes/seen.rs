@@ -1,4 +1,5 @@
-//! Strokes as one eye and one light find them: which are there, where they are drawn on the tile, and how they are lit.
+//! Strokes as one eye and one light find them: which are there, where they are drawn on the tile,
+//! and how they are lit.
 
 use glam::{Vec2, Vec3};
 
@@ -7,12 +8,12 @@ use super::scatter::Stroke;
 use crate::document::{Bundle, StrokeShape, Strokes};
 use crate::hcbtf::Progress;
 
-/// Toward the horizon the way that a point moves by its height grows without bound: it counts as no more than this many times
-/// the height, as for a direction 76 degrees from the normal.
+/// Toward the horizon the way that a point moves by its height grows without bound: it counts as no
+/// more than this many times the height, as for a direction 76 degrees from the normal.
 pub(super) const MAX_SLOPE: f32 = 4.0;
 
-/// By how much a point moves on the tile for its height, away from where it is seen from: a point at height h over q is
-/// seen at q - h slope. Along u and v.
+/// By how much a point moves on the tile for its height, away from where it is seen from: a point
+/// at height h over q is seen at q - h slope. Along u and v.
 pub(super) fn slope(toward: Vec3) -> Vec2 {
     let along = toward.truncate();
     let length = along.length();
@@ -72,7 +73,8 @@ fn one<'a>(of: &'a Strokes, number: u32, stroke: &'a Stroke, rays: Rays) -> Opti
     let points = stroke.turned(bundle.turns * rays.around);
     let last = (points.len() - 1).max(1) as f32;
     let node = |index: usize| {
-        let (before, after) = (points[index.saturating_sub(1)], points[(index + 1).min(points.len() - 1)]);
+        let (before, after) =
+            (points[index.saturating_sub(1)], points[(index + 1).min(points.len() - 1)]);
         let tangent = (after - before).normalize_or(Vec3::Z);
         let part = index as f32 / last;
         let [root, tip] = bundle.taper.map(|taper| taper as f32);
@@ -95,7 +97,13 @@ fn lit(bundle: &Bundle, point: Vec3, tangent: Vec3, half_width: f32, rays: Rays)
         let face = if face.dot(view) < 0.0 { -face } else { face };
         let sine = (1.0 - tangent.dot(half).powi(2)).max(0.0).sqrt();
         let shine = sine.powf(sharpness);
-        return Node { point, side: side * half_width, facing: face.dot(light), aside: side.dot(light), shine };
+        return Node {
+            point,
+            side: side * half_width,
+            facing: face.dot(light),
+            aside: side.dot(light),
+            shine,
+        };
     }
     let side = Vec3::new(tangent.y, -tangent.x, 0.0).normalize_or(Vec3::X);
     let face = side.cross(tangent).normalize_or(Vec3::Z);
@@ -104,8 +112,8 @@ fn lit(bundle: &Bundle, point: Vec3, tangent: Vec3, half_width: f32, rays: Rays)
     Node { point, side: side * half_width, facing: face.dot(light), aside: 0.0, shine }
 }
 
-/// Draws strokes as they are found along a slope; `None` where it is stopped. `scale` is cells to a width of the tile, `height`
-/// that of the tile in its widths.
+/// Draws strokes as they are found along a slope; `None` where it is stopped. `scale` is cells to a
+/// width of the tile, `height` that of the tile in its widths.
 pub(super) fn draw<'a>(
     canvas: &mut Canvas,
     all: impl Iterator<Item = &'a Seen<'a>>,
@@ -127,7 +135,8 @@ pub(super) fn draw<'a>(
         let grain = if with_grain { seen.bundle.grain as f32 } else { 0.0 };
         let grain = Grain { amount: grain, stroke: seen.number };
         if let [dot] = seen.nodes[..] {
-            let middle = Corner { at: on_tile(dot.point), height: dot.point.z, along: 0.0, across: 0.0 };
+            let middle =
+                Corner { at: on_tile(dot.point), height: dot.point.z, along: 0.0, across: 0.0 };
             canvas.disc(middle, seen.radius * scale, seen.number, grain);
             continue;
         }
@@ -146,7 +155,8 @@ pub(super) fn draw<'a>(
 }
 
 impl Seen<'_> {
-    /// How it is lit between two nodes: the cosines between the light, and its face and its side, and its highlight.
+    /// How it is lit between two nodes: the cosines between the light, and its face and its side,
+    /// and its highlight.
     pub(super) fn lit(&self, along: f32) -> [f32; 3] {
         let last = self.nodes.len() - 1;
         let low = (along.max(0.0) as usize).min(last.saturating_sub(1));
@@ -156,7 +166,7 @@ impl Seen<'_> {
         [mix(a.facing, b.facing), mix(a.aside, b.aside), mix(a.shine, b.shine)]
     }
 
-    /// Its own colour along it.
+    /// Its own color along it.
     pub(super) fn color(&self, along: f32) -> Vec3 {
         let last = if self.nodes.len() == 1 { 1.0 } else { (self.nodes.len() - 1) as f32 };
         self.stroke.root.lerp(self.stroke.tip, (along / last).clamp(0.0, 1.0))

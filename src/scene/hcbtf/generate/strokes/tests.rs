@@ -4,14 +4,18 @@ use glam::{DVec2, Vec3};
 
 use super::*;
 use crate::document::{
-    Bundle, Direction, Directions, Hcbtf, Placement, Rule, StrokeGround, StrokeShadow, StrokeShape, StrokeTones, Tile,
+    Bundle, Direction, Directions, Hcbtf, Placement, Rule, StrokeGround, StrokeShadow, StrokeShape,
+    StrokeTones, Tile,
 };
 use crate::hcbtf::fill::{fill, sample};
 use crate::hcbtf::{NotFilled, Provenance};
 
 const SIDE: u32 = 48;
-const GRID: Grid =
-    Grid { size: [SIDE, SIDE], light: Directions { theta: 4, phi: 6 }, view: Directions { theta: 4, phi: 8 } };
+const GRID: Grid = Grid {
+    size: [SIDE, SIDE],
+    light: Directions { theta: 4, phi: 6 },
+    view: Directions { theta: 4, phi: 8 },
+};
 
 fn with(bundles: Vec<Bundle>) -> Strokes {
     Strokes { bundles, ..Strokes::default() }
@@ -37,7 +41,8 @@ fn darkness(texels: &[Color]) -> Vec<f64> {
     texels.iter().map(|texel| 1.0 - f64::from(texel[1]) / 255.0).collect()
 }
 
-/// The middle of what is dark on a tile that repeats: along u and v in widths of the tile, by the mean of angles.
+/// The middle of what is dark on a tile that repeats: along u and v in widths of the tile, by the
+/// mean of angles.
 fn middle(dark: &[f64]) -> DVec2 {
     let mut sums = [DVec2::ZERO; 2];
     for (index, dark) in dark.iter().enumerate() {
@@ -73,7 +78,11 @@ fn what_stands_is_seen_moved_by_its_height() {
         let seen = tile(&strokes, GRID, true, Address { view, light: Direction::default() });
         let dark = darkness(&seen);
         let expected = (place - height * tangent(GRID.view, view)).rem_euclid(DVec2::ONE);
-        assert!(apart(middle(&dark), expected) < 2e-3, "{view}: {:?}, wanted {expected:?}", middle(&dark));
+        assert!(
+            apart(middle(&dark), expected) < 2e-3,
+            "{view}: {:?}, wanted {expected:?}",
+            middle(&dark)
+        );
         // A round of its own size, wherever it is.
         let area = dark.iter().sum::<f64>() / f64::from(SIDE * SIDE);
         assert!((area - std::f64::consts::PI * 0.07 * 0.07).abs() < 4e-4, "{view}: {area}");
@@ -83,12 +92,21 @@ fn what_stands_is_seen_moved_by_its_height() {
 #[test]
 fn a_thread_is_equally_wide_from_every_side() {
     let upright = vec![[0.5, 0.5, 0.0], [0.5, 0.5, 0.1], [0.5, 0.5, 0.2]];
-    let thread = Bundle { place: Placement::Paths(vec![upright]), width: [0.0625; 2], ..Bundle::default() };
+    let thread =
+        Bundle { place: Placement::Paths(vec![upright]), width: [0.0625; 2], ..Bundle::default() };
     for view in GRID.view.distinct().filter(|view| view.theta > 0) {
-        let dark = darkness(&tile(&with(vec![thread.clone()]), GRID, true, Address { view, ..Address::default() }));
+        let dark = darkness(&tile(
+            &with(vec![thread.clone()]),
+            GRID,
+            true,
+            Address { view, ..Address::default() },
+        ));
         let area = dark.iter().sum::<f64>() / f64::from(SIDE * SIDE);
         let expected = 0.0625 * 0.2 * tangent(GRID.view, view).length();
-        assert!((area - expected).abs() < 0.04 * expected + 3e-4, "{view}: {area}, wanted {expected}");
+        assert!(
+            (area - expected).abs() < 0.04 * expected + 3e-4,
+            "{view}: {area}, wanted {expected}"
+        );
     }
 }
 
@@ -102,8 +120,10 @@ fn nearer_strokes_hide_those_behind() {
         [place.x, place.y, height]
     };
     let red = Bundle { root: [[255, 0, 0]; 2], tip: [[255, 0, 0]; 2], ..dots(&[along(0.1)], 0.2) };
-    let green = Bundle { root: [[0, 255, 0]; 2], tip: [[0, 255, 0]; 2], ..dots(&[along(0.3)], 0.2) };
-    let index = ((1.0 - at.y) * f64::from(SIDE)) as usize * SIDE as usize + (at.x * f64::from(SIDE)) as usize;
+    let green =
+        Bundle { root: [[0, 255, 0]; 2], tip: [[0, 255, 0]; 2], ..dots(&[along(0.3)], 0.2) };
+    let index = ((1.0 - at.y) * f64::from(SIDE)) as usize * SIDE as usize
+        + (at.x * f64::from(SIDE)) as usize;
     let seen = |bundles: Vec<Bundle>| {
         let texels = tile(&with(bundles), GRID, true, Address { view, ..Address::default() });
         texels[index]
@@ -111,7 +131,8 @@ fn nearer_strokes_hide_those_behind() {
     assert_eq!(seen(vec![red.clone(), green.clone()]), [0.0, 255.0, 0.0, 255.0]);
     assert_eq!(seen(vec![green.clone(), red.clone()]), [0.0, 255.0, 0.0, 255.0]);
     // Where none is higher, the later one.
-    let level = |of: &Bundle| Bundle { place: Placement::Paths(vec![vec![along(0.1)]]), ..of.clone() };
+    let level =
+        |of: &Bundle| Bundle { place: Placement::Paths(vec![vec![along(0.1)]]), ..of.clone() };
     assert_eq!(seen(vec![level(&green), level(&red)]), [255.0, 0.0, 0.0, 255.0]);
     assert_eq!(seen(vec![level(&red), level(&green)]), [0.0, 255.0, 0.0, 255.0]);
 }
@@ -129,10 +150,15 @@ fn shadowed(bundles: Vec<Bundle>) -> Strokes {
 fn shadows_fall_along_the_light() {
     let (place, height) = (DVec2::new(0.2, 0.7), 0.3);
     // White itself, so that its shadow alone is dark.
-    let dot = Bundle { root: [[255; 3]; 2], tip: [[255; 3]; 2], ..dots(&[[place.x, place.y, height]], 0.12) };
+    let dot = Bundle {
+        root: [[255; 3]; 2],
+        tip: [[255; 3]; 2],
+        ..dots(&[[place.x, place.y, height]], 0.12)
+    };
     for light in GRID.light.distinct().filter(|light| (1..3).contains(&light.theta)) {
         for view in [Direction::default(), Direction { theta: 1, phi: 6 }] {
-            let dark = darkness(&tile(&shadowed(vec![dot.clone()]), GRID, true, Address { view, light }));
+            let dark =
+                darkness(&tile(&shadowed(vec![dot.clone()]), GRID, true, Address { view, light }));
             let lambert = (FRAC_PI_2 * f64::from(light.theta) / 3.0).cos();
             let ground = 1.0 - (2.0 * lambert).min(1.0);
             let shadow: Vec<f64> = dark.iter().map(|dark| (dark - ground).max(0.0)).collect();
@@ -141,7 +167,11 @@ fn shadows_fall_along_the_light() {
             if apart(expected, place - height * tangent(GRID.view, view)) < 0.13 {
                 continue;
             }
-            assert!(apart(middle(&shadow), expected) < 6e-3, "{light}: {:?}, wanted {expected:?}", middle(&shadow));
+            assert!(
+                apart(middle(&shadow), expected) < 6e-3,
+                "{light}: {:?}, wanted {expected:?}",
+                middle(&shadow)
+            );
         }
     }
 }
@@ -152,9 +182,15 @@ fn strokes_shadow_each_other_and_not_themselves() {
     let low = DVec2::new(0.5, 0.5);
     let high = low + 0.2 * tangent(GRID.light, light);
     let lit = |places: &[[f64; 3]]| {
-        let white =
-            Bundle { root: [[255; 3]; 2], tip: [[255; 3]; 2], ambient: 0.0, diffuse: 1.0, ..dots(places, 0.16) };
-        let texels = tile(&shadowed(vec![white]), GRID, true, Address { light, ..Address::default() });
+        let white = Bundle {
+            root: [[255; 3]; 2],
+            tip: [[255; 3]; 2],
+            ambient: 0.0,
+            diffuse: 1.0,
+            ..dots(places, 0.16)
+        };
+        let texels =
+            tile(&shadowed(vec![white]), GRID, true, Address { light, ..Address::default() });
         texels[(SIDE / 2 * SIDE + SIDE / 2) as usize][0]
     };
     assert!(lit(&[[low.x, low.y, 0.1]]) > 200.0);
@@ -186,7 +222,8 @@ fn darker_is_more_strokes_and_those_of_lighter_tones_stay() {
         let mut before = vec![0.0; grid.texels()];
         let mut tones = Vec::new();
         for light in grid.light.distinct() {
-            let texels = ready.tile(Address { light, ..Address::default() }, &Progress::new()).unwrap();
+            let texels =
+                ready.tile(Address { light, ..Address::default() }, &Progress::new()).unwrap();
             let dark = darkness(&texels);
             assert!(dark.iter().zip(&before).all(|(now, before)| *now >= before - 1e-6), "{light}");
             tones.push(dark.iter().sum::<f64>() / dark.len() as f64);
@@ -253,14 +290,25 @@ fn stripes_turn_to_the_eye() {
     let straight = |ends: [[f64; 2]; 2], turns: f64| {
         let path = ends.map(|[u, v]| [u, v, 0.0]).to_vec();
         let shape = StrokeShape::Ribbon;
-        with(vec![Bundle { place: Placement::Paths(vec![path]), shape, width: [0.1; 2], turns, ..Bundle::default() }])
+        with(vec![Bundle {
+            place: Placement::Paths(vec![path]),
+            shape,
+            width: [0.1; 2],
+            turns,
+            ..Bundle::default()
+        }])
     };
     let turning = straight([[0.5, 0.3], [0.5, 0.8]], 1.0);
-    for (phi, ends) in [(0, [[0.5, 0.3], [0.5, 0.8]]), (2, [[0.25, 0.55], [0.75, 0.55]]), (4, [[0.5, 0.8], [0.5, 0.3]])]
-    {
+    for (phi, ends) in [
+        (0, [[0.5, 0.3], [0.5, 0.8]]),
+        (2, [[0.25, 0.55], [0.75, 0.55]]),
+        (4, [[0.5, 0.8], [0.5, 0.3]]),
+    ] {
         let address = Address::new([0, 0], [1, phi]);
-        let (got, wanted) = (tile(&turning, GRID, true, address), tile(&straight(ends, 0.0), GRID, true, address));
-        let off = darkness(&got).iter().zip(darkness(&wanted)).map(|(a, b)| (a - b).abs()).sum::<f64>();
+        let (got, wanted) =
+            (tile(&turning, GRID, true, address), tile(&straight(ends, 0.0), GRID, true, address));
+        let off =
+            darkness(&got).iter().zip(darkness(&wanted)).map(|(a, b)| (a - b).abs()).sum::<f64>();
         assert!(off < 3.0, "{phi}: {off}");
     }
 }
@@ -275,12 +323,20 @@ fn rows_are_the_same_however_many_are_drawn_at_once() {
     let drawn = |rows: std::ops::Range<usize>| {
         let mut canvas = Canvas::new(size, true, rows);
         let all = there.iter().flatten();
-        draw(&mut canvas, all, slope(rays.view), size[0] as f32, 1.0, true, &Progress::new()).unwrap();
+        draw(&mut canvas, all, slope(rays.view), size[0] as f32, 1.0, true, &Progress::new())
+            .unwrap();
         canvas
     };
     let (whole, part) = (drawn(0..size[1]), drawn(40..60));
     for y in 40..60 {
-        assert!(whole.row(y).iter().zip(part.row(y)).all(|(a, b)| a.stroke == b.stroke && a.along == b.along), "{y}");
+        assert!(
+            whole
+                .row(y)
+                .iter()
+                .zip(part.row(y))
+                .all(|(a, b)| a.stroke == b.stroke && a.along == b.along),
+            "{y}"
+        );
     }
 }
 
@@ -302,10 +358,17 @@ fn it_is_the_same_on_any_number_of_threads_and_alone() {
         assert_eq!(filled, on(7), "{name}");
         for (address, tile, provenance) in filled.iter().step_by(7) {
             assert_eq!(*provenance, Provenance::Filled { by: 0, changed_by: Vec::new() });
-            assert_eq!(sample(&hcbtf, address, &Progress::new()).unwrap().as_ref(), Some(tile), "{name}: {address}");
+            assert_eq!(
+                sample(&hcbtf, address, &Progress::new()).unwrap().as_ref(),
+                Some(tile),
+                "{name}: {address}"
+            );
         }
     }
-    assert_eq!(sample(&hcbtf(Strokes::default(), 4), Address::new([9, 0], [0, 0]), &Progress::new()), Ok(None));
+    assert_eq!(
+        sample(&hcbtf(Strokes::default(), 4), Address::new([9, 0], [0, 0]), &Progress::new()),
+        Ok(None)
+    );
 }
 
 #[test]
@@ -318,10 +381,14 @@ fn what_is_painted_and_what_changes_it_stay_rules_as_others() {
     hcbtf.rules.push(Rule::Lambert { shadow: [0; 3], amount: 1.0 });
     let darkened = fill(&hcbtf, &Progress::new()).unwrap();
     let address = Address::new([1, 2], [1, 0]);
-    let bytes = plain.tile(address).unwrap().bytes().iter().zip(darkened.tile(address).unwrap().bytes());
+    let bytes =
+        plain.tile(address).unwrap().bytes().iter().zip(darkened.tile(address).unwrap().bytes());
     let lambert = std::f64::consts::FRAC_PI_4.cos();
     for (index, (before, after)) in bytes.enumerate().filter(|(index, _)| index % 4 < 3) {
-        assert!((f64::from(*before) * lambert - f64::from(*after)).abs() < 1.0, "{index}: {before} {after}");
+        assert!(
+            (f64::from(*before) * lambert - f64::from(*after)).abs() < 1.0,
+            "{index}: {before} {after}"
+        );
     }
 }
 
@@ -346,24 +413,42 @@ fn numbers_are_bounded() {
         let why = with(vec![Bundle::default(), bundle]).check().unwrap_err();
         assert!(why.contains(told), "{why}");
     };
-    wrong(|bundle| bundle.place = Placement::Scatter(5000), "in bundle 1, there are 5000 strokes; at most 4096");
+    wrong(
+        |bundle| bundle.place = Placement::Scatter(5000),
+        "in bundle 1, there are 5000 strokes; at most 4096",
+    );
     wrong(|bundle| bundle.length = [0.1, 5.0], "`length` is 5");
     wrong(|bundle| bundle.lift = [0.0, f64::NAN], "`lift` is NaN");
     wrong(|bundle| bundle.highlight.sharpness = 0.0, "`highlight.sharpness` is 0");
-    wrong(|bundle| bundle.tones = Some(StrokeTones { first: 0.5, all: 0.5, growth: 0.0 }), "are equal");
+    wrong(
+        |bundle| bundle.tones = Some(StrokeTones { first: 0.5, all: 0.5, growth: 0.0 }),
+        "are equal",
+    );
     wrong(|bundle| bundle.place = Placement::Paths(vec![vec![[0.0, 9.0, 0.0]]]), "`paths: v` is 9");
     wrong(|bundle| bundle.place = Placement::Paths(vec![vec![[0.5; 3]; 30_000]]), "30000 points");
     wrong(
-        |bundle| (bundle.place, bundle.length, bundle.width) = (Placement::Scatter(4000), [4.0; 2], [1.0; 2]),
+        |bundle| {
+            (bundle.place, bundle.length, bundle.width) =
+                (Placement::Scatter(4000), [4.0; 2], [1.0; 2])
+        },
         "cover the tile 16002 times",
     );
     assert!(with(vec![Bundle::default(); 40]).check().unwrap_err().contains("40 bundles"));
-    // The hardest of what may be is drawn without harm: ends that meet, nothing at all, strokes as wide as the tile.
-    let odd = |place: Placement, shape: StrokeShape| Bundle { place, shape, width: [1.0; 2], ..Bundle::default() };
+    // The hardest of what may be is drawn without harm: ends that meet, nothing at all, strokes as
+    // wide as the tile.
+    let odd = |place: Placement, shape: StrokeShape| Bundle {
+        place,
+        shape,
+        width: [1.0; 2],
+        ..Bundle::default()
+    };
     let still = Placement::Paths(vec![vec![[0.5; 3]; 3], Vec::new(), vec![[0.2, 0.2, 4.0]]]);
     for shape in [StrokeShape::Thread, StrokeShape::Ribbon, StrokeShape::Dot] {
-        let strokes =
-            with(vec![odd(still.clone(), shape), odd(Placement::Scatter(0), shape), odd(Placement::Lattice(0), shape)]);
+        let strokes = with(vec![
+            odd(still.clone(), shape),
+            odd(Placement::Scatter(0), shape),
+            odd(Placement::Lattice(0), shape),
+        ]);
         strokes.check().unwrap();
         for size in [[1, 1], [3, 40], [40, 1]] {
             let texels = tile(&strokes, Grid { size, ..GRID }, true, Address::new([3, 1], [3, 2]));

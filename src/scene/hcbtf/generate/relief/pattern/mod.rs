@@ -1,4 +1,4 @@
-//! What a relief is of, at any place of the tile: heights from 0 to 1, and colours in linear light.
+//! What a relief is of, at any place of the tile: heights from 0 to 1, and colors in linear light.
 
 mod masonry;
 mod nature;
@@ -37,7 +37,10 @@ pub(in crate::hcbtf::generate::relief) enum Sampler<'a> {
 
 impl<'a> Sampler<'a> {
     /// `None` where it needs a sample that is not painted.
-    pub(in crate::hcbtf::generate::relief) fn new(relief: &'a Relief, hcbtf: &'a Hcbtf) -> Option<Self> {
+    pub(in crate::hcbtf::generate::relief) fn new(
+        relief: &'a Relief,
+        hcbtf: &'a Hcbtf,
+    ) -> Option<Self> {
         let [width, height] = hcbtf.grid.size.map(|side| side as f32);
         let aspect = height / width;
         let seed = relief.seed;
@@ -46,7 +49,8 @@ impl<'a> Sampler<'a> {
                 let (heights, colors) = (hcbtf.painted(*heights)?, hcbtf.painted(*colors)?);
                 Some(Self::Painted(painted::Painted::new(heights, *channel, *is_inverted, colors)))
             }
-            pattern @ (Pattern::Bricks { .. } | Pattern::Facade { .. } | Pattern::Arches { .. }) => {
+            pattern
+            @ (Pattern::Bricks { .. } | Pattern::Facade { .. } | Pattern::Arches { .. }) => {
                 Some(Self::Masonry(masonry::Masonry { pattern, seed, aspect }))
             }
             pattern @ (Pattern::Stones { .. } | Pattern::Ripples { .. }) => {
@@ -75,7 +79,7 @@ impl<'a> Sampler<'a> {
     }
 }
 
-/// A colour in linear light.
+/// A color in linear light.
 pub(in crate::hcbtf::generate::relief) fn linear(color: [u8; 3]) -> [f32; 3] {
     color.map(|byte| srgb_to_linear(f64::from(byte) / 255.0) as f32)
 }

@@ -34,7 +34,8 @@ impl Nature<'_> {
         ((across as f32 * self.aspect).round() as u32).max(1)
     }
 
-    /// The stone at a place, of stones scattered one to each of `count` parts along the tile, of which a share is there.
+    /// The stone at a place, of stones scattered one to each of `count` parts along the tile, of
+    /// which a share is there.
     fn stone(&self, salt: u32, count: u32, share: f32, place: [f32; 2]) -> Stone {
         let cells = [count, self.down(count)];
         let at = [place[0] * cells[0] as f32, place[1] * cells[1] as f32];
@@ -82,12 +83,19 @@ impl Nature<'_> {
         let (height, stone) = if first >= second { (first, &large) } else { (second, &small) };
         if height <= 0.06 {
             let color = linear(*binder).map(|channel| channel * (0.75 + 0.5 * grain));
-            return (base, Material { gloss: 0.15, grain: (64.0 * grain) as u32, ..Material::of(color) });
+            return (
+                base,
+                Material { gloss: 0.15, grain: (64.0 * grain) as u32, ..Material::of(color) },
+            );
         }
         let [tint, light, _] = chances(stone.own.rotate_left(7));
         let color = mix3(linear(colors[0]), linear(colors[1]), tint);
-        let color = color.map(|channel| (channel * (0.8 + 0.3 * light + 0.25 * (grain - 0.5))).min(1.0));
-        (base + height * (0.9 + 0.08 * grain), Material { grain: stone.own as u32, ..Material::of(color) })
+        let color =
+            color.map(|channel| (channel * (0.8 + 0.3 * light + 0.25 * (grain - 0.5))).min(1.0));
+        (
+            base + height * (0.9 + 0.08 * grain),
+            Material { grain: stone.own as u32, ..Material::of(color) },
+        )
     }
 
     fn ripples(&self, place: [f32; 2]) -> (f32, Material) {

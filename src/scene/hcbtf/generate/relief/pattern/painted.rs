@@ -4,7 +4,7 @@ use super::{Material, linear};
 use crate::document::Tile;
 use crate::document::relief::Channel;
 
-/// Heights and colours from painted samples.
+/// Heights and colors from painted samples.
 pub(in crate::hcbtf::generate::relief) struct Painted<'a> {
     size: [u32; 2],
     heights: Vec<f32>,
@@ -13,7 +13,12 @@ pub(in crate::hcbtf::generate::relief) struct Painted<'a> {
 }
 
 impl<'a> Painted<'a> {
-    pub(super) fn new(heights: &Tile, channel: Channel, is_inverted: bool, colors: &'a Tile) -> Self {
+    pub(super) fn new(
+        heights: &Tile,
+        channel: Channel,
+        is_inverted: bool,
+        colors: &'a Tile,
+    ) -> Self {
         let height = |texel: &[u8]| {
             let height = match (channel, texel) {
                 (Channel::Luminance, [r, g, b, ..]) => {
@@ -25,7 +30,12 @@ impl<'a> Painted<'a> {
             if is_inverted { 1.0 - height / 255.0 } else { height / 255.0 }
         };
         let heights_of = heights.bytes().chunks_exact(4).map(height).collect();
-        Self { size: heights.size(), heights: heights_of, colors, is_opaque: channel == Channel::Alpha }
+        Self {
+            size: heights.size(),
+            heights: heights_of,
+            colors,
+            is_opaque: channel == Channel::Alpha,
+        }
     }
 
     /// Bilinear between the middles of texels.
