@@ -313,7 +313,7 @@ fn keys_and_parameters_are_held_to_what_there_is() {
         )
     };
     let good = r#""exposed": [{ "name": "a", "target": "rim.offset" }, { "name": "b", "target": "g/inner.x" },
-        { "name": "c", "target": "other/deep.x" }, { "name": "d", "target": "lights.key.colour" }]"#;
+        { "name": "c", "target": "other/deep.x" }, { "name": "d", "target": "lights.key.color" }]"#;
     told(&look(good), &[]);
     told(
         &look(
