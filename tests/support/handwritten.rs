@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use chiaro::compile::{Live, Options, compile};
 use chiaro::document::Tier;
-use chiaro::frame::{Assets, FramePlan, PassKind, PlanOptions, Planner, Setup, open};
+use chiaro::frame::{Assets, FramePlan, PassId, PlanOptions, Planner, Setup, open};
 use chiaro::library::Library;
 use chiaro::wgsl;
 
@@ -49,7 +49,7 @@ pub(crate) fn by_hand(setup: &Setup, look: &str, plan: &FramePlan) -> FramePlan 
     // Renderers remember what they drew last.
     plan.passes
         .iter_mut()
-        .filter(|pass| pass.kind == PassKind::Look)
+        .filter(|pass| pass.id == PassId::LOOK)
         .for_each(|pass| pass.input_hash ^= 1);
     plan
 }
