@@ -89,7 +89,7 @@ impl Functions {
         for step in steps {
             match step {
                 Step::Call { callee: Callee::Function(function), .. } => {
-                    items.want_function(function)
+                    items.want_function(function);
                 }
                 Step::Call { callee: Callee::Conversion { from, to }, .. } => {
                     let Conversion::Template(template) =

@@ -854,7 +854,7 @@ fn live_params(graph: &TypedGraph, live: &Live) -> HashSet<ParamId> {
     match live {
         Live::Keyed | Live::Exposed => {}
         Live::Touched(touched) => {
-            ids.extend(touched.iter().filter_map(|(path, port)| by_place.get(&(path, port))))
+            ids.extend(touched.iter().filter_map(|(path, port)| by_place.get(&(path, port))));
         }
         Live::All => ids.extend(0..graph.params.len()),
     }

@@ -440,7 +440,7 @@ fn written(
                 Statement::Block(inner) => blocks.push(inner),
                 Statement::If { accept, reject, .. } => blocks.extend([accept, reject]),
                 Statement::Switch { cases, .. } => {
-                    blocks.extend(cases.iter().map(|case| &case.body))
+                    blocks.extend(cases.iter().map(|case| &case.body));
                 }
                 Statement::Loop { body, continuing, .. } => blocks.extend([body, continuing]),
                 _ => {}
@@ -458,7 +458,7 @@ fn root_of(
         match function.expressions[pointer] {
             Expression::LocalVariable(local) => return Some(local),
             Expression::Access { base, .. } | Expression::AccessIndex { base, .. } => {
-                pointer = base
+                pointer = base;
             }
             _ => return None,
         }

@@ -121,7 +121,7 @@ fn push_scalars(value: &interp::Value, push: &mut dyn FnMut(interp::Scalar)) {
     match value {
         interp::Value::Vector(scalars) => scalars.iter().for_each(|&scalar| push(scalar)),
         interp::Value::Matrix { components, .. } => {
-            components.iter().for_each(|&x| push(interp::Scalar::Float(x)))
+            components.iter().for_each(|&x| push(interp::Scalar::Float(x)));
         }
         interp::Value::Array(parts) | interp::Value::Struct(parts) => {
             parts.iter().for_each(|part| push_scalars(part, push));

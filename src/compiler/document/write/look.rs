@@ -87,7 +87,7 @@ fn light(w: &mut Writer, light: &Light, unknown: Option<&Unknown>) {
 fn graph(w: &mut Writer, graph: &Graph, unknown: &Unknown) {
     if !graph.nodes.is_empty() {
         w.member("nodes", |w| {
-            w.list(Layout::Lines, &graph.nodes, |w, (id, of_id)| node(w, id, of_id))
+            w.list(Layout::Lines, &graph.nodes, |w, (id, of_id)| node(w, id, of_id));
         });
     }
     w.lines("wires", &graph.wires, |w, wire| {
@@ -152,8 +152,8 @@ fn frames(w: &mut Writer, graph: &Graph, unknown: &Unknown) {
                             if !frame.nodes.is_empty() {
                                 w.member("nodes", |w| {
                                     w.list(Layout::Inline, &frame.nodes, |w, id| {
-                                        w.string(id.as_str())
-                                    })
+                                        w.string(id.as_str());
+                                    });
                                 });
                             }
                         },
@@ -217,11 +217,11 @@ fn direction_keys(w: &mut Writer, keys: &DirectionKeys) {
         w.member("by", |w| match &keys.by {
             KeyDirection::View => w.string("view"),
             KeyDirection::Light(id) => {
-                w.object(Layout::Inline, |w| w.member("light", |w| w.string(id.as_str())))
+                w.object(Layout::Inline, |w| w.member("light", |w| w.string(id.as_str())));
             }
             KeyDirection::Drivers(drivers) => {
                 w.object(Layout::Inline, |w| {
-                    w.member("drivers", |w| w.list(Layout::Inline, drivers, driver))
+                    w.member("drivers", |w| w.list(Layout::Inline, drivers, driver));
                 });
             }
         });
@@ -232,7 +232,7 @@ fn direction_keys(w: &mut Writer, keys: &DirectionKeys) {
 
 fn driver(w: &mut Writer, driver: &Driver) {
     let named = |w: &mut Writer, kind: &'static str, id: &str| {
-        w.object(Layout::Inline, |w| w.member(kind, |w| w.string(id)))
+        w.object(Layout::Inline, |w| w.member(kind, |w| w.string(id)));
     };
     match driver {
         Driver::Distance => w.string("distance"),
@@ -258,7 +258,7 @@ fn direction_key(w: &mut Writer, key: &DirectionKey, axes: Option<usize>) {
                 for (target, of_target) in &key.values {
                     let target = target.to_string();
                     w.member(&target, |w| {
-                        value(w, of_target, part(unknown, "values", Some(&target)))
+                        value(w, of_target, part(unknown, "values", Some(&target)));
                     });
                 }
             });

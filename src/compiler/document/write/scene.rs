@@ -16,13 +16,13 @@ pub(super) fn scene(w: &mut Writer, scene: &Scene) {
         w.text_unless_empty("about", &scene.about);
         if !scene.objects.is_empty() {
             w.member("objects", |w| {
-                w.list(Layout::Lines, &scene.objects, |w, (id, of_id)| object(w, id, of_id))
+                w.list(Layout::Lines, &scene.objects, |w, (id, of_id)| object(w, id, of_id));
             });
         }
         lights(w, &scene.lights, unknown);
         w.numbers_unless("illumination", &scene.illumination, &normal.illumination);
         optional(w, "camera", part(Some(unknown), "camera", None), &CAMERA, |w| {
-            camera(w, &scene.camera)
+            camera(w, &scene.camera);
         });
         match (&scene.backdrop, &normal.backdrop) {
             (None, _) => w.member("backdrop", Writer::null),
@@ -30,7 +30,7 @@ pub(super) fn scene(w: &mut Writer, scene: &Scene) {
             (Some(color), _) => w.member("backdrop", |w| w.numbers(color)),
         }
         optional(w, "time", part(Some(unknown), "time", None), &TIME_RANGE, |w| {
-            time_range(w, &scene.time)
+            time_range(w, &scene.time);
         });
     });
 }
