@@ -15,7 +15,7 @@ use std::ops::Range;
 
 use super::check::TypedGraph;
 use super::host::{Callee, HostDriver, HostProgram, Step, UniformMember, conversion_program};
-use super::items::{Collected, Items};
+use super::items::{CollectedItems, Items};
 use super::names::Names;
 use super::specialize::{
     Argument, Needs, Operation, SpecializedGraph, ValueId, operands, reachable,
@@ -153,7 +153,7 @@ struct Emitter<'a> {
     constants: Vec<(ValueId, String)>,
     host: HostProgram,
     host_steps: HashMap<ValueId, usize>,
-    collected: Collected,
+    collected: CollectedItems,
     out: String,
     spans: SpanMap,
 }
@@ -172,7 +172,7 @@ impl<'a> Emitter<'a> {
             constants: Vec::new(),
             host: HostProgram::default(),
             host_steps: HashMap::new(),
-            collected: Collected::default(),
+            collected: CollectedItems::default(),
             out: String::new(),
             spans: SpanMap::default(),
         }
