@@ -22,7 +22,15 @@ use scan::Reference;
 /// a document, a drawing shows what the catalog knows, and a frame plan joins what the rest of the
 /// scene's rooms make.
 const CRATES: &[(&str, &[&[&str]])] = &[
-    ("language", &[&["clock", "figures", "ids"], &["diag", "milestones"], &["wgsl"], &["interp"]]),
+    (
+        "language",
+        &[
+            &["clock", "figures", "ids"],
+            &["diag", "milestones"],
+            &["progress", "wgsl"],
+            &["interp"],
+        ],
+    ),
     (
         "compiler",
         &[&["examples"], &["files"], &["document"], &["library"], &["catalog", "compile"]],

@@ -9,8 +9,8 @@ use super::{ENOUGH, Fitting, LEAST_PAINTED, What};
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Tile};
 use crate::fit::{FitOptions, Fitted, Keep, Report, Target};
-use crate::hcbtf::Progress;
 use crate::panels::problems::sentence;
+use crate::progress::Progress;
 use crate::session::Session;
 
 /// Which look something is about: another revision is another look.
@@ -43,7 +43,7 @@ const STOPPED: &str = "The fit was stopped before it came nearer: the look is as
 pub(super) struct Running {
     pub(super) of: Of,
     pub(super) strokes: Strokes,
-    pub(super) progress: Arc<Progress>,
+    pub(super) progress: Progress,
 }
 
 /// What was fitted.
@@ -83,7 +83,7 @@ impl Fitting {
         };
         let target = Target { size: ground.size, wishes: painted };
         let wake = self.wake.clone();
-        let progress = Arc::new(Progress::telling(move |_| wake()));
+        let progress = Progress::observed(move |_| wake());
         let keep = if what == What::ThisLook { self.how.keep } else { Keep::default() };
         let options = FitOptions {
             time: session.time,
@@ -122,11 +122,7 @@ impl Fitting {
 
     pub(super) fn take(&mut self, done: Done, session: &mut Session) {
         // What was given up, or is of a look that is gone, is nobody's.
-        if !self
-            .running
-            .as_ref()
-            .is_some_and(|running| Arc::ptr_eq(&running.progress, &done.progress))
-        {
+        if !self.running.as_ref().is_some_and(|running| running.progress.is_same(&done.progress)) {
             return;
         }
         let running = self.running.take();

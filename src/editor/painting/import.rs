@@ -11,9 +11,9 @@ use crate::command::Command;
 use crate::confirm;
 use crate::diag::Diagnostic;
 use crate::document::{Directions, Grid, Hcbtf};
-use crate::hcbtf::Progress;
 use crate::hcbtf::contact::MAX_GAP;
 use crate::hcbtf::exchange::{self, Form};
+use crate::progress::Progress;
 use crate::theme;
 
 /// What pictures are taken for. How large their tiles are they tell themselves.
