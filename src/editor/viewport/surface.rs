@@ -8,10 +8,6 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3, Vec3};
 
-use super::super::session::Session;
-use super::super::stage::Placed;
-use super::super::still::Still;
-use super::super::worker::Worker;
 use crate::diag::Diagnostic;
 use crate::document::Camera;
 use crate::frame::{Assets, FramePlan, Pass, PassKind, Setup, SetupObject, View};
@@ -22,6 +18,10 @@ use crate::reference::{
     FragmentStage, Interpolation, Modules, Options, QuadBatch, Shaded, Shader, Shaders, Sides,
     Target, Texels, Triangles, Varying, VertexStage, rasterise, shade_all,
 };
+use crate::state::session::Session;
+use crate::state::stage::Placed;
+use crate::state::still::Still;
+use crate::state::worker::Worker;
 
 /// As many pixels are looked at, or a few more: half of those of 500 by 500 along each side.
 const MOST: f32 = 62_500.0;
