@@ -1,7 +1,7 @@
 //! Measured errors against their bounds.
 
 /// The largest error seen, and where.
-pub(crate) struct Errors {
+pub struct Errors {
     name: String,
     bound: f64,
     largest: f64,
@@ -10,12 +10,13 @@ pub(crate) struct Errors {
 }
 
 impl Errors {
-    pub(crate) fn new(name: impl Into<String>, bound: f64) -> Self {
+    /// No error yet, of what may be `bound` off.
+    pub fn new(name: impl Into<String>, bound: f64) -> Self {
         Self { name: name.into(), bound, largest: 0.0, place: String::new(), count: 0 }
     }
 
     /// Takes note of one error; anything that is no number counts as infinite.
-    pub(crate) fn note(&mut self, got: f64, wanted: f64, place: impl FnOnce() -> String) {
+    pub fn note(&mut self, got: f64, wanted: f64, place: impl FnOnce() -> String) {
         let error = (got - wanted).abs();
         let error = if error.is_finite() { error } else { f64::INFINITY };
         self.count += 1;
@@ -25,7 +26,8 @@ impl Errors {
         }
     }
 
-    pub(crate) fn has_any(&self) -> bool {
+    /// Whether any was noted.
+    pub fn has_any(&self) -> bool {
         self.count > 0
     }
 
@@ -34,7 +36,7 @@ impl Errors {
         clippy::print_stdout,
         reason = "the documentation's table is made of what `--nocapture` shows"
     )]
-    pub(crate) fn finish(self) {
+    pub fn finish(self) {
         println!("| {} | {} | {:.1e} | {:.0e} |", self.name, self.count, self.largest, self.bound);
         assert!(self.count > 0, "{}: nothing was measured", self.name);
         assert!(
