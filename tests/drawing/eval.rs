@@ -74,6 +74,25 @@ pub fn eval_with(
     eval_on(&mut renderer(), look, library, options, samples)
 }
 
+/// Hands over everything that decides on what samples of a look come to, but for the engines that
+/// run it: modules, numbers and images.
+pub fn content(
+    look: &SetupLook,
+    library: &Library,
+    options: &Options,
+    samples: &[EvalSample],
+    sink: &mut dyn FnMut(&[u8]),
+) {
+    let batches = eval_batches(look, library, samples, options, &mut Assets::default())
+        .unwrap_or_else(|problems| panic!("{}\n{}", told(&problems), look.look.to_text()));
+    for batch in &batches {
+        sink(batch.shader.wgsl.as_bytes());
+        let numbers = batch.samples.numbers.iter().flat_map(|number| number.to_le_bytes());
+        sink(&numbers.collect::<Vec<u8>>());
+        batch.images.iter().for_each(|image| sink(&image.bytes));
+    }
+}
+
 /// The same on any device.
 pub fn eval_on(
     renderer: &mut Renderer,

@@ -4,6 +4,8 @@
 pub use chiaro_test_support::*;
 
 pub mod eval;
+pub mod examples;
+pub mod halved;
 pub mod handwritten;
 pub mod held;
 pub mod stacks;

@@ -237,6 +237,11 @@ impl Ledger {
         }
     }
 
+    /// What each case of this run came to, in this run or as its line has it.
+    pub fn figures(&self) -> impl Iterator<Item = (&str, f64)> {
+        self.now.iter().map(|(case, row)| (case.as_str(), row.figure))
+    }
+
     /// How many cases were proved anew, and how many stand as they are in the ledger.
     pub fn counts(&self) -> [usize; 2] {
         [self.proved, self.stand]
@@ -261,6 +266,27 @@ impl Ledger {
         }
         assert!(self.complaints.is_empty(), "{name}:\n{}", self.complaints.join("\n"));
     }
+}
+
+/// Whether a ledger whose only line gives `figure` to a case complains of it in the first commit
+/// that proves the case anew.
+pub fn is_found_false(
+    case: &str,
+    key: &Key,
+    figure: f64,
+    proof: impl FnOnce() -> Result<f64, String>,
+) -> bool {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("forged.txt");
+    fs::write(&path, format!("{} {figure:e} {case}\n", key.text())).expect("it can be written");
+    let mut commits = (0..1000).map(|commit: u32| format!("{commit:040x}"));
+    let due = commits.find_map(|commit| {
+        let mut ledger = Ledger::at(&path, Mode::Turns, &commit);
+        ledger.is_due(case, key).then_some(ledger)
+    });
+    let mut ledger = due.expect("each case has its turn within some tens of commits");
+    ledger.note(case, key, proof());
+    ledger.complaints.iter().any(|complaint| complaint.contains("the line is false"))
 }
 
 /// Whether two figures can be of the same proof.

@@ -31,6 +31,23 @@ impl Errors {
         self.count > 0
     }
 
+    /// The largest error, where it keeps the bound, and what is wrong where not.
+    ///
+    /// # Errors
+    /// The error beyond the bound, and that nothing was measured.
+    pub fn verdict(&self) -> Result<f64, String> {
+        if self.count == 0 {
+            return Err(format!("{}: nothing was measured", self.name));
+        }
+        if self.largest > self.bound {
+            return Err(format!(
+                "{}: {:e} beyond {:e}: {}",
+                self.name, self.largest, self.bound, self.place
+            ));
+        }
+        Ok(self.largest)
+    }
+
     /// Prints a row for the documentation, and fails beyond the bound.
     #[allow(
         clippy::print_stdout,
@@ -38,14 +55,8 @@ impl Errors {
     )]
     pub fn finish(self) {
         println!("| {} | {} | {:.1e} | {:.0e} |", self.name, self.count, self.largest, self.bound);
-        assert!(self.count > 0, "{}: nothing was measured", self.name);
-        assert!(
-            self.largest <= self.bound,
-            "{}: {:e} beyond {:e}: {}",
-            self.name,
-            self.largest,
-            self.bound,
-            self.place
-        );
+        if let Err(wrong) = self.verdict() {
+            panic!("{wrong}");
+        }
     }
 }
