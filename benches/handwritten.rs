@@ -10,8 +10,6 @@
 #![allow(missing_docs, reason = "a program")]
 #![allow(clippy::disallowed_methods, reason = "it asks another program to optimise")]
 
-#[path = "../tests/support/handwritten.rs"]
-mod handwritten;
 #[path = "support/spirv.rs"]
 mod spirv;
 
@@ -22,6 +20,7 @@ use chiaro::export::spirv_words;
 use chiaro::frame::{CompiledShader, FramePlan, PassKind};
 use chiaro::progress::Progress;
 use chiaro::render::{Gpu, Renderer, block_on};
+use chiaro_test_drawing::handwritten;
 use spirv::{instructions, optimised};
 
 const SIZE: [u32; 2] = [800, 600];
