@@ -65,7 +65,7 @@ impl Sheet {
             egui::Frame::popup(ui.style()).show(ui, |ui| match shown {
                 Shown::Shortcuts { .. } => show_shortcuts(ui, screen.height() - 180.0),
                 Shown::Commands { query, index, is_new } => {
-                    chosen = show_commands(ui, session, query, index, is_new)
+                    chosen = show_commands(ui, session, query, index, is_new);
                 }
             });
         });

@@ -135,7 +135,7 @@ pub fn execute(
                 let found = Some(found.rounded(|x| options.images.single(x)));
                 match kind {
                     PassKind::SparseCurvature | PassKind::SparseDetailCurvature => {
-                        made.sparse = found
+                        made.sparse = found;
                     }
                     PassKind::CurvatureTensor => made.tensor = found,
                     PassKind::SmoothNormals(level) => {

@@ -70,7 +70,7 @@ fn soak_the_rate_over_fifty_hidden_looks() {
         if difference >= NEAR {
             hidden.told.iter().for_each(|layer| println!("     hidden {layer}"));
             fitted.report.changed.iter().for_each(|change| {
-                println!("     {} {}: {}", change.what, change.place, change.to)
+                println!("     {} {}: {}", change.what, change.place, change.to);
             });
         }
     }
@@ -292,7 +292,7 @@ fn a_fit_that_is_stopped_keeps_the_nearest_that_it_has_come_to() {
         let itself: Arc<OnceLock<Weak<Progress>>> = Arc::default();
         let known = itself.clone();
         let stop = move |_| {
-            known.get().and_then(Weak::upgrade).into_iter().for_each(|progress| progress.stop())
+            known.get().and_then(Weak::upgrade).into_iter().for_each(|progress| progress.stop());
         };
         let progress = Arc::new(Progress::telling(stop));
         itself.set(Arc::downgrade(&progress)).unwrap();

@@ -61,7 +61,7 @@ pub struct LightValues {
     pub own_from_world: DMat3,
     /// Cosines of the inner and outer half-angles.
     pub cone: [f64; 2],
-    /// What it is.
+    /// The kind of light.
     pub kind: LightKind,
 }
 
@@ -177,7 +177,7 @@ fn light_distance(distance: f64) -> f64 {
     if distance > 0.0 { distance.clamp(MIN_LIGHT_DISTANCE, f64::from(f32::MAX)) } else { 0.0 }
 }
 
-/// One step; operands are indices of earlier steps.
+/// A step of a host program; operands are indices of earlier steps.
 #[derive(Clone, Debug)]
 pub(super) enum Step {
     Constant(interp::Value),
@@ -188,7 +188,7 @@ pub(super) enum Step {
 }
 
 impl Step {
-    /// What it gives, by the values of earlier steps.
+    /// The step's value, from the values of earlier steps.
     fn value<'v>(
         &self,
         inputs: &HostInputs<'_>,
@@ -217,7 +217,7 @@ impl Step {
     }
 }
 
-/// What a step calls, so that its source can be found again.
+/// The function that a step calls, so that its source can be found again.
 #[derive(Clone, Debug)]
 pub(super) enum Callee {
     Function(Function),
@@ -252,11 +252,11 @@ pub struct HostDriver {
 #[derive(Clone, Debug, Default)]
 pub struct HostProgram {
     pub(super) steps: Vec<Step>,
-    /// What drives keys by wires.
+    /// The wired values that drive keys.
     pub drivers: Vec<HostDriver>,
     /// The sets of direction keys in the order in which they take effect.
     pub key_order: Vec<usize>,
-    /// What the uniform holds, in order; empty where the module has no `Look` uniform.
+    /// The uniform's members, in order; empty where the module has no `Look` uniform.
     pub members: Vec<UniformMember>,
     /// The size of the uniform in bytes, a multiple of 16; 0 where there is none.
     pub size: u32,
@@ -296,8 +296,8 @@ impl HostProgram {
         Ok(self.members.iter().map(|member| values[member.step].clone()).collect())
     }
 
-    /// What an output that drives keys gives, by the values and lights of that moment; what is no
-    /// number counts as 0.
+    /// The value of an output that drives keys, by the values and lights of a frame; NaN
+    /// counts as 0.
     ///
     /// # Errors
     /// As [`run`](Self::run).
@@ -404,7 +404,7 @@ impl HostInputs<'_> {
                 },
                 |l| l.input(input),
             ),
-            // Of fragment rate, and so never a step of the host.
+            // Contexts of fragment rate are never steps of the host.
             _ => interp::Value::Float(0.0),
         }
     }
@@ -447,12 +447,12 @@ static CONVERSIONS: LazyLock<Conversions> = LazyLock::new(|| {
     Conversions { valid, functions }
 });
 
-/// What runs a conversion on the CPU.
+/// The program that runs a conversion on the CPU.
 pub(super) fn conversion_program(from: &Type, to: &Type) -> Option<Arc<Program>> {
     CONVERSIONS.functions.get(&(from.clone(), to.clone())).map(|(_, program)| program.clone())
 }
 
-/// What a conversion may give.
+/// The range of a conversion's result.
 pub(super) fn conversion_ranges(from: &Type, to: &Type, ranges: &Ranges) -> Option<Ranges> {
     let Some((name, _)) = CONVERSIONS.functions.get(&(from.clone(), to.clone())) else {
         // Between two names of one type.
@@ -500,8 +500,8 @@ mod tests {
                     (distance as f32).is_normal() && distance == MIN_LIGHT_DISTANCE,
                     "{tiny}: {distance}"
                 );
-                // What `light_fading` divides by it stays a number in f32, across all that a scene
-                // may hold.
+                // The quotient in `light_fading` stays a number in f32, across all distances that a
+                // scene may hold.
                 assert!((4e6_f32 / distance as f32).is_finite());
             }
         }

@@ -79,7 +79,7 @@ impl App {
             Command::ShowOn(Some(path)) => self.show_on(&path.to_string_lossy()),
             Command::StandUp(z_is_up) => self.stand_up(z_is_up),
             Command::ShowOn(None) => {
-                self.dialogs.ask(Purpose::Mesh, Some(Path::new(&self.session.view.mesh)))
+                self.dialogs.ask(Purpose::Mesh, Some(Path::new(&self.session.view.mesh)));
             }
             Command::Probe(on) => {
                 self.probe.turn(on);
@@ -90,13 +90,13 @@ impl App {
             }
             Command::ShowWire(wire) => self.session.show_wire(wire),
             Command::Export(export, Some(path)) => {
-                self.viewport.export(&self.session, export, path)
+                self.viewport.export(&self.session, export, path);
             }
             Command::Export(export, None) => {
-                self.dialogs.ask(Purpose::Export(export), self.session.path())
+                self.dialogs.ask(Purpose::Export(export), self.session.path());
             }
             Command::ExportLook(language, Some(folder)) => {
-                self.look_exports.write(&self.session, language, folder)
+                self.look_exports.write(&self.session, language, folder);
             }
             Command::ExportLook(language, None) => {
                 let near = self.look_exports.suggested(&self.session);
@@ -111,7 +111,7 @@ impl App {
             Command::CopyWgsl => self.copy_wgsl(ui),
             Command::ShowReference(Some(path)) => self.viewport.show_reference(path),
             Command::ShowReference(None) => {
-                self.dialogs.ask(Purpose::Reference, self.session.path())
+                self.dialogs.ask(Purpose::Reference, self.session.path());
             }
             Command::LeaveProbe => self.probe.escape(),
             Command::Solo(solo) => self.session.set_solo(solo),

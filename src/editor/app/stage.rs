@@ -63,7 +63,7 @@ impl App {
             (Purpose::ObjectLook, Some((id, material))) => {
                 self.change_object(&id, |stage, object| {
                     object.looks.insert(material, stage.name_of(path));
-                })
+                });
             }
             _ => {}
         }

@@ -187,7 +187,7 @@ impl Canvas {
         let of = session.graph();
         match action {
             Action::Delete => {
-                out.extend(edits::delete(session, chosen.iter().cloned()).map(Command::Edit))
+                out.extend(edits::delete(session, chosen.iter().cloned()).map(Command::Edit));
             }
             Action::Dissolve => out.extend(edits::dissolve(session, chosen).map(Command::Edit)),
             Action::Duplicate => {

@@ -120,7 +120,7 @@ impl Safety {
                     "{name} was removed or moved by another program; saving writes it again"
                 );
                 row(ui, Tone::Warning, &text, |ui| {
-                    ask(ui, "Understood", "Hides this", Wish::Hide, wishes)
+                    ask(ui, "Understood", "Hides this", Wish::Hide, wishes);
                 });
             }
         }
@@ -185,14 +185,14 @@ fn of_painting(ui: &mut Ui, conflict: PaintingConflict, name: &str, wishes: &mut
                 "{name} was changed by another program and cannot be read now; your version stays"
             );
             row(ui, Tone::Warning, &text, |ui| {
-                ask(ui, "Keep mine", keep, Wish::KeepMyPainting, wishes)
+                ask(ui, "Keep mine", keep, Wish::KeepMyPainting, wishes);
             });
         }
         PaintingConflict::Gone => {
             let text =
                 format!("{name} was removed or moved by another program; saving writes it again");
             row(ui, Tone::Warning, &text, |ui| {
-                ask(ui, "Understood", "Hides this", Wish::KeepMyPainting, wishes)
+                ask(ui, "Understood", "Hides this", Wish::KeepMyPainting, wishes);
             });
         }
     }

@@ -24,11 +24,11 @@ impl Codec<KeyDirection> for DecidedBy {
         match by {
             KeyDirection::View => w.string("view"),
             KeyDirection::Light(id) => {
-                w.object(Layout::Inline, |w| w.member("light", |w| w.string(id.as_str())))
+                w.object(Layout::Inline, |w| w.member("light", |w| w.string(id.as_str())));
             }
             KeyDirection::Drivers(drivers) => {
                 w.object(Layout::Inline, |w| {
-                    w.member("drivers", |w| w.list(Layout::Inline, drivers, write_driver))
+                    w.member("drivers", |w| w.list(Layout::Inline, drivers, write_driver));
                 });
             }
         }
@@ -203,7 +203,7 @@ fn output(r: &mut Reader<'_>, at: At) -> Option<OutputPort> {
 
 fn write_driver(w: &mut Writer, driver: &Driver) {
     let named = |w: &mut Writer, kind: &'static str, id: &str| {
-        w.object(Layout::Inline, |w| w.member(kind, |w| w.string(id)))
+        w.object(Layout::Inline, |w| w.member(kind, |w| w.string(id)));
     };
     match driver {
         Driver::Distance => w.string("distance"),

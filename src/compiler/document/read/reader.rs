@@ -146,7 +146,7 @@ impl<'t> Reader<'t> {
             let name = tree.key(member);
             match shape.field(&name) {
                 Some((index, _)) if fields.found[index].is_none() => {
-                    fields.found[index] = Some(member)
+                    fields.found[index] = Some(member);
                 }
                 None if !fields.unknown.contains_key(&*name) => {
                     self.unknown_field(member, &name, shape);

@@ -163,7 +163,7 @@ impl Reader<'_> {
                 self.report(
                     at,
                     Diagnostic::error("wrong-count", format!("expected 3 rows, found {count}")),
-                )
+                );
             })
             .ok()
     }

@@ -626,7 +626,7 @@ pub fn sample(slots: &[Slot], all: &Numbers) -> EvalSample {
             Place::Anchor => sample.anchor = vec3(numbers),
             Place::Magnification => sample.magnification = numbers[0],
             Place::VertexColor => {
-                sample.vertex_color = [numbers[0], numbers[1], numbers[2], numbers[3]]
+                sample.vertex_color = [numbers[0], numbers[1], numbers[2], numbers[3]];
             }
             Place::Time => sample.time = numbers[0],
             Place::LightDirection => light.direction = Some(vec3(numbers)),
