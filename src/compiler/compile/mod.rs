@@ -22,9 +22,9 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
 use crate::diag::Diagnostic;
-use crate::document::{Look, Value};
+use crate::document::{LightField, Look, Value};
 use crate::ids::{LightId, NodePath, PortName};
-use crate::library::{Library, LightField, Special, Type};
+use crate::library::{Library, Special, Type};
 use crate::wgsl::{self, Valid};
 
 pub use check::{TypedGraph, TypedInput, TypedNode, TypedSource, check};

@@ -20,10 +20,10 @@ use super::removal::{Proof, Removal};
 use super::value::typed_value;
 use super::{Live, Options, Stage};
 use crate::diag::Diagnostic;
-use crate::document::{ColorSpace, Storage, Target, Value};
+use crate::document::{ColorSpace, LightField, LightInput, Storage, Target, Value};
 use crate::ids::{LightId, NodePath, PortName};
 use crate::interp;
-use crate::library::{Context, Conversion, LightField, NodeModule, Parameter, Rate, Special, Type};
+use crate::library::{Context, Conversion, NodeModule, Parameter, Rate, Special, Type};
 
 /// An index into [`SpecializedGraph::values`].
 pub(super) type ValueId = usize;
@@ -302,7 +302,7 @@ impl<'a> Builder<'a> {
 
     fn context(&mut self, index: usize, context: Context, light: Option<LightId>) -> ValueId {
         let ty = Type::from_wgsl(context.wgsl_type());
-        if let (Context::Light(field), Some(id)) = (context, &light)
+        if let (Context::Light(LightInput::Field(field)), Some(id)) = (context, &light)
             && self.options.dark.contains(&(id.clone(), field))
         {
             let zero = match ty.width() {
