@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::fullscreen::shade_all;
 use super::geometry::Triangles;
-use super::options::{Control, ImageRounding, Options};
+use super::options::{ImageRounding, Options};
 use super::picture::ReferencePicture;
 use super::raster::{check_size, rasterise};
 use super::setup::Sides;
@@ -13,6 +13,7 @@ use super::texels::Texels;
 use super::tile::Target;
 use crate::diag::Diagnostic;
 use crate::frame::{Draw, FramePlan, PassId, PassImage, Stage, TexelFormat};
+use crate::progress::Progress;
 
 /// Makes the shaders of a frame plan.
 pub trait Shaders {
@@ -96,28 +97,27 @@ pub fn execute(
     plan: &FramePlan,
     shaders: &dyn Shaders,
     options: &Options,
-    control: &Control<'_>,
+    progress: &Progress,
 ) -> Result<ReferencePicture, Diagnostic> {
     check_size(plan.size, plan.samples)?;
     let mut images = PassImages::default();
     let mut picture = None;
-    for (number, pass) in plan.passes.iter().enumerate() {
-        let progress =
-            |share: f64| (control.progress)((number as f64 + share) / plan.passes.len() as f64);
-        let control = Control { cancel: control.cancel, progress: &progress };
+    progress.begin(plan.passes.len() as u64);
+    for pass in &plan.passes {
+        let progress = progress.part(1);
         let id = pass.id;
         let around = options.widened(plan.margin(id));
         let made = match id.stage() {
             Some(Stage::Draw) => {
-                let raster = draw(plan, (id, Stage::Draw), &images, shaders, options, &control)?;
+                let raster = draw(plan, (id, Stage::Draw), &images, shaders, options, &progress)?;
                 let objects = plan.draws.iter().map(|draw| draw.object.clone()).collect();
                 picture = Some(ReferencePicture::new(raster, plan.samples, objects));
                 continue;
             }
-            Some(stage) => draw(plan, (id, stage), &images, shaders, &around, &control)?.texels,
+            Some(stage) => draw(plan, (id, stage), &images, shaders, &around, &progress)?.texels,
             None => {
                 let shader = shaders.screen(plan, id, &images)?;
-                shade_all(plan.size, channels(id), shader.as_ref(), &around, &control)?
+                shade_all(plan.size, channels(id), shader.as_ref(), &around, &progress)?
             }
         };
         images.insert_rounded(id, &made, options.images);
@@ -134,7 +134,7 @@ fn draw(
     images: &PassImages,
     shaders: &dyn Shaders,
     options: &Options,
-    control: &Control<'_>,
+    progress: &Progress,
 ) -> Result<super::raster::Raster, Diagnostic> {
     let made = |draw| shaders.draw(plan, draw, pass, images);
     // A draw without a module of the stage leaves an empty place, so that draws keep their numbers.
@@ -153,5 +153,5 @@ fn draw(
     } else {
         (Target::Numbers(channels(pass)), 1)
     };
-    rasterise(plan.size, samples, &target, &triangles, options, control)
+    rasterise(plan.size, samples, &target, &triangles, options, progress)
 }

@@ -191,7 +191,7 @@ fn conversions() -> String {
 fn surroundings() -> String {
     let mut text =
         String::from("| word | type | known | what it is |\n| --- | --- | --- | --- |\n");
-    for context in Context::all().filter(|context| context.light_field().is_none()) {
+    for context in Context::all().filter(|context| context.light_input().is_none()) {
         let word = context.word();
         let ty = Type::from_wgsl(context.wgsl_type());
         let _ =

@@ -44,8 +44,8 @@ pub const CATEGORIES: [&str; 14] = [
 ];
 
 pub use context::{
-    Bounds, Context, ContextRow, ContextSample, ContextSource, HostSurroundings, LightField, Rate,
-    SurfacePart, SurfacePoint,
+    Bounds, Context, ContextRow, ContextSample, ContextSource, HostSurroundings, Rate, SurfacePart,
+    SurfacePoint,
 };
 pub use embedded::NODES;
 pub use group::{CUSTOM_CODE, CUSTOM_KIND, GroupPorts};

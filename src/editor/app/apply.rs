@@ -7,21 +7,22 @@ use eframe::egui::{self, Ui};
 
 use super::App;
 use super::files::{self, Pending};
+use crate::app::dialogs::Purpose;
+use crate::app::dock;
+use crate::app::look_export::stem_of;
 use crate::canvas::edits;
-use crate::command::Command;
+use crate::commands::Command;
+use crate::commands::shortcuts::{self, Action};
 use crate::diag::Diagnostic;
-use crate::dialogs::Purpose;
-use crate::dock;
 use crate::document::{Edit, Storage};
-use crate::fitting;
 use crate::hcbtf::exchange::Form;
-use crate::look_export::stem_of;
-use crate::painting;
-use crate::safety::Wish;
-use crate::safety::crashes::DocumentOrigin;
-use crate::session::Session;
-use crate::shortcuts::{self, Action};
-use crate::stage::Stage;
+use crate::painter as painting;
+use crate::state::painting::look;
+use crate::state::safety::Wish;
+use crate::state::safety::crashes::DocumentOrigin;
+use crate::state::session::Session;
+use crate::state::stage::Stage;
+use crate::tools::fitting;
 use crate::viewport::Export;
 
 impl App {
@@ -79,7 +80,7 @@ impl App {
             Command::ShowOn(Some(path)) => self.show_on(&path.to_string_lossy()),
             Command::StandUp(z_is_up) => self.stand_up(z_is_up),
             Command::ShowOn(None) => {
-                self.dialogs.ask(Purpose::Mesh, Some(Path::new(&self.session.view.mesh)))
+                self.dialogs.ask(Purpose::Mesh, Some(Path::new(&self.session.view.mesh)));
             }
             Command::Probe(on) => {
                 self.probe.turn(on);
@@ -90,13 +91,13 @@ impl App {
             }
             Command::ShowWire(wire) => self.session.show_wire(wire),
             Command::Export(export, Some(path)) => {
-                self.viewport.export(&self.session, export, path)
+                self.viewport.export(&self.session, export, path);
             }
             Command::Export(export, None) => {
-                self.dialogs.ask(Purpose::Export(export), self.session.path())
+                self.dialogs.ask(Purpose::Export(export), self.session.path());
             }
             Command::ExportLook(language, Some(folder)) => {
-                self.look_exports.write(&self.session, language, folder)
+                self.look_exports.write(&self.session, language, folder);
             }
             Command::ExportLook(language, None) => {
                 let near = self.look_exports.suggested(&self.session);
@@ -111,11 +112,11 @@ impl App {
             Command::CopyWgsl => self.copy_wgsl(ui),
             Command::ShowReference(Some(path)) => self.viewport.show_reference(path),
             Command::ShowReference(None) => {
-                self.dialogs.ask(Purpose::Reference, self.session.path())
+                self.dialogs.ask(Purpose::Reference, self.session.path());
             }
             Command::LeaveProbe => self.probe.escape(),
             Command::Solo(solo) => self.session.set_solo(solo),
-            Command::ShowPanel(dock::Panel::Paint) if painting::look::shows(&self.session) => {
+            Command::ShowPanel(dock::Panel::Paint) if look::shows(&self.session) => {
                 self.show_painting_panels();
             }
             Command::ShowPanel(panel) => {

@@ -6,14 +6,17 @@ use eframe::egui::Ui;
 
 use super::App;
 use super::files::Pending;
+use crate::app::dialogs::Purpose;
+use crate::app::dock::{Panel, Workspace};
 use crate::diag::Diagnostic;
-use crate::dialogs::Purpose;
-use crate::dock::{Panel, Workspace};
 use crate::document::{Edit, Grid, Hcbtf, HcbtfEdit, Storage};
 use crate::frame::UNSAVED_HCBTF;
 use crate::hcbtf::exchange::Form;
-use crate::painting::{Home, Import, Made, Wish, Work, counted, look, shown};
+use crate::painter::{Import, Made, Wish, counted, shown};
 use crate::panels::problems::sentence;
+use crate::state::painting::home::Home;
+use crate::state::painting::look;
+use crate::state::painting::work::Work;
 
 impl App {
     pub(super) fn apply_to_painting(&mut self, ui: &Ui, wish: Wish) {
@@ -29,10 +32,10 @@ impl App {
                 }
             }
             Wish::New { grid, keeps_look } => {
-                self.do_or_ask(Pending::NewPainting { grid, keeps_look })
+                self.do_or_ask(Pending::NewPainting { grid, keeps_look });
             }
             Wish::Open { path, keeps_look } => {
-                self.do_or_ask(Pending::OpenPainting { path, keeps_look })
+                self.do_or_ask(Pending::OpenPainting { path, keeps_look });
             }
             Wish::Divide { grid, lost } => {
                 self.tell(|session| session.apply_to_painting(HcbtfEdit::SetGrid { grid }, None));
@@ -48,7 +51,7 @@ impl App {
             Wish::PaintShown => self.paint_shown(),
             Wish::AskGrid { changes } => self.painting.ask_grid(&self.session, changes),
             Wish::AskSynthesis if self.session.painting().is_some() => {
-                self.painting.ask_synthesis(&self.session)
+                self.painting.ask_synthesis(&self.session);
             }
             Wish::AskSynthesis => {
                 self.message =
@@ -78,7 +81,7 @@ impl App {
                 self.dialogs.ask(Purpose::ImportPainting(import), self.session.path());
             }
             Wish::Import { import, from: Some(path) } => {
-                self.do_or_ask(Pending::ImportPainting { path, import })
+                self.do_or_ask(Pending::ImportPainting { path, import });
             }
             Wish::AskTexture if self.session.painting().is_some() => self.painting.ask_texture(),
             Wish::AskTexture => self.tell_nothing_to_export(),
@@ -163,14 +166,14 @@ impl App {
         let mut shown = shown(&self.session);
         match (shown.pop(), shown.is_empty()) {
             (Some(only), true) => {
-                self.do_or_ask(Pending::OpenPainting { path: only.path, keeps_look: true })
+                self.do_or_ask(Pending::OpenPainting { path: only.path, keeps_look: true });
             }
             (Some(_), false) => {
                 self.start = None;
                 self.dock.open(Panel::Paint);
             }
             (None, _) => {
-                self.message = Some("The open look shows nothing that is painted".to_owned())
+                self.message = Some("The open look shows nothing that is painted".to_owned());
             }
         }
     }

@@ -13,6 +13,7 @@ mod isocurves;
 mod layer;
 mod lights;
 mod objects;
+pub(crate) mod picture;
 mod preparing;
 mod show;
 mod strip;
@@ -26,19 +27,19 @@ use glam::DVec3;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::command::Command;
-use super::fitting::Fitting;
-use super::orbit::Orbit;
-use super::picture::Picture;
-use super::probe::{Probe, picture_size};
-use super::session::Session;
-use super::shortcuts::{self, Action};
-use super::spots::{self, Spot};
-use super::theme;
-use super::wipe::Wipe;
+use crate::commands::Command;
+use crate::commands::shortcuts::{self, Action};
 use crate::document::Projection;
 use crate::ids::ObjectId;
 use crate::render::Gpu;
+use crate::state::orbit::Orbit;
+use crate::state::session::Session;
+use crate::tools::fitting::Fitting;
+use crate::tools::probe::{Probe, picture_size};
+use crate::tools::wipe::Wipe;
+use crate::viewport::picture::Picture;
+use crate::widgets::spots::{self, Spot};
+use crate::widgets::theme;
 pub(crate) use export::Export;
 use export::{Destination, Done, Exports};
 use isocurves::Isocurves;
@@ -378,7 +379,7 @@ impl Viewport {
                 Drag::Pan => session.view.pan(dx, dy),
                 Drag::Curve(held) => out.extend(self.isocurves.drag(held, session, rect, at)),
                 Drag::Light(held) => {
-                    out.extend(lights::drag(held, session, handles.surface.as_deref(), rect, at))
+                    out.extend(lights::drag(held, session, handles.surface.as_deref(), rect, at));
                 }
             }
         }

@@ -218,7 +218,7 @@ pub(super) fn lights(look: &Look, modules: &Modules) -> Vec<LightDescription> {
     let mut fields: HashMap<&LightId, BTreeSet<&'static str>> = HashMap::new();
     for step in hosts.flat_map(|host| &host.source.steps) {
         if let HostStep::Context(context, Some(light)) = step
-            && context.light_field().is_some()
+            && context.light_input().is_some()
         {
             fields.entry(light).or_default().insert(context.word());
         }

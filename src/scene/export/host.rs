@@ -283,7 +283,8 @@ fn rounded(value: Value) -> Value {
 /// What a surrounding is.
 fn meaning(context: Context) -> &'static str {
     match context.row().source {
-        ContextSource::Host { meaning, .. } | ContextSource::Light { meaning, .. } => meaning,
+        ContextSource::Host { meaning, .. } => meaning,
+        ContextSource::Light(input) => input.help(),
         // Of fragment rate, and so never asked for by a step.
         ContextSource::Fragment { .. } | ContextSource::Pass { .. } => "",
     }

@@ -165,7 +165,7 @@ impl Emitter<'_> {
         let mut bindings: Vec<(BindingKind, String, String)> = Vec::new();
         let texture = "texture_2d<f32>";
         let mut push = |kind, name: &str, declaration: String| {
-            bindings.push((kind, name.to_owned(), declaration))
+            bindings.push((kind, name.to_owned(), declaration));
         };
         if self.options.stage == Stage::Eval {
             push(

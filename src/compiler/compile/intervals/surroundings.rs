@@ -1,4 +1,4 @@
-//! What is known of a context before any fragment runs.
+//! The range of a context before any fragment runs.
 
 use super::Ranges;
 use super::range::{Floats, Range};
@@ -8,7 +8,7 @@ use crate::library::{Bounds, Context, Type};
 /// Unit vectors and rotations, with their roundings.
 const UNIT: f64 = 1.0 + 2e-6;
 
-/// What each scalar of a context may be.
+/// The range of each scalar of a context.
 ///
 /// Everything that a mesh, an interpolation or a scene says may be anything; what generated code
 /// normalizes, and what the host computes as a cosine or clamps, is known.

@@ -1,6 +1,6 @@
 //! What a node may ask of its surroundings: the surface, the camera, the clock and the lights.
 //!
-//! A [`Context`] is a handle to a row of one [table](table). The row says everything: the word that
+//! A [`Context`] is a handle to a row of one [table](table), or to what a light gives. The row says everything: the word that
 //! node files use, the type, where the value comes from in a shader and on the host, and which
 //! value a sample without a scene has. Whoever needs more of a context asks its row; nobody else
 //! lists contexts.
@@ -11,7 +11,7 @@ mod table;
 
 use std::fmt;
 
-use crate::document::Tier;
+use crate::document::{LightInput, Tier};
 
 pub use row::{Bounds, ContextRow, ContextSource, HostSurroundings};
 pub use sample::{ContextSample, SurfacePart, SurfacePoint};
@@ -36,33 +36,18 @@ pub enum Rate {
     Fragment,
 }
 
-/// A field of a light, in world space and ready for use.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum LightField {
-    /// Unit, toward a directional light, world space.
-    Direction,
-    /// Unit, toward a directional light, as the artist gave it.
-    OwnDirection,
-    /// World space.
-    Position,
-    /// Unit, from a spot light outward, world space.
-    Aim,
-    /// The rotation from world space to the light's own frame.
-    OwnFromWorld,
-    /// Straight RGB.
-    Color,
-    /// 0 or more.
-    Intensity,
-    /// The cosines of a spot light's inner and outer half-angles.
-    Cone,
-    /// Half distance and range.
-    Fading,
-}
-
 /// A value from the surroundings; the word after `from=` in a node's `@param`. Contexts are ordered
 /// as their rows are.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Context(u8);
+pub struct Context(Handle);
+
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+enum Handle {
+    /// A row of the table, by its number.
+    Row(u8),
+    /// What a light gives, which has rows of its own.
+    Light(LightInput),
+}
 
 impl Context {
     /// The surface's own normal, which the modules that draw normals draw.
@@ -78,7 +63,7 @@ impl Context {
         let mut index = 0;
         while index < TABLE.len() {
             if is_same(TABLE[index].word.as_bytes(), word.as_bytes()) {
-                return Self(index as u8);
+                return Self(Handle::Row(index as u8));
             }
             index += 1;
         }
@@ -87,7 +72,8 @@ impl Context {
 
     /// All of them, in the order of their rows.
     pub fn all() -> impl Iterator<Item = Self> {
-        (0..TABLE.len()).map(|index| Self(index as u8))
+        let rows = (0..TABLE.len()).map(|index| Handle::Row(index as u8));
+        rows.chain(LightInput::all().map(Handle::Light)).map(Self)
     }
 
     /// The context that a node file's `from=` names.
@@ -96,8 +82,11 @@ impl Context {
     }
 
     /// Everything that is known of it.
-    pub fn row(self) -> &'static ContextRow {
-        &TABLE[usize::from(self.0)]
+    pub fn row(self) -> ContextRow {
+        match self.0 {
+            Handle::Row(index) => TABLE[usize::from(index)],
+            Handle::Light(input) => ContextRow::light(input),
+        }
     }
 
     /// What stands for it in a node of this tier.
@@ -121,11 +110,11 @@ impl Context {
         row.sample.parts() == [SurfacePart::Kappa] && row.ty == "f32"
     }
 
-    /// The field of a light that it is.
-    pub fn light_field(self) -> Option<LightField> {
-        match self.row().source {
-            ContextSource::Light { field, .. } => Some(field),
-            _ => None,
+    /// What a light gives for it.
+    pub fn light_input(self) -> Option<LightInput> {
+        match self.0 {
+            Handle::Row(_) => None,
+            Handle::Light(input) => Some(input),
         }
     }
 
@@ -153,7 +142,7 @@ impl Context {
         match self.row().source {
             ContextSource::Fragment { .. } | ContextSource::Pass { .. } => Rate::Fragment,
             ContextSource::Host { rate, .. } => rate,
-            ContextSource::Light { .. } => Rate::Object,
+            ContextSource::Light(_) => Rate::Object,
         }
     }
 

@@ -2,12 +2,13 @@
 
 use glam::DMat3;
 
+use super::Rate;
 use super::sample::{ContextSample, SurfacePart, SurfacePoint};
-use super::{LightField, Rate};
+use crate::document::{LightInput, LightQuantity};
 use crate::interp::Value;
 
 /// A row of the table of contexts.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct ContextRow {
     /// The word that node files use; also the variable's name in generated source.
     pub word: &'static str,
@@ -61,13 +62,8 @@ pub enum ContextSource {
         /// What a host that runs an exported look has to give.
         meaning: &'static str,
     },
-    /// A field of the light that the node names, which the host computes.
-    Light {
-        /// The field.
-        field: LightField,
-        /// What a host that runs an exported look has to give.
-        meaning: &'static str,
-    },
+    /// What the light that the node names gives, which the host computes.
+    Light(LightInput),
 }
 
 /// What a host knows of the frame and the object before any fragment runs.
@@ -159,15 +155,19 @@ impl ContextRow {
         Self::new(word, ty, ContextSource::Host { rate, value, meaning }, help)
     }
 
-    /// A field of a light.
-    pub(super) const fn light(
-        word: &'static str,
-        ty: &'static str,
-        field: LightField,
-        help: &'static str,
-        meaning: &'static str,
-    ) -> Self {
-        Self::new(word, ty, ContextSource::Light { field, meaning }, help)
+    /// What a light gives: its own row says it.
+    pub(super) fn light(input: LightInput) -> Self {
+        let is_intensity = matches!(
+            input,
+            LightInput::Field(field) if field.quantity() == LightQuantity::Factor
+        );
+        let bounds = match input {
+            _ if is_intensity => Bounds::Intensity,
+            _ if input.is_unit() => Bounds::Unit,
+            _ => Bounds::Anything,
+        };
+        let source = ContextSource::Light(input);
+        Self::new(input.word(), input.wgsl_type(), source, input.help()).within(bounds)
     }
 
     /// The same with a name for people.

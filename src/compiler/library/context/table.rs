@@ -5,7 +5,6 @@
 
 use glam::{DMat3, DVec3};
 
-use super::LightField;
 use super::Rate::{Frame, Object};
 use super::row::{Bounds, ContextRow as Row};
 use super::sample::SurfacePart::{
@@ -278,67 +277,4 @@ pub(super) const TABLE: &[Row] = &[
         "turns normals and gradients of the object's own space into world space",
     )
     .sampled(&[], |_| Value::matrix(&DMat3::IDENTITY.to_cols_array_2d())),
-    Row::light(
-        "light.direction",
-        "vec3f",
-        LightField::Direction,
-        "unit, toward a directional light, world space",
-        "unit, toward a directional light, world space",
-    )
-    .within(Bounds::Unit),
-    Row::light(
-        "light.own_direction",
-        "vec3f",
-        LightField::OwnDirection,
-        "unit, toward a directional light, as the artist gave it",
-        "unit, toward a directional light, in the light's own frame",
-    )
-    .within(Bounds::Unit),
-    Row::light(
-        "light.position",
-        "vec3f",
-        LightField::Position,
-        "where the light is, world space",
-        "world space",
-    ),
-    Row::light(
-        "light.aim",
-        "vec3f",
-        LightField::Aim,
-        "unit, from a spot light outward, world space",
-        "unit, the way a spot light shines, world space",
-    )
-    .within(Bounds::Unit),
-    Row::light(
-        "light.own_from_world",
-        "mat3x3f",
-        LightField::OwnFromWorld,
-        "the rotation from world space to the light's own frame",
-        "rotation from world space to the light's own frame",
-    )
-    .within(Bounds::Unit),
-    Row::light(
-        "light.color",
-        "vec3f",
-        LightField::Color,
-        "straight RGB",
-        "straight RGB in the look's color space",
-    ),
-    Row::light("light.intensity", "f32", LightField::Intensity, "0 or more", "0 or more")
-        .within(Bounds::Intensity),
-    Row::light(
-        "light.cone",
-        "vec2f",
-        LightField::Cone,
-        "the cosines of a spot light's inner and outer half-angles",
-        "cosines of a spot light's inner and outer half-angles; the inner at most the outer angle",
-    )
-    .within(Bounds::Unit),
-    Row::light(
-        "light.fading",
-        "vec2f",
-        LightField::Fading,
-        "half distance and range",
-        "half distance and range; 0 for none",
-    ),
 ];

@@ -3,15 +3,14 @@
 use eframe::egui;
 use eframe::egui::{Checkbox, ComboBox, DragValue, Id, Ui};
 
-use super::super::super::dialogs::Purpose;
-use super::super::super::inspector::row::labelled;
-use super::super::super::stage::{
-    Stage, Wish, file_label, from_degrees, mesh_label, stood_up, to_degrees,
-};
+use crate::app::dialogs::Purpose;
+use crate::commands::scene::Wish;
 use crate::document::{Object, Transform};
+use crate::fields::row::labelled;
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX};
 use crate::geometry::SHAPES;
 use crate::ids::ObjectId;
+use crate::state::stage::{Stage, file_label, from_degrees, mesh_label, stood_up, to_degrees};
 
 /// The smallest scale: 0 leaves nothing.
 const LEAST_SCALE: f64 = 1e-3;
@@ -42,20 +41,20 @@ impl Details {
     ) {
         ui.push_id(id, |ui| {
             labelled(ui, "Mesh", "What it is made of", |ui, label| {
-                mesh(ui, label, stage, id, object, out)
+                mesh(ui, label, stage, id, object, out);
             });
             looks(ui, stage, id, object, out);
             let mut new = object.transform;
             let mut hand = None;
             let help = "Where it stands, in scene units: to the right, up, toward the viewer";
             labelled(ui, "Place", help, |ui, _| {
-                hand = hand.or(xyz(ui, "Place", &mut new.translate, 0.01, ""))
+                hand = hand.or(xyz(ui, "Place", &mut new.translate, 0.01, ""));
             });
             let help = "How it is turned: around the axis to the right, around the vertical one, \
                         around the one toward the viewer";
             labelled(ui, "Turn", help, |ui, _| hand = hand.or(self.turn(ui, id, &mut new)));
             labelled(ui, "Scale", "How large it is", |ui, _| {
-                hand = hand.or(self.scale(ui, &mut new))
+                hand = hand.or(self.scale(ui, &mut new));
             });
             labelled(
                 ui,
@@ -176,7 +175,7 @@ fn looks(ui: &mut Ui, stage: &Stage, id: &ObjectId, object: &Object, out: &mut V
     for material in materials {
         let shown = if material.is_empty() { "(no name)" } else { material };
         labelled(ui, shown, "What this material wears", |ui, label| {
-            look(ui, label, stage, id, object, material, out)
+            look(ui, label, stage, id, object, material, out);
         });
     }
 }

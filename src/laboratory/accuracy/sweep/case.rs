@@ -375,10 +375,16 @@ impl Builder<'_> {
         let number = |min, max| Kind::Number { min, max, is_angle: false };
         match word {
             "directional" => {
-                self.slot("light_direction", Place::LightDirection, Kind::Direction, 3, MOST_LIGHT)
+                self.slot("light_direction", Place::LightDirection, Kind::Direction, 3, MOST_LIGHT);
             }
             _ => {
-                self.slot("light_position", Place::LightPosition, number(None, None), 3, MOST_LIGHT)
+                self.slot(
+                    "light_position",
+                    Place::LightPosition,
+                    number(None, None),
+                    3,
+                    MOST_LIGHT,
+                );
             }
         }
         self.slot("light_color", Place::LightColor, number(Some(0.0), Some(1.0)), 3, MOST_COLOR);

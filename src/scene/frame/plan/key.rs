@@ -4,9 +4,8 @@ use std::collections::BTreeSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 use crate::compile::Live;
-use crate::document::{Graph, Look, Value};
+use crate::document::{Graph, LightField, Look, Value};
 use crate::ids::LightId;
-use crate::library::LightField;
 
 /// What a look's module depends on: all of it, or while everything is live what is no uniform.
 pub(super) fn look_key(

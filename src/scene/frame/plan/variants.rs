@@ -13,12 +13,12 @@ use super::placement::{PlacedScene, Visible};
 use super::planner::Planner;
 use crate::compile::{CompiledShader, Live, Options, compile};
 use crate::diag::Diagnostic;
-use crate::document::Look;
+use crate::document::{LightField, Look};
 use crate::frame::keys::{ParamTable, Rig, structural_look};
 use crate::frame::setup::{SetupLook, SetupObject};
 use crate::frame::visibility::{Cull, dark_lights, fields};
 use crate::ids::LightId;
-use crate::library::{Library, LightField, Stage};
+use crate::library::{Library, Stage};
 
 /// Fields of lights that are 0, with the reasons.
 pub(super) type DarkLights = Vec<((LightId, LightField), &'static str)>;
