@@ -6,7 +6,7 @@
 
 use chiaro_compiler::{catalog, compile, document, examples, library};
 use chiaro_laboratory::{accuracy, fit};
-use chiaro_language::{clock, diag, figures, ids, interp, milestones};
+use chiaro_language::{clock, diag, figures, ids, interp, milestones, progress};
 use chiaro_reference as reference;
 use chiaro_render as render;
 use chiaro_scene::{directions, drawing, export, frame, geometry, hcbtf, threads};

@@ -1,8 +1,8 @@
 //! Reading documents: every mistake is told, with its place and what to write instead.
 
-use chiaro::diag::{Diagnostic, has_errors};
-use chiaro::document::{Document, GraphId, Look, Scene, Target, Value};
-use chiaro::ids::NodePath;
+use chiaro_compiler::document::{Document, GraphId, Look, Scene, Target, Value};
+use chiaro_language::diag::{Diagnostic, has_errors};
+use chiaro_language::ids::NodePath;
 
 const LOOK: &str = r##"{
   "name": "Dawn",
@@ -451,7 +451,7 @@ fn large_looks_are_read() {
     let count = 100_000;
     let mut look = Look::default();
     for i in 0..count {
-        let node = chiaro::document::Node {
+        let node = chiaro_compiler::document::Node {
             kind: "maths_add".to_owned(),
             position: [i as f64 * 160.0, 0.5],
             values: [("b".into(), Value::Number(i as f64 / 7.0))].into(),
@@ -461,10 +461,11 @@ fn large_looks_are_read() {
     }
     for i in 1..count {
         let (from, to) = (format!("add_{}", i - 1), format!("add_{i}"));
-        let to = chiaro::document::Endpoint::new(to, "a");
-        look.graph
-            .wires
-            .push(chiaro::document::Wire { from: chiaro::document::Endpoint::new(from, ""), to });
+        let to = chiaro_compiler::document::Endpoint::new(to, "a");
+        look.graph.wires.push(chiaro_compiler::document::Wire {
+            from: chiaro_compiler::document::Endpoint::new(from, ""),
+            to,
+        });
     }
     let text = look.to_text();
     let loaded = Look::read(&text, "chain.json");

@@ -132,7 +132,7 @@ impl App {
                 self.look_exports.copy(&self.session, language, ending);
             }
             Command::ExportLook(language, Some(folder)) => {
-                self.look_exports.write(&self.session, language, folder)
+                self.look_exports.write(&self.session, language, folder);
             }
             Command::ExportLook(language, None) => {
                 let near = self.look_exports.suggested(&self.session);

@@ -184,7 +184,7 @@ impl App {
         let (colors, font) = (theme::of(ui), egui::TextStyle::Body.resolve(ui.style()));
         let mut job = egui::text::LayoutJob::default();
         let mut add = |text: &str, color| {
-            job.append(text, 0.0, egui::TextFormat::simple(font.clone(), color))
+            job.append(text, 0.0, egui::TextFormat::simple(font.clone(), color));
         };
         let mut help: Vec<String> =
             self.session.path().map(|path| path.display().to_string()).into_iter().collect();

@@ -236,7 +236,7 @@ impl App {
             }
             Some(Pending::NewPainting { grid, keeps_look }) => self.new_painting(grid, keeps_look),
             Some(Pending::OpenPainting { path, keeps_look }) => {
-                self.open_painting(&path, keeps_look)
+                self.open_painting(&path, keeps_look);
             }
             Some(Pending::ImportPainting { path, import }) => self.import_painting(path, import),
             Some(Pending::BeginPainting { hcbtf }) => self.begin_made(&hcbtf),

@@ -196,14 +196,14 @@ impl App {
         let mut shown = shown(&self.session);
         match (shown.pop(), shown.is_empty()) {
             (Some(only), true) => {
-                self.do_or_ask(Pending::OpenPainting { path: only.path, keeps_look: true })
+                self.do_or_ask(Pending::OpenPainting { path: only.path, keeps_look: true });
             }
             (Some(_), false) => {
                 self.start = None;
                 self.dock.open(PanelId::PAINT);
             }
             (None, _) => {
-                self.message = Some("The open look shows nothing that is painted".to_owned())
+                self.message = Some("The open look shows nothing that is painted".to_owned());
             }
         }
     }

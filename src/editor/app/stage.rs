@@ -74,7 +74,7 @@ impl App {
             (FilePurpose::ObjectLook, Some((id, material))) => {
                 self.change_object(&id, |stage, object| {
                     object.looks.insert(material, stage.name_of(path));
-                })
+                });
             }
             _ => {}
         }

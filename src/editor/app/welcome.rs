@@ -121,7 +121,7 @@ impl App {
             match answer {
                 Answer::File(purpose, path) => chosen.push((purpose, path)),
                 Answer::NoDialog(purpose, path) => {
-                    self.path_field = Some(PathField::new(purpose, &path, true))
+                    self.path_field = Some(PathField::new(purpose, &path, true));
                 }
             }
         }

@@ -171,7 +171,7 @@ impl Canvas {
                 }
             }
             (Gesture::Cut { path }, _) => {
-                path.windows(2).for_each(|piece| line(piece[0], piece[1], pen.colors.error))
+                path.windows(2).for_each(|piece| line(piece[0], piece[1], pen.colors.error));
             }
             (Gesture::Move(drag), _) => {
                 for &(is_upright, at, [from, to]) in &drag.guides {

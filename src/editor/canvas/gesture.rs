@@ -159,7 +159,7 @@ impl Canvas {
                 match self.open(session, &row.id) {
                     Some(open) => out.push(open),
                     None if is_title && !row.is_end => {
-                        self.edit_when_there = Some(Item::Node(row.id.clone()))
+                        self.edit_when_there = Some(Item::Node(row.id.clone()));
                     }
                     None => {}
                 }

@@ -41,7 +41,7 @@ pub(super) fn marks(session: &Session) -> HashMap<NodeId, Mark> {
                 mark.fixes.extend(fixes);
             }
             None => {
-                drop(marks.insert(id.clone(), Mark { severity: problem.severity, text, fixes }))
+                drop(marks.insert(id.clone(), Mark { severity: problem.severity, text, fixes }));
             }
         }
     }

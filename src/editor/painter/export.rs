@@ -6,9 +6,9 @@ use std::sync::Arc;
 
 use crate::diag::Diagnostic;
 use crate::document::{Hcbtf, Storage};
-use crate::hcbtf::Progress;
 use crate::hcbtf::exchange::{self, Form};
 use crate::hcbtf::fill::fill;
+use crate::progress::Progress;
 use crate::state::worker::Worker;
 
 /// An HCBTF as it was when it was asked for.
@@ -17,20 +17,20 @@ struct Job {
     form: Form,
     storage: Storage,
     to: PathBuf,
-    progress: Arc<Progress>,
+    progress: Progress,
 }
 
 /// The thread that does it.
 pub(super) struct Exports {
     worker: Worker<Vec<Job>, Vec<String>>,
-    progress: Arc<Progress>,
+    progress: Progress,
 }
 
 impl Exports {
     /// `wake` is called from another thread when something is written.
     pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
         let work = |jobs: Vec<Job>| jobs.iter().map(run).collect();
-        Self { worker: Worker::new("export painting", wake, work), progress: Arc::default() }
+        Self { worker: Worker::new("export painting", wake, work), progress: Progress::new() }
     }
 
     /// Writes all samples in a form; a texture as it is to be stored.

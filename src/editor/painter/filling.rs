@@ -7,14 +7,15 @@ use std::sync::{Arc, Weak};
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf, Tile};
 use crate::hcbtf::fill::{fill, refill, sample};
-use crate::hcbtf::{Device, Filled, NotFilled, Progress};
+use crate::hcbtf::{Device, Filled, NotFilled};
+use crate::progress::Progress;
 use crate::state::painting::work::Work;
 use crate::state::worker::Worker;
 
 struct Wish {
     hcbtf: Arc<Hcbtf>,
     number: u64,
-    progress: Arc<Progress>,
+    progress: Progress,
 }
 
 struct Done {
@@ -41,9 +42,9 @@ pub(super) struct Filling {
     has: Option<Arc<Hcbtf>>,
     /// Which sample was asked for last, ahead of the rest, and of what.
     asked_ahead: Option<(Arc<Hcbtf>, Address)>,
-    progress: Arc<Progress>,
+    progress: Progress,
     /// Of the one sample, which is no part of how far the others are.
-    progress_ahead: Arc<Progress>,
+    progress_ahead: Progress,
     /// Why nothing could be filled.
     pub(super) problem: Option<Diagnostic>,
 }
@@ -75,8 +76,8 @@ impl Filling {
             asked: None,
             has: None,
             asked_ahead: None,
-            progress: Arc::default(),
-            progress_ahead: Arc::default(),
+            progress: Progress::new(),
+            progress_ahead: Progress::new(),
             problem: None,
         }
     }
@@ -112,7 +113,7 @@ impl Filling {
                 self.stop();
             }
             self.asked = Some(work.shown().clone());
-            self.progress = Arc::default();
+            self.progress = Progress::new();
             let wish = wish(work, &self.progress);
             self.worker.request(|_| wish);
         }
@@ -136,7 +137,7 @@ impl Filling {
             return;
         }
         self.asked_ahead = Some((shown.clone(), at));
-        self.progress_ahead = Arc::default();
+        self.progress_ahead = Progress::new();
         let wish = (wish(work, &self.progress_ahead), at);
         self.ahead.request(|_| wish);
     }
@@ -181,7 +182,7 @@ impl Drop for Filling {
     }
 }
 
-fn wish(work: &Work, progress: &Arc<Progress>) -> Wish {
+fn wish(work: &Work, progress: &Progress) -> Wish {
     Wish { hcbtf: work.shown().clone(), number: work.number(), progress: progress.clone() }
 }
 

@@ -116,7 +116,7 @@ pub(super) fn paint(
         match event {
             Event::PointerMoved(at) => hand.path.push(at),
             Event::Touch { phase: TouchPhase::End | TouchPhase::Cancel, .. } => {
-                hand.tools.pen = None
+                hand.tools.pen = None;
             }
             Event::Touch { force: Some(force), .. } => {
                 hand.pressure = f64::from(force);
@@ -126,7 +126,7 @@ pub(super) fn paint(
                 last = Some(pos);
                 match pressed {
                     true if is_over && response.rect.contains(pos) && !space => {
-                        hand.press(pos, modifiers)
+                        hand.press(pos, modifiers);
                     }
                     true => {}
                     false => hand.release(last),

@@ -9,9 +9,9 @@ use super::grid::directions;
 use crate::commands::{Command, PaintCommand, PictureImport};
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Hcbtf};
-use crate::hcbtf::Progress;
 use crate::hcbtf::contact::MAX_GAP;
 use crate::hcbtf::exchange::{self, Form};
+use crate::progress::Progress;
 use crate::widgets::confirm;
 use crate::widgets::theme;
 

@@ -13,9 +13,10 @@ use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf, Tile, write_atomic};
 use crate::frame::{Assets, Overlay, SetupLook, tile_assets};
 use crate::hcbtf::fill::{fill, sample};
-use crate::hcbtf::{Filled, Progress, Synthesis, synthesize_filled, write};
+use crate::hcbtf::{Filled, Synthesis, synthesize_filled, write};
 use crate::ids::LightId;
 use crate::library::Library;
+use crate::progress::Progress;
 use crate::reference::bake_look;
 use crate::state::worker::Worker;
 use crate::widgets::theme;
@@ -71,7 +72,7 @@ pub(crate) enum Made {
 }
 
 /// How far it is: what is made ready, then what is made of it.
-type Stages = [Arc<Progress>; 2];
+type Stages = [Progress; 2];
 
 struct Task {
     job: Job,
@@ -121,7 +122,7 @@ impl Making {
     /// Gives up what is being made: nothing comes of it.
     pub(super) fn stop(&mut self) {
         if let Some(going) = self.going.take() {
-            going.stages.iter().for_each(|progress| progress.stop());
+            going.stages.iter().for_each(Progress::stop);
         }
     }
 

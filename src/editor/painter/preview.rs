@@ -8,9 +8,9 @@ use crate::clock::Clock;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Directions, Grid, Tile};
 use crate::frame::{Assets, Overlay, SetupLook, tile_assets};
-use crate::hcbtf::Progress;
 use crate::ids::LightId;
 use crate::library::Library;
+use crate::progress::Progress;
 use crate::reference::bake_look;
 use crate::state::worker::Worker;
 
@@ -50,9 +50,9 @@ struct Done {
 
 /// The thread that makes it, and what it made last.
 pub(super) struct Preview {
-    worker: Worker<(Of, Job, Arc<Progress>), Done>,
+    worker: Worker<(Of, Job, Progress), Done>,
     asked: Option<Of>,
-    progress: Arc<Progress>,
+    progress: Progress,
     done: Option<Done>,
     pub(super) shown: [Shown; 2],
 }
@@ -60,14 +60,12 @@ pub(super) struct Preview {
 impl Preview {
     /// `wake` is called from another thread when there is a new one.
     pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
-        let work = |(of, job, progress): (Of, Job, Arc<Progress>)| Done {
-            made: job.done(&of, &progress),
-            of,
-        };
+        let work =
+            |(of, job, progress): (Of, Job, Progress)| Done { made: job.done(&of, &progress), of };
         Self {
             worker: Worker::new("preview of a bake", wake, work),
             asked: None,
-            progress: Arc::default(),
+            progress: Progress::new(),
             done: None,
             shown: Default::default(),
         }
@@ -82,7 +80,7 @@ impl Preview {
         self.done = self.worker.answers().pop().or(self.done.take());
         if self.asked.as_ref() != Some(of) {
             self.progress.stop();
-            self.progress = Arc::default();
+            self.progress = Progress::new();
             self.asked = Some(of.clone());
             let wish = (of.clone(), job(), self.progress.clone());
             self.worker.request(|_| wish);
@@ -122,7 +120,7 @@ impl Seen {
 }
 
 impl Job {
-    fn done(self, of: &Of, progress: &Arc<Progress>) -> Result<Seen, Diagnostic> {
+    fn done(self, of: &Of, progress: &Progress) -> Result<Seen, Diagnostic> {
         let first = |problems: Vec<Diagnostic>| {
             problems
                 .into_iter()

@@ -117,7 +117,7 @@ impl Sheet {
                 Some(texture) => texture.set(image, TextureOptions::NEAREST),
                 None => {
                     self.texture =
-                        Some(ui.ctx().load_texture("sheet", image, TextureOptions::NEAREST))
+                        Some(ui.ctx().load_texture("sheet", image, TextureOptions::NEAREST));
                 }
             }
             self.made = Some(made);

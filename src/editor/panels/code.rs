@@ -204,7 +204,7 @@ fn job(number: usize, line: &str, colors: &Colors) -> LayoutJob {
     let font = FontId::monospace(12.0);
     let mut job = LayoutJob::default();
     let mut add = |text: &str, color| {
-        job.append(text, 0.0, TextFormat { font_id: font.clone(), color, ..TextFormat::default() })
+        job.append(text, 0.0, TextFormat { font_id: font.clone(), color, ..TextFormat::default() });
     };
     add(&format!("{number:>4}  "), colors.code.comment.gamma_multiply(0.7));
     for (text, word) in pieces(line) {

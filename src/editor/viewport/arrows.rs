@@ -70,7 +70,8 @@ pub(super) fn of(
         let trace = |toward: DVec3| toward - normal * normal.dot(toward);
         push(trace(surface.toward_viewer(pixel).as_dvec3()), true, None);
         for ((light, color), is_directional) in lights.iter().zip(&directional) {
-            let toward = if *is_directional { light.direction } else { light.position - position };
+            let toward =
+                if *is_directional { light.direction() } else { light.position() - position };
             let toward = toward.normalize_or_zero();
             // From below the surface no light comes.
             if toward.dot(normal) > 0.0 {

@@ -425,7 +425,7 @@ impl Viewport {
                 Drag::Pan => view.pan(dx, dy),
                 Drag::Curve(held) => out.extend(self.isocurves.drag(held, session, rect, at)),
                 Drag::Light(held) => {
-                    out.extend(lights::drag(held, session, handles.surface.as_deref(), rect, at))
+                    out.extend(lights::drag(held, session, handles.surface.as_deref(), rect, at));
                 }
             }
         }

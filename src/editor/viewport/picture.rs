@@ -379,11 +379,16 @@ impl Picture {
         let mut renderer = self.state.renderer.write();
         match self.texture {
             Some(id) => {
-                renderer.update_egui_texture_from_wgpu_texture(&self.state.device, view, filter, id)
+                renderer.update_egui_texture_from_wgpu_texture(
+                    &self.state.device,
+                    view,
+                    filter,
+                    id,
+                );
             }
             None => {
                 self.texture =
-                    Some(renderer.register_native_texture(&self.state.device, view, filter))
+                    Some(renderer.register_native_texture(&self.state.device, view, filter));
             }
         }
     }

@@ -50,7 +50,7 @@ impl Preparing {
         match awaited {
             Some(Awaited::Shader) => sign(ui, rect, strength, true, &text, "building its shader"),
             Some(Awaited::Picture) => {
-                sign(ui, rect, strength, true, &text, "reading meshes and paintings, drawing")
+                sign(ui, rect, strength, true, &text, "reading meshes and paintings, drawing");
             }
             Some(Awaited::Mended) if session.held().is_some() => {
                 sign(ui, rect, 1.0, false, "Not drawn", "until you press Try again above");

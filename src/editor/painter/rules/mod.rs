@@ -149,7 +149,7 @@ pub(super) fn show(
     ScrollArea::vertical().id_salt("rules").auto_shrink([false, false]).show(ui, |ui| {
         for (index, rule) in hcbtf.rules.iter().enumerate() {
             ui.push_id(index, |ui| {
-                card(ui, work, index, rule, counts.get(index).copied().unwrap_or_default(), out)
+                card(ui, work, index, rule, counts.get(index).copied().unwrap_or_default(), out);
             });
         }
     });

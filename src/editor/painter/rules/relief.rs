@@ -206,6 +206,20 @@ impl Fields {
                 self.color(ui, "Other stone", second);
                 self.color(ui, "Binder", binder);
             }
+            Pattern::Facade { .. } | Pattern::Arches { .. } => self.building(ui, pattern),
+            Pattern::Ripples { count, bend, roughness, colors: [low, high] } => {
+                self.count(ui, "Ripples", "From top to bottom; without any, hills", count, 0..=32);
+                self.number(ui, "Bend", "How much they bend", bend, 0.0..=4.0);
+                self.part(ui, "Roughness", "Between the ripples", roughness);
+                self.color(ui, "Low", low);
+                self.color(ui, "High", high);
+            }
+        }
+    }
+
+    /// The rows of a pattern with windows or arches; nothing of other patterns.
+    fn building(&mut self, ui: &mut Ui, pattern: &mut Pattern) {
+        match pattern {
             Pattern::Facade {
                 columns,
                 floors,
@@ -262,13 +276,7 @@ impl Fields {
                 self.color(ui, "Ring stones", trim);
                 self.color(ui, "Inside", inside);
             }
-            Pattern::Ripples { count, bend, roughness, colors: [low, high] } => {
-                self.count(ui, "Ripples", "From top to bottom; without any, hills", count, 0..=32);
-                self.number(ui, "Bend", "How much they bend", bend, 0.0..=4.0);
-                self.part(ui, "Roughness", "Between the ripples", roughness);
-                self.color(ui, "Low", low);
-                self.color(ui, "High", high);
-            }
+            _ => {}
         }
     }
 

@@ -5,12 +5,12 @@ mod panel;
 mod plot;
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
-use crate::accuracy::{BenchOptions, MeasuredNodes, Progress, Report, Row, Subject, bench};
+use crate::accuracy::{BenchOptions, MeasuredNodes, Report, Row, Subject, bench};
 use crate::diag::Diagnostic;
 use crate::document::{Edit, GraphId, Look, Tier};
 use crate::frame::{Assets, PlanOptions};
+use crate::progress::{Progress, Stopped};
 use crate::render::{Gpu, Renderer, block_on};
 use crate::state::session::Session;
 use crate::state::still::Still;
@@ -23,15 +23,7 @@ const ROUNDS: usize = 15;
 struct Job {
     still: Still,
     size: [u32; 2],
-    cancel: Arc<AtomicBool>,
-    progress: Arc<Steps>,
-}
-
-/// How far it is.
-#[derive(Default)]
-struct Steps {
-    done: AtomicU64,
-    total: AtomicU64,
+    progress: Progress,
 }
 
 struct Done {
@@ -61,8 +53,9 @@ impl Measured {
 /// The panel and what was measured last.
 pub struct Cost {
     worker: Option<Worker<Job, Done>>,
-    cancel: Arc<AtomicBool>,
-    progress: Arc<Steps>,
+    /// Called from another thread when there is more progress to show.
+    wake: Arc<dyn Fn() + Send + Sync>,
+    progress: Progress,
     done: Option<Done>,
     /// What is plotted.
     subject: Subject,
@@ -73,16 +66,15 @@ pub struct Cost {
 impl Cost {
     /// Nothing is measured by itself. `wake` is called from another thread when there is news.
     /// Without a GPU there is nothing to measure.
-    pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Clone + Send + 'static) -> Self {
+    pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Clone + Send + Sync + 'static) -> Self {
         let start = |gpu: Gpu| {
             let mut renderer = None;
-            let told = wake.clone();
-            Worker::new("measure", wake, move |job| measure(&mut renderer, &gpu, &told, &job))
+            Worker::new("measure", wake.clone(), move |job| measure(&mut renderer, &gpu, &job))
         };
         Self {
             worker: gpu.map(start),
-            cancel: Arc::default(),
-            progress: Arc::default(),
+            progress: Progress::new(),
+            wake: Arc::new(wake),
             done: None,
             subject: Subject::Whole,
             is_current: (0, false),
@@ -96,30 +88,27 @@ impl Cost {
 
     fn start(&mut self, session: &Session, size: [u32; 2]) {
         self.stop();
-        self.cancel = Arc::default();
-        self.progress = Arc::default();
-        let (cancel, progress) = (self.cancel.clone(), self.progress.clone());
+        let wake = self.wake.clone();
+        self.progress = Progress::observed(move |_| wake());
         // Of a scene, what wears the look: only its figures are asked for, and only its tiers can
         // be chosen.
         let still = session.still_of(Arc::new(session.look().clone())).alone();
-        let job = Job { still, size, cancel, progress };
+        let job = Job { still, size, progress: self.progress.clone() };
         if let Some(worker) = &self.worker {
             worker.request(|_| job);
         }
     }
 
     fn stop(&mut self) {
-        self.cancel.store(true, Ordering::Relaxed);
+        self.progress.stop();
     }
 
     /// Takes what was measured, and knows whether it still holds.
     fn update(&mut self, session: &Session) {
         for done in self.worker.as_ref().map(Worker::answers).unwrap_or_default() {
             // What was stopped leaves what was measured before.
-            let is_stopped = done
-                .result
-                .as_ref()
-                .is_err_and(|problems| problems.iter().any(|problem| problem.code == "stopped"));
+            let is_stopped =
+                done.result.as_ref().is_err_and(|problems| Stopped::is_among(problems));
             if !is_stopped {
                 self.done = Some(done);
                 self.is_current.0 = 0;
@@ -183,7 +172,7 @@ fn adopt(look: &Look, row: &Row) -> Option<Edit> {
     }
 }
 
-fn measure(renderer: &mut Option<Renderer>, window: &Gpu, wake: &impl Fn(), job: &Job) -> Done {
+fn measure(renderer: &mut Option<Renderer>, window: &Gpu, job: &Job) -> Done {
     // A device of its own: the window's may have no timestamps, and has a window to draw.
     let renderer = renderer.get_or_insert_with(|| {
         let gpu = block_on(Gpu::headless()).unwrap_or_else(|_| window.clone());
@@ -194,14 +183,7 @@ fn measure(renderer: &mut Option<Renderer>, window: &Gpu, wake: &impl Fn(), job:
         let plan = PlanOptions { size: job.size, samples: 1, time: job.still.time };
         let options =
             BenchOptions { plan, rounds: ROUNDS, nodes: MeasuredNodes::Tiered, truth: true };
-        let mut told = |done, total| {
-            job.progress.done.store(done, Ordering::Relaxed);
-            job.progress.total.store(total, Ordering::Relaxed);
-            wake();
-            !job.cancel.load(Ordering::Relaxed)
-        };
-        bench(&setup, &job.still.library, renderer, &options, &mut Progress::new(&mut told))
-            .map_err(Vec::from)
+        bench(&setup, &job.still.library, renderer, &options, &job.progress).map_err(Vec::from)
     };
     let result = run();
     let stage = job.still.stage.as_ref().map(|stage| stage.version());

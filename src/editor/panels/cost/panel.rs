@@ -1,7 +1,5 @@
 //! The table of figures.
 
-use std::sync::atomic::Ordering;
-
 use eframe::egui;
 use eframe::egui::{FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 
@@ -84,11 +82,8 @@ impl Cost {
     fn head(&mut self, ui: &mut Ui, session: &Session, size: [u32; 2]) {
         ui.horizontal(|ui| {
             if self.is_busy() {
-                let (done, total) = (
-                    self.progress.done.load(Ordering::Relaxed),
-                    self.progress.total.load(Ordering::Relaxed),
-                );
-                let share = done as f32 / total.max(1) as f32;
+                let [done, total] = self.progress.steps();
+                let share = self.progress.share() as f32;
                 let text =
                     if total == 0 { "starting".to_owned() } else { format!("{done} of {total}") };
                 ui.add(egui::ProgressBar::new(share).desired_width(160.0).text(text));

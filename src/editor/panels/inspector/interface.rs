@@ -121,7 +121,7 @@ fn ports(
                 if response.changed() {
                     let label = (!label.is_empty()).then_some(label);
                     let edit = set(id, definition, |changed| {
-                        list(changed, is_output)[index].label = label
+                        list(changed, is_output)[index].label = label;
                     });
                     out.push(Command::EditHeld(response.id, edit));
                 }
@@ -135,13 +135,13 @@ fn ports(
                 };
                 if button(ui, "Up", "Move up", index > 0) {
                     let edit = set(id, definition, |changed| {
-                        list(changed, is_output).swap(index, index - 1)
+                        list(changed, is_output).swap(index, index - 1);
                     });
                     out.push(Command::Edit(edit));
                 }
                 if button(ui, "Down", "Move down", index + 1 < ports.len()) {
                     let edit = set(id, definition, |changed| {
-                        list(changed, is_output).swap(index, index + 1)
+                        list(changed, is_output).swap(index, index + 1);
                     });
                     out.push(Command::Edit(edit));
                 }

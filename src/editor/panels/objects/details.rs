@@ -40,20 +40,20 @@ impl Details {
     ) {
         ui.push_id(id, |ui| {
             labelled(ui, "Mesh", "What it is made of", |ui, label| {
-                mesh(ui, label, stage, id, object, out)
+                mesh(ui, label, stage, id, object, out);
             });
             looks(ui, stage, id, object, out);
             let mut new = object.transform;
             let mut hand = None;
             let help = "Where it stands, in scene units: to the right, up, toward the viewer";
             labelled(ui, "Place", help, |ui, _| {
-                hand = hand.or(xyz(ui, "Place", &mut new.translate, 0.01, ""))
+                hand = hand.or(xyz(ui, "Place", &mut new.translate, 0.01, ""));
             });
             let help = "How it is turned: around the axis to the right, around the vertical one, \
                         around the one toward the viewer";
             labelled(ui, "Turn", help, |ui, _| hand = hand.or(self.turn(ui, id, &mut new)));
             labelled(ui, "Scale", "How large it is", |ui, _| {
-                hand = hand.or(self.scale(ui, &mut new))
+                hand = hand.or(self.scale(ui, &mut new));
             });
             labelled(
                 ui,
@@ -174,7 +174,7 @@ fn looks(ui: &mut Ui, stage: &Stage, id: &ObjectId, object: &Object, out: &mut V
     for material in materials {
         let shown = if material.is_empty() { "(no name)" } else { material };
         labelled(ui, shown, "What this material wears", |ui, label| {
-            look(ui, label, stage, id, object, material, out)
+            look(ui, label, stage, id, object, material, out);
         });
     }
 }

@@ -234,8 +234,10 @@ pub(crate) fn light_in_camera(light: &Light, view: &Orbit) -> DVec3 {
     let camera = camera_from_world(view);
     let resolved = crate::compile::LightValues::new(light, view.illumination, camera);
     let toward = match light.kind {
-        LightKind::Directional => resolved.direction,
-        LightKind::Point | LightKind::Spot => resolved.position.try_normalize().unwrap_or(DVec3::Z),
+        LightKind::Directional => resolved.direction(),
+        LightKind::Point | LightKind::Spot => {
+            resolved.position().try_normalize().unwrap_or(DVec3::Z)
+        }
     };
     camera * toward
 }

@@ -10,7 +10,7 @@ use crate::commands::{Command, FitGoal};
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Look, Tile};
 use crate::fit::{FitOptions, Fitted, Keep, Report, Target};
-use crate::hcbtf::Progress;
+use crate::progress::Progress;
 use crate::state::problem_text::sentence;
 use crate::state::session::Session;
 
@@ -44,7 +44,7 @@ const STOPPED: &str = "The fit was stopped before it came nearer: the look is as
 pub(super) struct Running {
     pub(super) of: Of,
     pub(super) strokes: Strokes,
-    pub(super) progress: Arc<Progress>,
+    pub(super) progress: Progress,
 }
 
 /// What was fitted.
@@ -84,7 +84,7 @@ impl Fitting {
         };
         let target = Target { size: ground.size, wishes: painted };
         let wake = self.wake.clone();
-        let progress = Arc::new(Progress::telling(move |_| wake()));
+        let progress = Progress::observed(move |_| wake());
         let keep = if what == FitGoal::ThisLook { self.how.keep } else { Keep::default() };
         let options = FitOptions {
             time: session.time,
@@ -124,11 +124,7 @@ impl Fitting {
     /// Takes what a fit came to: the look to be shown in place of the open one, if any.
     pub(super) fn take(&mut self, done: Done, session: &Session) -> Option<Arc<Look>> {
         // What was given up, or is of a look that is gone, is nobody's.
-        if !self
-            .running
-            .as_ref()
-            .is_some_and(|running| Arc::ptr_eq(&running.progress, &done.progress))
-        {
+        if !self.running.as_ref().is_some_and(|running| running.progress.is_same(&done.progress)) {
             return None;
         }
         let running = self.running.take();

@@ -5,16 +5,14 @@
 //! picture is drawn once for each look and view, on a thread, at the size that is fitted at;
 //! strokes read it between its pixels.
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-
 use eframe::egui::ColorImage;
 
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::frame::{Cull, PlanOptions, Planner, Setup};
 use crate::interp::Precision;
-use crate::reference::{Control, Modules, Options, execute};
+use crate::progress::{Progress, Stopped};
+use crate::reference::{Modules, Options, execute};
 use crate::state::session::Session;
 use crate::state::still::{Reused, Stamp, Still};
 use crate::state::worker::Worker;
@@ -87,7 +85,7 @@ impl Ground {
 struct Job {
     moment: Moment,
     still: Still,
-    cancel: Arc<AtomicBool>,
+    progress: Progress,
 }
 
 struct Done {
@@ -99,7 +97,7 @@ struct Done {
 pub(super) struct Grounds {
     worker: Worker<Job, Done>,
     asked: Option<Moment>,
-    cancel: Arc<AtomicBool>,
+    progress: Progress,
     known: Option<Done>,
 }
 
@@ -111,7 +109,7 @@ impl Grounds {
         Self {
             worker: Worker::new("ground", wake, draw),
             asked: None,
-            cancel: Arc::default(),
+            progress: Progress::new(),
             known: None,
         }
     }
@@ -120,28 +118,28 @@ impl Grounds {
     pub(super) fn update(&mut self, session: &Session, moment: &Moment) {
         for done in self.worker.answers() {
             // The same may have been given up and asked for again.
-            let is_whole = done
-                .result
-                .as_ref()
-                .err()
-                .is_none_or(|found| found.iter().all(|it| it.code != "cancelled"));
+            let is_whole =
+                done.result.as_ref().err().is_none_or(|problems| !Stopped::is_among(problems));
             if is_whole && self.asked.as_ref() == Some(&done.moment) {
                 self.known = Some(done);
             }
         }
         if self.asked.as_ref() != Some(moment) {
             self.rest();
-            self.cancel = Arc::default();
+            self.progress = Progress::new();
             self.asked = Some(moment.clone());
-            let job =
-                Job { moment: moment.clone(), still: session.still(), cancel: self.cancel.clone() };
+            let job = Job {
+                moment: moment.clone(),
+                still: session.still(),
+                progress: self.progress.clone(),
+            };
             self.worker.request(|_| job);
         }
     }
 
     /// Gives up what is being drawn: nobody sees it.
     pub(super) fn rest(&mut self) {
-        self.cancel.store(true, Ordering::Relaxed);
+        self.progress.stop();
         if self.asked.as_ref() != self.known.as_ref().map(|known| &known.moment) {
             self.asked = None;
         }
@@ -188,14 +186,13 @@ impl Drop for Grounds {
 
 fn draw(planner: &mut Reused, job: &Job) -> Result<Ground, Vec<Diagnostic>> {
     let one = |problem| vec![problem];
-    let Job { moment: Moment { size, .. }, still, cancel } = job;
+    let Job { moment: Moment { size, .. }, still, progress } = job;
     let planner = planner.of(&still.look, &still.library);
     let (setup, _) = still.setup(&mut planner.assets)?;
     let options = PlanOptions { size: *size, samples: 1, time: still.time };
     let plan = planner.plan(&setup, &still.library, &Live::Keyed, &options)?;
     let modules = Modules::new(&plan, Precision::F64).map_err(one)?;
-    let control = Control { cancel, progress: &|_| {} };
-    let picture = execute(&plan, &modules, &Options::default(), &control).map_err(one)?;
+    let picture = execute(&plan, &modules, &Options::default(), progress).map_err(one)?;
     let is_worn: Vec<bool> = plan.draws.iter().map(|draw| is_of_open_look(&setup, draw)).collect();
     let [width, height] = *size;
     let places = || (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));

@@ -7,7 +7,7 @@ use crate::diag::Diagnostic;
 use crate::document::Look;
 use crate::fit::{FitOptions, Fitted, Target, fit_layers, fit_look};
 use crate::frame::Assets;
-use crate::hcbtf::Progress;
+use crate::progress::Progress;
 use crate::state::still::Still;
 use crate::state::worker::Worker;
 
@@ -17,14 +17,14 @@ pub(super) struct Job {
     pub(super) still: Still,
     pub(super) target: Target,
     pub(super) options: FitOptions,
-    pub(super) progress: Arc<Progress>,
+    pub(super) progress: Progress,
 }
 
 /// FitGoal became of it.
 pub(super) struct Done {
     pub(super) what: FitGoal,
     pub(super) look: Arc<Look>,
-    pub(super) progress: Arc<Progress>,
+    pub(super) progress: Progress,
     pub(super) result: Result<Fitted, Vec<Diagnostic>>,
 }
 

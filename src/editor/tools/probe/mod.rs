@@ -5,16 +5,14 @@ mod panel;
 
 pub(crate) use panel::wire_name;
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-
 use eframe::egui;
 use eframe::egui::{Pos2, Rect, Stroke, Ui, pos2, vec2};
 
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::frame::{Draw, PlanOptions, Planner, Setup};
-use crate::reference::{Control, Options, WireValue, probe_wires};
+use crate::progress::Progress;
+use crate::reference::{Options, WireValue, probe_wires};
 use crate::state::session::Session;
 use crate::state::still::{Reused, Stamp, Still};
 use crate::state::worker::{BackgroundJobs, Worker};
@@ -34,7 +32,7 @@ struct Spot {
 struct Query {
     spot: Spot,
     still: Still,
-    cancel: Arc<AtomicBool>,
+    progress: Progress,
 }
 
 struct Found {
@@ -53,7 +51,7 @@ pub struct Probe {
     seen: Option<Spot>,
     seen_at: f64,
     asked: Option<Spot>,
-    cancel: Arc<AtomicBool>,
+    progress: Progress,
     found: Option<Found>,
     jump: bool,
 }
@@ -70,7 +68,7 @@ impl Probe {
             seen: None,
             seen_at: 0.0,
             asked: None,
-            cancel: Arc::default(),
+            progress: Progress::new(),
             found: None,
             jump: false,
         }
@@ -98,7 +96,7 @@ impl Probe {
         self.is_on = on;
         self.is_pinned = false;
         if !on {
-            self.cancel.store(true, Ordering::Relaxed);
+            self.progress.stop();
             self.asked = None;
             self.pixel = None;
             self.seen = None;
@@ -166,10 +164,10 @@ impl Probe {
     }
 
     fn ask(&mut self, session: &Session, spot: Spot) {
-        self.cancel.store(true, Ordering::Relaxed);
-        self.cancel = Arc::default();
+        self.progress.stop();
+        self.progress = Progress::new();
         self.asked = Some(spot.clone());
-        let query = Query { spot, still: session.still(), cancel: self.cancel.clone() };
+        let query = Query { spot, still: session.still(), progress: self.progress.clone() };
         self.worker.request(|_| query);
     }
 
@@ -223,7 +221,7 @@ impl BackgroundJobs for Probe {
 
 impl Drop for Probe {
     fn drop(&mut self) {
-        self.cancel.store(true, Ordering::Relaxed);
+        self.progress.stop();
     }
 }
 
@@ -246,14 +244,13 @@ fn other_look(setup: &Setup, draw: &Draw) -> Option<Diagnostic> {
     })
 }
 
-fn probe(planner: &mut Reused, Query { spot, still, cancel }: Query) -> Found {
+fn probe(planner: &mut Reused, Query { spot, still, progress }: Query) -> Found {
     let planner = planner.of(&still.look, &still.library);
     let mut find = || {
         let (setup, _) = still.setup(&mut planner.assets)?;
         let options = PlanOptions { size: spot.size, samples: 1, time: still.time };
         let plan = planner.plan(&setup, &still.library, &Live::All, &options)?;
-        let control = Control { cancel: &cancel, progress: &|_| {} };
-        let wires = probe_wires(&plan, spot.pixel, &Options::default(), &control)
+        let wires = probe_wires(&plan, spot.pixel, &Options::default(), &progress)
             .map_err(|problem| vec![problem])?;
         let seen = wires.as_ref().and_then(|wires| plan.draws.get(wires.first()?.draw));
         match seen.and_then(|draw| other_look(&setup, draw)) {

@@ -36,7 +36,7 @@ impl Probe {
             None => hint(ui, "Rest the pointer on the picture, or click to keep a pixel."),
             Some(Ok(None)) => hint(ui, "Nothing is drawn there."),
             Some(Ok(Some(wires))) => {
-                commands.extend(table(ui, session, wires, std::mem::take(&mut self.jump)))
+                commands.extend(table(ui, session, wires, std::mem::take(&mut self.jump)));
             }
             Some(Err(found)) => {
                 for problem in found.iter().filter(|problem| problem.code != "cancelled").take(3) {

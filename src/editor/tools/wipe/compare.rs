@@ -1,18 +1,13 @@
 //! Makes both pictures, on the thread.
 
-use std::sync::Arc;
-use std::sync::atomic::Ordering;
-
 use eframe::egui::ColorImage;
 
 use super::{Against, Compared, Done, Job};
-use crate::accuracy::{Colors, Progress, Stopped, Truth, Variant, compare};
+use crate::accuracy::{Colors, Truth, Variant, compare};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::Tier;
 use crate::frame::{Assets, Cull, Picture, PlanOptions, Planner, Setup};
-use crate::library::Library;
-use crate::reference::Control;
 use crate::render::{Gpu, Renderer, block_on};
 use crate::state::still::Reused;
 
@@ -23,14 +18,12 @@ pub(super) struct Comparer {
     renderer: Option<Renderer>,
     window: Gpu,
     planner: Reused,
-    /// Tells the window that there is more progress to show.
-    wake: Box<dyn Fn() + Send + Sync>,
 }
 
 impl Comparer {
-    pub(super) fn new(window: Gpu, wake: impl Fn() + Send + Sync + 'static) -> Self {
+    pub(super) fn new(window: Gpu) -> Self {
         let planner = Reused::new(|assets| Planner::new(assets).culling(Cull::Objects));
-        Self { renderer: None, window, planner, wake: Box::new(wake) }
+        Self { renderer: None, window, planner }
     }
 
     pub(super) fn run(&mut self, job: Job) -> Done {
@@ -58,40 +51,18 @@ impl Comparer {
                 Ok(together(&present, &other, &Colors::from(&other), |_| false))
             }
             Against::Truth => {
-                let truth = self.truth(job, &Variant::Looks(Tier::Exact).of(&setup), &options)?;
+                let truth = truth(job, &Variant::Looks(Tier::Exact).of(&setup), &options)?;
                 let wanted = truth.picture().to_picture();
                 Ok(together(&present, &wanted, &truth.colors(), |index| truth.is_edge(index)))
             }
         }
     }
+}
 
-    fn truth(
-        &self,
-        job: &Job,
-        setup: &Setup,
-        options: &PlanOptions,
-    ) -> Result<Truth, Vec<Diagnostic>> {
-        let told = |share: f64| {
-            let thousandths = (share * 1000.0) as u32;
-            let before = job.progress.fetch_max(thousandths, Ordering::Relaxed);
-            if before / 10 != thousandths / 10 {
-                (self.wake)();
-            }
-        };
-        let control = Control { cancel: &job.cancel, progress: &told };
-        let mut go_on = |_, _| true;
-        let mut planner = Planner::for_truth(Assets::default());
-        let library: &Arc<Library> = &job.still.library;
-        Truth::watched(
-            setup,
-            library,
-            &mut planner,
-            options,
-            &mut Progress::new(&mut go_on),
-            &control,
-        )
-        .map_err(|stopped: Stopped| stopped.into())
-    }
+fn truth(job: &Job, setup: &Setup, options: &PlanOptions) -> Result<Truth, Vec<Diagnostic>> {
+    let mut planner = Planner::for_truth(Assets::default());
+    let truth = Truth::of(setup, &job.still.library, &mut planner, options, &job.progress);
+    Ok(truth?)
 }
 
 fn together(

@@ -9,7 +9,6 @@ mod compare;
 mod show;
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
 use eframe::egui;
 use eframe::egui::{TextureHandle, Ui};
@@ -17,6 +16,7 @@ use eframe::egui::{TextureHandle, Ui};
 use crate::accuracy::ErrorFigures;
 use crate::diag::Diagnostic;
 use crate::document::Tier;
+use crate::progress::{Progress, Stopped};
 use crate::render::Gpu;
 use crate::state::session::Session;
 use crate::state::still::{Stamp, Still};
@@ -61,9 +61,7 @@ struct Moment {
 struct Job {
     moment: Moment,
     still: Still,
-    cancel: Arc<AtomicBool>,
-    /// In thousandths.
-    progress: Arc<AtomicU32>,
+    progress: Progress,
 }
 
 struct Done {
@@ -100,8 +98,9 @@ pub struct Wipe {
     seen: Option<Moment>,
     seen_at: f64,
     asked: Option<Moment>,
-    cancel: Arc<AtomicBool>,
-    progress: Arc<AtomicU32>,
+    progress: Progress,
+    /// Called from another thread when there is more progress to show.
+    wake: Arc<dyn Fn() + Send + Sync>,
     shown: Option<Shown>,
     problems: Vec<Diagnostic>,
 }
@@ -111,8 +110,8 @@ impl Wipe {
     /// GPU there is none.
     pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Clone + Send + Sync + 'static) -> Self {
         let start = |gpu: Gpu| {
-            let mut comparer = Comparer::new(gpu, wake.clone());
-            Worker::new("compare", wake, move |job| comparer.run(job))
+            let mut comparer = Comparer::new(gpu);
+            Worker::new("compare", wake.clone(), move |job| comparer.run(job))
         };
         Self {
             worker: gpu.map(start),
@@ -122,8 +121,8 @@ impl Wipe {
             seen: None,
             seen_at: 0.0,
             asked: None,
-            cancel: Arc::default(),
-            progress: Arc::default(),
+            progress: Progress::new(),
+            wake: Arc::new(wake),
             shown: None,
             problems: Vec::new(),
         }
@@ -156,7 +155,7 @@ impl Wipe {
     }
 
     fn stop(&mut self) {
-        self.cancel.store(true, Ordering::Relaxed);
+        self.progress.stop();
     }
 
     /// Takes what was compared, and asks for what should be.
@@ -193,11 +192,10 @@ impl Wipe {
 
     fn ask(&mut self, session: &Session, moment: Moment) {
         self.stop();
-        self.cancel = Arc::default();
-        self.progress = Arc::default();
+        let wake = self.wake.clone();
+        self.progress = Progress::observed_by_percent(move |_| wake());
         self.asked = Some(moment.clone());
-        let (cancel, progress) = (self.cancel.clone(), self.progress.clone());
-        let job = Job { moment, still: session.still(), cancel, progress };
+        let job = Job { moment, still: session.still(), progress: self.progress.clone() };
         if let Some(worker) = &self.worker {
             worker.request(|_| job);
         }
@@ -217,8 +215,7 @@ impl Wipe {
             }
             Err(problems) => {
                 self.shown = None;
-                self.problems =
-                    problems.into_iter().filter(|problem| problem.code != "cancelled").collect();
+                self.problems = if Stopped::is_among(&problems) { Vec::new() } else { problems };
             }
         }
     }

@@ -1,7 +1,5 @@
 //! The comparison's controls, and what it shows over the picture.
 
-use std::sync::atomic::Ordering;
-
 use eframe::egui;
 use eframe::egui::{
     Align2, Color32, CursorIcon, FontId, Pos2, Rect, RichText, Role, Sense, Stroke, Ui, WidgetInfo,
@@ -89,7 +87,7 @@ impl Wipe {
         }
         if self.is_busy() {
             if against == Against::Truth {
-                let share = self.progress.load(Ordering::Relaxed) as f32 / 1000.0;
+                let share = self.progress.share() as f32;
                 let bar = egui::ProgressBar::new(share)
                     .desired_width(90.0)
                     .text(format!("{:.0} %", share * 100.0));

@@ -430,7 +430,7 @@ fn add_here(shown: &Shown<'_>) -> Edit {
         .collect();
     let direction = rounded(*now);
     session.change_set(*set, |keys| {
-        keys.keys.push(DirectionKey { direction, values, unknown: Default::default() })
+        keys.keys.push(DirectionKey { direction, values, unknown: Default::default() });
     })
 }
 

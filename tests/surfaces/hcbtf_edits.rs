@@ -10,11 +10,34 @@ use chiaro::document::{
 use chiaro::hcbtf::write;
 use proptest::prelude::*;
 
-use super::random::Random;
+use crate::support::random::Random;
 
 const SIZES: [[u32; 2]; 2] = [[7, 5], [16, 16]];
 
-impl Random {
+/// Random edits from a seed.
+struct Edits(Random);
+
+impl Edits {
+    fn new(seed: u64) -> Self {
+        Self(Random::new(seed))
+    }
+
+    fn bits(&mut self) -> u64 {
+        self.0.bits()
+    }
+
+    fn below(&mut self, count: usize) -> usize {
+        self.0.index(count)
+    }
+
+    fn chance(&mut self, in_ten: usize) -> bool {
+        self.below(10) < in_ten
+    }
+
+    fn pick<'a, T>(&mut self, from: &'a [T]) -> Option<&'a T> {
+        (!from.is_empty()).then(|| &from[self.below(from.len())])
+    }
+
     fn grid(&mut self) -> Grid {
         let mut directions =
             || Directions { theta: 1 + self.below(3) as u32, phi: 1 + self.below(4) as u32 };
@@ -84,7 +107,7 @@ impl Random {
         relief
     }
 
-    fn hcbtf_edit(&mut self, hcbtf: &Hcbtf) -> HcbtfEdit {
+    fn edit(&mut self, hcbtf: &Hcbtf) -> HcbtfEdit {
         let address = self.address(hcbtf);
         let (index, to) = (self.below(4), self.below(4));
         match self.below(16) {
@@ -105,9 +128,7 @@ impl Random {
             13 => HcbtfEdit::SetTiling { is_tiling: self.chance(5) },
             14 => HcbtfEdit::SetGrid { grid: self.grid() },
             _ if self.chance(2) => HcbtfEdit::Replace { hcbtf: Box::new(Hcbtf::new(self.grid())) },
-            _ => HcbtfEdit::Group {
-                edits: (0..self.below(4)).map(|_| self.hcbtf_edit(hcbtf)).collect(),
-            },
+            _ => HcbtfEdit::Group { edits: (0..self.below(4)).map(|_| self.edit(hcbtf)).collect() },
         }
     }
 }
@@ -133,13 +154,13 @@ proptest! {
 
     #[test]
     fn everything_can_be_undone_and_redone(seed: u64, count in 1..30usize) {
-        let mut random = Random::new(seed, 4);
+        let mut random = Edits::new(seed);
         let grid = random.grid();
         let mut history = History::new(Hcbtf::new(grid));
         let mut states = vec![history.document().clone()];
         let mut gesture = 0;
         for _ in 0..count {
-            let edit = random.hcbtf_edit(history.document());
+            let edit = random.edit(history.document());
             let (revision, before) = (history.revision(), history.document().clone());
             let steps = history.steps().0;
             gesture += u64::from(random.chance(7));
@@ -174,16 +195,16 @@ proptest! {
     #[test]
     fn a_journal_gives_back_every_stroke(seed: u64, before in 0..8usize, after in 0..12usize) {
         let folder = tempfile::tempdir().unwrap();
-        let mut random = Random::new(seed, 4);
+        let mut random = Edits::new(seed);
         let mut history = History::new(Hcbtf::new(random.grid()));
         for _ in 0..before {
-            let edit = random.hcbtf_edit(history.document());
+            let edit = random.edit(history.document());
             let _ = history.apply(edit);
         }
         let slot = Slot::new(folder.path()).unwrap();
         let mut journal = Journal::begin(&slot, &About::default(), None, &history).unwrap();
         for gesture in 0..after as u64 {
-            let edit = random.hcbtf_edit(history.document());
+            let edit = random.edit(history.document());
             let revision = history.revision();
             let gesture = random.chance(5).then_some(gesture / 2);
             let _ = match gesture {
@@ -208,10 +229,10 @@ proptest! {
 /// As the text of an edit says it, so it is read.
 #[test]
 fn edits_are_written_as_json() {
-    let mut random = Random::new(4, 4);
+    let mut random = Edits::new(4);
     let mut hcbtf = Hcbtf::new(Grid { size: SIZES[0], ..Grid::THESIS });
     for _ in 0..400 {
-        let edit = random.hcbtf_edit(&hcbtf);
+        let edit = random.edit(&hcbtf);
         let text = serde_json::to_string(&edit).unwrap();
         assert_eq!(serde_json::from_str::<HcbtfEdit>(&text).unwrap(), edit, "{text}");
         let _ = hcbtf.apply(edit);

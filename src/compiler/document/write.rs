@@ -1,12 +1,9 @@
 //! Writing documents in the canonical form: fields in a fixed order, defaults left out, and one
 //! node, one wire, one light on each line, so that files compare and merge well.
 
-mod look;
-mod scene;
-mod value;
-
 use std::path::Path;
 
+use super::described::Described;
 use super::json::{Layout, Writer};
 use super::shape::Shape;
 use super::source::SourceMap;
@@ -16,7 +13,7 @@ use crate::diag::Diagnostic;
 /// What every document can be written by. Methods of the types themselves, and no trait's, so that
 /// whoever has a document can save it without importing anything.
 macro_rules! written {
-    ($document:ty, $write:path) => {
+    ($document:ty) => {
         impl $document {
             /// The document as JSON in the canonical form, with a line end at its end.
             pub fn to_text(&self) -> String {
@@ -58,75 +55,34 @@ macro_rules! written {
             }
 
             fn write(&self, mut writer: Writer) -> String {
-                $write(&mut writer, self);
+                document(&mut writer, self, &self.unknown);
                 writer.finish()
             }
         }
     };
 }
 
-written!(Look, look::look);
-written!(Scene, scene::scene);
+written!(Look);
+written!(Scene);
 
-/// What both documents begin with.
-fn top(w: &mut Writer, chiaro: &str, unknown: &Unknown) {
-    if let Some(schema) = unknown.get("$schema") {
-        w.member("$schema", |w| w.json(schema));
-    }
-    w.member("chiaro", |w| w.string(chiaro));
-    w.member("version", |w| w.number(f64::from(VERSION)));
-}
-
-/// The unknown fields of a part of a field; see [`Unknown`].
-fn part<'u>(unknown: Option<&'u Unknown>, field: &str, part: Option<&str>) -> Option<&'u Unknown> {
-    let of_field = unknown?.get(field)?.as_object()?;
-    match part {
-        Some(part) => of_field.get(part)?.as_object(),
-        None => Some(of_field),
-    }
+/// A document: what it is first, then its fields.
+fn document<T: Described>(w: &mut Writer, document: &T, unknown: &Unknown) {
+    w.shaped(Layout::Lines, T::shape(), Some(unknown), |w| {
+        if let Some(schema) = unknown.get("$schema") {
+            w.member("$schema", |w| w.json(schema));
+        }
+        w.member("chiaro", |w| w.string(T::shape().name));
+        w.member("version", |w| w.number(f64::from(VERSION)));
+        document.write_members(w, Some(unknown));
+    });
 }
 
 impl Writer {
-    /// A member that is not written where it is empty.
-    fn text_unless_empty(&mut self, name: &str, text: &str) {
-        if !text.is_empty() {
-            self.member(name, |w| w.string(text));
-        }
-    }
-
-    /// A member that is not written where it has its default.
-    fn number_unless(&mut self, name: &str, number: f64, default: f64) {
-        if !same(&[number], &[default]) {
-            self.member(name, |w| w.number(number));
-        }
-    }
-
-    /// A member that is not written where it has its default.
-    fn numbers_unless(&mut self, name: &str, numbers: &[f64], default: &[f64]) {
-        if !same(numbers, default) {
-            self.member(name, |w| w.numbers(numbers));
-        }
-    }
-
-    /// A member that is not written where it has its default.
-    fn word_unless<T: super::word::Word>(&mut self, name: &str, choice: T, default: T) {
-        if choice != default {
-            self.member(name, |w| w.string(choice.word()));
-        }
-    }
-
-    /// A member that is not written where it is unset.
-    fn word_if<T: super::word::Word>(&mut self, name: &str, choice: Option<T>) {
-        if let Some(choice) = choice {
-            self.member(name, |w| w.string(choice.word()));
-        }
-    }
-
     /// An object whose unknown members come last.
-    fn shaped(
+    pub(super) fn shaped(
         &mut self,
         layout: Layout,
-        shape: &Shape,
+        shape: &'static Shape,
         unknown: Option<&Unknown>,
         write: impl FnOnce(&mut Self),
     ) {
@@ -135,21 +91,4 @@ impl Writer {
             w.unknown(shape, unknown);
         });
     }
-
-    /// A list member with one item on each line, not written where it is empty.
-    fn lines<'a, T: 'a>(
-        &mut self,
-        name: &str,
-        items: &'a [T],
-        write: impl FnMut(&mut Self, &'a T),
-    ) {
-        if !items.is_empty() {
-            self.member(name, |w| w.list(Layout::Lines, items, write));
-        }
-    }
-}
-
-/// Whether numbers are the same to the last bit, the sign of 0 included: it is written too.
-fn same(a: &[f64], b: &[f64]) -> bool {
-    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
 }

@@ -1,18 +1,19 @@
 //! One node at a time on the GPU: every number of it is set for each sample, and known to nobody
 //! before the fragment.
 
-use chiaro::document::{Value, Values};
-use chiaro::frame::{EvalSample, SetupLook};
-use chiaro::library::{Input, Library, NodeDef, Type};
+use chiaro_compiler::document::{Value, Values};
+use chiaro_compiler::library::{Input, Library, NodeDef, Type};
+use chiaro_scene::frame::{EvalSample, SetupLook};
 use serde_json::{Map, Value as Json, json};
 
-use super::eval::{eval_with, look, options};
+use crate::eval::{eval_with, look, options};
 
 /// Numbers of all inputs that are no choices, in order.
-pub(crate) type In<'a> = &'a [Vec<f64>];
+pub type In<'a> = &'a [Vec<f64>];
+
 /// The library and a node that hands a value on at each fragment, so that nothing of it is known
 /// before.
-pub(crate) fn library() -> Library {
+pub fn library() -> Library {
     let mut library = Library::built_in().clone();
     for (name, ty, default) in [
         ("float", "f32", "0"),
@@ -34,7 +35,8 @@ pub(crate) fn library() -> Library {
     library
 }
 
-pub(crate) fn hold_of(ty: &Type) -> &'static str {
+/// The kind of the node that holds a value of a type.
+pub fn hold_of(ty: &Type) -> &'static str {
     match ty {
         Type::Vec2 => "hold_vec2",
         Type::Vec3 => "hold_vec3",
@@ -43,7 +45,8 @@ pub(crate) fn hold_of(ty: &Type) -> &'static str {
     }
 }
 
-pub(crate) fn width(ty: &Type) -> usize {
+/// How many numbers a value of a type has.
+pub fn width(ty: &Type) -> usize {
     match ty {
         Type::Vec2 => 2,
         Type::Vec3 => 3,
@@ -53,7 +56,7 @@ pub(crate) fn width(ty: &Type) -> usize {
 }
 
 /// The inputs that carry numbers.
-pub(crate) fn numeric(def: &NodeDef) -> Vec<&Input> {
+pub fn numeric(def: &NodeDef) -> Vec<&Input> {
     let is_number = |input: &&Input| {
         input.options.is_empty()
             && !matches!(
@@ -72,7 +75,7 @@ pub(crate) fn numeric(def: &NodeDef) -> Vec<&Input> {
 }
 
 /// A node of a kind with every number held, each settable under the input's own name.
-pub(crate) fn bench(def: &NodeDef, choice: &[(&str, &str)], types: &[Type]) -> SetupLook {
+pub fn bench(def: &NodeDef, choice: &[(&str, &str)], types: &[Type]) -> SetupLook {
     let mut nodes = vec![json!({"id": "output", "kind": "output"})];
     let (mut wires, mut exposed) = (Vec::new(), Vec::new());
     for (input, ty) in numeric(def).iter().zip(types) {
@@ -106,7 +109,8 @@ pub(crate) fn bench(def: &NodeDef, choice: &[(&str, &str)], types: &[Type]) -> S
     look(&json!({"lights": lights, "nodes": nodes, "wires": wires, "exposed": exposed}))
 }
 
-pub(crate) fn sample(def: &NodeDef, inputs: In<'_>, at: &EvalSample) -> EvalSample {
+/// A place of a surface with these numbers of the node on a [`bench`].
+pub fn sample(def: &NodeDef, inputs: In<'_>, at: &EvalSample) -> EvalSample {
     let value = |numbers: &Vec<f64>| match numbers.as_slice() {
         [x] => Value::Number(*x),
         more => Value::Vector(more.to_vec()),
@@ -120,7 +124,7 @@ pub(crate) fn sample(def: &NodeDef, inputs: In<'_>, at: &EvalSample) -> EvalSamp
 }
 
 /// All outputs of a node, in one row for each sample.
-pub(crate) fn run(
+pub fn run(
     def: &NodeDef,
     choice: &[(&str, &str)],
     types: &[Type],
@@ -132,7 +136,7 @@ pub(crate) fn run(
 }
 
 /// [`run`] at places of a surface, one for each row.
-pub(crate) fn run_at(
+pub fn run_at(
     def: &NodeDef,
     choice: &[(&str, &str)],
     types: &[Type],
@@ -160,7 +164,7 @@ pub(crate) fn run_at(
 }
 
 /// The words of a kind's choice, or one empty word.
-pub(crate) fn words(def: &NodeDef) -> Vec<(String, String)> {
+pub fn words(def: &NodeDef) -> Vec<(String, String)> {
     let choice = def.visible_inputs().find(|input| !input.options.is_empty());
     choice.map_or_else(
         || vec![(String::new(), String::new())],

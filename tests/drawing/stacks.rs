@@ -2,15 +2,15 @@
 
 use std::path::PathBuf;
 
-use chiaro::document::Look;
-use chiaro::frame::SetupLook;
+use chiaro_compiler::document::Look;
+use chiaro_scene::frame::SetupLook;
 use serde_json::json;
 
-use super::random::Random;
+use chiaro_test_support::random::Random;
 
 /// A stack of layers of which many do nothing: opacity 0, black, no warp, equal colors, the same
 /// layer twice.
-pub(crate) fn idle_stack(random: &mut Random) -> SetupLook {
+pub fn idle_stack(random: &mut Random) -> SetupLook {
     let mut nodes =
         vec![json!({"id": "base", "kind": "base", "values": {"color": [0.2, 0.3, 0.4, 1]}})];
     let mut wires = Vec::new();

@@ -3,21 +3,21 @@
 use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError, TryLockError};
 
-use chiaro::compile::{Live, Options};
-use chiaro::diag::Diagnostic;
-use chiaro::document::{Look, Scene};
-use chiaro::frame::{
+use chiaro_compiler::compile::{Live, Options};
+use chiaro_compiler::document::{Look, Scene};
+use chiaro_compiler::library::{Library, Type};
+use chiaro_language::diag::Diagnostic;
+use chiaro_language::ids::{NodePath, ObjectId, PortName};
+use chiaro_render::{Gpu, Picture, Renderer, block_on};
+use chiaro_scene::frame::{
     Assets, EvalSample, PlanOptions, Planner, Setup, SetupLook, SetupObject, eval_batches,
     object_matrix,
 };
-use chiaro::geometry::Mesh;
-use chiaro::ids::{NodePath, ObjectId, PortName};
-use chiaro::library::{Library, Type};
-use chiaro::render::{Gpu, Picture, Renderer, block_on};
+use chiaro_scene::geometry::Mesh;
 
 /// One of the test program's devices, whichever is free; with more tests at once than devices they
 /// take turns.
-pub(crate) fn renderer() -> MutexGuard<'static, Renderer> {
+pub fn renderer() -> MutexGuard<'static, Renderer> {
     static RENDERERS: [OnceLock<Mutex<Renderer>>; 2] = [const { OnceLock::new() }; 2];
     let make = || {
         Mutex::new(Renderer::new(
@@ -35,7 +35,7 @@ pub(crate) fn renderer() -> MutexGuard<'static, Renderer> {
 }
 
 /// A look that must be flawless.
-pub(crate) fn look(json: &serde_json::Value) -> SetupLook {
+pub fn look(json: &serde_json::Value) -> SetupLook {
     let text = serde_json::to_string_pretty(json).expect("JSON");
     let loaded = Look::read(&text, "test.json");
     let problems: Vec<String> = loaded.diagnostics.iter().map(ToString::to_string).collect();
@@ -48,24 +48,24 @@ pub(crate) fn look(json: &serde_json::Value) -> SetupLook {
 }
 
 /// Options that show one output, `node.port`, and keep exposed parameters live.
-pub(crate) fn options(output: &str) -> Options {
+pub fn options(output: &str) -> Options {
     let (node, port) = output.rsplit_once('.').unwrap_or((output, ""));
     let root = (!output.is_empty()).then(|| (NodePath::parse(node), PortName::from(port)));
     Options { root, live: Live::Exposed, ..Options::default() }
 }
 
 /// The first problems as one text.
-pub(crate) fn told(problems: &[Diagnostic]) -> String {
+pub fn told(problems: &[Diagnostic]) -> String {
     problems.iter().take(10).map(ToString::to_string).collect::<Vec<_>>().join("\n")
 }
 
 /// The look's value at each sample, or an output's (`node.port`).
-pub(crate) fn eval(look: &SetupLook, output: &str, samples: &[EvalSample]) -> Vec<[f64; 4]> {
+pub fn eval(look: &SetupLook, output: &str, samples: &[EvalSample]) -> Vec<[f64; 4]> {
     eval_with(look, Library::built_in(), &options(output), samples)
 }
 
 /// [`eval`] with all choices open. An angle is given in radians, in the first number.
-pub(crate) fn eval_with(
+pub fn eval_with(
     look: &SetupLook,
     library: &Library,
     options: &Options,
@@ -74,8 +74,27 @@ pub(crate) fn eval_with(
     eval_on(&mut renderer(), look, library, options, samples)
 }
 
+/// Hands over everything that decides on what samples of a look come to, but for the engines that
+/// run it: modules, numbers and images.
+pub fn content(
+    look: &SetupLook,
+    library: &Library,
+    options: &Options,
+    samples: &[EvalSample],
+    sink: &mut dyn FnMut(&[u8]),
+) {
+    let batches = eval_batches(look, library, samples, options, &mut Assets::default())
+        .unwrap_or_else(|problems| panic!("{}\n{}", told(&problems), look.look.to_text()));
+    for batch in &batches {
+        sink(batch.shader.wgsl.as_bytes());
+        let numbers = batch.samples.numbers.iter().flat_map(|number| number.to_le_bytes());
+        sink(&numbers.collect::<Vec<u8>>());
+        batch.images.iter().for_each(|image| sink(&image.bytes));
+    }
+}
+
 /// The same on any device.
-pub(crate) fn eval_on(
+pub fn eval_on(
     renderer: &mut Renderer,
     look: &SetupLook,
     library: &Library,
@@ -102,14 +121,14 @@ pub(crate) fn eval_on(
 
 /// [`eval`] on the reference in f64, of the exact tier as it is written: nothing folded, every
 /// value in f64.
-pub(crate) fn truth(look: &SetupLook, output: &str, samples: &[EvalSample]) -> Vec<[f64; 4]> {
+pub fn truth(look: &SetupLook, output: &str, samples: &[EvalSample]) -> Vec<[f64; 4]> {
     let options = Options { unspecialized: true, ..options(output) };
     let batches =
         eval_batches(look, Library::built_in(), samples, &options, &mut Assets::default())
             .unwrap_or_else(|problems| panic!("{}\n{}", told(&problems), look.look.to_text()));
     let mut answers = vec![[f64::NAN; 4]; samples.len()];
     for batch in &batches {
-        let values = chiaro::reference::evaluate(batch, chiaro::interp::Precision::F64)
+        let values = chiaro_reference::evaluate(batch, chiaro_language::interp::Precision::F64)
             .unwrap_or_else(|problem| panic!("{problem}\n{}", batch.shader.wgsl));
         for (&index, value) in batch.indices.iter().zip(values) {
             let [a, b, ..] = value;
@@ -123,12 +142,12 @@ pub(crate) fn truth(look: &SetupLook, output: &str, samples: &[EvalSample]) -> V
 }
 
 /// A scene of one mesh as it is (not fitted) that wears `look`.
-pub(crate) fn scene(look: SetupLook, mesh: Mesh, scene: Scene) -> Setup {
+pub fn scene(look: SetupLook, mesh: Mesh, scene: Scene) -> Setup {
     scene_of(vec![(look, mesh, glam::DMat4::IDENTITY)], scene)
 }
 
 /// A scene of several meshes.
-pub(crate) fn scene_of(parts: Vec<(SetupLook, Mesh, glam::DMat4)>, scene: Scene) -> Setup {
+pub fn scene_of(parts: Vec<(SetupLook, Mesh, glam::DMat4)>, scene: Scene) -> Setup {
     let mut setup = Setup { scene, ..Setup::default() };
     for (index, (look, mesh, world_from_object)) in parts.into_iter().enumerate() {
         setup.objects.push(SetupObject {
@@ -144,16 +163,16 @@ pub(crate) fn scene_of(parts: Vec<(SetupLook, Mesh, glam::DMat4)>, scene: Scene)
 }
 
 /// An own shape, fitted into a sphere of radius 1.
-pub(crate) fn shape(name: &str) -> (Mesh, glam::DMat4) {
+pub fn shape(name: &str) -> (Mesh, glam::DMat4) {
     let (mesh, _) = Assets::default()
         .mesh(std::path::Path::new(""), &format!("shape:{name}"))
         .expect("a shape");
-    let matrix = object_matrix(&chiaro::document::Transform::default(), &mesh);
+    let matrix = object_matrix(&chiaro_compiler::document::Transform::default(), &mesh);
     (Mesh::clone(&mesh), matrix)
 }
 
 /// Draws a picture.
-pub(crate) fn draw(
+pub fn draw(
     setup: &Setup,
     library: &Library,
     live: &Live,

@@ -1,29 +1,29 @@
 //! Frame plans whose looks are drawn by WGSL written by hand, `benches/handwritten/*.wgsl`.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
-use chiaro::compile::{Live, Options, compile};
-use chiaro::document::Tier;
-use chiaro::frame::{Assets, FramePlan, PassKind, PlanOptions, Planner, Setup, open};
-use chiaro::library::Library;
-use chiaro::wgsl;
+use chiaro_compiler::compile::{Live, Options, compile};
+use chiaro_compiler::document::Tier;
+use chiaro_compiler::library::Library;
+use chiaro_language::wgsl;
+use chiaro_scene::frame::{Assets, FramePlan, PassKind, PlanOptions, Planner, Setup, open};
 
 /// The looks that there are by hand.
-pub(crate) const LOOKS: [&str; 3] = ["figure4-both", "figure6-comics", "figure6-minimal"];
+pub const LOOKS: [&str; 3] = ["figure4-both", "figure6-comics", "figure6-minimal"];
 
 fn root(folder: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)
+    chiaro_test_support::root().join(folder)
 }
 
 /// A look of the examples on the creature that it is shown on.
-pub(crate) fn setup(look: &str) -> Setup {
+pub fn setup(look: &str) -> Setup {
     let path = root("examples/looks").join(format!("{look}.json"));
     open(&path, None, &mut Assets::default()).unwrap_or_else(|problems| panic!("{}", problems[0])).0
 }
 
 /// What the compiler makes of it, every node in one tier, one sample a pixel.
-pub(crate) fn generated(setup: &Setup, tier: Tier, size: [u32; 2]) -> FramePlan {
+pub fn generated(setup: &Setup, tier: Tier, size: [u32; 2]) -> FramePlan {
     let mut setup = setup.clone();
     for look in &mut setup.looks {
         look.look.tier = tier;
@@ -35,7 +35,7 @@ pub(crate) fn generated(setup: &Setup, tier: Tier, size: [u32; 2]) -> FramePlan 
 
 /// The same picture with the module written by hand in the generated one's place: it takes the same
 /// bindings.
-pub(crate) fn by_hand(setup: &Setup, look: &str, plan: &FramePlan) -> FramePlan {
+pub fn by_hand(setup: &Setup, look: &str, plan: &FramePlan) -> FramePlan {
     let options = Options { display: true, ..Options::default() };
     let mut shader =
         compile(&setup.looks[0].look, Library::built_in(), &options).expect("an example");
