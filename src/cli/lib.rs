@@ -5,7 +5,7 @@
 //! Ctrl-C, with no file half written.
 
 use chiaro_compiler::{catalog, compile, document, files, library};
-use chiaro_language::{clock, diag, figures, ids, interp, milestones};
+use chiaro_language::{clock, diag, figures, ids, interp, milestones, progress};
 use chiaro_reference as reference;
 use chiaro_scene::{frame, threads};
 

@@ -5,7 +5,7 @@ use chiaro_compiler::{catalog, examples, files};
 use chiaro_compiler::{compile, document, library};
 #[cfg(feature = "gpu")]
 use chiaro_language::interp;
-use chiaro_language::{diag, figures, ids};
+use chiaro_language::{diag, figures, ids, progress};
 use chiaro_reference as reference;
 #[cfg(feature = "gpu")]
 use chiaro_render as render;

@@ -166,10 +166,10 @@ impl Modules {
             let at = binding.binding;
             match &binding.kind {
                 BindingKind::View => {
-                    buffer(&mut bindings, stages, at, &plan.view.uniform_numbers())
+                    buffer(&mut bindings, stages, at, &plan.view.uniform_numbers());
                 }
                 BindingKind::Object => {
-                    buffer(&mut bindings, stages, at, &draw.object_uniform.numbers)
+                    buffer(&mut bindings, stages, at, &draw.object_uniform.numbers);
                 }
                 BindingKind::Look => {
                     let numbers =

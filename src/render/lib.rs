@@ -93,7 +93,7 @@ impl Renderer {
             }
             match &pass.kind {
                 PassKind::Normals | PassKind::DetailNormals => {
-                    self.draw_normals(plan, &pass.kind, &mut encoder)?
+                    self.draw_normals(plan, &pass.kind, &mut encoder)?;
                 }
                 PassKind::Curvature
                 | PassKind::SparseCurvature

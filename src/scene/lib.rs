@@ -8,7 +8,7 @@
 use chiaro_compiler::{catalog, compile, document, examples, files, library};
 #[cfg(test)]
 use chiaro_language::clock;
-use chiaro_language::{diag, figures, ids, interp, wgsl};
+use chiaro_language::{diag, figures, ids, interp, progress, wgsl};
 
 pub mod directions;
 pub mod drawing;

@@ -23,7 +23,15 @@ use scan::Reference;
 /// scene's rooms make.
 const CRATES: &[(&str, &[&[&str]])] = &[
     ("embed", &[]),
-    ("language", &[&["clock", "figures", "ids"], &["diag", "milestones"], &["wgsl"], &["interp"]]),
+    (
+        "language",
+        &[
+            &["clock", "figures", "ids"],
+            &["diag", "milestones"],
+            &["progress", "wgsl"],
+            &["interp"],
+        ],
+    ),
     (
         "compiler",
         &[&["examples"], &["files"], &["document"], &["library"], &["catalog", "compile"]],

@@ -187,7 +187,7 @@ fn what_was_open_is_offered_and_what_is_gone_is_forgotten() {
     fs::write(&odd, "not JSON at all").unwrap();
     let mut hand = home.window(None);
     hand.app_mut().change_settings(|settings| {
-        [&odd, &lost, &rim, &stage].into_iter().for_each(|path| settings.opened(path))
+        [&odd, &lost, &rim, &stage].into_iter().for_each(|path| settings.opened(path));
     });
     hand.settle();
     assert!(

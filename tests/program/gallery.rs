@@ -11,12 +11,12 @@ use crate::support::halved;
 use crate::support::ledger::{Key, Ledger, is_found_false};
 use crate::support::random::Random;
 
-use chiaro::accuracy::Progress;
 use chiaro::diag::{Diagnostic, has_errors};
 use chiaro::document::Outputs;
 use chiaro::gallery::nodes::{SIDE, draw_nodes, write_nodes};
 use chiaro::gallery::{List, Made, Options, Section, Shown, build, content, list};
 use chiaro::library::Library;
+use chiaro::progress::Progress;
 use chiaro::render::{Gpu, block_on};
 use rayon::prelude::*;
 
@@ -51,17 +51,8 @@ fn make_with(
     folder: &Path,
     options: &Options,
 ) -> Result<Made, Vec<Diagnostic>> {
-    let mut untold = |_, _| true;
     let library = |_: &Path| library.clone();
-    build(
-        list,
-        folder,
-        &mut Outputs::new(false),
-        &gpu(),
-        &library,
-        options,
-        &mut Progress::new(&mut untold),
-    )
+    build(list, folder, &mut Outputs::new(false), &gpu(), &library, options, &Progress::new())
 }
 
 /// What a page's attributes of a name lead to.
@@ -320,21 +311,12 @@ fn pages_of_others_stay() {
 fn the_pictures_of_nodes_are_those_of_now() {
     let folder = root().join("docs/nodes");
     if std::env::var_os("CHIARO_BLESS").is_some() {
-        let mut untold = |_, _| true;
         let mut outputs = Outputs::new(false);
-        write_nodes(
-            Library::built_in(),
-            &folder,
-            &gpu(),
-            &mut outputs,
-            &mut Progress::new(&mut untold),
-        )
-        .unwrap();
+        write_nodes(Library::built_in(), &folder, &gpu(), &mut outputs, &Progress::new()).unwrap();
     }
     let mut files = HashSet::new();
     let mut far = Vec::new();
-    let mut untold = |_, _| true;
-    draw_nodes(Library::built_in(), &gpu(), &mut Progress::new(&mut untold), &mut |node| {
+    draw_nodes(Library::built_in(), &gpu(), &Progress::new(), &mut |node| {
         let name = format!("{}.svg", node.kind);
         let svg = std::fs::read_to_string(folder.join(&name)).unwrap_or_default();
         if svg != node.svg {

@@ -182,7 +182,7 @@ fn bypassed(def: &NodeDef, index: usize, ty: &Type, random: &mut Random) -> Setu
                 let side = if matches!(condition.test, Test::AtMost(_)) { -1.0 } else { 1.0 };
                 match limit {
                     Limit::Number(number) => {
-                        drop(values.insert(name, constant(&type_of(input), number + 0.5 * side)))
+                        drop(values.insert(name, constant(&type_of(input), number + 0.5 * side)));
                     }
                     // Beyond whatever `ordinary` gives.
                     Limit::Input(other) => {

@@ -47,7 +47,7 @@ pub fn words(name: &str) -> String {
     name.replace(['_', '.'], " ")
 }
 
-/// What the surface gives to an input, as people say it: the papers' kappa is a curvature.
+/// A context in people's words: the papers' kappa is a curvature.
 pub fn context_words(context: Context) -> String {
     match context {
         Context::KappaDetail | Context::KappaDetailSparse => "detail curvature".to_owned(),
@@ -56,7 +56,7 @@ pub fn context_words(context: Context) -> String {
     }
 }
 
-/// What a node's row shows of an unwired input.
+/// The display of an unwired input in a node's row.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shown {
     /// Only its name.
@@ -69,7 +69,7 @@ pub enum Shown {
     Color([f64; 4]),
 }
 
-/// What a node's row shows of an unwired input of `node` in `look`.
+/// The display of an unwired input of `node` in `look`.
 pub fn shown(port: &Port, node: &Node, look: &Look) -> Shown {
     let value = match (node.values.get(&port.name), &port.fallback) {
         (Some(value), _) | (None, Fallback::Value(value)) => value,
@@ -100,7 +100,7 @@ pub fn shown(port: &Port, node: &Node, look: &Look) -> Shown {
     }
 }
 
-/// What an unwired input has: its own value, or its kind's.
+/// The value of an unwired input: its own, or its kind's.
 pub fn current<'a>(port: &'a Port, own: Option<&'a Value>) -> Option<&'a Value> {
     match (own, &port.fallback) {
         (Some(value), _) | (None, Fallback::Value(value)) => Some(value),

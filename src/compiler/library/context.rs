@@ -1,6 +1,6 @@
 //! What a node may ask of its surroundings: the surface, the camera, the clock and the lights.
 
-use crate::document::Tier;
+use crate::document::{LightInput, Tier};
 
 /// When a value is known.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
@@ -80,31 +80,8 @@ pub enum Context {
     Magnification,
     /// Turns normals and gradients of the object's own space into world space.
     WorldFromNormal,
-    /// A field of the light that the node names.
-    Light(LightField),
-}
-
-/// A field of a light, in world space and ready for use.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum LightField {
-    /// Unit, toward a directional light, world space.
-    Direction,
-    /// Unit, toward a directional light, as the artist gave it.
-    OwnDirection,
-    /// World space.
-    Position,
-    /// Unit, from a spot light outward, world space.
-    Aim,
-    /// The rotation from world space to the light's own frame.
-    OwnFromWorld,
-    /// Straight RGB.
-    Color,
-    /// 0 or more.
-    Intensity,
-    /// The cosines of a spot light's inner and outer half-angles.
-    Cone,
-    /// Half distance and range.
-    Fading,
+    /// What the light that the node names gives.
+    Light(LightInput),
 }
 
 /// How many levels of smoothed normals there are.
@@ -112,7 +89,8 @@ pub const SMOOTH_LEVELS: u8 = 4;
 
 type Row = (Context, &'static str, &'static str, Rate, &'static str);
 
-/// Every context with the word that node files use, its WGSL type, its rate, and what it is.
+/// Every context with the word that node files use, its WGSL type, its rate, and what it is; those
+/// of lights are rows of [`LightInput`].
 const TABLE: &[Row] = &[
     (
         Context::Normal,
@@ -295,68 +273,18 @@ const TABLE: &[Row] = &[
         Rate::Fragment,
         "turns normals and gradients of the object's own space into world space",
     ),
-    (
-        Context::Light(LightField::Direction),
-        "light.direction",
-        "vec3f",
-        Rate::Object,
-        "unit, toward a directional light, world space",
-    ),
-    (
-        Context::Light(LightField::OwnDirection),
-        "light.own_direction",
-        "vec3f",
-        Rate::Object,
-        "unit, toward a directional light, as the artist gave it",
-    ),
-    (
-        Context::Light(LightField::Position),
-        "light.position",
-        "vec3f",
-        Rate::Object,
-        "where the light is, world space",
-    ),
-    (
-        Context::Light(LightField::Aim),
-        "light.aim",
-        "vec3f",
-        Rate::Object,
-        "unit, from a spot light outward, world space",
-    ),
-    (
-        Context::Light(LightField::OwnFromWorld),
-        "light.own_from_world",
-        "mat3x3f",
-        Rate::Object,
-        "the rotation from world space to the light's own frame",
-    ),
-    (Context::Light(LightField::Color), "light.color", "vec3f", Rate::Object, "straight RGB"),
-    (Context::Light(LightField::Intensity), "light.intensity", "f32", Rate::Object, "0 or more"),
-    (
-        Context::Light(LightField::Cone),
-        "light.cone",
-        "vec2f",
-        Rate::Object,
-        "the cosines of a spot light's inner and outer half-angles",
-    ),
-    (
-        Context::Light(LightField::Fading),
-        "light.fading",
-        "vec2f",
-        Rate::Object,
-        "half distance and range",
-    ),
 ];
 
 impl Context {
     /// All of them, with their words.
     pub fn all() -> impl Iterator<Item = (Self, &'static str)> {
-        TABLE.iter().map(|row| (row.0, row.1))
+        let lights = LightInput::all().map(|input| (Self::Light(input), input.word()));
+        TABLE.iter().map(|row| (row.0, row.1)).chain(lights)
     }
 
     /// The context that a node file's `from=` names.
     pub fn from_word(word: &str) -> Option<Self> {
-        TABLE.iter().find(|row| row.1 == word).map(|row| row.0)
+        Self::all().find(|(_, known)| *known == word).map(|(context, _)| context)
     }
 
     /// What stands for it in a node of this tier.
@@ -397,8 +325,11 @@ impl Context {
         )
     }
 
-    fn row(self) -> &'static Row {
-        TABLE.iter().find(|row| row.0 == self).expect("the table holds every context")
+    fn row(self) -> Row {
+        if let Self::Light(input) = self {
+            return (self, input.word(), input.wgsl_type(), Rate::Object, input.help());
+        }
+        *TABLE.iter().find(|row| row.0 == self).expect("the table holds every context")
     }
 
     /// The word that node files use; also the variable's name in generated source.

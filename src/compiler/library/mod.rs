@@ -42,7 +42,7 @@ pub const CATEGORIES: [&str; 14] = [
     "screen",
 ];
 
-pub use context::{Context, LightField, Rate, SMOOTH_LEVELS};
+pub use context::{Context, Rate, SMOOTH_LEVELS};
 pub use embedded::NODES;
 pub use group::{CUSTOM_CODE, CUSTOM_KIND, GroupPorts};
 pub use load::node_files;

@@ -5,12 +5,13 @@ use std::collections::HashSet;
 use std::sync::Arc;
 
 use super::{Options, Shown};
-use crate::accuracy::{BenchOptions, MeasuredNodes, Progress, Report, bench};
+use crate::accuracy::{BenchOptions, MeasuredNodes, Report, bench};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::Look;
 use crate::frame::{Assets, FramePlan, Pass, PlanOptions, Planner, Setup, open};
 use crate::library::Library;
+use crate::progress::Progress;
 use crate::render::{Renderer, block_on};
 
 /// Everything that a page tells.
@@ -131,8 +132,7 @@ fn measure(
         nodes: MeasuredNodes::None,
         truth: true,
     };
-    let mut untold = |_, _| true;
-    Ok(bench(setup, library, renderer, &options, &mut Progress::new(&mut untold))?)
+    Ok(bench(setup, library, renderer, &options, &Progress::new())?)
 }
 
 /// Looks that differ, in the order in which they are worn.

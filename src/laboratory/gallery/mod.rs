@@ -14,13 +14,13 @@ mod sample;
 use std::collections::HashSet;
 use std::path::Path;
 
-use crate::accuracy::Progress;
 use crate::catalog::Catalog;
 use crate::diag::Diagnostic;
 use crate::document::{OutputKind, Outputs};
 use crate::files::{self, ReadError};
 use crate::ids::make_slug;
 use crate::library::Library;
+use crate::progress::Progress;
 use crate::render::{Gpu, Renderer};
 use entry::Entry;
 pub use list::{List, Section, Shown};
@@ -78,7 +78,7 @@ pub fn build(
     gpu: &Gpu,
     library_for: &dyn Fn(&Path) -> Library,
     options: &Options,
-    progress: &mut Progress<'_>,
+    progress: &Progress,
 ) -> Result<Made, Vec<Diagnostic>> {
     check(list, folder, outputs)?;
     make_folder(folder)?;

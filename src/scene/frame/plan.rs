@@ -23,11 +23,11 @@ use crate::compile::{
     CompiledShader, HostInputs, ImageShape, Live, Options, Param, Proof, Stage, Uniform, compile,
 };
 use crate::diag::Diagnostic;
-use crate::document::{Driver, Graph, KeyDirection, Light, Look, Value};
+use crate::document::{Driver, Graph, KeyDirection, Light, LightField, Look, Value};
 use crate::geometry::Mesh;
 use crate::hcbtf::LayerOptions;
 use crate::ids::{LightId, NodePath, ObjectId};
-use crate::library::{Context, Library, LightField, SMOOTH_LEVELS};
+use crate::library::{Context, Library, SMOOTH_LEVELS};
 
 /// What a picture is asked for.
 #[derive(Clone, Debug, PartialEq)]

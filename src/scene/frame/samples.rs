@@ -435,15 +435,12 @@ fn place_lights(sample: &EvalSample, lights: &mut IndexMap<LightId, LightValues>
         let Some(light) = lights.get_mut(id) else { continue };
         match (light.kind, set.direction, set.position) {
             (LightKind::Directional, None, Some(_)) => {
-                let toward = light.position - sample.position;
-                light.direction = toward.try_normalize().unwrap_or(DVec3::Z);
-                light.own_direction = light.own_from_world * light.direction;
+                let toward = light.position() - sample.position;
+                light.shine_from(toward.try_normalize().unwrap_or(DVec3::Z));
             }
             (LightKind::Point | LightKind::Spot, Some(_), None) => {
-                light.position = sample.position + light.direction;
-                if light.kind == LightKind::Spot {
-                    light.aim = -light.direction;
-                }
+                let toward = light.direction();
+                light.stand_at(sample.position + toward, -toward);
             }
             _ => {}
         }

@@ -295,7 +295,7 @@ fn what_a_journal_costs() {
             "append a value",
             1000,
             Box::new(|index| {
-                journal.append(&[Op::Edit { gesture: None, edit: value(index) }]).unwrap()
+                journal.append(&[Op::Edit { gesture: None, edit: value(index) }]).unwrap();
             }),
         );
         for index in 0..1000 {
@@ -321,7 +321,7 @@ fn what_a_journal_costs() {
             "append a move of all nodes",
             20,
             Box::new(|_| {
-                journal.append(&[Op::Edit { gesture: None, edit: edit.clone() }]).unwrap()
+                journal.append(&[Op::Edit { gesture: None, edit: edit.clone() }]).unwrap();
             }),
         );
     }

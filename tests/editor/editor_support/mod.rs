@@ -62,7 +62,7 @@ impl Hand {
         make: impl Fn(&egui::Context) -> App + 'static,
     ) -> Self {
         let show = move |ui: &mut egui::Ui, app: &mut Option<App>| {
-            app.get_or_insert_with(|| make(ui.ctx())).show(ui)
+            app.get_or_insert_with(|| make(ui.ctx())).show(ui);
         };
         let builder = builder.with_size(vec2(1500.0, 900.0)).with_max_steps(20);
         let mut hand = Self { harness: builder.build_ui_state(show, None) };

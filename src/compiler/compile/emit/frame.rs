@@ -93,10 +93,10 @@ impl super::Needs {
         for context in &self.contexts {
             match context {
                 Context::Normal | Context::KappaFast | Context::TensorFast => {
-                    attributes.push(Attribute::Normal)
+                    attributes.push(Attribute::Normal);
                 }
                 Context::Tangent | Context::Bitangent => {
-                    attributes.extend([Attribute::Normal, Attribute::Tangent])
+                    attributes.extend([Attribute::Normal, Attribute::Tangent]);
                 }
                 Context::Uv => attributes.push(Attribute::Uv),
                 Context::VertexColor => attributes.push(Attribute::Color),
@@ -245,7 +245,7 @@ impl Emitter<'_> {
         let mut bindings: Vec<(BindingKind, String, String)> = Vec::new();
         let texture = "texture_2d<f32>";
         let mut push = |kind, name: &str, declaration: String| {
-            bindings.push((kind, name.to_owned(), declaration))
+            bindings.push((kind, name.to_owned(), declaration));
         };
         if self.options.stage == Stage::Eval {
             push(

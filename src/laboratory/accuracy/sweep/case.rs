@@ -372,10 +372,16 @@ impl Builder<'_> {
         let number = |min, max| Kind::Number { min, max, is_angle: false };
         match word {
             "directional" => {
-                self.slot("light_direction", Place::LightDirection, Kind::Direction, 3, MOST_LIGHT)
+                self.slot("light_direction", Place::LightDirection, Kind::Direction, 3, MOST_LIGHT);
             }
             _ => {
-                self.slot("light_position", Place::LightPosition, number(None, None), 3, MOST_LIGHT)
+                self.slot(
+                    "light_position",
+                    Place::LightPosition,
+                    number(None, None),
+                    3,
+                    MOST_LIGHT,
+                );
             }
         }
         self.slot("light_color", Place::LightColor, number(Some(0.0), Some(1.0)), 3, MOST_COLOR);
@@ -440,11 +446,11 @@ impl Builder<'_> {
                     self.slot("camera", Place::Camera, Kind::Rotation, 4, 1.0);
                 }
                 Context::CameraFromWorld => {
-                    self.slot("camera", Place::Camera, Kind::Rotation, 4, 1.0)
+                    self.slot("camera", Place::Camera, Kind::Rotation, 4, 1.0);
                 }
                 Context::Uv => self.slot("uv", Place::Uv, number, 2, MOST),
                 Context::VertexColor => {
-                    self.slot("vertex_color", Place::VertexColor, Kind::Color, 4, MOST_COLOR)
+                    self.slot("vertex_color", Place::VertexColor, Kind::Color, 4, MOST_COLOR);
                 }
                 Context::Kappa
                 | Context::KappaSparse
@@ -454,13 +460,13 @@ impl Builder<'_> {
                     self.slot("kappa", Place::Kappa, Kind::Kappa, 1, MOST);
                 }
                 Context::Tensor | Context::TensorFast => {
-                    self.slot("kappa", Place::Kappa, Kind::Kappa, 1, MOST)
+                    self.slot("kappa", Place::Kappa, Kind::Kappa, 1, MOST);
                 }
                 Context::SmoothNormal(_) => {
-                    self.slot("surface_normal", Place::Normal, Kind::Unit, 3, 1.0)
+                    self.slot("surface_normal", Place::Normal, Kind::Unit, 3, 1.0);
                 }
                 Context::Time | Context::Frame => {
-                    self.slot("time", Place::Time, clock, 1, MOST_LIGHT)
+                    self.slot("time", Place::Time, clock, 1, MOST_LIGHT);
                 }
                 Context::Pixel => self.slot("pixel", Place::Pixel, number, 2, MOST_PLACE),
                 Context::Anchor => self.slot("anchor", Place::Anchor, number, 3, MOST_PLACE),

@@ -56,9 +56,9 @@ pub fn driver_value(
 pub(super) fn toward_light(light: &Light, moment: &Moment<'_>) -> DVec3 {
     let resolved = LightValues::new(light, moment.illumination, moment.camera_from_world);
     match light.kind {
-        LightKind::Directional => resolved.direction,
+        LightKind::Directional => resolved.direction(),
         LightKind::Point | LightKind::Spot => {
-            (resolved.position - moment.center).try_normalize().unwrap_or(DVec3::Z)
+            (resolved.position() - moment.center).try_normalize().unwrap_or(DVec3::Z)
         }
     }
 }

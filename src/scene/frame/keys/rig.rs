@@ -58,7 +58,7 @@ impl Rig {
         let (lights, mut time, space) =
             (look.lights.clone(), look.time_keys.clone(), look.color_space);
         let in_space = |value: &mut Value| {
-            *value = std::mem::replace(value, Value::Bool(false)).in_space(space)
+            *value = std::mem::replace(value, Value::Bool(false)).in_space(space);
         };
         time.iter_mut().flat_map(|track| &mut track.keys).for_each(|key| in_space(&mut key.value));
         let keys = directions.iter_mut().flat_map(|(keys, _)| &mut keys.keys);
