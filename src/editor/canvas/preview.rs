@@ -27,7 +27,7 @@ use crate::library::{Library, Type};
 use crate::reference;
 use crate::state::safety::crashes::{DocumentOrigin, Step};
 use crate::state::session::Session;
-use crate::state::worker::Worker;
+use crate::state::worker::{BackgroundJobs, Worker};
 use crate::values::number_text;
 
 /// Points across the ball.
@@ -326,14 +326,14 @@ impl Canvas {
             _ => None,
         }
     }
+}
 
-    /// Whether values of nodes are being evaluated.
-    pub(crate) fn is_busy(&self) -> bool {
+impl BackgroundJobs for Canvas {
+    fn is_busy(&self) -> bool {
         self.previews.is_busy()
     }
 
-    /// Waits for them; for tests.
-    pub(crate) fn wait(&self) {
+    fn wait(&self) {
         self.previews.wait();
     }
 }
