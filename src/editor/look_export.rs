@@ -8,8 +8,9 @@ use std::sync::Arc;
 use super::session::Session;
 use super::worker::Worker;
 use crate::diag::Diagnostic;
-use crate::document::{Look, Outputs};
+use crate::document::Look;
 use crate::export::{self, Export};
+use crate::files::Outputs;
 use crate::library::Library;
 
 /// What leaves, and where to.

@@ -9,7 +9,7 @@ use serde_json::{Map, Value};
 
 use super::paths::absolute;
 use crate::diag::Diagnostic;
-use crate::document::{read_text, write_atomic};
+use crate::files::{read_text, write_atomic};
 
 /// As many files are remembered.
 const MAX_RECENT: usize = 20;

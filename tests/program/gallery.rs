@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use chiaro::accuracy::Progress;
 use chiaro::diag::{Diagnostic, has_errors};
-use chiaro::document::Outputs;
+use chiaro::files::Outputs;
 use chiaro::gallery::nodes::{SIDE, draw_nodes, write_nodes};
 use chiaro::gallery::{List, Made, Options, build, list};
 use chiaro::library::Library;

@@ -82,7 +82,7 @@ fn examples() -> Vec<SetupLook> {
         .collect();
     assert!(paths.len() >= 6, "{paths:?}");
     let open = |path: PathBuf| {
-        let loaded = Look::load(&path);
+        let loaded = Look::load(&chiaro::files::Disk, &path);
         SetupLook {
             look: loaded.value.expect("an example opens"),
             source: loaded.source.into(),

@@ -7,8 +7,9 @@ use std::time::{Duration, SystemTime};
 use super::super::session::Session;
 use crate::clock;
 use crate::diag::Diagnostic;
-use crate::document::journal::{Found, Journaled, Recovered, Slot, left_behind, recover_any};
-use crate::document::{Look, Scene, read_text};
+use crate::document::{Look, Scene};
+use crate::files::journal::{Found, Journaled, Recovered, Slot, left_behind, recover_any};
+use crate::files::read_text;
 
 /// Nobody asks any more what could be undone in a saved look after so long.
 const FORGOTTEN: Duration = Duration::from_secs(7 * 24 * 60 * 60);

@@ -9,8 +9,9 @@ use super::super::paths::absolute;
 use super::super::safety::keeper::{Keeper, Standing};
 use super::Session;
 use crate::diag::Diagnostic;
-use crate::document::journal::{About, Journaled, Op, Recovered, Slot};
-use crate::document::{Edit, Look, read_text};
+use crate::document::{Edit, Look};
+use crate::files::journal::{About, Journaled, Op, Recovered, Slot};
+use crate::files::read_text;
 use crate::frame::UNSAVED_HCBTF;
 use crate::library::Library;
 

@@ -32,8 +32,8 @@ use super::wire::ShownWire;
 use crate::diag::Diagnostic;
 use crate::document::{
     DirectionKeys, Document, Edit, GraphId, History, Light, Look, SourceMap, Target, Value,
-    write_atomic,
 };
+use crate::files::write_atomic;
 use crate::ids::{LightId, NodeId};
 use crate::library::{Fallback, Library};
 use keeping::OnDisk;
@@ -199,7 +199,7 @@ impl Session {
     /// # Errors
     /// What keeps the file from being read at all; what was open stays then.
     pub fn open(&mut self, path: &Path) -> Result<(), Vec<Diagnostic>> {
-        let loaded = match Document::load(path) {
+        let loaded = match Document::load(&crate::files::Disk, path) {
             Document::Look(loaded) => loaded,
             Document::Scene(loaded) => return self.open_scene(path, loaded),
         };

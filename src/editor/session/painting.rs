@@ -6,8 +6,8 @@ use super::super::painting::{Home, Work, look};
 use super::super::stage::{folder_of, real, relative};
 use super::Session;
 use crate::diag::Diagnostic;
-use crate::document::journal::{Recovered, Slot};
 use crate::document::{Hcbtf, HcbtfEdit, Look};
+use crate::files::journal::{Recovered, Slot};
 use crate::frame::UNSAVED_HCBTF;
 
 impl Session {

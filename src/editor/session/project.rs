@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::super::catalog::Catalog;
 use super::Session;
 use crate::diag::Diagnostic;
-use crate::document::remove_abandoned;
+use crate::files::remove_abandoned;
 use crate::ids::NodePath;
 use crate::library::Library;
 
@@ -24,7 +24,7 @@ impl Session {
         let mut library = Library::built_in().clone();
         for nodes in self.node_folders_with(Some(path)) {
             if nodes.is_dir() {
-                library = library.with_project(&nodes);
+                library = library.with_project(&crate::files::Disk, &nodes);
             }
         }
         self.use_library(library);

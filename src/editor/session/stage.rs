@@ -9,9 +9,9 @@ use super::super::stage::{OPEN_LOOK, Stage, Wanted, real, scene_of};
 use super::Session;
 use super::keeping::VIEW;
 use crate::diag::Diagnostic;
-use crate::document::journal::{Recovered, Slot};
 use crate::document::{Light, Loaded, Scene, SceneEdit};
 use crate::examples;
+use crate::files::journal::{Recovered, Slot};
 use crate::ids::{LightId, ObjectId};
 
 /// Which of the documents something is about.

@@ -12,7 +12,8 @@ use super::super::still::Still;
 use super::super::worker::Worker;
 use crate::compile::Live;
 use crate::diag::Diagnostic;
-use crate::document::{OutputKind, Outputs, Projection};
+use crate::document::Projection;
+use crate::files::{OutputKind, Outputs};
 use crate::frame::{Assets, Picture, PlanOptions, Planner};
 use crate::render::{Gpu, Renderer, block_on};
 

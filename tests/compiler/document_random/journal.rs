@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-use chiaro::document::journal::{About, Journal, Op, Slot, left_behind, recover};
 use chiaro::document::{Edit, History, Look};
+use chiaro::files::journal::{About, Journal, Op, Slot, left_behind, recover};
 use proptest::prelude::*;
 
 use super::random::Random;
