@@ -14,9 +14,9 @@ mod spirv;
 
 use std::path::Path;
 
+use chiaro::accuracy::Variant;
 use chiaro::accuracy::cost::{Series, alternate};
 use chiaro::accuracy::size::Sizes;
-use chiaro::accuracy::{Progress, Variant};
 use chiaro::compile::Live;
 use chiaro::document::{Look, Tier};
 use chiaro::export::spirv_words;
@@ -24,7 +24,8 @@ use chiaro::frame::{
     self, Assets, FramePlan, PassKind, PlanOptions, Planner, Setup, SetupLook, default_setup, open,
 };
 use chiaro::library::Library;
-use chiaro::reference::{self, Control, Modules, execute};
+use chiaro::progress::Progress;
+use chiaro::reference::{self, Modules, execute};
 use chiaro::render::{Gpu, Renderer, block_on};
 use chiaro::wgsl;
 use glam::{DMat4, DVec3};
@@ -41,8 +42,7 @@ fn plan(setup: &Setup, size: [u32; 2]) -> FramePlan {
 }
 
 fn measure(renderer: &mut Renderer, plans: &[FramePlan], rounds: usize) -> Vec<Series> {
-    let mut on = |_, _| true;
-    alternate(renderer, &plans.iter().collect::<Vec<_>>(), rounds, &mut Progress::new(&mut on))
+    alternate(renderer, &plans.iter().collect::<Vec<_>>(), rounds, &Progress::new())
         .expect("it draws")
 }
 
@@ -118,7 +118,7 @@ fn instruction_price(renderer: &mut Renderer) -> f64 {
 /// How many pixels of a plan show an object.
 fn covered(plan: &FramePlan) -> f64 {
     let modules = Modules::new(plan, chiaro::interp::Precision::F32).expect("it runs");
-    let picture = execute(plan, &modules, &reference::Options::default(), &Control::none())
+    let picture = execute(plan, &modules, &reference::Options::default(), &Progress::new())
         .expect("it draws");
     picture.coverage.iter().filter(|pixel| pixel.draw.is_some()).count() as f64
 }

@@ -10,17 +10,17 @@
 #![allow(missing_docs, reason = "a program")]
 #![allow(clippy::disallowed_methods, reason = "it asks another program to optimise")]
 
-#[path = "../tests/support/handwritten.rs"]
-mod handwritten;
 #[path = "support/spirv.rs"]
 mod spirv;
 
+use chiaro::accuracy::Estimate;
 use chiaro::accuracy::cost::{Series, alternate};
-use chiaro::accuracy::{Estimate, Progress};
 use chiaro::document::Tier;
 use chiaro::export::spirv_words;
 use chiaro::frame::{CompiledShader, FramePlan, PassKind};
+use chiaro::progress::Progress;
 use chiaro::render::{Gpu, Renderer, block_on};
+use chiaro_test_drawing::handwritten;
 use spirv::{instructions, optimised};
 
 const SIZE: [u32; 2] = [800, 600];
@@ -56,8 +56,7 @@ fn main() {
             tiers.iter().map(|tier| handwritten::generated(&setup, *tier, SIZE)).collect();
         let hand = handwritten::by_hand(&setup, look, &generated[0]);
         let plans: Vec<&FramePlan> = generated.iter().chain([&hand]).collect();
-        let mut told = |_, _| true;
-        let series = alternate(&mut renderer, &plans, ROUNDS, &mut Progress::new(&mut told));
+        let series = alternate(&mut renderer, &plans, ROUNDS, &Progress::new());
         let series = series.unwrap_or_else(|_| panic!("{look} was stopped"));
         let by_hand =
             (look_pass(&series[3]), sizes(&hand.draws[0].look), lines(&hand.draws[0].look));

@@ -10,8 +10,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
+use chiaro::accuracy::Variant;
 use chiaro::accuracy::cost::alternate;
-use chiaro::accuracy::{Progress, Variant};
 use chiaro::compile::Live;
 use chiaro::document::{
     Address, Camera, Directions, Grid, Hcbtf, HcbtfAngle, Look, Rule, Scene, Storage, Tier, Tile,
@@ -23,6 +23,7 @@ use chiaro::frame::{
 use chiaro::geometry::shape;
 use chiaro::hcbtf::{self, LayerOptions, needs, needs_at_most};
 use chiaro::library::Library;
+use chiaro::progress::Progress;
 use chiaro::render::{Gpu, Renderer, block_on};
 use glam::{DMat4, DVec3};
 use serde_json::json;
@@ -138,8 +139,7 @@ fn frames(path: &Path) {
             }
         }
         let plans: Vec<&FramePlan> = all.iter().map(|(_, plan)| plan).collect();
-        let mut go_on = |_, _| true;
-        let series = alternate(&mut renderer, &plans, ROUNDS, &mut Progress::new(&mut go_on));
+        let series = alternate(&mut renderer, &plans, ROUNDS, &Progress::new());
         for ((name, _), series) in all.iter().zip(series.unwrap_or_else(|_| panic!("{scene}"))) {
             let least = series.frame.iter().copied().fold(f64::MAX, f64::min);
             println!(
@@ -176,7 +176,7 @@ fn baking(grid: Grid) {
     ] {
         let hcbtf = Hcbtf { rules, ..sparse.clone() };
         let (filled, time) =
-            seconds(|| hcbtf::fill::fill(&hcbtf, &hcbtf::Progress::new()).expect("it fits"));
+            seconds(|| hcbtf::fill::fill(&hcbtf, &Progress::new()).expect("it fits"));
         println!(
             "fill, {name}, {} painted: {time:.2} s, {} tiles",
             hcbtf.painted.len(),
@@ -187,7 +187,7 @@ fn baking(grid: Grid) {
                 let options = LayerOptions { has_levels, is_decoded: false, storage };
                 let of = |address| filled.tile(address);
                 let (layers, time) = seconds(|| {
-                    hcbtf::stored(&grid, of, options, &hcbtf::Progress::new()).expect("it fits")
+                    hcbtf::stored(&grid, of, options, &Progress::new()).expect("it fits")
                 });
                 let mib = layers.bytes.len() as f64 / f64::from(1 << 20);
                 println!("  {}, levels {has_levels}: {time:.3} s, {mib:.2} MiB", storage.word());

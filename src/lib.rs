@@ -12,7 +12,7 @@
 #![warn(missing_docs)]
 
 #[doc(inline)]
-pub use chiaro_language::{clock, diag, figures, ids, interp, milestones, wgsl};
+pub use chiaro_language::{clock, diag, figures, ids, interp, milestones, progress, wgsl};
 
 #[doc(inline)]
 pub use chiaro_compiler::{catalog, compile, document, examples, library};

@@ -7,13 +7,14 @@
 
 use std::sync::Arc;
 
+use chiaro::accuracy::Truth;
 use chiaro::accuracy::cost::{Series, alternate};
-use chiaro::accuracy::{Progress, Truth};
 use chiaro::compile::Live;
 use chiaro::document::Look;
 use chiaro::frame::{Assets, FramePlan, PlanOptions, Planner, Setup, SetupLook, default_setup};
 use chiaro::geometry::Mesh;
 use chiaro::library::Library;
+use chiaro::progress::Progress;
 use chiaro::render::{Gpu, Renderer};
 use glam::{DMat4, DVec3, Vec3};
 use serde_json::{Value as Json, json};
@@ -174,14 +175,12 @@ pub(crate) fn run(gpu: Gpu) {
             ];
             let plans: Vec<FramePlan> =
                 forms.iter().map(|(_, setup)| plan(setup, &options)).collect();
-            let mut on = |_, _| true;
-            let mut progress = Progress::new(&mut on);
+            let progress = Progress::new();
             let series =
-                alternate(&mut renderer, &plans.iter().collect::<Vec<_>>(), ROUNDS, &mut progress);
+                alternate(&mut renderer, &plans.iter().collect::<Vec<_>>(), ROUNDS, &progress);
             let series = series.unwrap_or_else(|stopped| panic!("{stopped:?}"));
             let mut planner = Planner::for_truth(Assets::default());
-            let truth =
-                Truth::of(&exact, Library::built_in(), &mut planner, &options, &mut progress);
+            let truth = Truth::of(&exact, Library::built_in(), &mut planner, &options, &progress);
             let truth = truth.unwrap_or_else(|stopped| panic!("{stopped:?}"));
             for (((name, _), plan), times) in forms.iter().zip(&plans).zip(&series) {
                 let error = truth

@@ -7,7 +7,6 @@ use super::output::Output;
 use super::target::{OutputPath, outputs};
 use crate::diag::Diagnostic;
 use crate::library::Library;
-use chiaro_laboratory::accuracy::Progress;
 use chiaro_laboratory::accuracy::sweep::{
     AccuracyReport, Effort, LookEffort, StabilityEffort, Survey, search, survey,
 };
@@ -73,12 +72,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         large: arguments.large.then(LookEffort::large),
         stability: StabilityEffort { frames: if quick { 6 } else { 60 }, side: 160 },
     };
-    let mut told = |done, total| {
-        output.progress("measuring", done, total);
-        true
-    };
-    let report = survey(&wanted, library, &mut Progress::new(&mut told));
-    output.end_progress();
+    let report = output.watch("measuring", |progress| survey(&wanted, library, progress));
     let report = report.map_err(Vec::<Diagnostic>::from)?;
     let command = command_of(arguments);
     if let Some(path) = &arguments.output {

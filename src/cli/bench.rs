@@ -11,7 +11,7 @@ use crate::files::{OutputKind, Outputs};
 use crate::frame::{Assets, PlanOptions, open};
 use chiaro_laboratory::accuracy::error::VISIBLE;
 use chiaro_laboratory::accuracy::{
-    BenchOptions, Measure, MeasuredNodes, Progress, Report, Subject, bench, plot,
+    BenchOptions, Measure, MeasuredNodes, Report, Subject, bench, plot,
 };
 use chiaro_render::{Gpu, Renderer, block_on};
 
@@ -101,13 +101,9 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         nodes: if arguments.every_node { MeasuredNodes::Every } else { MeasuredNodes::Tiered },
         truth: !arguments.no_truth,
     };
-    let mut told = |done, total| {
-        output.progress("measuring", done, total);
-        true
-    };
-    let report = bench(&setup, &library, &mut renderer, &options, &mut Progress::new(&mut told));
-    output.end_progress();
-    let report = report?;
+    let report = output.watch("measuring", |progress| {
+        bench(&setup, &library, &mut renderer, &options, progress)
+    })?;
     if let Some(path) = &arguments.plot {
         let title = setup.looks.first().map_or("", |look| look.look.name.as_str());
         write_plot(path.as_ref(), &report, title, arguments.measure, &mut outputs)

@@ -1,7 +1,6 @@
 //! `chiaro fit`: a look from what was painted on its picture.
 
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
 
 use clap::ValueEnum;
 use serde_json::json;
@@ -17,7 +16,6 @@ use crate::frame::{Assets, DEFAULT_MESH, Setup, SetupLook, default_setup, image_
 use chiaro_laboratory::fit::{
     FitOptions, Fitted, Keep, Report, Target, fit_layers, fit_look, picture_of,
 };
-use chiaro_scene::hcbtf::Progress;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -139,15 +137,10 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         starts: arguments.starts as usize,
         ..FitOptions::default()
     };
-    let progress = telling();
-    let fitted = match arguments.layers {
-        Some(layers) => {
-            fit_layers(&setup, 0, &library, &target, layers.into(), &options, &progress)
-        }
-        None => fit_look(&setup, 0, &library, &target, &options, &progress),
-    };
-    output.end_progress();
-    let fitted = fitted?;
+    let fitted = output.watch("fitting", |progress| match arguments.layers {
+        Some(layers) => fit_layers(&setup, 0, &library, &target, layers.into(), &options, progress),
+        None => fit_look(&setup, 0, &library, &target, &options, progress),
+    })?;
     output.diagnostics(&fitted.report.warnings(arguments.layers.is_some()));
     if let Some(path) = &arguments.misses {
         let png = picture_of(target.size, &fitted.misses).to_png().map_err(one)?;
@@ -225,17 +218,6 @@ fn add(
     };
     outputs.add(&path, OutputKind::DOCUMENT, text.as_bytes()).map_err(|problem| vec![problem])?;
     Ok(path)
-}
-
-/// Tells how far it is whenever another percent is done.
-fn telling() -> Progress {
-    let last = AtomicU64::new(u64::MAX);
-    Progress::telling(move |[done, total]| {
-        let percent = 100 * done / total.max(1);
-        if last.swap(percent, Ordering::Relaxed) != percent {
-            Output::new().progress("fitting", done, total);
-        }
-    })
 }
 
 /// The report as people read it. Errors are told in steps of an eight-bit channel.

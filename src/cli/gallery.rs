@@ -7,7 +7,6 @@ use super::output::{Output, once};
 use super::render::{Size, parse_samples};
 use super::target::{OutputPath, outputs};
 use crate::diag::{Diagnostic, has_errors};
-use chiaro_laboratory::accuracy::Progress;
 use chiaro_laboratory::gallery::{Options, build, check, list};
 use chiaro_render::{Gpu, block_on};
 
@@ -88,14 +87,9 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         nodes: arguments.link_nodes.clone(),
     };
     let find = |document: &Path| library_for(document, arguments.nodes.as_deref());
-    let mut told = |done, total| {
-        output.progress("drawing", done, total);
-        true
-    };
-    let made =
-        build(&list, folder, &mut outputs, &gpu, &find, &options, &mut Progress::new(&mut told));
-    output.end_progress();
-    let made = made?;
+    let made = output.watch("drawing", |progress| {
+        build(&list, folder, &mut outputs, &gpu, &find, &options, progress)
+    })?;
     let problems = once(made.problems);
     let page = folder.join("index.html");
     let plural = if made.pages == 1 { "page" } else { "pages" };

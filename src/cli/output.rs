@@ -7,6 +7,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use serde_json::Value as Json;
 
 use crate::diag::{Diagnostic, reason};
+use crate::progress::Progress;
 
 /// Where results and messages go.
 #[derive(Debug, Default)]
@@ -72,21 +73,15 @@ impl Output {
         let _ = writeln!(std::io::stderr().lock(), "{text}");
     }
 
-    /// How far long work has come, on one line that is written over; nothing where nobody watches.
-    pub(super) fn progress(&self, what: &str, done: u64, total: u64) {
-        let mut err = std::io::stderr().lock();
-        if err.is_terminal() && total > 0 {
-            let _ = write!(err, "\r{what}: {} %\x1b[K", 100 * done / total);
-            let _ = err.flush();
-        }
-    }
-
-    /// Takes the line of progress away.
-    pub(super) fn end_progress(&self) {
-        let mut err = std::io::stderr().lock();
-        if err.is_terminal() {
-            let _ = write!(err, "\r\x1b[K");
-        }
+    /// Does long work, and shows how far it has come on one line that is written over and taken
+    /// away at the end; nothing where nobody watches.
+    pub(super) fn watch<T>(&self, label: &'static str, work: impl FnOnce(&Progress) -> T) -> T {
+        let progress = Progress::observed_by_percent(move |percent| {
+            on_terminal(&format!("\r{label}: {percent} %\x1b[K"));
+        });
+        let made = work(&progress);
+        on_terminal("\r\x1b[K");
+        made
     }
 
     /// Diagnostics, each once.
@@ -98,6 +93,15 @@ impl Output {
                 self.message(&text);
             }
         }
+    }
+}
+
+/// Writes to standard error where that is a terminal.
+fn on_terminal(text: &str) {
+    let mut err = io::stderr().lock();
+    if err.is_terminal() {
+        let _ = write!(err, "{text}");
+        let _ = err.flush();
     }
 }
 

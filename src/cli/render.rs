@@ -18,7 +18,7 @@ use crate::files::OutputKind;
 use crate::frame::{self, Assets, FramePlan, PassKind, Picture, PlanOptions, Planner, open};
 use crate::interp::Precision;
 use crate::milestones;
-use crate::reference::{self, Control, Modules, execute};
+use crate::reference::{self, Modules, execute};
 #[cfg(feature = "gpu")]
 use chiaro_render::{Gpu, Renderer, block_on};
 
@@ -227,11 +227,9 @@ fn draw(plan: &FramePlan, on: Option<On>, output: &Output) -> Result<Drawn, Diag
             Diagnostic::error("no-gpu", "this chiaro was built without the `gpu` feature");
         return Err(problem.hint("leave --on out, or build it with the feature"));
     }
-    let told = |share: f64| output.progress("drawing", (1000.0 * share) as u64, 1000);
-    let control = Control::with_progress(&told);
     let modules = Modules::new(plan, Precision::F64)?;
-    let drawn = execute(plan, &modules, &reference::Options::default(), &control);
-    output.end_progress();
+    let options = reference::Options::default();
+    let drawn = output.watch("drawing", |progress| execute(plan, &modules, &options, progress));
     let picture = drawn?.to_picture();
     let passes = plan.passes.iter().map(|pass| pass.kind.clone()).collect();
     Ok(Drawn { picture, passes, adapter: "the reference, in f64".to_owned(), warnings: Vec::new() })

@@ -13,7 +13,7 @@ use crate::files::{OutputKind, Outputs};
 use crate::frame::{Assets, PlanOptions, Setup, open};
 use chiaro_laboratory::accuracy::report::tier_word;
 use chiaro_laboratory::accuracy::tune::{Goal, TuneOptions, Tuned, is_beaten, tune};
-use chiaro_laboratory::accuracy::{Measure, Progress, Variant};
+use chiaro_laboratory::accuracy::{Measure, Variant};
 use chiaro_render::{Gpu, Renderer, block_on};
 
 const EXAMPLES: &str = "\
@@ -125,13 +125,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         rounds: arguments.rounds as usize,
         stations: arguments.views as usize,
     };
-    let mut told = |done, total| {
-        output.progress("tuning", done, total);
-        true
-    };
-    let tuned = tune(&setups, &library, &mut renderer, &options, &mut Progress::new(&mut told));
-    output.end_progress();
-    let tuned = tuned?;
+    let tuned = output
+        .watch("tuning", |progress| tune(&setups, &library, &mut renderer, &options, progress))?;
     if !arguments.dry_run {
         let target = arguments.output.as_ref().map_or(arguments.look.as_path(), AsRef::as_ref);
         write(arguments, &tuned, target, &mut outputs)?;

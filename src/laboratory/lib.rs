@@ -7,7 +7,7 @@ use chiaro_compiler::{compile, document, library};
 use chiaro_files as files;
 #[cfg(feature = "gpu")]
 use chiaro_language::interp;
-use chiaro_language::{diag, figures, ids};
+use chiaro_language::{diag, figures, ids, progress};
 use chiaro_reference as reference;
 #[cfg(feature = "gpu")]
 use chiaro_render as render;

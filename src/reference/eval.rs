@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use super::options::Control;
 use super::shader::LANES;
 use super::uniform;
 use crate::diag::Diagnostic;
 use crate::frame::{BindingKind, CompiledShader, EvalBatch, Image, SAMPLES_PER_ROW, Uniform};
 use crate::interp::{self, Bindings, Bound, Precision, Program, ResourceKind, Value};
+use crate::progress::Progress;
 
 /// The root's value at each sample of a batch, in the batch's order: up to four numbers, by the
 /// root's type.
@@ -16,7 +16,7 @@ use crate::interp::{self, Bindings, Bound, Precision, Program, ResourceKind, Val
 /// What the interpreter cannot run.
 pub fn evaluate(batch: &EvalBatch, precision: Precision) -> Result<Vec<[f64; 4]>, Diagnostic> {
     let evaluator = Evaluator::new(&batch.shader, &batch.images)?;
-    evaluator.run(&batch.samples, batch.indices.len(), precision, &Control::none())
+    evaluator.run(&batch.samples, batch.indices.len(), precision, &Progress::new())
 }
 
 /// A look's evaluation module, ready to be run for any number of batches, on any number of threads.
@@ -63,20 +63,20 @@ impl Evaluator {
     /// The values of `count` packed samples, in their order.
     ///
     /// # Errors
-    /// What the interpreter cannot run, and where `control` stops it.
+    /// What the interpreter cannot run, and where `progress` stops it.
     pub(super) fn run(
         &self,
         samples: &Uniform,
         count: usize,
         precision: Precision,
-        control: &Control<'_>,
+        progress: &Progress,
     ) -> Result<Vec<[f64; 4]>, Diagnostic> {
         let bindings = self.with(samples, count);
         let first = |problems: Vec<Diagnostic>| {
             let nothing = || Diagnostic::error("reference-plan", "what a module reads is missing");
             problems.into_iter().next().unwrap_or_else(nothing)
         };
-        run(&self.program.bind(&bindings, precision).map_err(first)?, count, control)
+        run(&self.program.bind(&bindings, precision).map_err(first)?, count, progress)
     }
 
     /// What it reads, with these samples.
@@ -96,11 +96,7 @@ impl Evaluator {
     }
 }
 
-fn run(
-    bound: &Bound<'_>,
-    count: usize,
-    control: &Control<'_>,
-) -> Result<Vec<[f64; 4]>, Diagnostic> {
+fn run(bound: &Bound<'_>, count: usize, progress: &Progress) -> Result<Vec<[f64; 4]>, Diagnostic> {
     let program = bound.program();
     let mut lanes = bound.lanes()?;
     let [position] = program.inputs() else {
@@ -113,7 +109,7 @@ fn run(
     let mut row = [0.0; LANES];
     // A quad a sample, so that derivatives are 0 as they are on the GPU.
     for first in (0..count).step_by(LANES / 4) {
-        control.check()?;
+        progress.check()?;
         let here = (count - first).min(LANES / 4);
         for component in 0..position.size {
             for (lane, cell) in row[..4 * here].iter_mut().enumerate() {

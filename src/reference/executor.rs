@@ -2,7 +2,7 @@
 
 use super::fullscreen::shade_all;
 use super::geometry::Triangles;
-use super::options::{Control, Options};
+use super::options::Options;
 use super::picture::ReferencePicture;
 use super::raster::{check_size, rasterise};
 use super::setup::Sides;
@@ -12,6 +12,7 @@ use super::tile::Target;
 use crate::diag::Diagnostic;
 use crate::frame::{Draw, FramePlan, PassKind};
 use crate::library::SMOOTH_LEVELS;
+use crate::progress::Progress;
 
 /// Makes the shaders of a frame plan.
 pub trait Shaders {
@@ -92,19 +93,18 @@ pub fn execute(
     plan: &FramePlan,
     shaders: &dyn Shaders,
     options: &Options,
-    control: &Control<'_>,
+    progress: &Progress,
 ) -> Result<ReferencePicture, Diagnostic> {
     check_size(plan.size, plan.samples)?;
     let mut images = PassImages::default();
     let mut picture = None;
-    for (number, pass) in plan.passes.iter().enumerate() {
-        let progress =
-            |share: f64| (control.progress)((number as f64 + share) / plan.passes.len() as f64);
-        let control = Control { cancel: control.cancel, progress: &progress };
+    progress.begin(plan.passes.len() as u64);
+    for pass in &plan.passes {
+        let progress = progress.part(1);
         match &pass.kind {
             kind @ (PassKind::Normals | PassKind::DetailNormals) => {
                 let around = options.widened(plan.reach() as u32 + 2);
-                let drawn = draw(plan, kind, &images, shaders, &around, &control)?.texels;
+                let drawn = draw(plan, kind, &images, shaders, &around, &progress)?.texels;
                 let made = images.of(kind);
                 made.normals = Some(drawn.channels(0..4).rounded(|x| options.images.half(x)));
                 made.depths = Some(drawn.channels(4..5).rounded(|x| options.images.single(x)));
@@ -130,7 +130,7 @@ pub fn execute(
                 let around =
                     options.widened(if kind.channels() == 1 { 1 } else { plan.reach() as u32 + 1 });
                 let found =
-                    shade_all(plan.size, kind.channels(), shader.as_ref(), &around, &control)?;
+                    shade_all(plan.size, kind.channels(), shader.as_ref(), &around, &progress)?;
                 drop(shader);
                 let found = Some(found.rounded(|x| options.images.single(x)));
                 match kind {
@@ -147,7 +147,7 @@ pub fn execute(
                 }
             }
             PassKind::Look => {
-                let raster = draw(plan, &PassKind::Look, &images, shaders, options, &control)?;
+                let raster = draw(plan, &PassKind::Look, &images, shaders, options, &progress)?;
                 let objects = plan.draws.iter().map(|draw| draw.object.clone()).collect();
                 picture = Some(ReferencePicture::new(raster, plan.samples, objects));
             }
@@ -173,7 +173,7 @@ fn draw(
     images: &PassImages,
     shaders: &dyn Shaders,
     options: &Options,
-    control: &Control<'_>,
+    progress: &Progress,
 ) -> Result<super::raster::Raster, Diagnostic> {
     let is_look = *kind == PassKind::Look;
     let made = |draw| shaders.draw(plan, draw, kind, images);
@@ -194,5 +194,5 @@ fn draw(
         // Normal, object number and depth.
         (Target::Numbers(5), 1)
     };
-    rasterise(plan.size, samples, &target, &triangles, options, control)
+    rasterise(plan.size, samples, &target, &triangles, options, progress)
 }

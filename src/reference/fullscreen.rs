@@ -1,15 +1,15 @@
 //! Runs a fragment shader for every pixel of an image, as a triangle over all of it does.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use super::geometry::Grid;
-use super::options::{Control, Options};
+use super::options::Options;
 use super::pool;
 use super::raster::check_size;
 use super::shader::{FragmentStage, QuadBatch, Shaded, Shader};
 use super::texels::Texels;
 use crate::diag::Diagnostic;
+use crate::progress::Progress;
 
 /// An image of `size` pixels with `channels` numbers each, as `shader`'s fragments give them; its
 /// vertices are not asked. Discarded pixels stay 0.
@@ -21,12 +21,12 @@ pub fn shade_all(
     channels: usize,
     shader: &dyn Shader,
     options: &Options,
-    control: &Control<'_>,
+    progress: &Progress,
 ) -> Result<Texels, Diagnostic> {
     check_size(size, 1)?;
     let grid = Grid::new(size, options);
     let image = Mutex::new(Texels::new(size, channels));
-    let done = AtomicUsize::new(0);
+    progress.begin(grid.tiles() as u64);
     let state = || Band {
         stage: shader.fragments(),
         batch: QuadBatch::new(0),
@@ -34,19 +34,19 @@ pub fn shade_all(
         quads: Vec::new(),
         pixels: Vec::new(),
     };
-    pool::run(options.threads, grid.tiles(), control, state, |band, tile| {
+    pool::run(options.threads, grid.tiles(), progress, state, |band, tile| {
         let Some(pixels) = options.wanted(grid.pixels(tile)) else { return Ok(()) };
         for y in (pixels.begin[1]..pixels.end[1]).step_by(2) {
             for x in (pixels.begin[0]..pixels.end[0]).step_by(2) {
-                band.push([x, y], size, control)?;
+                band.push([x, y], size, progress)?;
             }
         }
-        band.flush(control)?;
+        band.flush(progress)?;
         let mut image = image.lock().unwrap_or_else(PoisonError::into_inner);
         for ([x, y], numbers) in band.pixels.drain(..) {
             image.pixel_mut(x, y).copy_from_slice(&numbers);
         }
-        (control.progress)((done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / grid.tiles() as f64);
+        progress.add(1);
         Ok(())
     })?;
     Ok(image.into_inner().unwrap_or_else(PoisonError::into_inner))
@@ -68,7 +68,7 @@ impl Band<'_> {
         &mut self,
         at: [u32; 2],
         size: [u32; 2],
-        control: &Control<'_>,
+        progress: &Progress,
     ) -> Result<(), Diagnostic> {
         let live =
             (0..4).filter(|lane| at[0] + (lane & 1) < size[0] && at[1] + (lane >> 1) < size[1]);
@@ -79,11 +79,11 @@ impl Band<'_> {
             self.batch.set_position(first + lane as usize, [x, y, 0.0, 1.0]);
         }
         self.quads.push(at);
-        if self.batch.is_full() { self.flush(control) } else { Ok(()) }
+        if self.batch.is_full() { self.flush(progress) } else { Ok(()) }
     }
 
-    fn flush(&mut self, control: &Control<'_>) -> Result<(), Diagnostic> {
-        control.check()?;
+    fn flush(&mut self, progress: &Progress) -> Result<(), Diagnostic> {
+        progress.check()?;
         self.shaded.discarded = 0;
         self.stage.shade(&self.batch, &mut self.shaded)?;
         let counts = self.batch.live() & !self.shaded.discarded;

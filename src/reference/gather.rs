@@ -12,12 +12,13 @@ use std::sync::{Mutex, PoisonError};
 
 use super::executor::{PassImages, Shaders, execute};
 use super::modules::Modules;
-use super::options::{Control, Options};
+use super::options::Options;
 use super::shader::{FragmentStage, LANES, QUADS, QuadBatch, Shaded, Shader, Varying, VertexStage};
 use super::texels::{Coverage, Texels};
 use crate::diag::Diagnostic;
 use crate::frame::{Draw, FramePlan, PassKind};
 use crate::interp::{Bindings, Precision};
+use crate::progress::Progress;
 
 /// A quad of one triangle, as its fragments are given to the look.
 #[derive(Clone, Debug, PartialEq)]
@@ -100,7 +101,7 @@ impl Gathered {
         plan: FramePlan,
         is_chosen: &(dyn Fn([u32; 2]) -> bool + Sync),
         options: &Options,
-        control: &Control<'_>,
+        progress: &Progress,
     ) -> Result<Self, Diagnostic> {
         let modules = Modules::new(&plan, Precision::F64)?;
         let none = vec![None; plan.draws.len()];
@@ -110,7 +111,7 @@ impl Gathered {
             bindings: Mutex::new(none),
             nearest: Mutex::new(BTreeMap::new()),
         };
-        let coverage = execute(&plan, &recorder, options, control)?.coverage;
+        let coverage = execute(&plan, &recorder, options, progress)?.coverage;
         let Recorder { bindings, nearest, .. } = recorder;
         let bindings = bindings.into_inner().unwrap_or_else(PoisonError::into_inner);
         let nearest = nearest.into_inner().unwrap_or_else(PoisonError::into_inner);

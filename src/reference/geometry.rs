@@ -3,11 +3,12 @@
 use std::ops::Range;
 
 use super::coverage::Pixels;
-use super::options::{Control, Options};
+use super::options::Options;
 use super::pool;
 use super::setup::{Screen, Sides};
 use super::shader::Shader;
 use crate::diag::Diagnostic;
+use crate::progress::Progress;
 
 /// Triangles with their shader.
 #[derive(Clone, Copy)]
@@ -44,7 +45,7 @@ impl<'a> Geometry<'a> {
         draw: u32,
         triangles: Triangles<'a>,
         options: &Options,
-        control: &Control<'_>,
+        progress: &Progress,
     ) -> Result<Self, Diagnostic> {
         let indices = triangles.indices;
         let first = indices.iter().copied().min().unwrap_or(0);
@@ -66,7 +67,7 @@ impl<'a> Geometry<'a> {
         let lists = pool::run(
             options.threads,
             used.len().div_ceil(VERTICES),
-            control,
+            progress,
             || shader.vertices(),
             shade,
         )?;

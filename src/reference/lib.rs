@@ -26,7 +26,7 @@
 )]
 
 use chiaro_compiler::{document, library};
-use chiaro_language::{diag, ids, interp, wgsl};
+use chiaro_language::{diag, ids, interp, progress, wgsl};
 use chiaro_scene::{frame, hcbtf, threads};
 
 mod clip;
@@ -57,7 +57,7 @@ pub use fullscreen::shade_all;
 pub use gather::{Gathered, Seen, Sheet};
 pub use geometry::Triangles;
 pub use modules::Modules;
-pub use options::{Control, ImageRounding, Options, Snap};
+pub use options::{ImageRounding, Options, Snap};
 pub use picture::ReferencePicture;
 pub use probe::{Probed, ProbedValue, WireValue, probe, probe_wires};
 pub use raster::{MAX_SAMPLES, MAX_SIDE, Raster, rasterise};

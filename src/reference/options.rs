@@ -1,13 +1,9 @@
-//! How pictures are made: to which grid positions are rounded, on how many threads, in which
-//! pieces, and until when.
-
-use std::fmt;
-use std::sync::atomic::{AtomicBool, Ordering};
+//! How pictures are made: to which grid positions are rounded, on how many threads, and
+//! in which pieces.
 
 use half::f16;
 
 use super::coverage::Pixels;
-use crate::diag::Diagnostic;
 
 /// The grid that screen positions are rounded to before coverage is decided.
 ///
@@ -128,51 +124,6 @@ impl Options {
 
     pub(super) fn tile(&self) -> u32 {
         self.tile.clamp(2, 512).next_multiple_of(2)
-    }
-}
-
-/// How far the work is, and whether it is still wanted.
-pub struct Control<'a> {
-    /// Set by another thread to stop; looked at between batches of fragments.
-    pub cancel: &'a AtomicBool,
-    /// Told the share that is done, from 0 to 1; called on any thread, so that shares may come a
-    /// little out of order.
-    pub progress: &'a (dyn Fn(f64) + Sync),
-}
-
-impl fmt::Debug for Control<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Control").field("cancel", self.cancel).finish_non_exhaustive()
-    }
-}
-
-/// A flag that nobody sets.
-static NEVER: AtomicBool = AtomicBool::new(false);
-
-impl Control<'static> {
-    /// Nobody watches, and nobody stops it.
-    pub fn none() -> Self {
-        Self { cancel: &NEVER, progress: &|_| {} }
-    }
-}
-
-impl<'a> Control<'a> {
-    /// Somebody watches, and nobody stops it.
-    pub fn with_progress(progress: &'a (dyn Fn(f64) + Sync)) -> Self {
-        Self { cancel: &NEVER, progress }
-    }
-}
-
-impl Control<'_> {
-    /// Fails once the work is not wanted any more.
-    pub(super) fn check(&self) -> Result<(), Diagnostic> {
-        if self.cancel.load(Ordering::Relaxed) {
-            return Err(Diagnostic::note(
-                "cancelled",
-                "the picture was stopped before it was done",
-            ));
-        }
-        Ok(())
     }
 }
 

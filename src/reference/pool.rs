@@ -3,8 +3,8 @@
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-use super::options::Control;
 use crate::diag::Diagnostic;
+use crate::progress::Progress;
 use crate::threads;
 
 /// Runs `job` for each number below `count`, on up to `threads` threads, each with a state of its
@@ -20,7 +20,7 @@ use crate::threads;
 pub(super) fn run<S, T: Send>(
     threads: usize,
     count: usize,
-    control: &Control<'_>,
+    progress: &Progress,
     state: impl Fn() -> S + Sync,
     job: impl Fn(&mut S, usize) -> Result<T, Diagnostic> + Sync,
 ) -> Result<Vec<T>, Diagnostic> {
@@ -35,7 +35,8 @@ pub(super) fn run<S, T: Send>(
             if number >= count {
                 break;
             }
-            let result = control.check().and_then(|()| job(&mut state, number));
+            let result =
+                progress.check().map_err(Diagnostic::from).and_then(|()| job(&mut state, number));
             has_failed.fetch_or(result.is_err(), Ordering::Relaxed);
             done.push((number, result));
         }
@@ -62,10 +63,10 @@ mod tests {
 
     #[test]
     fn results_come_in_order_and_problems_stop_the_work() {
-        let control = Control::none();
+        let progress = Progress::new();
         for threads in 1..4 {
             let squares =
-                run(threads, 100, &control, || (), |(), i| Ok(i * i)).expect("nothing fails");
+                run(threads, 100, &progress, || (), |(), i| Ok(i * i)).expect("nothing fails");
             assert!(
                 squares.iter().enumerate().all(|(i, square)| i * i == *square)
                     && squares.len() == 100
@@ -73,7 +74,7 @@ mod tests {
             let failing = |(): &mut (), i| {
                 if i < 7 { Ok(()) } else { Err(Diagnostic::error("x", format!("{i}"))) }
             };
-            let problem = run(threads, 1_000_000, &control, || (), failing).expect_err("7 fails");
+            let problem = run(threads, 1_000_000, &progress, || (), failing).expect_err("7 fails");
             assert!(problem.message == "7" || threads > 1, "{problem}");
         }
     }

@@ -5,12 +5,13 @@ use std::sync::{Mutex, PoisonError};
 
 use super::executor::execute;
 use super::modules::Modules;
-use super::options::{Control, Options};
+use super::options::Options;
 use super::shader::QuadBatch;
 use crate::diag::Diagnostic;
 use crate::frame::FramePlan;
 use crate::ids::NodePath;
 use crate::interp::{Lanes, Precision, Program};
+use crate::progress::Progress;
 
 /// A value at the pixel.
 #[derive(Clone, Debug, PartialEq)]
@@ -90,7 +91,7 @@ pub fn probe(
     pixel: [u32; 2],
     precision: Precision,
     options: &Options,
-    control: &Control<'_>,
+    progress: &Progress,
 ) -> Result<Option<Probed>, Diagnostic> {
     if pixel[0] >= plan.size[0] || pixel[1] >= plan.size[1] {
         let message = format!(
@@ -103,7 +104,7 @@ pub fn probe(
     let modules = Modules::watching(plan, precision, Watch { pixel, found: Mutex::new(None) })?;
     let [x, y] = pixel;
     let options = Options { region: Some([x, y, x + 1, y + 1]), ..*options };
-    execute(plan, &modules, &options, control)?;
+    execute(plan, &modules, &options, progress)?;
     Ok(modules.into_found())
 }
 
@@ -146,10 +147,10 @@ pub fn probe_wires(
     plan: &FramePlan,
     pixel: [u32; 2],
     options: &Options,
-    control: &Control<'_>,
+    progress: &Progress,
 ) -> Result<Option<Vec<WireValue>>, Diagnostic> {
     let both = [Precision::F32, Precision::F64]
-        .map(|precision| probe(plan, pixel, precision, options, control));
+        .map(|precision| probe(plan, pixel, precision, options, progress));
     let [single, double] = both;
     let (Some(single), Some(double)) = (single?, double?) else { return Ok(None) };
     let drawn = double.draw;

@@ -12,18 +12,18 @@
 //! each thread.
 
 use std::collections::HashMap;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::coverage::Edges;
 use super::geometry::{Geometry, Grid, TRIANGLES, Triangles};
 use super::interpolate::Surface;
-use super::options::{Control, Options};
+use super::options::Options;
 use super::pool;
 use super::shade::{Batcher, Quad};
 use super::texels::{Coverage, Texels};
 use super::tile::{Target, TileSamples};
 use crate::diag::Diagnostic;
+use crate::progress::Progress;
 
 /// Pictures of more samples are refused: 8192x8192 pixels, or 4096x4096 of 4 samples.
 pub const MAX_SAMPLES: u64 = 1 << 26;
@@ -57,7 +57,7 @@ struct Work<'a> {
     samples: u32,
     target: &'a Target,
     options: &'a Options,
-    control: &'a Control<'a>,
+    progress: &'a Progress,
     pieces: Vec<Piece<'a>>,
     /// What tiles hold that were drawn in part.
     kept: Vec<Mutex<Option<TileSamples>>>,
@@ -70,7 +70,7 @@ struct Work<'a> {
 /// - `reference-too-large`: there are more than [`MAX_SAMPLES`] samples, or a side is longer than
 ///   [`MAX_SIDE`].
 /// - `reference-samples`: a pixel has neither 1 nor 4.
-/// - `cancelled`: it is not wanted any more.
+/// - `stopped`: it is not wanted any more.
 /// - What the shaders report.
 pub fn rasterise(
     size: [u32; 2],
@@ -78,7 +78,7 @@ pub fn rasterise(
     target: &Target,
     draws: &[Triangles<'_>],
     options: &Options,
-    control: &Control<'_>,
+    progress: &Progress,
 ) -> Result<Raster, Diagnostic> {
     check_size(size, samples)?;
     let grid = Grid::new(size, options);
@@ -91,7 +91,7 @@ pub fn rasterise(
     let kept = (0..grid.tiles()).map(|_| Mutex::new(None)).collect();
     let raster = Mutex::new(raster);
     let mut work =
-        Work { grid, samples, target, options, control, pieces: Vec::new(), kept, raster };
+        Work { grid, samples, target, options, progress, pieces: Vec::new(), kept, raster };
     let mut bytes = 0;
     for (number, triangles) in (0..).zip(draws) {
         work.gather(number, *triangles, &mut bytes)?;
@@ -127,7 +127,7 @@ impl<'a> Work<'a> {
         triangles: Triangles<'a>,
         bytes: &mut usize,
     ) -> Result<(), Diagnostic> {
-        let geometry = Arc::new(Geometry::new(draw, triangles, self.options, self.control)?);
+        let geometry = Arc::new(Geometry::new(draw, triangles, self.options, self.progress)?);
         *bytes += geometry.bytes();
         let pieces = geometry.count().div_ceil(TRIANGLES);
         // So many at a time that all threads have work, and no more than that is ever beyond the
@@ -139,7 +139,7 @@ impl<'a> Work<'a> {
                 let end = (first + TRIANGLES).min(geometry.count());
                 Ok(geometry.bin(first as u32..end as u32, &self.grid))
             };
-            let lists = pool::run(wave, wave.min(pieces - begin), self.control, || (), bin)?;
+            let lists = pool::run(wave, wave.min(pieces - begin), self.progress, || (), bin)?;
             *bytes += lists.iter().map(|bins| bins.len() * 8).sum::<usize>();
             self.pieces
                 .extend(lists.into_iter().map(|bins| Piece { geometry: geometry.clone(), bins }));
@@ -153,15 +153,15 @@ impl<'a> Work<'a> {
 
     /// Draws what was gathered; the last time, the samples become the picture.
     fn draw(&mut self, is_last: bool) -> Result<(), Diagnostic> {
-        let done = AtomicUsize::new(0);
         let tiles = self.grid.tiles();
+        if is_last {
+            self.progress.begin(tiles as u64);
+        }
         let state = || Worker { spare: None, batches: HashMap::new() };
-        pool::run(self.options.threads, tiles, self.control, state, |worker, tile| {
+        pool::run(self.options.threads, tiles, self.progress, state, |worker, tile| {
             self.draw_tile(worker, tile, is_last)?;
             if is_last {
-                (self.control.progress)(
-                    (done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / tiles as f64,
-                );
+                self.progress.add(1);
             }
             Ok(())
         })?;
@@ -199,7 +199,7 @@ impl<'a> Work<'a> {
                 self.draw_triangle(geometry, *number, batch, &mut samples)?;
             }
             if lists.peek().is_none_or(|(next, _)| next.draw != geometry.draw) {
-                batch.flush(&mut samples, self.target, self.control)?;
+                batch.flush(&mut samples, self.target, self.progress)?;
             }
         }
         if is_last {
@@ -232,7 +232,7 @@ impl<'a> Work<'a> {
                 let is_front = triangle.is_front;
                 let quad =
                     Quad { at: [x, y], covered, is_front, owner, surface: &surface, varyings };
-                batch.push(&quad, tile, self.samples, self.target, self.control)
+                batch.push(&quad, tile, self.samples, self.target, self.progress)
             })?;
         }
         Ok(())

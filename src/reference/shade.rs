@@ -3,10 +3,10 @@
 
 use super::coverage::sample_positions;
 use super::interpolate::{Point, Surface};
-use super::options::Control;
 use super::shader::{FragmentStage, Interpolation, QUADS, QuadBatch, Shaded, Varying};
 use super::tile::{Pending, Target, TileSamples};
 use crate::diag::Diagnostic;
+use crate::progress::Progress;
 
 /// One thread's batch of one draw.
 pub(super) struct Batcher<'a> {
@@ -55,7 +55,7 @@ impl<'a> Batcher<'a> {
         tile: &mut TileSamples,
         samples: u32,
         target: &Target,
-        control: &Control<'_>,
+        progress: &Progress,
     ) -> Result<(), Diagnostic> {
         let mut pending =
             Pending { at: quad.at, covered: quad.covered, depths: [1.0; 16], owner: quad.owner };
@@ -76,7 +76,7 @@ impl<'a> Batcher<'a> {
         }
         self.fill(quad, pending.covered);
         self.pending.push(pending);
-        if self.batch.is_full() { self.flush(tile, target, control) } else { Ok(()) }
+        if self.batch.is_full() { self.flush(tile, target, progress) } else { Ok(()) }
     }
 
     fn fill(&mut self, quad: &Quad<'_>, covered: u16) {
@@ -108,12 +108,12 @@ impl<'a> Batcher<'a> {
         &mut self,
         tile: &mut TileSamples,
         target: &Target,
-        control: &Control<'_>,
+        progress: &Progress,
     ) -> Result<(), Diagnostic> {
         if self.pending.is_empty() {
             return Ok(());
         }
-        control.check()?;
+        progress.check()?;
         self.shaded.discarded = 0;
         let result = self.stage.shade(&self.batch, &mut self.shaded);
         self.batch.clear();

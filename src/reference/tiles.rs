@@ -11,14 +11,14 @@ use std::sync::Arc;
 use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
 
 use super::eval::Evaluator;
-use super::options::Control;
 use crate::diag::Diagnostic;
 use crate::document::{Address, ColorSpace, Grid, Hcbtf, Tile, linear_to_srgb};
 use crate::frame::{Assets, EvalSample, Evaluable, MAX_TILE_SAMPLES, SetupLook, TileView};
-use crate::hcbtf::{NotFilled, Progress, check_all_painted};
+use crate::hcbtf::check_all_painted;
 use crate::ids::LightId;
 use crate::interp::Precision;
 use crate::library::Library;
+use crate::progress::Progress;
 
 /// The samples of a texel where nobody says how many: as many as a pixel has.
 pub const TILE_SAMPLES: u32 = 4;
@@ -147,17 +147,12 @@ impl Baking<'_> {
         view: &TileView,
         texels: std::ops::Range<usize>,
     ) -> Result<Vec<[f64; 4]>, Diagnostic> {
-        let stopped = || Diagnostic::from(NotFilled::Stopped);
-        if self.progress.is_stopped() {
-            return Err(stopped());
-        }
+        self.progress.check()?;
         let samples = texels.flat_map(|texel| (0..self.samples).map(move |index| (texel, index)));
         let samples: Vec<EvalSample> =
             samples.map(|(texel, index)| view.sample(texel, index, self.samples)).collect();
         let packed = self.look.pack(samples.iter())?;
-        let control = Control { cancel: self.progress.stop_flag(), ..Control::none() };
-        let values = self.evaluator.run(&packed, samples.len(), Precision::F64, &control);
-        values.map_err(|problem| if self.progress.is_stopped() { stopped() } else { problem })
+        self.evaluator.run(&packed, samples.len(), Precision::F64, self.progress)
     }
 
     /// A color as shown, 0 to 1, straight.

@@ -9,7 +9,7 @@ use chiaro_compiler::{catalog, compile, document, examples, library};
 use chiaro_files as files;
 #[cfg(test)]
 use chiaro_language::clock;
-use chiaro_language::{diag, figures, ids, interp, wgsl};
+use chiaro_language::{diag, figures, ids, interp, progress, wgsl};
 
 pub mod directions;
 pub mod drawing;

@@ -1,8 +1,8 @@
 //! Reading documents: every mistake is told, with its place and what to write instead.
 
-use chiaro::diag::{Diagnostic, has_errors};
-use chiaro::document::{Document, GraphId, Look, Scene, Target, Value};
-use chiaro::ids::NodePath;
+use chiaro_compiler::document::{Document, GraphId, Look, Scene, Target, Value};
+use chiaro_language::diag::{Diagnostic, has_errors};
+use chiaro_language::ids::NodePath;
 
 const LOOK: &str = r##"{
   "name": "Dawn",
@@ -451,7 +451,7 @@ fn large_looks_are_read() {
     let count = 100_000;
     let mut look = Look::default();
     for i in 0..count {
-        let node = chiaro::document::Node {
+        let node = chiaro_compiler::document::Node {
             kind: "maths_add".to_owned(),
             position: [i as f64 * 160.0, 0.5],
             values: [("b".into(), Value::Number(i as f64 / 7.0))].into(),
@@ -461,10 +461,11 @@ fn large_looks_are_read() {
     }
     for i in 1..count {
         let (from, to) = (format!("add_{}", i - 1), format!("add_{i}"));
-        let to = chiaro::document::Endpoint::new(to, "a");
-        look.graph
-            .wires
-            .push(chiaro::document::Wire { from: chiaro::document::Endpoint::new(from, ""), to });
+        let to = chiaro_compiler::document::Endpoint::new(to, "a");
+        look.graph.wires.push(chiaro_compiler::document::Wire {
+            from: chiaro_compiler::document::Endpoint::new(from, ""),
+            to,
+        });
     }
     let text = look.to_text();
     let loaded = Look::read(&text, "chain.json");
@@ -545,19 +546,20 @@ fn places_are_found_for_others() {
 
 #[test]
 fn documents_are_saved_and_loaded() {
-    use chiaro::files::TextDocument as _;
+    use crate::support::chiaro_files::TextDocument as _;
 
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("dawn.json");
     std::fs::write(&path, LOOK).unwrap();
-    let loaded = Look::load(&chiaro::files::Disk, &path);
+    let loaded = Look::load(&crate::support::chiaro_files::Disk, &path);
     let mut look = loaded.value.clone().unwrap();
     look.save(&path, Some(&loaded.source)).unwrap();
     assert_eq!(std::fs::read_to_string(&path).unwrap(), LOOK);
     look.name = "Dusk".to_owned();
     look.save(&path, Some(&loaded.source)).unwrap();
     assert_eq!(std::fs::read_to_string(&path).unwrap(), look.to_text());
-    let missing = Scene::load(&chiaro::files::Disk, &folder.path().join("missing.json"));
+    let missing =
+        Scene::load(&crate::support::chiaro_files::Disk, &folder.path().join("missing.json"));
     assert_eq!((missing.value, missing.diagnostics[0].code), (None, "cannot-read"));
     assert!(missing.diagnostics[0].to_string().contains("missing.json"));
 }

@@ -3,11 +3,11 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use chiaro::examples::{PREFIX, file, names};
+use chiaro_compiler::examples::{PREFIX, file, names};
 
 #[test]
 fn every_example_is_there_as_it_lies_in_the_source() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let root = crate::support::root().join("examples");
     let mut found = BTreeSet::new();
     for folder in ["looks", "hcbtf", "scenes", "images"] {
         for entry in std::fs::read_dir(root.join(folder)).unwrap() {

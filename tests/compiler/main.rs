@@ -1,5 +1,7 @@
 //! Documents, the compiler and the house itself: what needs no GPU.
 
+use chiaro_test_support as support;
+
 mod compile;
 mod document_format;
 mod document_history;
@@ -9,6 +11,4 @@ mod examples;
 mod floors;
 mod interp_lanes;
 mod math;
-#[path = "../support/mod.rs"]
-mod support;
 mod techniques;

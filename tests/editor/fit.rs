@@ -9,7 +9,8 @@ use chiaro::editor::App;
 use chiaro::frame::{Assets, PlanOptions, Planner, SetupLook, default_setup};
 use chiaro::interp::Precision;
 use chiaro::library::Library;
-use chiaro::reference::{self, Control, Modules};
+use chiaro::progress::Progress;
+use chiaro::reference::{self, Modules};
 use eframe::egui::{Key, Modifiers, Pos2, Role, Theme, vec2};
 use eframe::egui_wgpu::WgpuSetup;
 use egui_kittest::Harness;
@@ -66,7 +67,7 @@ fn brightness(look: &Look, [x, y]: [f64; 2]) -> f64 {
     let radius = chiaro::editor::Orbit::default().radius_in_picture();
     let modules = Modules::new(&plan, Precision::F64).unwrap();
     let picture =
-        reference::execute(&plan, &modules, &reference::Options::default(), &Control::none())
+        reference::execute(&plan, &modules, &reference::Options::default(), &Progress::new())
             .unwrap();
     let middle = [0.5 + x * radius, 0.5 - y * radius].map(|part| (part * f64::from(SIDE)) as u32);
     let around = (0..9).map(|index| [middle[0] + index % 3 - 1, middle[1] + index / 3 - 1]);

@@ -10,6 +10,7 @@ use crate::editor_support::painting::{hcbtf, opened};
 use chiaro::document::{Address, Directions, Grid, Hcbtf, Rule, Tile};
 use chiaro::editor::App;
 use chiaro::hcbtf::{self, Device};
+use chiaro::progress::Progress;
 use eframe::egui::{Key, Role};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
@@ -109,7 +110,7 @@ fn another_grid_is_a_step_that_tells_what_stays() {
 
 /// What the rules and the painter made of every sample.
 fn all(hcbtf: &Hcbtf) -> hcbtf::Filled {
-    hcbtf::fill::fill(hcbtf, &hcbtf::Progress::new()).unwrap()
+    hcbtf::fill::fill(hcbtf, &Progress::new()).unwrap()
 }
 
 fn open_menu(hand: &mut Hand, item: &str) {
@@ -143,7 +144,7 @@ fn a_new_tile_is_seen_before_it_is_begun_and_the_painted_one_stays() {
     assert!(hand.says("1 of 16 samples are painted"));
     hand.press("Begin it as a new painting");
     let how = hcbtf::Synthesis { size: [24, 16], seed: 7, patch: None };
-    let expected = hcbtf::synthesize(&source, &how, &hcbtf::Progress::new()).unwrap();
+    let expected = hcbtf::synthesize(&source, &how, &Progress::new()).unwrap();
     assert_eq!(hcbtf(&hand), &expected, "as `chiaro hcbtf synthesize` makes it");
     let work = hand.app().session().painting().unwrap();
     assert!(work.is_dirty() && work.path().is_none(), "no file holds it");
@@ -228,7 +229,7 @@ fn the_open_look_is_baked_into_a_file_as_the_command_line_bakes_it() {
     let light = chiaro::frame::moving_light(setup, None).unwrap();
     let (library, assets) =
         (chiaro::library::Library::built_in(), chiaro::frame::Assets::default());
-    let progress = hcbtf::Progress::new();
+    let progress = Progress::new();
     let expected =
         chiaro::reference::bake_look(setup, library, grid, &light, &assets, &progress).unwrap();
     assert_eq!(hcbtf::load(&to).unwrap().0, expected);
@@ -365,7 +366,7 @@ fn pictures_are_imported_beside_the_window() {
     let source = hcbtf::load(&numbered(folder.path())).unwrap().0;
     let form = hcbtf::exchange::Form::Folder;
     let manner = hcbtf::exchange::Manner::default();
-    hcbtf::exchange::export(&all(&source), form, manner, &images, &hcbtf::Progress::new()).unwrap();
+    hcbtf::exchange::export(&all(&source), form, manner, &images, &Progress::new()).unwrap();
     let mut hand = new_window();
     let ask = |hand: &mut Hand| {
         open_menu(hand, "Import painted pictures as an HCBTF...");

@@ -4,11 +4,12 @@
 use crate::support::eval::look;
 use chiaro::accuracy::tune::{Goal, TuneOptions, tune};
 use chiaro::accuracy::{
-    BenchOptions, Measure, MeasuredNodes, Progress, Stopped, Subject, Variant, bench,
+    BenchOptions, Measure, MeasureError, MeasuredNodes, Subject, Variant, bench,
 };
 use chiaro::document::Tier;
 use chiaro::frame::{Assets, PlanOptions, Setup, default_setup};
 use chiaro::library::Library;
+use chiaro::progress::Progress;
 use chiaro::render::{Gpu, Renderer, block_on};
 use serde_json::json;
 
@@ -40,20 +41,10 @@ const PLAN: PlanOptions = PlanOptions { size: [96, 96], samples: 1, time: 0.0 };
 #[test]
 fn a_report_has_the_look_and_its_nodes_in_each_tier_with_errors_and_sizes() {
     let options = BenchOptions { plan: PLAN, rounds: 3, nodes: MeasuredNodes::Tiered, truth: true };
-    let mut steps = 0;
-    let mut told = |_, _| {
-        steps += 1;
-        true
-    };
-    let report = bench(
-        &setup(),
-        Library::built_in(),
-        &mut renderer(),
-        &options,
-        &mut Progress::new(&mut told),
-    )
-    .unwrap();
-    assert!(steps > 9, "progress is told");
+    let progress = Progress::new();
+    let report =
+        bench(&setup(), Library::built_in(), &mut renderer(), &options, &progress).unwrap();
+    assert!(progress.steps()[0] > 9, "progress is told");
     let rows = |tier, is: &dyn Fn(&Subject) -> bool| -> Vec<_> {
         report.rows.iter().filter(|row| row.tier == Some(tier) && is(&row.subject)).collect()
     };
@@ -98,20 +89,14 @@ fn a_report_has_the_look_and_its_nodes_in_each_tier_with_errors_and_sizes() {
 fn measuring_can_be_stopped() {
     let options =
         BenchOptions { plan: PLAN, rounds: 50, nodes: MeasuredNodes::Every, truth: false };
-    let mut steps = 0;
-    let mut told = |_, _| {
-        steps += 1;
-        steps < 4
-    };
-    let stopped = bench(
-        &setup(),
-        Library::built_in(),
-        &mut renderer(),
-        &options,
-        &mut Progress::new(&mut told),
-    );
-    assert!(matches!(stopped, Err(Stopped::Asked)));
-    assert_eq!(steps, 4);
+    let progress = Progress::observed(|progress| {
+        if progress.steps()[0] == 4 {
+            progress.stop();
+        }
+    });
+    let stopped = bench(&setup(), Library::built_in(), &mut renderer(), &options, &progress);
+    assert!(matches!(stopped, Err(MeasureError::Stopped)));
+    assert_eq!(progress.steps()[0], 4);
 }
 
 #[test]
@@ -124,12 +109,9 @@ fn tuning_keeps_the_error_and_an_impossible_goal_is_said_to_be_missed() {
         rounds: 3,
         stations: 3,
     };
-    let mut go = |_, _| true;
     let (library, setups) = (Library::built_in(), [setup()]);
     let goal = Goal::MaxError(1.0 / 255.0);
-    let tuned =
-        tune(&setups, library, &mut renderer(), &options(goal), &mut Progress::new(&mut go))
-            .unwrap();
+    let tuned = tune(&setups, library, &mut renderer(), &options(goal), &Progress::new()).unwrap();
     assert!(tuned.is_met && tuned.error.max <= 1.0 / 255.0, "{tuned:?}");
     // Two layers, each balanced and fast.
     assert_eq!(tuned.candidates.len(), 4);
@@ -144,9 +126,7 @@ fn tuning_keeps_the_error_and_an_impossible_goal_is_said_to_be_missed() {
         assert_eq!(look.graph.nodes[node].tier.unwrap_or(look.tier), tier);
     }
     let goal = Goal::MaxError(1e-12);
-    let missed =
-        tune(&setups, library, &mut renderer(), &options(goal), &mut Progress::new(&mut go))
-            .unwrap();
+    let missed = tune(&setups, library, &mut renderer(), &options(goal), &Progress::new()).unwrap();
     assert!(!missed.is_met && missed.chosen.is_empty());
     assert!(missed.is_exact_beyond(), "f32 errs by more than that whatever the tier");
     assert!(missed.worst_exact.error == missed.error_exact.max && missed.worst_exact.side == 48);
@@ -157,12 +137,11 @@ fn tuning_keeps_the_error_and_an_impossible_goal_is_said_to_be_missed() {
 /// errors.
 #[test]
 fn tuning_by_measures_and_by_time() {
-    let mut go = |_, _| true;
     let (library, setups) = (Library::built_in(), [setup()]);
-    let mut tuned = |goal, measure| {
+    let tuned = |goal, measure| {
         let options =
             TuneOptions { goal, measure, plan: PLAN, error_side: 48, rounds: 3, stations: 2 };
-        tune(&setups, library, &mut renderer(), &options, &mut Progress::new(&mut go)).unwrap()
+        tune(&setups, library, &mut renderer(), &options, &Progress::new()).unwrap()
     };
     let by_max = tuned(Goal::MaxError(1.0), Measure::Max);
     let figures = &by_max.error_exact;

@@ -4,17 +4,15 @@
 mod hidden;
 mod strokes;
 
-use std::sync::{Arc, OnceLock, Weak};
-
 use chiaro::clock::Clock;
 use chiaro::compile::Live;
 use chiaro::document::{Look, Ramp, Value};
 use chiaro::fit::{FitOptions, Fitted, Keep, Target, fit_layers, fit_look};
 use chiaro::frame::{Assets, Picture, PlanOptions, Planner, Setup, Stage};
-use chiaro::hcbtf::Progress;
 use chiaro::interp::Precision;
 use chiaro::library::Library;
-use chiaro::reference::{self, Control, Gathered, Modules};
+use chiaro::progress::Progress;
+use chiaro::reference::{self, Gathered, Modules};
 
 use hidden::{Hidden, difference, hidden, painted, picture, setup_of};
 
@@ -70,7 +68,7 @@ fn soak_the_rate_over_fifty_hidden_looks() {
         if difference >= NEAR {
             hidden.told.iter().for_each(|layer| println!("     hidden {layer}"));
             fitted.report.changed.iter().for_each(|change| {
-                println!("     {} {}: {}", change.what, change.place, change.to);
+                println!("     {} {}: {}", change.what, change.place, change.to)
             });
         }
     }
@@ -288,16 +286,7 @@ fn a_fit_that_is_stopped_keeps_the_nearest_that_it_has_come_to() {
     let start = two_layers([-0.35, 0.5, 0.8], [0.2, 0.75, 1.3], "#a08870");
     let target = painted(&two_layers([-0.5, 0.6, 0.7], [0.3, 0.8, 1.2], "#c08850"), mesh);
     let setup = setup_of(start.clone(), mesh);
-    let stopping = || {
-        let itself: Arc<OnceLock<Weak<Progress>>> = Arc::default();
-        let known = itself.clone();
-        let stop = move |_| {
-            known.get().and_then(Weak::upgrade).into_iter().for_each(|progress| progress.stop());
-        };
-        let progress = Arc::new(Progress::telling(stop));
-        itself.set(Arc::downgrade(&progress)).unwrap();
-        progress
-    };
+    let stopping = || Progress::observed(Progress::stop);
     let (library, options) = (Library::built_in(), FitOptions::default());
     let fitted = fit_look(&setup, 0, library, &target, &options, &stopping()).unwrap();
     assert!(
@@ -399,11 +388,11 @@ fn gathered_fragments_are_shaded_as_in_the_picture() {
         .unwrap();
     let modules = Modules::new(&plan, Precision::F64).unwrap();
     let how = reference::Options::default();
-    let picture = reference::execute(&plan, &modules, &how, &Control::none()).unwrap();
+    let picture = reference::execute(&plan, &modules, &how, &Progress::new()).unwrap();
     let numbers: Vec<Vec<f64>> =
         plan.draws.iter().map(|draw| draw.look_uniforms[&Stage::Draw].numbers.clone()).collect();
     let odd = |[x, y]: [u32; 2]| (x + y) % 2 == 1;
-    let gathered = Gathered::new(plan, &odd, &how, &Control::none()).unwrap();
+    let gathered = Gathered::new(plan, &odd, &how, &Progress::new()).unwrap();
     let chosen: Vec<usize> = (0..gathered.seen.len()).rev().collect();
     let colors = gathered.shade(&gathered.sheet(&chosen), &numbers).unwrap();
     assert!(colors.len() > 100 && gathered.coverage == picture.coverage);

@@ -6,7 +6,8 @@ use chiaro::compile::Live;
 use chiaro::document::Look;
 use chiaro::frame::{Assets, PlanOptions, Planner, SetupLook, default_setup};
 use chiaro::library::Library;
-use chiaro::reference::{Control, Options, WireValue, execute, probe_wires};
+use chiaro::progress::Progress;
+use chiaro::reference::{Options, WireValue, execute, probe_wires};
 use serde_json::{Value as Json, json};
 
 const SIZE: u32 = 64;
@@ -26,8 +27,8 @@ fn probed(look: &Json, pixel: [u32; 2]) -> (Option<Vec<WireValue>>, [f64; 4]) {
     let plan =
         Planner::for_truth(assets).plan(&setup, Library::built_in(), &Live::All, &options).unwrap();
     let modules = chiaro::reference::Modules::new(&plan, chiaro::interp::Precision::F64).unwrap();
-    let picture = execute(&plan, &modules, &Options::default(), &Control::none()).unwrap();
-    let wires = probe_wires(&plan, pixel, &Options::default(), &Control::none()).unwrap();
+    let picture = execute(&plan, &modules, &Options::default(), &Progress::new()).unwrap();
+    let wires = probe_wires(&plan, pixel, &Options::default(), &Progress::new()).unwrap();
     (wires, picture.straight(pixel[0], pixel[1]))
 }
 

@@ -13,7 +13,8 @@ use chiaro::diag::Severity;
 use chiaro::frame::{Assets, PlanOptions, Planner, open};
 use chiaro::interp::Precision;
 use chiaro::library::Library;
-use chiaro::reference::{self, Control, Modules, execute};
+use chiaro::progress::Progress;
+use chiaro::reference::{self, Modules, execute};
 use chiaro::render::{Picture, block_on};
 use glam::{DVec3, DVec4};
 use image::{Rgba, RgbaImage};
@@ -103,7 +104,7 @@ impl Folder {
         let truth = plan(Planner::for_truth(assets.clone()), &Live::All);
         let modules =
             Modules::new(&truth, Precision::F64).unwrap_or_else(|problem| panic!("{problem}"));
-        let drawn = execute(&truth, &modules, &reference::Options::default(), &Control::none());
+        let drawn = execute(&truth, &modules, &reference::Options::default(), &Progress::new());
         [baked, edited, drawn.unwrap_or_else(|problem| panic!("{problem}")).to_picture()]
     }
 

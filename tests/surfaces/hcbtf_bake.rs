@@ -3,14 +3,14 @@
 #![cfg(feature = "gpu")]
 
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, OnceLock};
+use std::sync::{Arc, Mutex};
 
 use crate::support::eval::{eval, look};
 use chiaro::document::relief::PRESETS;
 use chiaro::document::{Directions, Grid, Hcbtf, Look, Rule};
 use chiaro::frame::{Assets, EvalSample, LightOverride, SetupLook, moving_light, tile_assets};
-use chiaro::hcbtf::Progress;
 use chiaro::library::Library;
+use chiaro::progress::Progress;
 use chiaro::reference::{bake_look, bake_look_sampled};
 use glam::{DMat3, DQuat, DVec2, DVec3};
 use serde_json::json;
@@ -187,14 +187,12 @@ fn a_tile_that_is_not_wanted_any_more_is_left_in_the_middle() {
     let grid = Grid { size: [128, 64], light: one, view: one };
     let setup = edges("display");
     let light = moving_light(&setup, None).unwrap();
-    let stopping: Arc<OnceLock<Arc<Progress>>> = Arc::default();
     let steps: Arc<Mutex<Vec<[u64; 2]>>> = Arc::default();
-    let (own, told) = (stopping.clone(), steps.clone());
-    let progress = Arc::new(Progress::telling(move |step| {
-        told.lock().unwrap().push(step);
-        own.get().unwrap().stop();
-    }));
-    stopping.set(progress.clone()).unwrap();
+    let told = steps.clone();
+    let progress = Progress::observed(move |progress| {
+        told.lock().unwrap().push(progress.steps());
+        progress.stop();
+    });
     let made = bake_look(&setup, Library::built_in(), grid, &light, &Assets::default(), &progress);
     assert_eq!(made.unwrap_err()[0].code, "stopped");
     assert_eq!(*steps.lock().unwrap(), [[1, 8]]);
@@ -246,7 +244,9 @@ fn what_a_look_shows_is_filled_once_and_its_preparation_is_told() {
     let light = moving_light(&setup, None).unwrap();
     let told: Arc<Mutex<Vec<[u64; 2]>>> = Arc::default();
     let listener = told.clone();
-    let filling = Arc::new(Progress::telling(move |steps| listener.lock().unwrap().push(steps)));
+    let filling = Progress::observed(move |progress| {
+        listener.lock().unwrap().push(progress.steps());
+    });
     let assets =
         tile_assets(&setup, Library::built_in(), &light, Assets::default(), &filling).unwrap();
     let steps = told.lock().unwrap().clone();

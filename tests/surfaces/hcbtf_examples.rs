@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use chiaro::compile::{Options, compile};
 use chiaro::document::{Address, Look, Tier, Value};
 use chiaro::hcbtf::fill::sample;
-use chiaro::hcbtf::{Progress, estimate, layers_bytes, load};
+use chiaro::hcbtf::{estimate, layers_bytes, load};
 use chiaro::library::Library;
+use chiaro::progress::Progress;
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/hcbtf")

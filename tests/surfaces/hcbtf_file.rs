@@ -9,7 +9,8 @@ use chiaro::document::{
     Address, Bundle, Directions, Grid, Hcbtf, HcbtfAngle, Placement, Relief, Rule, StrokeTones,
     Strokes, Tile,
 };
-use chiaro::hcbtf::{Picture, Progress, fill::fill, read, sheet, write};
+use chiaro::hcbtf::{Picture, fill::fill, read, sheet, write};
+use chiaro::progress::Progress;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
 

@@ -11,12 +11,12 @@ use chiaro::accuracy::sweep::looks::content;
 use chiaro::accuracy::sweep::{
     LookEffort, StabilityEffort, looks_in, measure_look, measure_stability, stability,
 };
-use chiaro::accuracy::{Colors, Progress, Stopped, Truth};
+use chiaro::accuracy::{Colors, MeasureError, Truth};
 use chiaro::diag::Diagnostic;
 use chiaro::document::{Projection, Tier};
 use chiaro::frame::{Assets, PlanOptions, Planner, Setup, open};
 use chiaro::library::Library;
-use chiaro::reference::Control;
+use chiaro::progress::Progress;
 use chiaro::render::Renderer;
 use glam::DVec3;
 
@@ -25,7 +25,7 @@ fn looks() -> Vec<std::path::PathBuf> {
     looks_in(&folder).unwrap_or_else(|problems| panic!("{}", told(&problems)))
 }
 
-fn flawless<T>(result: Result<T, Stopped>) -> T {
+fn flawless<T>(result: Result<T, MeasureError>) -> T {
     result.unwrap_or_else(|stopped| panic!("{}", told(&Vec::<Diagnostic>::from(stopped))))
 }
 
@@ -61,16 +61,11 @@ fn hold_looks(effort: &LookEffort, ledger: &str) {
     for path in looks() {
         let key = key(&path, &precise, &format!("{effort:?}"), &effort.meshes, &effort.tiers);
         ledger.prove(&stem(&path), &key, || {
-            let mut go_on = |_, _| true;
-            let mut progress = Progress::new(&mut go_on);
+            let progress = Progress::new();
             let mut worst = 0.0_f64;
-            for measured in flawless(measure_look(
-                &path,
-                Library::built_in(),
-                &mut precise,
-                effort,
-                &mut progress,
-            )) {
+            for measured in
+                flawless(measure_look(&path, Library::built_in(), &mut precise, effort, &progress))
+            {
                 let e = &measured.error;
                 let line = format!(
                     "{:24} {:8} {:3} pictures, NaN {}, max {:.1e}, p999 {:.1e}, rms {:.1e}, edges \
@@ -107,15 +102,14 @@ fn hold_stability(effort: &StabilityEffort, ledger: &str) {
         for mesh in stability::MESHES {
             let key = key(&path, &precise, &format!("{effort:?}"), &[mesh], &[Tier::Exact]);
             ledger.prove(&format!("{} on {mesh}", stem(&path)), &key, || {
-                let mut go_on = |_, _| true;
-                let mut progress = Progress::new(&mut go_on);
+                let progress = Progress::new();
                 let measured = flawless(measure_stability(
                     &path,
                     mesh,
                     Library::built_in(),
                     &mut precise,
                     effort,
-                    &mut progress,
+                    &progress,
                 ));
                 let told = |f: &stability::Flicker| {
                     format!("{:.1e} of {:.1e}, {} of {} seen", f.max, f.truth, f.visible, f.count)
@@ -188,14 +182,7 @@ fn only_what_a_step_of_the_grid_explains_is_settled() {
     let options = PlanOptions { size: [side; 2], samples: 1, time: 0.0 };
     let mut planner = Planner::for_truth(Assets::default());
     let mut truth_of = |setup: &Setup| {
-        let mut go_on = |_, _| true;
-        flawless(Truth::of(
-            setup,
-            Library::built_in(),
-            &mut planner,
-            &options,
-            &mut Progress::new(&mut go_on),
-        ))
+        flawless(Truth::of(setup, Library::built_in(), &mut planner, &options, &Progress::new()))
     };
     let aside = truth_of(&shifted(&setup, 1.0 / 256.0, side));
     let mut truth = truth_of(&setup);
@@ -235,7 +222,7 @@ fn some_rows_of_a_truth_are_those_of_the_whole() {
     let mut planner = Planner::for_truth(Assets::default());
     let mut rows_of = |rows| {
         let library = Library::built_in();
-        flawless(Truth::in_rows(&setup, library, &mut planner, &options, rows, &Control::none()))
+        flawless(Truth::in_rows(&setup, library, &mut planner, &options, rows, &Progress::new()))
     };
     let (whole, some) = (rows_of(0..64), rows_of(20..33));
     for index in 80 * 20..80 * 33 {

@@ -2,14 +2,17 @@
 #![cfg(feature = "gpu")]
 #![allow(clippy::print_stdout, reason = "figures are worth reading when a bound is missed")]
 
+use std::sync::{Arc, Mutex};
+
 use crate::support::eval::{renderer, told};
 use crate::support::ledger::{Key, Ledger};
+use chiaro::accuracy::MeasureError;
 use chiaro::accuracy::sweep::{
     Case, Effort, Lab, LookEffort, Measured, StabilityEffort, Survey, survey,
 };
-use chiaro::accuracy::{Progress, Stopped};
 use chiaro::diag::Diagnostic;
 use chiaro::library::Library;
+use chiaro::progress::Progress;
 
 fn sweep(effort: &Effort) -> Vec<Measured> {
     let mut renderer = renderer();
@@ -20,7 +23,7 @@ fn sweep(effort: &Effort) -> Vec<Measured> {
     let mut all = Vec::new();
     for kind in kinds {
         for case in Case::of(&Library::built_in().nodes[kind]) {
-            let measured = lab.measure(&case, effort).unwrap_or_else(|stopped: Stopped| {
+            let measured = lab.measure(&case, effort).unwrap_or_else(|stopped: MeasureError| {
                 let problems: Vec<Diagnostic> = stopped.into();
                 panic!("{}: {}", case.name(), told(&problems))
             });
@@ -188,16 +191,15 @@ fn a_survey_by_several_workers_is_that_of_one() {
         large: Some(LookEffort { sides: vec![48], ..tiny }),
         stability: StabilityEffort { frames: 2, side: 24 },
     };
-    let mut steps = Vec::new();
-    let mut told = |done, total| {
-        steps.push((done, total));
-        true
-    };
-    let report =
-        survey(&wanted, library, &mut Progress::new(&mut told)).unwrap_or_else(|stopped| {
-            let problems: Vec<Diagnostic> = stopped.into();
-            panic!("{}", self::told(&problems))
-        });
+    let steps: Arc<Mutex<Vec<[u64; 2]>>> = Arc::default();
+    let observed = steps.clone();
+    let progress = Progress::observed(move |progress| {
+        observed.lock().unwrap().push(progress.steps());
+    });
+    let report = survey(&wanted, library, &progress).unwrap_or_else(|stopped| {
+        let problems: Vec<Diagnostic> = stopped.into();
+        panic!("{}", self::told(&problems))
+    });
     let names = |all: &[chiaro::accuracy::sweep::LookMeasured]| -> Vec<String> {
         all.iter().map(|one| format!("{} {:?}", one.look, one.tier)).collect()
     };
@@ -226,18 +228,20 @@ fn a_survey_by_several_workers_is_that_of_one() {
     }
     assert_eq!(report.nodes.iter().map(|one| serde_json::json!(one)).collect::<Vec<_>>(), alone);
     let total = alone.len() as u64 + 2 * (2 + 2 + 2 * 2);
-    assert_eq!(
-        steps,
-        (1..=total).map(|done| (done, total)).collect::<Vec<_>>(),
-        "every step is told, once"
+    assert_eq!(progress.steps(), [total; 2], "every step is counted, once");
+    let steps = std::mem::take(&mut *steps.lock().unwrap());
+    assert!(
+        steps.len() as u64 >= total && steps.iter().all(|[done, of]| done <= of && *of == total),
+        "every step is told: {steps:?}"
     );
 
     // Nobody goes on who was told to stop.
-    let mut most = 0;
-    let mut told = |done, _| {
-        most = done;
-        done < 3
-    };
-    assert!(matches!(survey(&wanted, library, &mut Progress::new(&mut told)), Err(Stopped::Asked)));
+    let progress = Progress::observed(|progress| {
+        if progress.steps()[0] >= 3 {
+            progress.stop();
+        }
+    });
+    assert!(matches!(survey(&wanted, library, &progress), Err(MeasureError::Stopped)));
+    let [most, _] = progress.steps();
     assert!(most < total, "{most} of {total}");
 }

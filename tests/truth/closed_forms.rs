@@ -20,7 +20,8 @@ use chiaro::frame::{Assets, FramePlan, PlanOptions, Planner, Setup, SetupLook, S
 use chiaro::geometry::Mesh;
 use chiaro::interp::Precision;
 use chiaro::library::Library;
-use chiaro::reference::{self, Control, Modules, ReferencePicture};
+use chiaro::progress::Progress;
+use chiaro::reference::{self, Modules, ReferencePicture};
 use formulas::Stack;
 use glam::{DMat4, DVec4};
 use serde_json::Value as Json;
@@ -80,7 +81,7 @@ fn plan(look: &Json, mesh: Mesh, camera: Camera) -> FramePlan {
 
 fn picture(plan: &FramePlan) -> ReferencePicture {
     let modules = Modules::new(plan, Precision::F64).expect("it compiles");
-    reference::execute(plan, &modules, &reference::Options::default(), &Control::none())
+    reference::execute(plan, &modules, &reference::Options::default(), &Progress::new())
         .expect("it is drawn")
 }
 

@@ -12,7 +12,8 @@ use chiaro::frame::{FramePlan, PassKind, PlanOptions, Planner, SetupLook};
 use chiaro::geometry::{Mesh, Part};
 use chiaro::interp::Precision;
 use chiaro::library::Library;
-use chiaro::reference::{self, Control, Modules};
+use chiaro::progress::Progress;
+use chiaro::reference::{self, Modules};
 use chiaro::render::block_on;
 use glam::{DMat4, DVec3};
 use serde_json::{Value as Json, json};
@@ -425,7 +426,7 @@ fn passes_are_there_for_who_reads_them() {
         let modules =
             Modules::new(&plan, Precision::F64).unwrap_or_else(|problem| panic!("{problem}"));
         let truth =
-            reference::execute(&plan, &modules, &reference::Options::default(), &Control::none())
+            reference::execute(&plan, &modules, &reference::Options::default(), &Progress::new())
                 .unwrap_or_else(|problem| panic!("{problem}"));
         let picture = block_on(renderer().picture(&plan)).unwrap_or_else(|error| panic!("{error}"));
         let pairs = picture.rgba.iter().zip(truth.color.values.chunks_exact(4));

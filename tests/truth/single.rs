@@ -19,7 +19,8 @@ use chiaro::document::{Camera, Look, Scene};
 use chiaro::frame::{Assets, EvalSample, PlanOptions, Planner, Setup, SetupLook, eval_batches};
 use chiaro::interp::Precision;
 use chiaro::library::Library;
-use chiaro::reference::{self, Control, ImageRounding, Modules, ReferencePicture, Snap};
+use chiaro::progress::Progress;
+use chiaro::reference::{self, ImageRounding, Modules, ReferencePicture, Snap};
 use chiaro::render::{Picture, Renderer, block_on};
 use glam::{DVec2, DVec3};
 use image::{Rgba, RgbaImage};
@@ -295,7 +296,7 @@ fn pictures(setup: &Setup, live: &Live, images: ImageRounding) -> (Picture, Refe
     let options =
         reference::Options { snap: Snap::Subpixel(8), images, ..reference::Options::default() };
     let reference =
-        reference::execute(&plan, &modules, &options, &Control::none()).expect("it is drawn");
+        reference::execute(&plan, &modules, &options, &Progress::new()).expect("it is drawn");
     let gpu = renderer().gpu().precise();
     let picture = block_on(Renderer::new(gpu).picture(&plan)).expect("it is drawn");
     (picture, reference)

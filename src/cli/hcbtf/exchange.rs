@@ -4,9 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 
-use super::{
-    GRID_HELP, GridText, check_free, filled, open, save, tell_painted, telling, with_ending,
-};
+use super::{GRID_HELP, GridText, check_free, filled, open, save, tell_painted, with_ending};
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Storage};
 use crate::files::OutputKind;
@@ -78,9 +76,9 @@ pub(super) fn import(arguments: &ImportArguments, output: &Output) -> Result<(),
         _ => Grid::THESIS,
     };
     let grid_or_fitted = grid.unwrap_or_else(fitted);
-    let made = exchange::import(from, form, grid_or_fitted, arguments.gap, &telling("reading"));
-    output.end_progress();
-    let (mut hcbtf, notes) = made?;
+    let (mut hcbtf, notes) = output.watch("reading", |progress| {
+        exchange::import(from, form, grid_or_fitted, arguments.gap, progress)
+    })?;
     output.diagnostics(&notes);
     if grid.is_some_and(|grid| grid != hcbtf.grid) {
         let problem = Diagnostic::error(
@@ -155,11 +153,9 @@ pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(),
     let filled = filled(&hcbtf, &arguments.file, output)?;
     let which = if arguments.painted { Which::Painted } else { Which::All };
     let manner = exchange::Manner { which, gap: arguments.gap, storage };
-    let told = exchange::export(&filled, form.into(), manner, path, &telling("writing"));
-    if form == Form::Folder || storage == Storage::Blocks {
-        output.end_progress();
-    }
-    let told = told?;
+    let told = output.watch("writing", |progress| {
+        exchange::export(&filled, form.into(), manner, path, progress)
+    })?;
     output.result(&path.display().to_string());
     told.into_iter().for_each(|told| output.message(&told));
     Ok(())

@@ -1,11 +1,10 @@
 //! `chiaro hcbtf synthesize` and `bake`: new tiles from a painted one, and a look as one.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use super::super::open::{check_nodes_folder, library_for, open_look};
 use super::super::render::Size;
-use super::{GRID_HELP, GridText, check_free, open, save, tell_painted, telling, with_ending};
+use super::{GRID_HELP, GridText, check_free, open, save, tell_painted, with_ending};
 use crate::diag::Diagnostic;
 use crate::document::Grid;
 use crate::frame::{Assets, MAX_TILE_SAMPLES, moving_light, tile_assets};
@@ -48,8 +47,7 @@ pub(super) fn synthesized(
     let size = arguments.size.map_or(hcbtf.grid.size, |size| size.0);
     let how = Synthesis { size, seed: arguments.seed, patch: arguments.patch };
     let named = arguments.file.display().to_string();
-    let made = synthesize(&hcbtf, &how, &telling("laying"));
-    output.end_progress();
+    let made = output.watch("laying", |progress| synthesize(&hcbtf, &how, progress));
     let made = made.map_err(|problem| vec![problem.in_file(named)])?;
     save(&made, &path, outputs, output)?;
     tell_painted(&made, output);
@@ -97,21 +95,12 @@ pub(super) fn baked(arguments: &BakeArguments, output: &Output) -> Result<(), Ve
     let light = moving_light(&setup, arguments.light.as_deref())
         .map_err(|problem| vec![problem.in_file(named)])?;
     let grid = arguments.grid.map_or(Grid::THESIS, |grid| grid.0);
-    let filling = Arc::new(telling("filling what it shows"));
-    let made =
-        tile_assets(&setup, &library, &light, Assets::default(), &filling).and_then(|assets| {
-            bake_look_sampled(
-                &setup,
-                &library,
-                grid,
-                &light,
-                &assets,
-                arguments.samples,
-                &telling("baking"),
-            )
-        });
-    output.end_progress();
-    let BakedLook { hcbtf, halves_off } = made?;
+    let assets = output.watch("filling what it shows", |progress| {
+        tile_assets(&setup, &library, &light, Assets::default(), progress)
+    })?;
+    let BakedLook { hcbtf, halves_off } = output.watch("baking", |progress| {
+        bake_look_sampled(&setup, &library, grid, &light, &assets, arguments.samples, progress)
+    })?;
     save(&hcbtf, &path, outputs, output)?;
     tell_painted(&hcbtf, output);
     if let Some(off) = halves_off {

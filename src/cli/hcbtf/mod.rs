@@ -8,7 +8,6 @@ mod rules;
 
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 use clap::Subcommand;
 
@@ -16,7 +15,7 @@ use super::output::Output;
 use crate::diag::Diagnostic;
 use crate::document::{Directions, Grid, Hcbtf};
 use crate::files::{OutputKind, Outputs};
-use chiaro_scene::hcbtf::{Filled, Progress, fill::fill, load, write};
+use chiaro_scene::hcbtf::{Filled, fill::fill, load, write};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -88,20 +87,8 @@ fn open(path: &Path, output: &Output) -> Result<Hcbtf, Vec<Diagnostic>> {
 
 /// Runs the rules, and tells how far they are.
 fn filled(hcbtf: &Hcbtf, path: &Path, output: &Output) -> Result<Filled, Vec<Diagnostic>> {
-    let filled = fill(hcbtf, &telling("filling"));
-    output.end_progress();
+    let filled = output.watch("filling", |progress| fill(hcbtf, progress));
     filled.map_err(|why| vec![Diagnostic::from(why).in_file(path.display().to_string())])
-}
-
-/// Tells how far it is whenever another percent is done.
-fn telling(what: &'static str) -> Progress {
-    let last = AtomicU64::new(u64::MAX);
-    Progress::telling(move |[done, total]| {
-        let percent = 100 * done / total.max(1);
-        if last.swap(percent, Ordering::Relaxed) != percent {
-            Output::new().progress(what, done, total);
-        }
-    })
 }
 
 /// Refuses to replace a file, but with `--force`, and never what is read.

@@ -13,8 +13,6 @@ use super::target::{OutputPath, outputs};
 use crate::diag::Diagnostic;
 use crate::library::Library;
 #[cfg(feature = "gpu")]
-use chiaro_laboratory::accuracy::Progress;
-#[cfg(feature = "gpu")]
 use chiaro_laboratory::gallery::nodes::{check_nodes, write_nodes};
 #[cfg(feature = "gpu")]
 use chiaro_render::{Gpu, block_on};
@@ -92,13 +90,8 @@ fn draw(
     let mut outputs = outputs(arguments.force, &arguments.nodes);
     check_nodes(library, folder, &outputs).map_err(|problem| vec![problem])?;
     let gpu = block_on(Gpu::headless()).map_err(|error| vec![error.into()])?;
-    let mut told = |done, total| {
-        output.progress("drawing", done, total);
-        true
-    };
-    let drawn = write_nodes(library, folder, &gpu, &mut outputs, &mut Progress::new(&mut told));
-    output.end_progress();
-    drawn?;
+    output
+        .watch("drawing", |progress| write_nodes(library, folder, &gpu, &mut outputs, progress))?;
     output.message(&format!("{}: pictures of every node", folder.display()));
     output.diagnostics(&library.problems);
     Ok(())

@@ -7,21 +7,22 @@ use eframe::egui::{self, Ui};
 
 use super::App;
 use super::files::{self, Pending};
+use crate::app::dialogs::Purpose;
+use crate::app::dock;
+use crate::app::look_export::stem_of;
 use crate::canvas::edits;
-use crate::command::Command;
+use crate::commands::Command;
+use crate::commands::shortcuts::{self, Action};
 use crate::diag::Diagnostic;
-use crate::dialogs::Purpose;
-use crate::dock;
 use crate::document::{Edit, Storage};
-use crate::fitting;
 use crate::hcbtf::exchange::Form;
-use crate::look_export::stem_of;
-use crate::painting;
-use crate::safety::Wish;
-use crate::safety::crashes::DocumentOrigin;
-use crate::session::Session;
-use crate::shortcuts::{self, Action};
-use crate::stage::Stage;
+use crate::painter as painting;
+use crate::state::painting::look;
+use crate::state::safety::Wish;
+use crate::state::safety::crashes::DocumentOrigin;
+use crate::state::session::Session;
+use crate::state::stage::Stage;
+use crate::tools::fitting;
 use crate::viewport::Export;
 
 impl App {
@@ -115,7 +116,7 @@ impl App {
             }
             Command::LeaveProbe => self.probe.escape(),
             Command::Solo(solo) => self.session.set_solo(solo),
-            Command::ShowPanel(dock::Panel::Paint) if painting::look::shows(&self.session) => {
+            Command::ShowPanel(dock::Panel::Paint) if look::shows(&self.session) => {
                 self.show_painting_panels();
             }
             Command::ShowPanel(panel) => {

@@ -3,14 +3,17 @@
 use eframe::egui::{self, RichText, Role, Ui, ViewportCommand, WidgetInfo};
 
 use super::App;
-use crate::command::Command;
-use crate::painting::{Shown, Wish, Work, look, shown};
+use crate::app::dock;
+use crate::commands::Command;
+use crate::commands::shortcuts::{self, Action};
+use crate::painter::{Shown, Wish, shown};
 use crate::panels::problems;
-use crate::session::Session;
-use crate::shortcuts::{self, Action};
-use crate::spots::{self, Spot};
-use crate::stage::Stage;
-use crate::{dock, theme};
+use crate::state::painting::look;
+use crate::state::painting::work::Work;
+use crate::state::session::Session;
+use crate::state::stage::Stage;
+use crate::widgets::spots::{self, Spot};
+use crate::widgets::theme;
 
 /// Below this width, in points, the name of what is open is not told in the bar: the window's title
 /// has it too.

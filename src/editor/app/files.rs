@@ -6,18 +6,20 @@ use std::sync::Arc;
 use eframe::egui::{self, RichText, Ui, ViewportCommand};
 
 use super::App;
-use crate::command::Command;
-use crate::confirm;
+use crate::app::dialogs::PAINTING;
+use crate::app::dock::Panel;
+use crate::commands::Command;
 use crate::diag::Diagnostic;
-use crate::dialogs::PAINTING;
-use crate::dock::Panel;
 use crate::document::{Grid, Hcbtf};
 use crate::examples;
 use crate::frame::UNSAVED_HCBTF;
-use crate::painting::{Import, Work, look};
+use crate::painter::Import;
 use crate::panels::{library, problems};
-use crate::safety::crashes::{CrashMark, DocumentOrigin, Step};
-use crate::stage::{Stage, Wanted};
+use crate::state::painting::look;
+use crate::state::painting::work::Work;
+use crate::state::safety::crashes::{CrashMark, DocumentOrigin, Step};
+use crate::state::stage::{Stage, Wanted};
+use crate::widgets::confirm;
 
 /// What would lose unsaved changes.
 #[derive(Clone, Debug, PartialEq)]

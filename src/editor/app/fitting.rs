@@ -1,8 +1,8 @@
 //! What is asked for of painting light on the picture.
 
 use super::App;
-use crate::dock::Panel;
-use crate::fitting::{Fitting, Wish};
+use crate::app::dock::Panel;
+use crate::tools::fitting::{Fitting, Wish};
 
 impl App {
     pub(super) fn apply_to_fitting(&mut self, wish: Wish) {

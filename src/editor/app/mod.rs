@@ -1,11 +1,19 @@
 //! The window: panels around the canvas. What they ask for is applied in one place, `apply`.
 
+mod appearance;
 mod apply;
 mod bar;
+pub(crate) mod dialogs;
+pub(crate) mod dock;
 mod files;
 mod fitting;
+pub(crate) mod look_export;
 mod painting;
+pub(crate) mod path_field;
+pub(crate) mod safety_bar;
+pub(crate) mod sheet;
 mod stage;
+pub(crate) mod tour;
 mod welcome;
 
 use std::path::Path;
@@ -14,39 +22,41 @@ use std::time::Duration;
 
 use eframe::egui::{self, Key, Modifiers, Panel, Ui};
 
-use super::canvas::Canvas;
-use super::code::Code;
-use super::command::Command;
-use super::cost::Cost;
-use super::curves::keys::Keys;
-use super::curves::profile::Profile;
-use super::curves::timeline::Timeline;
-use super::dialogs::{Dialogs, IMAGES, MESHES, Purpose, Way};
-use super::dock::effects::Effects;
-use super::dock::{Dock, Workspace};
-use super::fitting::{Fitting, Wish as FitWish};
-use super::look_export::{self, LookExports};
-use super::painting::Painting;
-use super::painting::before::ViewBefore;
-use super::panels::{Panels, library, solo};
-use super::path_field::PathField;
-use super::picture::{Awaited, Picture};
-use super::probe::{Probe, picture_size};
-use super::safety::Safety;
-use super::safety::places::Places;
-use super::session::Session;
-use super::settings::Settings;
-use super::sheet::Sheet;
-use super::shortcuts::{self, Action, Place, Shortcut};
-use super::stage::Wish;
-use super::tour::Tour;
-use super::viewport::{Export, Viewport};
-use super::wipe::Wipe;
-use super::{dock, inspector, spots, theme};
+use crate::app::dialogs::{Dialogs, IMAGES, MESHES, Purpose, Way};
+use crate::app::dock::{Dock, Workspace};
+use crate::app::look_export::LookExports;
+use crate::app::path_field::PathField;
+use crate::app::sheet::Sheet;
+use crate::app::tour::Tour;
+use crate::canvas::Canvas;
+use crate::commands::Command;
+use crate::commands::scene::Wish;
+use crate::commands::shortcuts::{self, Action, Place, Shortcut};
 use crate::diag::has_errors;
 use crate::hcbtf::Device;
 use crate::library::Library;
 use crate::milestones;
+use crate::painter::Painting;
+use crate::painter::before::ViewBefore;
+use crate::panels::code::Code;
+use crate::panels::cost::Cost;
+use crate::panels::curves::keys::Keys;
+use crate::panels::curves::profile::Profile;
+use crate::panels::curves::timeline::Timeline;
+use crate::panels::effects::Effects;
+use crate::panels::inspector;
+use crate::panels::{Panels, library};
+use crate::state::safety::Safety;
+use crate::state::safety::places::Places;
+use crate::state::session::Session;
+use crate::state::settings::Settings;
+use crate::state::solo;
+use crate::tools::fitting::{Fitting, Wish as FitWish};
+use crate::tools::probe::{Probe, picture_size};
+use crate::tools::wipe::Wipe;
+use crate::viewport::picture::{Awaited, Picture};
+use crate::viewport::{Export, Viewport};
+use crate::widgets::{spots, theme};
 use files::Pending;
 use welcome::StartPage;
 
@@ -175,7 +185,7 @@ impl App {
     pub fn keep_in(&mut self, places: Places, ctx: &egui::Context) {
         let waker = ctx.clone();
         self.safety.keep_in(places, &mut self.session, move || waker.request_repaint());
-        self.safety.settings.apply(ctx);
+        appearance::apply(&self.safety.settings, ctx);
         if let Some(layout) = self.safety.settings.layout.clone() {
             self.dock.restore(&layout);
         }
@@ -430,7 +440,9 @@ impl App {
         self.session.follow_keys(ui.input(|input| input.pointer.any_down()));
         self.painting.tick(&mut self.session);
         self.fitting.tick(ui, &mut self.session);
-        let (told, again) = self.safety.tick(ui, &mut self.session);
+        let (now, has_come_back) = ui
+            .input(|input| (input.time, input.events.contains(&egui::Event::WindowFocused(true))));
+        let (told, again) = self.safety.tick(now, has_come_back, &mut self.session);
         self.message = told.or(self.message.take());
         if let Some(again) = again {
             ui.ctx().request_repaint_after(again);
@@ -451,7 +463,7 @@ impl App {
         // A panel is resized in many steps; where it ends is remembered.
         if !is_held {
             let layout = self.safety.remembers().then(|| self.dock.changed()).flatten();
-            self.safety.remember(ui.ctx(), layout);
+            self.safety.remember(appearance::current(ui.ctx()), layout);
         } else if let Some(picture) = &mut self.picture {
             picture.hurry(&mut self.session);
         }
@@ -465,7 +477,7 @@ impl App {
         let open = (self.session.document_number(), self.painting_number());
         if self.laid_out_for != Some(open) {
             self.laid_out_for = Some(open);
-            let is_painted = super::painting::look::shows(&self.session);
+            let is_painted = crate::state::painting::look::shows(&self.session);
             self.dock.enter(if is_painted { Workspace::Painting } else { Workspace::Look });
             if !is_painted {
                 self.view_before_painting.give_back(&mut self.session);
@@ -478,6 +490,7 @@ impl App {
             .frame(theme::panel(ui))
             .resizable(false)
             .show(ui, |ui| self.bar(ui, commands));
+        self.safety.forget_old_notes(&self.session);
         commands.extend(self.safety.show(ui, &self.session).into_iter().map(Command::Safety));
         if let Some(picture) = &self.picture {
             self.session.set_picture_problems(&picture.problems);

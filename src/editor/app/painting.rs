@@ -6,14 +6,17 @@ use eframe::egui::Ui;
 
 use super::App;
 use super::files::Pending;
+use crate::app::dialogs::Purpose;
+use crate::app::dock::{Panel, Workspace};
 use crate::diag::Diagnostic;
-use crate::dialogs::Purpose;
-use crate::dock::{Panel, Workspace};
 use crate::document::{Edit, Grid, Hcbtf, HcbtfEdit, Storage};
 use crate::frame::UNSAVED_HCBTF;
 use crate::hcbtf::exchange::Form;
-use crate::painting::{Home, Import, Made, Wish, Work, counted, look, shown};
+use crate::painter::{Import, Made, Wish, counted, shown};
 use crate::panels::problems::sentence;
+use crate::state::painting::home::Home;
+use crate::state::painting::look;
+use crate::state::painting::work::Work;
 
 impl App {
     pub(super) fn apply_to_painting(&mut self, ui: &Ui, wish: Wish) {

@@ -6,13 +6,14 @@ use eframe::egui::Ui;
 
 use super::App;
 use super::files::Pending;
-use crate::dialogs::Purpose;
-use crate::dock::Panel;
+use crate::app::dialogs::Purpose;
+use crate::app::dock::Panel;
+use crate::commands::scene::Wish;
 use crate::document::SceneEdit;
 use crate::examples;
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX, look_of};
 use crate::ids::ObjectId;
-use crate::stage::{OPEN_LOOK, Stage, Wish};
+use crate::state::stage::{OPEN_LOOK, Stage};
 
 impl App {
     pub(super) fn apply_to_stage(&mut self, ui: &Ui, wish: Wish) {

@@ -6,14 +6,14 @@ use std::path::Path;
 use eframe::egui::{self, Ui};
 
 use super::App;
-use crate::command::Command;
-use crate::dialogs::{Answer, Purpose, Way};
-use crate::painting;
-use crate::path_field::PathField;
-use crate::session::Session;
-use crate::stage::Wish;
-use crate::theme;
-use crate::tour::{NOTHING, Tour};
+use crate::app::dialogs::{Answer, Purpose, Way};
+use crate::app::path_field::PathField;
+use crate::app::tour::{NOTHING, Tour};
+use crate::commands::Command;
+use crate::commands::scene::Wish;
+use crate::painter as painting;
+use crate::state::session::Session;
+use crate::widgets::theme;
 
 /// What was open when the start page came: it leaves with that.
 #[derive(Debug, PartialEq)]

@@ -3,15 +3,15 @@
 use eframe::egui;
 use eframe::egui::{Event, Id, Pos2, Rect, Ui, Vec2, pos2};
 
-use super::super::command::Command;
-use super::super::session::Session;
-use super::super::shortcuts::{self, Action, Place, Way};
 use super::arrange::{self, Link, Side};
 use super::inplace::Item;
 use super::palette::Palette;
 use super::{Canvas, edits};
+use crate::commands::Command;
+use crate::commands::shortcuts::{self, Action, Place, Way};
 use crate::document::{Bookmark, Edit, grouping};
 use crate::ids::NodeId;
+use crate::state::session::Session;
 
 /// How far arrow keys move.
 const STEP: f32 = 12.0;
@@ -90,9 +90,9 @@ impl Canvas {
                     .map(Item::Note);
                 out.extend([Command::Edit(pasted.edit), Command::Select(pasted.nodes)]);
             }
-            Err(problem) => out.push(Command::Tell(
-                super::super::problems::sentence(&problem).replace('\n', ": "),
-            )),
+            Err(problem) => {
+                out.push(Command::Tell(crate::problems::sentence(&problem).replace('\n', ": ")))
+            }
         }
     }
 

@@ -4,16 +4,16 @@ use std::collections::HashSet;
 
 use eframe::egui::{Pos2, Rect, Ui, Vec2, vec2};
 
-use super::super::catalog::Kind;
-use super::super::command::Command;
-use super::super::inspector;
-use super::super::session::Session;
 use super::gesture::{Gesture, Move, WireDrag};
 use super::palette::Palette;
 use super::table::{Hit, Socket, point_at};
 use super::{Canvas, arrange, edits};
+use crate::catalog::Kind;
+use crate::commands::Command;
 use crate::document::{Edit, Endpoint, GraphId, InterfacePort};
 use crate::ids::{GROUP_INPUTS, NodeId};
+use crate::panels::inspector;
+use crate::state::session::Session;
 
 /// The grid that nodes snap to.
 const GRID: f32 = 24.0;

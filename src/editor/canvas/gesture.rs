@@ -5,16 +5,16 @@ use std::collections::HashSet;
 
 use eframe::egui::{Key, Modifiers, PointerButton, Pos2, Response, Ui, Vec2};
 
-use super::super::command::Command;
-use super::super::session::Session;
-use super::super::shortcuts;
-use super::super::theme::{NODE_WIDTH, ROW_HEIGHT, TITLE_HEIGHT};
 use super::inplace::Item;
 use super::palette::{Loose, Outcome, Palette};
 use super::table::{Hit, Socket};
 use super::{Canvas, edits};
+use crate::commands::Command;
+use crate::commands::shortcuts;
 use crate::document::{Edit, Endpoint};
+use crate::drawing::{NODE_WIDTH, ROW_HEIGHT, TITLE_HEIGHT};
 use crate::ids::{FrameId, NodeId, NoteId};
+use crate::state::session::Session;
 
 /// A drag that is going on.
 #[derive(Default)]

@@ -29,13 +29,13 @@ use eframe::egui;
 use eframe::egui::epaint::Mesh;
 use eframe::egui::{Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo};
 
-use super::command::Command;
-use super::session::Session;
-use super::shortcuts::Action;
-use super::theme;
+use crate::commands::Command;
+use crate::commands::shortcuts::Action;
 use crate::diag::Severity;
 use crate::document::GraphId;
 use crate::ids::NodeId;
+use crate::state::session::Session;
+use crate::widgets::theme;
 use gesture::Gesture;
 use inplace::{Editing, Item};
 use marks::{Idle, Mark};

@@ -7,17 +7,17 @@ use eframe::egui::{
     Color32, Pos2, Rect, Response, RichText, Sense, Shape, Ui, UiBuilder, WidgetInfo, vec2,
 };
 
-use super::super::command::Command;
-use super::super::session::Session;
-use super::super::shortcuts::{self, Action};
-use super::super::theme;
 use super::inplace::Item;
 use super::mesh::{plain, rounded};
 use super::table::{Hit, Socket};
 use super::{Canvas, edits};
+use crate::commands::Command;
+use crate::commands::shortcuts::{self, Action};
 use crate::document::GraphId;
 use crate::ids::NodeId;
 use crate::library::Library;
+use crate::state::session::Session;
+use crate::widgets::theme;
 
 /// The map's size, on the screen.
 const MAP: egui::Vec2 = vec2(168.0, 112.0);

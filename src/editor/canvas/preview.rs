@@ -14,21 +14,21 @@ use eframe::egui::{
     Color32, ColorImage, Context, Pos2, Rect, TextureHandle, TextureOptions, Ui, pos2, vec2,
 };
 
-use super::super::safety::crashes::{DocumentOrigin, Step};
-use super::super::session::Session;
-use super::super::theme::{NODE_WIDTH, TITLE_HEIGHT};
-use super::super::values::number_text;
-use super::super::worker::Worker;
 use super::Canvas;
 use super::draw::ALL_TEXT;
 use super::table::NodeRow;
 use crate::compile::Options;
 use crate::document::{Look, SourceMap};
+use crate::drawing::{NODE_WIDTH, TITLE_HEIGHT};
 use crate::frame::{Assets, EvalSample, SetupLook, eval_batches};
 use crate::ids::{NodeId, NodePath, PortName};
 use crate::interp::Precision;
 use crate::library::{Library, Type};
 use crate::reference;
+use crate::state::safety::crashes::{DocumentOrigin, Step};
+use crate::state::session::Session;
+use crate::state::worker::Worker;
+use crate::values::number_text;
 
 /// Points across the ball.
 const SIZE: usize = 48;

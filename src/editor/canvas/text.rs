@@ -5,11 +5,12 @@ use std::sync::Arc;
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{Color32, FontId, Galley, Painter, Vec2, vec2};
 
-use super::super::theme::{self, Colors, NODE_WIDTH, TITLE_HEIGHT};
 use super::table::NodeRow;
 use crate::catalog::values::{self, Shown};
 use crate::document::{Look, Node};
 use crate::drawing::row_center;
+use crate::drawing::{NODE_WIDTH, TITLE_HEIGHT};
+use crate::widgets::theme::{self, Colors};
 
 /// Everything of a node's text that depends on the font's size.
 #[derive(Default)]

@@ -5,11 +5,11 @@ use eframe::egui::{
     EventFilter, FontId, Key, Modifiers, Role, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2,
 };
 
-use super::super::command::Command;
-use super::super::dock::cell;
-use super::super::session::Session;
-use super::super::theme;
-use super::widgets::{leave_with_pointer, row_ground, undo_keys};
+use crate::app::dock::cell;
+use crate::commands::Command;
+use crate::state::session::Session;
+use crate::widgets::rows::{leave_with_pointer, row_ground, undo_keys};
+use crate::widgets::theme;
 
 const ROW: f32 = 22.0;
 

@@ -1,24 +1,26 @@
 //! The panels beside the picture and the graph: layers, lights, problems, history and the library.
 
+pub(crate) mod code;
+pub(crate) mod cost;
+pub(crate) mod curves;
+pub(crate) mod effects;
 mod history;
+pub(crate) mod inspector;
 pub(crate) mod layers;
 pub(crate) mod library;
 pub(crate) mod lights;
 mod objects;
 pub(crate) mod problems;
-pub(crate) mod solo;
-pub(crate) mod stack;
 mod start;
 mod thumbs;
-pub(crate) mod widgets;
 
 use eframe::egui::Ui;
 
-use super::command::Command;
-use super::dock::Panel;
-use super::safety::crashes::CrashLog;
-use super::session::Session;
+use crate::app::dock::Panel;
+use crate::commands::Command;
 use crate::render::Gpu;
+use crate::state::safety::crashes::CrashLog;
+use crate::state::session::Session;
 use thumbs::Thumbs;
 
 /// The panels, and what they remember.

@@ -7,12 +7,12 @@ use eframe::egui::{
     vec2,
 };
 
-use super::super::command::Command;
-use super::super::dock::{self, hint};
-use super::super::fixes;
-use super::super::session::Session;
-use super::super::theme::{self, Colors};
+use crate::app::dock::{self, hint};
+use crate::commands::Command;
 use crate::diag::{Diagnostic, Severity};
+use crate::state::fixes;
+use crate::state::session::Session;
+use crate::widgets::theme::{self, Colors};
 
 /// As many problems are listed; mending those shows the others.
 const MAX_LISTED: usize = 100;

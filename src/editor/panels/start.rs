@@ -10,14 +10,14 @@ use eframe::egui::{
     StrokeKind, TextureHandle, Ui, WidgetInfo, pos2, vec2,
 };
 
-use super::super::command::Command;
-use super::super::safety::crashes::CrashLog;
-use super::super::session::Session;
-use super::super::shortcuts::{self, Action};
-use super::super::theme;
 use super::library::cards::{self, Card};
 use super::thumbs::Thumbs;
-use super::widgets::whole;
+use crate::commands::Command;
+use crate::commands::shortcuts::{self, Action};
+use crate::state::safety::crashes::CrashLog;
+use crate::state::session::Session;
+use crate::widgets::rows::whole;
+use crate::widgets::theme;
 
 /// Around everything, in points; less in a narrow window.
 const MARGIN: f32 = 36.0;
@@ -183,7 +183,7 @@ impl Start {
 
     fn title(&mut self, ui: &mut Ui) {
         let logo = self.logo.get_or_insert_with(|| {
-            let image = egui::ColorImage::from(super::super::icon());
+            let image = egui::ColorImage::from(crate::icon());
             ui.ctx().load_texture("logo", image, egui::TextureOptions::LINEAR)
         });
         let (rect, _) = ui.allocate_exact_size(vec2(LOGO, LOGO), Sense::hover());

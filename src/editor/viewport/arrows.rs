@@ -8,13 +8,13 @@
 use eframe::egui::{Color32, Pos2, Rect, Stroke, Ui};
 use glam::DVec3;
 
-use super::super::session::Session;
-use super::super::theme;
 use super::lights::resolved;
 use super::surface::Surface;
 use super::{place_in, project};
 use crate::compile::LightValues;
 use crate::document::LightKind;
+use crate::state::session::Session;
+use crate::widgets::theme;
 
 /// How far sparse places are from one another, in points.
 const APART: f32 = 72.0;

@@ -5,22 +5,22 @@ use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{PopupCloseBehavior, Rect, Role, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2};
 use std::path::Path;
 
-use super::super::command::Command;
-use super::super::dock::Panel;
-use super::super::fitting::Fitting;
-use super::super::inspector::color;
-use super::super::panels::solo;
-use super::super::probe::{Probe, wire_name};
-use super::super::session::Session;
-use super::super::theme;
-use super::super::wipe::Wipe;
-use super::super::wire::node_at;
 use super::Viewport;
 use super::export::Export;
 use super::show::{self, Place};
+use crate::app::dock::Panel;
+use crate::commands::Command;
 use crate::document::{Projection, Scene};
 use crate::frame::SHAPE_PREFIX;
 use crate::geometry::SHAPES;
+use crate::state::session::Session;
+use crate::state::solo;
+use crate::state::wire::node_at;
+use crate::tools::fitting::Fitting;
+use crate::tools::probe::{Probe, wire_name};
+use crate::tools::wipe::Wipe;
+use crate::widgets::color;
+use crate::widgets::theme;
 
 impl Viewport {
     /// The mesh that the look is seen on, and how it stands.

@@ -7,15 +7,15 @@ use std::sync::Arc;
 use eframe::egui::ColorImage;
 use glam::DVec3;
 
-use super::super::orbit::Orbit;
-use super::super::still::Still;
-use super::super::worker::Worker;
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::Projection;
 use crate::files::{OutputKind, Outputs};
 use crate::frame::{Assets, Picture, PlanOptions, Planner};
 use crate::render::{Gpu, Renderer, block_on};
+use crate::state::orbit::Orbit;
+use crate::state::still::Still;
+use crate::state::worker::Worker;
 
 /// A baked ball's radius over the image's width: what a LitSphere node takes where nothing else is
 /// said.

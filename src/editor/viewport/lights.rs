@@ -9,17 +9,17 @@ use eframe::egui;
 use eframe::egui::{Color32, Id, Pos2, Rect, Stroke, Ui, vec2};
 use glam::{DMat3, DVec3};
 
-use super::super::command::Command;
-use super::super::orbit::Orbit;
-use super::super::session::Session;
-use super::super::theme;
 use super::field::direction_at;
 use super::layer::ShadingType;
 use super::project;
 use super::surface::Surface;
+use crate::commands::Command;
 use crate::compile::LightValues;
 use crate::document::{Light, LightKind, Projection, Value};
 use crate::ids::LightId;
+use crate::state::orbit::Orbit;
+use crate::state::session::Session;
+use crate::widgets::theme;
 
 /// Where needles begin and end, in radii of the object.
 const NEEDLE: [f64; 2] = [1.06, 1.25];

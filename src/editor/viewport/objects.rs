@@ -4,14 +4,15 @@
 use eframe::egui;
 use eframe::egui::{Align2, FontId, Pos2, Rect, Stroke, Ui, pos2, vec2};
 
-use super::super::command::Command;
-use super::super::session::Session;
-use super::super::stage::{Wish, file_label};
-use super::super::theme;
 use super::place_in;
 use super::surface::{Piece, Surface};
+use crate::commands::Command;
+use crate::commands::scene::Wish;
 use crate::frame::look_of;
 use crate::ids::ObjectId;
+use crate::state::session::Session;
+use crate::state::stage::file_label;
+use crate::widgets::theme;
 
 /// How long a corner's lines are, in points.
 const CORNER: f32 = 10.0;

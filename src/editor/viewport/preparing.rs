@@ -5,9 +5,9 @@ use std::time::Duration;
 
 use eframe::egui::{self, Align2, FontId, Rect, Role, Sense, Spinner, Ui, Vec2, WidgetInfo, vec2};
 
-use crate::picture::{Awaited, Picture};
-use crate::session::Session;
-use crate::theme;
+use crate::state::session::Session;
+use crate::viewport::picture::{Awaited, Picture};
+use crate::widgets::theme;
 
 /// What takes no longer, in seconds, has no sign.
 const CALM: f64 = 0.35;

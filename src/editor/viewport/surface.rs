@@ -8,19 +8,20 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3, Vec3};
 
-use super::super::session::Session;
-use super::super::stage::Placed;
-use super::super::still::Still;
-use super::super::worker::Worker;
 use crate::diag::Diagnostic;
 use crate::document::Camera;
 use crate::frame::{Assets, FramePlan, Pass, PassKind, Setup, SetupObject, View};
 use crate::ids::ObjectId;
 use crate::interp::Precision;
+use crate::progress::Progress;
 use crate::reference::{
-    Control, FragmentStage, Interpolation, Modules, Options, QuadBatch, Shaded, Shader, Shaders,
-    Sides, Target, Texels, Triangles, Varying, VertexStage, rasterise, shade_all,
+    FragmentStage, Interpolation, Modules, Options, QuadBatch, Shaded, Shader, Shaders, Sides,
+    Target, Texels, Triangles, Varying, VertexStage, rasterise, shade_all,
 };
+use crate::state::session::Session;
+use crate::state::stage::Placed;
+use crate::state::still::Still;
+use crate::state::worker::Worker;
 
 /// As many pixels are looked at, or a few more: half of those of 500 by 500 along each side.
 const MOST: f32 = 62_500.0;
@@ -292,7 +293,7 @@ fn surface_of(setup: &Setup, key: &Key) -> Result<Surface, Diagnostic> {
         &Target::Numbers(NUMBERS),
         &triangles,
         &Options::default(),
-        &Control::none(),
+        &Progress::new(),
     )?;
     let all: Vec<Piece> = parts.iter().map(|(object, part)| piece(object, *part)).collect();
     let vector =
@@ -397,7 +398,7 @@ fn kappa(surface: &Surface) -> Result<Vec<f32>, Diagnostic> {
     };
     let modules = Modules::new(&plan, Precision::F64)?;
     let shader = modules.curvature(&plan, &PassKind::Curvature, &normals, &depths)?;
-    let texels = shade_all(size, 1, shader.as_ref(), &Options::default(), &Control::none())?;
+    let texels = shade_all(size, 1, shader.as_ref(), &Options::default(), &Progress::new())?;
     Ok(texels.values.iter().map(|&x| x as f32).collect())
 }
 

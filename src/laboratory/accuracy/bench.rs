@@ -7,12 +7,13 @@ use super::report::{Report, Row, Subject};
 use super::size::Sizes;
 use super::truth::Truth;
 use super::variant::{Variant, can_be_left_out, tiers_of};
-use super::{Colors, ErrorFigures, Estimate, Progress, Stopped};
+use super::{Colors, ErrorFigures, Estimate, MeasureError};
 use crate::compile::Live;
 use crate::document::Tier;
 use crate::frame::{Assets, FramePlan, PlanOptions, Planner, Setup};
 use crate::ids::NodeId;
 use crate::library::Library;
+use crate::progress::Progress;
 use crate::render::{Renderer, block_on};
 
 /// What is measured.
@@ -48,8 +49,8 @@ pub fn bench(
     library: &Library,
     renderer: &mut Renderer,
     options: &BenchOptions,
-    progress: &mut Progress<'_>,
-) -> Result<Report, Stopped> {
+    progress: &Progress,
+) -> Result<Report, MeasureError> {
     let nodes = nodes(setup, library, options.nodes);
     let tiers = look_tiers(setup, library);
     progress.expect(((options.rounds + 2) * (1 + nodes.len())) as u64);
@@ -126,18 +127,18 @@ struct Bench<'a> {
 }
 
 impl Bench<'_> {
-    fn plan(&mut self, variant: &Variant) -> Result<FramePlan, Stopped> {
+    fn plan(&mut self, variant: &Variant) -> Result<FramePlan, MeasureError> {
         let setup = variant.of(self.setup);
         Ok(self.planner.plan(&setup, self.library, &Live::Keyed, &self.options.plan)?)
     }
 
     /// The truth, [settled](Truth::settle) with the exact tier's picture.
-    fn truth(&mut self, progress: &mut Progress<'_>) -> Result<Truth, Stopped> {
+    fn truth(&mut self, progress: &Progress) -> Result<Truth, MeasureError> {
         let exact = Variant::Looks(Tier::Exact);
         let setup = exact.of(self.setup);
         let options = &self.options.plan;
         let mut planner = Planner::for_truth(Assets::default());
-        let mut truth = Truth::of(&setup, self.library, &mut planner, options, progress)?;
+        let mut truth = Truth::of(&setup, self.library, &mut planner, options, &progress.part(1))?;
         let plan = FramePlan { samples: 1, ..self.plan(&exact)? };
         let got = block_on(self.precise.picture(&plan))?;
         truth.settle(
@@ -155,7 +156,7 @@ impl Bench<'_> {
         &mut self,
         plan: &FramePlan,
         truth: Option<&Truth>,
-    ) -> Result<Option<ErrorFigures>, Stopped> {
+    ) -> Result<Option<ErrorFigures>, MeasureError> {
         let plan = FramePlan { samples: 1, ..plan.clone() };
         truth.map(|truth| truth.compare(&mut self.precise, &plan)).transpose()
     }
@@ -165,8 +166,8 @@ impl Bench<'_> {
         &mut self,
         tiers: &[Tier],
         truth: Option<&Truth>,
-        progress: &mut Progress<'_>,
-    ) -> Result<Vec<Row>, Stopped> {
+        progress: &Progress,
+    ) -> Result<Vec<Row>, MeasureError> {
         let mut variants: Vec<(Subject, Option<Tier>, Variant)> =
             tiers.iter().map(|&tier| (Subject::Whole, Some(tier), Variant::Looks(tier))).collect();
         let asked = Variant::Asked.of(self.setup);
@@ -209,8 +210,8 @@ impl Bench<'_> {
         &mut self,
         node: &Measured,
         truth: Option<&Truth>,
-        progress: &mut Progress<'_>,
-    ) -> Result<Vec<Row>, Stopped> {
+        progress: &Progress,
+    ) -> Result<Vec<Row>, MeasureError> {
         let (look, id) = (node.look, &node.id);
         let mut variants: Vec<Variant> =
             node.tiers.iter().map(|&tier| Variant::Node { look, node: id.clone(), tier }).collect();

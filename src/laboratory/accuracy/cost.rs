@@ -3,8 +3,9 @@
 
 use serde::Serialize;
 
-use super::{Progress, Stopped};
+use super::MeasureError;
 use crate::frame::{FramePlan, PassKind};
+use crate::progress::Progress;
 use crate::render::{Renderer, block_on};
 
 /// Frames before the first that counts: pipelines are made and caches filled in them.
@@ -85,8 +86,8 @@ pub fn alternate(
     renderer: &mut Renderer,
     plans: &[&FramePlan],
     rounds: usize,
-    progress: &mut Progress<'_>,
-) -> Result<Vec<Series>, Stopped> {
+    progress: &Progress,
+) -> Result<Vec<Series>, MeasureError> {
     let mut series = vec![Series::default(); plans.len()];
     for round in 0..WARM_UP + rounds {
         progress.step()?;

@@ -21,6 +21,7 @@ pub mod tune;
 pub mod variant;
 
 use crate::diag::Diagnostic;
+use crate::progress::Stopped;
 use crate::render::RenderError;
 
 pub use bench::{BenchOptions, MeasuredNodes, bench};
@@ -31,69 +32,38 @@ pub use report::{Report, Row, Subject};
 pub use truth::Truth;
 pub use variant::Variant;
 
-/// How far long work has come, and whether it goes on.
-pub struct Progress<'a> {
-    done: u64,
-    total: u64,
-    told: &'a mut dyn FnMut(u64, u64) -> bool,
-}
-
-impl<'a> Progress<'a> {
-    /// Tells `told` how many steps are done of how many; it says whether to go on.
-    pub fn new(told: &'a mut dyn FnMut(u64, u64) -> bool) -> Self {
-        Self { done: 0, total: 0, told }
-    }
-
-    /// More work was found.
-    pub fn expect(&mut self, steps: u64) {
-        self.total += steps;
-    }
-
-    /// A step is done.
-    ///
-    /// # Errors
-    /// That it was stopped.
-    pub fn step(&mut self) -> Result<(), Stopped> {
-        self.done += 1;
-        self.total = self.total.max(self.done);
-        if (self.told)(self.done, self.total) { Ok(()) } else { Err(Stopped::Asked) }
-    }
-}
-
-impl std::fmt::Debug for Progress<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{} of {}", self.done, self.total)
-    }
-}
-
 /// Why a measurement has no result.
 #[derive(Debug)]
-pub enum Stopped {
-    /// It was asked to stop.
-    Asked,
+pub enum MeasureError {
+    /// Somebody stopped the measurement.
+    Stopped,
     /// What was measured could not be made or drawn.
     Problems(Vec<Diagnostic>),
 }
 
-impl From<RenderError> for Stopped {
+impl From<Stopped> for MeasureError {
+    fn from(_: Stopped) -> Self {
+        Self::Stopped
+    }
+}
+
+impl From<RenderError> for MeasureError {
     fn from(error: RenderError) -> Self {
         Self::Problems(vec![error.into()])
     }
 }
 
-impl From<Vec<Diagnostic>> for Stopped {
+impl From<Vec<Diagnostic>> for MeasureError {
     fn from(problems: Vec<Diagnostic>) -> Self {
-        Self::Problems(problems)
+        if Stopped::is_among(&problems) { Self::Stopped } else { Self::Problems(problems) }
     }
 }
 
-impl From<Stopped> for Vec<Diagnostic> {
-    fn from(stopped: Stopped) -> Self {
-        match stopped {
-            Stopped::Asked => {
-                vec![Diagnostic::error("stopped", "it was stopped before it was done")]
-            }
-            Stopped::Problems(problems) => problems,
+impl From<MeasureError> for Vec<Diagnostic> {
+    fn from(error: MeasureError) -> Self {
+        match error {
+            MeasureError::Stopped => Stopped.into(),
+            MeasureError::Problems(problems) => problems,
         }
     }
 }

@@ -5,12 +5,13 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::error::difference;
-use super::{Colors, ErrorFigures, Progress, Stopped, compare};
+use super::{Colors, ErrorFigures, MeasureError, compare};
 use crate::compile::Live;
 use crate::frame::{FramePlan, PlanOptions, Planner, Setup, View};
 use crate::interp::Precision;
 use crate::library::Library;
-use crate::reference::{self, Control, Modules, ReferencePicture, Snap};
+use crate::progress::Progress;
+use crate::reference::{self, Modules, ReferencePicture, Snap};
 use crate::render::{Renderer, block_on};
 
 /// GPUs and software Vulkan decide coverage where they have rounded vertices to, to 2^-8 of a
@@ -32,35 +33,19 @@ pub struct Truth {
 
 impl Truth {
     /// Renders `setup` as it is, with what `planner` (one [for the truth](Planner::for_truth)) has
-    /// read.
+    /// read. `progress` counts the picture's passes.
     ///
     /// # Errors
-    /// What is wrong with the setup, what the interpreter cannot run, or that `progress` stopped
-    /// it.
+    /// What is wrong with the setup, what the interpreter cannot run, or that `progress` was
+    /// stopped.
     pub fn of(
         setup: &Setup,
         library: &Library,
         planner: &mut Planner,
         options: &PlanOptions,
-        progress: &mut Progress<'_>,
-    ) -> Result<Self, Stopped> {
-        Self::watched(setup, library, planner, options, progress, &Control::none())
-    }
-
-    /// The same, with somebody who watches the picture being made and may stop it.
-    ///
-    /// # Errors
-    /// As [`of`](Self::of).
-    pub fn watched(
-        setup: &Setup,
-        library: &Library,
-        planner: &mut Planner,
-        options: &PlanOptions,
-        progress: &mut Progress<'_>,
-        control: &Control<'_>,
-    ) -> Result<Self, Stopped> {
-        progress.step()?;
-        Self::in_rows(setup, library, planner, options, 0..options.size[1], control)
+        progress: &Progress,
+    ) -> Result<Self, MeasureError> {
+        Self::in_rows(setup, library, planner, options, 0..options.size[1], progress)
     }
 
     /// The same of some rows alone, from the top; others are held against these.
@@ -73,8 +58,8 @@ impl Truth {
         planner: &mut Planner,
         options: &PlanOptions,
         rows: Range<u32>,
-        control: &Control<'_>,
-    ) -> Result<Self, Stopped> {
+        progress: &Progress,
+    ) -> Result<Self, MeasureError> {
         let options = PlanOptions { samples: 1, ..options.clone() };
         let plan = planner.plan(setup, library, &Live::All, &options)?;
         let one = |problem| vec![problem];
@@ -86,7 +71,7 @@ impl Truth {
         let region = [0, rows.start.saturating_sub(around), width, (rows.end + around).min(height)];
         let region = (rows != (0..height)).then_some(region);
         let options = reference::Options { snap: GRID, region, ..reference::Options::default() };
-        let picture = reference::execute(&plan, &modules, &options, control).map_err(one)?;
+        let picture = reference::execute(&plan, &modules, &options, progress).map_err(one)?;
         let edges = edges(&picture, &plan.view, reach);
         Ok(Self { picture, edges, view: plan.view, rows: rows.start as usize..rows.end as usize })
     }
@@ -116,7 +101,7 @@ impl Truth {
         library: &Library,
         planner: &mut Planner,
         options: &PlanOptions,
-    ) -> Result<usize, Stopped> {
+    ) -> Result<usize, MeasureError> {
         let colors = self.colors();
         let is_off = |&index: &usize| {
             !self.is_edge(index) && difference(&got.rgba[index], &colors.rgba[index]) > above(index)
@@ -146,7 +131,7 @@ impl Truth {
                 let options =
                     reference::Options { snap: GRID, region, ..reference::Options::default() };
                 let picture =
-                    reference::execute(&plan, &modules, &options, &Control::none()).map_err(one)?;
+                    reference::execute(&plan, &modules, &options, &Progress::new()).map_err(one)?;
                 let seen = std::array::from_fn(|channel| picture.color.values[4 * index + channel]);
                 if difference(&got.rgba[index], &seen) > above(index) {
                     left.push(index);
@@ -168,7 +153,7 @@ impl Truth {
         &self,
         renderer: &mut Renderer,
         plan: &FramePlan,
-    ) -> Result<ErrorFigures, Stopped> {
+    ) -> Result<ErrorFigures, MeasureError> {
         Ok(self.figures(&Colors::from(&block_on(renderer.picture(plan))?)))
     }
 

@@ -13,12 +13,13 @@ use super::measure::Measure;
 use super::station::{Station, stations};
 use super::truth::Truth;
 use super::variant::{Variant, tiers_of};
-use super::{ErrorFigures, Estimate, Progress, Stopped};
+use super::{ErrorFigures, Estimate, MeasureError};
 use crate::compile::Live;
 use crate::document::Tier;
 use crate::frame::{Assets, PlanOptions, Planner, Setup};
 use crate::ids::NodeId;
 use crate::library::Library;
+use crate::progress::Progress;
 use crate::render::Renderer;
 
 /// What is to be kept.
@@ -192,8 +193,8 @@ pub fn tune(
     library: &Library,
     renderer: &mut Renderer,
     options: &TuneOptions,
-    progress: &mut Progress<'_>,
-) -> Result<Tuned, Stopped> {
+    progress: &Progress,
+) -> Result<Tuned, MeasureError> {
     let exact: Vec<Setup> =
         setups.iter().map(|setup| Variant::Looks(Tier::Exact).of(setup)).collect();
     let nodes = exact.first().map(|setup| nodes(setup, library)).unwrap_or_default();
@@ -350,8 +351,8 @@ impl<'a> Tuner<'a> {
         library: &'a Library,
         renderer: &'a mut Renderer,
         options: &'a TuneOptions,
-        progress: &mut Progress<'_>,
-    ) -> Result<Self, Stopped> {
+        progress: &Progress,
+    ) -> Result<Self, MeasureError> {
         let precise = Renderer::new(renderer.gpu().precise());
         let mut tuner = Self {
             setups,
@@ -366,8 +367,13 @@ impl<'a> Tuner<'a> {
         for (index, setup) in setups.iter().enumerate() {
             for station in stations(setup, options.stations) {
                 let plan = tuner.error_plan(&station);
-                let truth =
-                    Truth::of(&station.of(setup), library, &mut truth_planner, &plan, progress)?;
+                let truth = Truth::of(
+                    &station.of(setup),
+                    library,
+                    &mut truth_planner,
+                    &plan,
+                    &progress.part(1),
+                )?;
                 tuner.truths.push((index, station, truth));
             }
         }
@@ -390,8 +396,8 @@ impl<'a> Tuner<'a> {
     fn error(
         &mut self,
         chosen: &[Candidate],
-        progress: &mut Progress<'_>,
-    ) -> Result<(ErrorFigures, Worst), Stopped> {
+        progress: &Progress,
+    ) -> Result<(ErrorFigures, Worst), MeasureError> {
         let mut figures = Vec::new();
         let mut worst = Worst::default();
         for at in 0..self.truths.len() {
@@ -420,8 +426,8 @@ impl<'a> Tuner<'a> {
         &mut self,
         choices: &[&[usize]],
         candidates: &[Candidate],
-        progress: &mut Progress<'_>,
-    ) -> Result<Vec<super::Series>, Stopped> {
+        progress: &Progress,
+    ) -> Result<Vec<super::Series>, MeasureError> {
         let mut plans = Vec::new();
         for chosen in choices {
             let setup = self.with(0, &chosen_of(candidates, chosen));
@@ -440,8 +446,8 @@ impl<'a> Tuner<'a> {
         look: usize,
         node: &NodeId,
         tiers: &[Tier],
-        progress: &mut Progress<'_>,
-    ) -> Result<Vec<Candidate>, Stopped> {
+        progress: &Progress,
+    ) -> Result<Vec<Candidate>, MeasureError> {
         let alone = |tier| Candidate {
             look,
             node: node.clone(),

@@ -29,8 +29,8 @@ use super::{FitOptions, Fitted};
 use crate::diag::Diagnostic;
 use crate::document::Edit;
 use crate::frame::Setup;
-use crate::hcbtf::Progress;
 use crate::library::Library;
+use crate::progress::Progress;
 
 /// Pixels that a search looks at.
 const PIXELS: usize = 320;

@@ -24,7 +24,8 @@ use crate::frame::{
 };
 use crate::ids::{LightId, ObjectId};
 use crate::library::Library;
-use crate::reference::{Control, Gathered, Options, Sheet};
+use crate::progress::Progress;
+use crate::reference::{Gathered, Options, Sheet};
 
 /// What a picture is taken of, and when.
 #[derive(Clone, Copy, Debug)]
@@ -125,7 +126,7 @@ impl Model {
             [shot.time, ((shot.time - setup.scene.time.start) * setup.scene.time.fps).round()];
         let (rig, lights) = (Rig::new(look).0, look.lights.clone());
         let is_chosen = |pixel: [u32; 2]| chosen.contains(&pixel);
-        let gathered = Gathered::new(plan, &is_chosen, &Options::default(), &Control::none())
+        let gathered = Gathered::new(plan, &is_chosen, &Options::default(), &Progress::new())
             .map_err(|one| vec![one])?;
         let wears = |index: &usize| {
             let seen = gathered.seen[*index];

@@ -8,7 +8,7 @@
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
 use crate::diag::Diagnostic;
-use crate::hcbtf::Progress;
+use crate::progress::Progress;
 
 /// The step of finite differences: an f64 has seven digits left for the derivative.
 const STEP: f64 = 1e-6;

@@ -13,8 +13,8 @@ use super::{FitOptions, Fitted};
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Look};
 use crate::frame::Setup;
-use crate::hcbtf::Progress;
 use crate::library::Library;
+use crate::progress::Progress;
 
 /// Quads of pixels that are looked at.
 const QUADS: usize = 96;

@@ -14,13 +14,13 @@ mod sample;
 use std::collections::HashSet;
 use std::path::Path;
 
-use crate::accuracy::Progress;
 use crate::catalog::Catalog;
 use crate::diag::Diagnostic;
 use crate::files::{self, ReadError};
 use crate::files::{OutputKind, Outputs};
 use crate::ids::make_slug;
 use crate::library::Library;
+use crate::progress::Progress;
 use crate::render::{Gpu, Renderer};
 use entry::Entry;
 pub use list::{List, Section, Shown};
@@ -78,7 +78,7 @@ pub fn build(
     gpu: &Gpu,
     library_for: &dyn Fn(&Path) -> Library,
     options: &Options,
-    progress: &mut Progress<'_>,
+    progress: &Progress,
 ) -> Result<Made, Vec<Diagnostic>> {
     check(list, folder, outputs)?;
     make_folder(folder)?;
@@ -142,6 +142,20 @@ pub fn build(
         outputs.commit().map_err(one)?;
     }
     Ok(made)
+}
+
+/// Hands over everything that decides on a document's page, but for times and errors and for the
+/// code that draws and writes: for those who keep what was shown by a hash of it.
+///
+/// # Errors
+/// What is wrong with the document.
+pub fn content(
+    shown: &Shown,
+    library: &Library,
+    options: &Options,
+    sink: &mut dyn FnMut(&[u8]),
+) -> Result<(), Vec<Diagnostic>> {
+    entry::content(shown, library, options, sink)
 }
 
 /// A page's name for each document in order, each used once: `index` and the like are taken by the

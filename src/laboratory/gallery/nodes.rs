@@ -4,13 +4,13 @@
 use std::path::{Path, PathBuf};
 
 use super::sample;
-use crate::accuracy::Progress;
 use crate::catalog::{CUSTOM_KIND, Catalog};
 use crate::diag::Diagnostic;
 use crate::drawing::node_svg;
 use crate::files::{OutputKind, Outputs};
 use crate::frame::Picture;
 use crate::library::Library;
+use crate::progress::Progress;
 use crate::render::{Gpu, Renderer};
 
 /// Pixels of a side.
@@ -34,7 +34,7 @@ pub struct NodePictures {
 pub fn draw_nodes(
     library: &Library,
     gpu: &Gpu,
-    progress: &mut Progress<'_>,
+    progress: &Progress,
     done: &mut dyn FnMut(NodePictures) -> Result<(), Diagnostic>,
 ) -> Result<(), Vec<Diagnostic>> {
     let catalog = Catalog::new(library);
@@ -83,7 +83,7 @@ pub fn write_nodes(
     folder: &Path,
     gpu: &Gpu,
     outputs: &mut Outputs,
-    progress: &mut Progress<'_>,
+    progress: &Progress,
 ) -> Result<(), Vec<Diagnostic>> {
     std::fs::create_dir_all(folder).map_err(|error| {
         let problem =

@@ -12,7 +12,8 @@ use crate::diag::Diagnostic;
 use crate::document::{Address, Directions, Grid, Hcbtf, Tile};
 use crate::files::{self, ReadError};
 use crate::geometry::{self, Mesh};
-use crate::hcbtf::{self, Coding, Filled, LayerOptions, Layers, Progress, Region};
+use crate::hcbtf::{self, Coding, Filled, LayerOptions, Layers, Region};
+use crate::progress::Progress;
 
 /// What an object's mesh begins with where it is an own shape.
 pub const SHAPE_PREFIX: &str = "shape:";
@@ -199,7 +200,7 @@ pub struct Assets {
     /// Whether what rules make is made for few directions alone.
     drafts: bool,
     /// Who watches HCBTFs being filled.
-    progress: Option<Arc<Progress>>,
+    progress: Progress,
     /// What was baked of it, or of what it was before.
     baked: HashMap<LayerOptions, (Overlay, Arc<Image>)>,
     meshes: HashMap<String, Kept<Mesh>>,
@@ -293,7 +294,7 @@ impl Assets {
 
     /// Lets somebody watch, and stop, the filling of HCBTFs from now on; each begins the progress
     /// anew.
-    pub fn watch(&mut self, progress: Option<Arc<Progress>>) {
+    pub fn watch(&mut self, progress: Progress) {
         self.progress = progress;
     }
 
@@ -341,8 +342,7 @@ impl Assets {
         if self.drafts && hcbtf.painted.is_empty() {
             hcbtf.grid = drafted(hcbtf.grid);
         }
-        let progress = self.progress.clone().unwrap_or_default();
-        let value = bake(&hcbtf, options, &progress)
+        let value = bake(&hcbtf, options, &self.progress)
             .map_err(|problem| vec![problem.in_file(key.0.display().to_string())])?;
         let value = Arc::new(value);
         self.hcbtfs.insert(key, Kept { stamp, value: value.clone(), notes: notes.clone() });

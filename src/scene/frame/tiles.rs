@@ -1,8 +1,6 @@
 //! A look on a flat tile, as every eye of a grid sees it under every light: the samples to evaluate
 //! for an HCBTF of it.
 
-use std::sync::Arc;
-
 use glam::{DMat3, DQuat, DVec2, DVec3};
 use indexmap::IndexMap;
 
@@ -11,9 +9,9 @@ use super::samples::{EvalSample, Evaluable, LightOverride};
 use super::setup::SetupLook;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, LightKind, LightSpace};
-use crate::hcbtf::Progress;
 use crate::ids::LightId;
 use crate::library::Library;
+use crate::progress::Progress;
 
 /// The light that goes around the tile: the one of this name, or the first directional one.
 ///
@@ -62,7 +60,7 @@ pub fn tile_assets(
     library: &Library,
     light: &LightId,
     mut assets: Assets,
-    progress: &Arc<Progress>,
+    progress: &Progress,
 ) -> Result<Assets, Vec<Diagnostic>> {
     if !setup.look.lights.contains_key(light) {
         return Err(vec![Diagnostic::error(
@@ -70,9 +68,9 @@ pub fn tile_assets(
             format!("the look has no light `{light}`"),
         )]);
     }
-    assets.watch(Some(progress.clone()));
+    assets.watch(progress.clone());
     Evaluable::new(setup, library, &mut assets)?;
-    assets.watch(None);
+    assets.watch(Progress::new());
     Ok(assets)
 }
 

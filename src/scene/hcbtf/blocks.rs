@@ -28,12 +28,12 @@ use rayon::iter::{
 };
 use rayon::slice::ParallelSliceMut as _;
 
-use super::Progress;
 use super::compact::distinct;
 use super::fill::{MAX_SAMPLES, NotFilled};
 use super::layers::{Layers, TOLD, direction_index, paint};
 use super::levels::{level_sizes, levels_of};
 use crate::document::{Address, Grid, Hcbtf, Tile};
+use crate::progress::Progress;
 
 /// Blocks of a row, and rows of a layer where there are several. `shaders/lib/hcbtf.wgsl` knows its
 /// logarithm.

@@ -284,7 +284,8 @@ pub(super) fn read(grid: &Grid, words: &[u8]) -> Option<Hcbtf> {
 mod tests {
     use super::*;
     use crate::document::{Directions, Storage};
-    use crate::hcbtf::{LayerOptions, Progress, from_layers, ktx2, stored};
+    use crate::hcbtf::{LayerOptions, from_layers, ktx2, stored};
+    use crate::progress::Progress;
 
     /// Five large tiles of many colors, one of two colors for all that is left: more than one
     /// layer.

@@ -5,13 +5,14 @@
 //! [`Directions::distinct`](crate::document::Directions::distinct): the normal first and once, then
 //! ring by ring. Between tiles there may be a gap, which is transparent and not read.
 
+use super::MAX_PAINTED_BYTES;
 use super::fill::{Filled, Which};
 use super::picture::{Picture, decode, reduced};
 use super::report::Report;
 use super::sheet::{gathered, painted};
-use super::{MAX_PAINTED_BYTES, Progress};
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf};
+use crate::progress::Progress;
 
 /// The widest gap between tiles, in texels.
 pub const MAX_GAP: u32 = 256;
@@ -130,8 +131,8 @@ fn import(picture: &Picture, grid: Grid, gap: u32, progress: &Progress) -> Hcbtf
 mod tests {
     use super::*;
     use crate::document::Directions;
-    use crate::hcbtf::Progress;
     use crate::hcbtf::fill::fill;
+    use crate::progress::Progress;
 
     #[test]
     fn samples_lie_by_view_and_light_and_come_back() {

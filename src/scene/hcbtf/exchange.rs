@@ -6,11 +6,12 @@ use std::path::{Path, PathBuf};
 use super::blocks::{Loss, loss};
 use super::fill::{Filled, NotFilled, Which};
 use super::layers::{LayerOptions, from_layers, stored};
-use super::{Progress, contact, folder, ktx2, read_bytes, sheet};
+use super::{contact, folder, ktx2, read_bytes, sheet};
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Hcbtf, Storage};
 use crate::figures::{bytes, count};
 use crate::files::{FileSet, write_atomic};
+use crate::progress::Progress;
 
 /// How samples lie in other programs' files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -18,10 +18,11 @@ use super::listing::{self, Listing};
 use super::picture::encode;
 use super::report::Report;
 use super::sheet::gathered;
-use super::{MAX_PAINTED, MAX_PAINTED_BYTES, Progress};
+use super::{MAX_PAINTED, MAX_PAINTED_BYTES};
 use crate::diag::Diagnostic;
 use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Tile};
 use crate::figures::count;
+use crate::progress::Progress;
 
 /// The name of a sample's image.
 pub fn file_name(Address { light, view }: Address) -> String {
@@ -342,8 +343,8 @@ pub fn export(
 mod tests {
     use super::*;
     use crate::document::Directions;
-    use crate::hcbtf::Progress;
     use crate::hcbtf::fill::fill;
+    use crate::progress::Progress;
 
     fn grid() -> Grid {
         Grid {

@@ -16,12 +16,13 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::blocks::{self, Coding};
+use super::compact;
 use super::fill::MAX_SAMPLES;
 use super::levels::{level_sizes, levels_of_all};
 use super::share::{shared_size, views, write_shares};
-use super::{Progress, compact};
 use crate::diag::Diagnostic;
 use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Storage, Tile};
+use crate::progress::Progress;
 
 /// What the texture is to hold beside the samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

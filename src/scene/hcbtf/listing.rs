@@ -102,7 +102,8 @@ mod tests {
     use super::*;
     use crate::document::{Address, Directions, Hcbtf};
     use crate::hcbtf::fill::fill;
-    use crate::hcbtf::{Progress, folder};
+    use crate::hcbtf::folder;
+    use crate::progress::Progress;
 
     fn painted() -> Hcbtf {
         let light = Directions { theta: 2, phi: 3 };

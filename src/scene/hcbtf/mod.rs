@@ -32,7 +32,6 @@ mod memory;
 mod noise;
 pub mod paint;
 mod picture;
-mod progress;
 mod repaint;
 mod report;
 mod share;
@@ -53,7 +52,6 @@ pub use layers::{
 pub use manifest::read_rules;
 pub use memory::{Device, Limits, Need, needs, needs_at_most};
 pub use picture::Picture;
-pub use progress::Progress;
 pub use repaint::{Region, repaint};
 pub use synthesize::{Synthesis, synthesize, synthesize_filled};
 

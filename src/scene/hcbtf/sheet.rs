@@ -22,9 +22,10 @@ use rayon::slice::ParallelSliceMut as _;
 use super::fill::{Filled, shared};
 use super::picture::{Picture, decode, reduced};
 use super::report::Report;
-use super::{MAX_PAINTED_BYTES, Progress, folder};
+use super::{MAX_PAINTED_BYTES, folder};
 use crate::diag::Diagnostic;
 use crate::document::{Address, Direction, Grid, Hcbtf, Tile};
+use crate::progress::Progress;
 
 /// Width and height of a grid's sheet, in texels; as large as numbers go for a grid that cannot be.
 pub fn size(grid: &Grid) -> [u32; 2] {

@@ -9,7 +9,8 @@ use chiaro::fit::Target;
 use chiaro::frame::{Assets, PlanOptions, Planner, Setup, SetupLook, default_setup};
 use chiaro::interp::Precision;
 use chiaro::library::Library;
-use chiaro::reference::{self, Control, Modules, ReferencePicture};
+use chiaro::progress::Progress;
+use chiaro::reference::{self, Modules, ReferencePicture};
 use serde_json::{Value, json};
 
 use crate::support::random::Random;
@@ -114,7 +115,7 @@ pub(crate) fn picture(setup: &Setup) -> ReferencePicture {
         .plan(setup, Library::built_in(), &Live::Keyed, &options)
         .unwrap();
     let modules = Modules::new(&plan, Precision::F64).unwrap();
-    reference::execute(&plan, &modules, &reference::Options::default(), &Control::none()).unwrap()
+    reference::execute(&plan, &modules, &reference::Options::default(), &Progress::new()).unwrap()
 }
 
 /// How many pixels of the figure differ beyond what is seen, and how many there are.

@@ -6,8 +6,9 @@ use std::sync::Arc;
 use chiaro::document::{Grid, Hcbtf, Storage, Tile};
 use chiaro::frame::{Assets, EvalSample, PlanOptions, Planner};
 use chiaro::hcbtf::fill::fill;
-use chiaro::hcbtf::{LayerOptions, Layers, Progress, from_layers, load, loss, stored};
+use chiaro::hcbtf::{LayerOptions, Layers, from_layers, load, loss, stored};
 use chiaro::library::Library;
+use chiaro::progress::Progress;
 use chiaro::render::{Gpu, Renderer, block_on, device_descriptor};
 
 use super::{Directions, LOOKUPS, at_random, by_hand, file, note, stored_as};

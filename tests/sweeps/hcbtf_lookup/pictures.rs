@@ -3,12 +3,13 @@
 
 use std::path::Path;
 
-use chiaro::accuracy::{ErrorFigures, Progress, Stopped, Truth};
+use chiaro::accuracy::{ErrorFigures, MeasureError, Truth};
 use chiaro::compile::Live;
 use chiaro::diag::Diagnostic;
 use chiaro::document::{Address, Camera, Grid, Hcbtf, Scene, Tile};
 use chiaro::frame::{Assets, PlanOptions, Planner, Setup};
 use chiaro::library::Library;
+use chiaro::progress::Progress;
 use chiaro::render::Renderer;
 
 use super::{Directions, file, stored_as};
@@ -50,7 +51,7 @@ fn setup(path: &Path, storage: &str, tier: &str, far: f64, repeats: f64) -> Setu
     scene_of(vec![(look, mesh, matrix)], Scene { camera, ..Scene::default() })
 }
 
-fn flawless<T>(result: Result<T, Stopped>) -> T {
+fn flawless<T>(result: Result<T, MeasureError>) -> T {
     result.unwrap_or_else(|stopped| panic!("{}", told(&Vec::<Diagnostic>::from(stopped))))
 }
 
@@ -62,13 +63,12 @@ fn measured(
 ) -> Vec<(String, ErrorFigures)> {
     let options = PlanOptions { size: [96, 72], samples: 1, time: 0.0 };
     let truth = |storage: &str| {
-        let mut go_on = |_, _| true;
         flawless(Truth::of(
             &setup(path, storage, "exact", far, repeats),
             Library::built_in(),
             &mut Planner::for_truth(Assets::default()),
             &options,
-            &mut Progress::new(&mut go_on),
+            &Progress::new(),
         ))
     };
     // Blocks have a loss of their own, which the reference decodes as the GPU does.

@@ -1,15 +1,14 @@
 //! The executor: passes in the order of the plan, each with what it reads.
 
 use std::path::Path;
-use std::sync::Mutex;
+use std::sync::{Arc, Mutex};
 
 use chiaro::compile::Live;
 use chiaro::diag::Diagnostic;
 use chiaro::frame::{Assets, Draw, FramePlan, PassKind, PlanOptions, Planner, open};
 use chiaro::library::Library;
-use chiaro::reference::{
-    Control, Interpolation, Options, PassImages, Shader, Shaders, Texels, execute,
-};
+use chiaro::progress::Progress;
+use chiaro::reference::{Interpolation, Options, PassImages, Shader, Shaders, Texels, execute};
 use glam::DVec3;
 
 use super::shaders::Plain;
@@ -90,13 +89,15 @@ fn passes_run_in_order_and_read_each_other() {
     let kinds: Vec<_> = plan.passes.iter().map(|pass| pass.kind.clone()).collect();
     assert_eq!(kinds, [PassKind::Normals, PassKind::Curvature, PassKind::Look]);
     let shaders = Noted::default();
-    let shares = Mutex::new(Vec::new());
-    let progress = |share: f64| shares.lock().expect("nobody panics").push(share);
-    let control = Control { progress: &progress, ..Control::none() };
+    let shares: Arc<Mutex<Vec<f64>>> = Arc::default();
+    let observed = shares.clone();
+    let progress = Progress::observed(move |progress| {
+        observed.lock().expect("nobody panics").push(progress.share());
+    });
     let options = Options { threads: 1, tile: 16, ..Options::default() };
-    let picture = execute(&plan, &shaders, &options, &control).expect("nothing fails");
+    let picture = execute(&plan, &shaders, &options, &progress).expect("nothing fails");
     assert_eq!(*shaders.0.lock().expect("nobody panics"), ["normals", "curvature", "look"]);
-    let shares = shares.into_inner().expect("nobody panics");
+    let shares = std::mem::take(&mut *shares.lock().expect("nobody panics"));
     assert!(shares.is_sorted() && shares.last() == Some(&1.0), "{shares:?}");
     // The middle shows the object's number plus 1 and the distance of the sphere; the corner what
     // is behind it.
@@ -121,11 +122,11 @@ fn passes_run_in_order_and_read_each_other() {
 fn a_plan_out_of_order_is_refused() {
     let mut plan = plan("figure6-comics.json", [16, 16]);
     plan.passes.remove(0);
-    let problem = execute(&plan, &Noted::default(), &Options::default(), &Control::none())
+    let problem = execute(&plan, &Noted::default(), &Options::default(), &Progress::new())
         .expect_err("no normals");
     assert_eq!(problem.code, "reference-plan");
     plan.passes.clear();
-    let problem = execute(&plan, &Noted::default(), &Options::default(), &Control::none())
+    let problem = execute(&plan, &Noted::default(), &Options::default(), &Progress::new())
         .expect_err("no picture");
     assert_eq!(problem.code, "reference-plan");
 }

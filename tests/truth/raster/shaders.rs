@@ -1,9 +1,10 @@
 //! Shaders for tests of the rasteriser: vertices that are there already, fragments by a closure.
 
 use chiaro::diag::Diagnostic;
+use chiaro::progress::Progress;
 use chiaro::reference::{
-    Control, FragmentStage, Interpolation, Options, QuadBatch, Raster, Shaded, Shader, Sides,
-    Target, Triangles, Varying, VertexStage, rasterise,
+    FragmentStage, Interpolation, Options, QuadBatch, Raster, Shaded, Shader, Sides, Target,
+    Triangles, Varying, VertexStage, rasterise,
 };
 
 use crate::support::random::Random;
@@ -114,7 +115,7 @@ pub(crate) fn draw_all(
         .iter()
         .map(|(indices, shader)| Triangles { indices, shader: *shader, sides: BOTH })
         .collect();
-    rasterise(size, samples, target, &triangles, options, &Control::none())
+    rasterise(size, samples, target, &triangles, options, &Progress::new())
         .expect("it fits, and nothing fails")
 }
 

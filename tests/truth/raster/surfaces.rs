@@ -1,10 +1,10 @@
 //! What fragments get: positions and varyings against rays, derivatives, depth, blending, discards.
 
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
+use chiaro::progress::Progress;
 use chiaro::reference::{
-    Control, Interpolation, LANES, Options, QuadBatch, Snap, Target, Triangles, rasterise,
-    shade_all,
+    Interpolation, LANES, Options, QuadBatch, Snap, Target, Triangles, rasterise, shade_all,
 };
 use glam::DVec3;
 
@@ -361,7 +361,7 @@ fn every_pixel_of_an_image_is_shaded_once() {
     });
     for (threads, tile) in [(1, 64), (3, 10), (2, 2)] {
         let options = Options { threads, tile, ..Options::default() };
-        let image = shade_all(size, 2, &shader, &options, &Control::none()).expect("nothing fails");
+        let image = shade_all(size, 2, &shader, &options, &Progress::new()).expect("nothing fails");
         for y in 0..size[1] {
             for x in 0..size[0] {
                 assert_eq!(image.pixel(x, y), [x, y].map(|pixel| f64::from(pixel) + 0.5));
@@ -373,31 +373,26 @@ fn every_pixel_of_an_image_is_shaded_once() {
 
 #[test]
 fn the_work_can_be_stopped_and_tells_how_far_it_is() {
-    let cancel = AtomicBool::new(false);
+    let progress = Progress::observed(|_| panic!("nothing was finished"));
     let shader = Plain::new(sheet(0.5), |_, _| {
-        cancel.store(true, Ordering::Relaxed);
+        progress.stop();
         Some(vec![1.0; 4])
     });
     let indices = in_order(6);
     let triangles = [Triangles { indices: &indices, shader: &shader, sides: BOTH }];
     let options = Options { threads: 1, snap: Snap::Subpixel(8), ..Options::default() };
-    let control = Control { cancel: &cancel, progress: &|_| panic!("nothing was finished") };
     let problem =
-        rasterise(SIZE, 1, &CLEAR, &triangles, &options, &control).expect_err("it was stopped");
-    assert_eq!(problem.code, "cancelled");
-    let most = AtomicUsize::new(0);
+        rasterise(SIZE, 1, &CLEAR, &triangles, &options, &progress).expect_err("it was stopped");
+    assert_eq!(problem.code, "stopped");
     let shader = Plain::new(sheet(0.5), |_, _| Some(vec![1.0; 4]));
     let triangles = [Triangles { indices: &indices, shader: &shader, sides: BOTH }];
-    let progress = |share: f64| {
-        most.fetch_max((share * 1000.0) as usize, Ordering::Relaxed);
-    };
-    let control = Control { progress: &progress, ..Control::none() };
-    rasterise(SIZE, 1, &CLEAR, &triangles, &options, &control).expect("it was not");
-    assert_eq!(most.into_inner(), 1000);
+    let progress = Progress::new();
+    rasterise(SIZE, 1, &CLEAR, &triangles, &options, &progress).expect("it was not");
+    assert_eq!(progress.share(), 1.0);
     let problem =
-        rasterise([1 << 15; 2], 4, &CLEAR, &[], &options, &Control::none()).expect_err("too large");
+        rasterise([1 << 15; 2], 4, &CLEAR, &[], &options, &Progress::new()).expect_err("too large");
     assert_eq!(problem.code, "reference-too-large");
     let problem =
-        rasterise([8; 2], 2, &CLEAR, &[], &options, &Control::none()).expect_err("no such samples");
+        rasterise([8; 2], 2, &CLEAR, &[], &options, &Progress::new()).expect_err("no such samples");
     assert_eq!(problem.code, "reference-samples");
 }

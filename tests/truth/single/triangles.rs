@@ -6,7 +6,8 @@ use chiaro::frame::{PlanOptions, Planner, Setup};
 use chiaro::geometry::{Mesh, Part};
 use chiaro::interp::Precision;
 use chiaro::library::Library;
-use chiaro::reference::{self, Control, Modules, Options, ReferencePicture, Snap};
+use chiaro::progress::Progress;
+use chiaro::reference::{self, Modules, Options, ReferencePicture, Snap};
 use chiaro::render::{Picture, Renderer, block_on};
 use serde_json::json;
 
@@ -56,7 +57,7 @@ fn both(setup: &Setup, snap: Snap) -> (Picture, ReferencePicture) {
     let modules = Modules::new(&plan, Precision::F64).expect("it compiles");
     let options = Options { snap, ..Options::default() };
     let reference =
-        reference::execute(&plan, &modules, &options, &Control::none()).expect("it is drawn");
+        reference::execute(&plan, &modules, &options, &Progress::new()).expect("it is drawn");
     let picture =
         block_on(Renderer::new(renderer().gpu().precise()).picture(&plan)).expect("it is drawn");
     (picture, reference)

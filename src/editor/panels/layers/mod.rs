@@ -13,17 +13,17 @@ use eframe::egui::{
     EventFilter, Key, Modifiers, Popup, Rect, Response, RichText, ScrollArea, Stroke, Ui, pos2,
 };
 
-use super::super::command::Command;
-use super::super::dock::hint;
-use super::super::session::Session;
-use super::super::spots::{self, Spot};
-use super::super::theme;
-use super::solo;
-use super::stack::{BELOW, Stack};
 use super::thumbs::{Shot, Thumbs, key_on, stage_of};
-use super::widgets::{Renaming, leave_with_pointer, undo_keys};
+use crate::app::dock::hint;
+use crate::commands::Command;
 use crate::document::{Edit, Endpoint, GraphId, Node, Wire};
 use crate::ids::{NodeId, NodePath, make_slug};
+use crate::state::session::Session;
+use crate::state::solo;
+use crate::state::stack::{BELOW, Stack};
+use crate::widgets::rows::{Renaming, leave_with_pointer, undo_keys};
+use crate::widgets::spots::{self, Spot};
+use crate::widgets::theme;
 use presets::{LayerPreset, PRESETS};
 use row::{ROW, Row};
 

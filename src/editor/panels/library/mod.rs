@@ -10,11 +10,11 @@ use std::path::PathBuf;
 use eframe::egui;
 use eframe::egui::{Rect, Role, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
 
-use super::super::command::Command;
-use super::super::dock::hint;
-use super::super::safety::crashes::CrashLog;
-use super::super::session::Session;
 use super::thumbs::Thumbs;
+use crate::app::dock::hint;
+use crate::commands::Command;
+use crate::state::safety::crashes::CrashLog;
+use crate::state::session::Session;
 use cards::Card;
 pub(crate) use examples::{Content, example};
 

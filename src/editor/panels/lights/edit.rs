@@ -5,15 +5,15 @@ use eframe::egui::{
     ComboBox, DragValue, Id, Pos2, Role, Sense, Slider, Stroke, Ui, WidgetInfo, vec2,
 };
 
-use super::super::super::command::Command;
-use super::super::super::inspector::color;
-use super::super::super::inspector::marks::Marked;
-use super::super::super::inspector::row::{self, labelled};
-use super::super::super::lighting::{Lamp, Owner};
-use super::super::super::session::Session;
-use super::super::super::theme;
+use crate::commands::Command;
 use crate::document::{ColorSpace, Light, LightField, LightKind, LightQuantity, LightSpace};
+use crate::fields::lighting::{Lamp, Owner};
+use crate::fields::marks::Marked;
+use crate::fields::row::{self, labelled};
 use crate::library::Type;
+use crate::state::session::Session;
+use crate::widgets::color;
+use crate::widgets::theme;
 
 const BALL: f32 = 84.0;
 /// The least that a hand makes of a number that is to be above 0: the narrowest cone, say, in

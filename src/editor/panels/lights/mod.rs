@@ -14,16 +14,17 @@ use eframe::egui::{
 };
 use indexmap::IndexMap;
 
-use super::super::command::Command;
-use super::super::dock::hint;
-use super::super::lighting::{Lamp, Owner, Shared};
-use super::super::session::Session;
-use super::super::{theme, values};
-use super::solo;
-use super::widgets::{ICON, Icon, Renaming, icon, picture_frame};
+use crate::app::dock::hint;
+use crate::commands::Command;
 use crate::document::{ColorSpace, Light, Value};
+use crate::fields::lighting::{Lamp, Owner, Shared};
 use crate::ids::LightId;
 use crate::library::Type;
+use crate::state::session::Session;
+use crate::state::solo;
+use crate::values;
+use crate::widgets::rows::{ICON, Icon, Renaming, icon, picture_frame};
+use crate::widgets::theme;
 pub(crate) use edit::edit;
 
 /// How wide it is to say who has a light, in points.

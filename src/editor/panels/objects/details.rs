@@ -3,15 +3,14 @@
 use eframe::egui;
 use eframe::egui::{Checkbox, ComboBox, DragValue, Id, Ui};
 
-use super::super::super::dialogs::Purpose;
-use super::super::super::inspector::row::labelled;
-use super::super::super::stage::{
-    Stage, Wish, file_label, from_degrees, mesh_label, stood_up, to_degrees,
-};
+use crate::app::dialogs::Purpose;
+use crate::commands::scene::Wish;
 use crate::document::{Object, Transform};
+use crate::fields::row::labelled;
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX};
 use crate::geometry::SHAPES;
 use crate::ids::ObjectId;
+use crate::state::stage::{Stage, file_label, from_degrees, mesh_label, stood_up, to_degrees};
 
 /// The smallest scale: 0 leaves nothing.
 const LEAST_SCALE: f64 = 1e-3;

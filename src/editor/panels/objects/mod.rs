@@ -10,15 +10,16 @@ use eframe::egui::{
     UiBuilder, WidgetInfo, vec2,
 };
 
-use super::super::command::Command;
-use super::super::dock::hint;
-use super::super::session::Session;
-use super::super::stage::{Stage, Wish, mesh_label};
-use super::super::theme;
-use super::widgets::{Icon, Renaming, card_ground, icon, leave_with_pointer, undo_keys};
+use crate::app::dock::hint;
+use crate::commands::Command;
+use crate::commands::scene::Wish;
 use crate::document::{Object, SceneEdit};
 use crate::geometry::SHAPES;
 use crate::ids::ObjectId;
+use crate::state::session::Session;
+use crate::state::stage::{Stage, mesh_label};
+use crate::widgets::rows::{Icon, Renaming, card_ground, icon, leave_with_pointer, undo_keys};
+use crate::widgets::theme;
 
 const ROW: f32 = 40.0;
 

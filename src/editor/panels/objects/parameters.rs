@@ -4,16 +4,18 @@ use std::borrow::Cow;
 
 use eframe::egui::{Id, RichText, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2};
 
-use super::super::super::catalog::Port;
-use super::super::super::inspector::row;
-use super::super::super::reading::Parameter;
-use super::super::super::session::Session;
-use super::super::super::stage::{Stage, Wish};
-use super::super::super::{theme, values};
 use super::details::look_label;
+use crate::catalog::Port;
+use crate::commands::scene::Wish;
 use crate::document::{Object, Value};
+use crate::fields::row;
 use crate::ids::{ObjectId, PortName};
 use crate::library::Type;
+use crate::state::reading::Parameter;
+use crate::state::session::Session;
+use crate::state::stage::Stage;
+use crate::values;
+use crate::widgets::theme;
 
 /// Lists the parameters by the looks that expose them, and then what the object sets and no look of
 /// it takes.

@@ -2,9 +2,9 @@
 
 use eframe::egui::{CollapsingHeader, TextEdit, Ui};
 
-use super::super::super::inspector::row::labelled;
-use super::super::super::stage::Wish;
+use crate::commands::scene::Wish;
 use crate::document::{Scene, SceneEdit};
+use crate::fields::row::labelled;
 
 /// Shows both, folded to a line.
 pub(super) fn show(ui: &mut Ui, scene: &Scene, out: &mut Vec<Wish>) {

@@ -12,15 +12,15 @@ use glam::DVec3;
 
 use eframe::egui::{self, ColorImage, TextureHandle, TextureId, Ui};
 
-use super::super::orbit::Orbit;
-use super::super::safety::crashes::{CrashLog, DocumentOrigin, Step};
-use super::super::session::Session;
-use super::super::still::{Reused, Still};
-use super::super::worker::Worker;
 use crate::compile::Live;
 use crate::document::Look;
 use crate::frame::{Cull, DEFAULT_MESH, Picture, PlanOptions, Planner, SHAPE_PREFIX};
 use crate::render::{Gpu, Renderer, block_on};
+use crate::state::orbit::Orbit;
+use crate::state::safety::crashes::{CrashLog, DocumentOrigin, Step};
+use crate::state::session::Session;
+use crate::state::still::{Reused, Still};
+use crate::state::worker::Worker;
 pub(crate) use scene::key_of_scene;
 
 /// Each pixel is the mean of so many by so many: highlights are finer than a small picture's

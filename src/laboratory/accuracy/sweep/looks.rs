@@ -8,13 +8,13 @@ use serde::Serialize;
 
 use crate::accuracy::error::VISIBLE;
 use crate::accuracy::station::stations;
-use crate::accuracy::{Colors, ErrorFigures, Progress, Stopped, Variant, truth::Truth};
+use crate::accuracy::{Colors, ErrorFigures, MeasureError, Variant, truth::Truth};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::{Look, Tier};
 use crate::frame::{Assets, PlanOptions, Planner, Setup, open};
 use crate::library::Library;
-use crate::reference::Control;
+use crate::progress::Progress;
 use crate::render::{Renderer, block_on};
 
 /// What looks are worn by.
@@ -261,8 +261,8 @@ pub fn measure_look(
     library: &Library,
     precise: &mut Renderer,
     effort: &LookEffort,
-    progress: &mut Progress<'_>,
-) -> Result<Vec<LookMeasured>, Stopped> {
+    progress: &Progress,
+) -> Result<Vec<LookMeasured>, MeasureError> {
     let look = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let mut assets = Assets::default();
     let mut figures = vec![Vec::new(); effort.tiers.len()];
@@ -290,11 +290,16 @@ pub fn measure_look(
             for side in sides {
                 let options = PlanOptions { size: [side; 2], samples: 1, time: station.time };
                 let exact = Variant::Looks(Tier::Exact).of(&seen);
-                progress.step()?;
                 let rows = effort.rows.unwrap_or(side).min(side);
                 let rows = (side - rows) / 2..(side + rows) / 2;
-                let mut truth =
-                    Truth::in_rows(&exact, library, &mut truths, &options, rows, &Control::none())?;
+                let mut truth = Truth::in_rows(
+                    &exact,
+                    library,
+                    &mut truths,
+                    &options,
+                    rows,
+                    &progress.part(1),
+                )?;
                 for (number, &tier) in effort.tiers.iter().enumerate() {
                     let drawn = Variant::Looks(tier).of(&seen);
                     let plan = planners[number].plan(&drawn, library, &Live::Keyed, &options)?;

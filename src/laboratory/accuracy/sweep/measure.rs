@@ -6,7 +6,7 @@ use super::bounds::{Judging, bound, counts_inputs, is_stated, judging, moves_tog
 use super::case::{Bench, Case, Root, feeders, write_textures};
 use super::random::{Even, Random};
 use super::slot::{Kind, Numbers, Place, Slot, held, next, relate};
-use crate::accuracy::Stopped;
+use crate::accuracy::MeasureError;
 use crate::compile::{Live, Options};
 use crate::diag::Diagnostic;
 use crate::document::Value;
@@ -142,7 +142,7 @@ impl<'a> Lab<'a> {
     ///
     /// # Errors
     /// What the compiler or the GPU refuses.
-    pub fn run(&mut self, bench: &Bench, all: &[Numbers]) -> Result<Vec<Vec<f64>>, Stopped> {
+    pub fn run(&mut self, bench: &Bench, all: &[Numbers]) -> Result<Vec<Vec<f64>>, MeasureError> {
         let samples: Vec<EvalSample> =
             all.iter().map(|numbers| sample(&bench.slots, numbers)).collect();
         let unspecialized = self.is_unspecialized(bench);
@@ -163,7 +163,7 @@ impl<'a> Lab<'a> {
     ///
     /// # Errors
     /// What the compiler or the interpreter refuses.
-    pub fn truth(&mut self, bench: &Bench, all: &[Numbers]) -> Result<Vec<Vec<f64>>, Stopped> {
+    pub fn truth(&mut self, bench: &Bench, all: &[Numbers]) -> Result<Vec<Vec<f64>>, MeasureError> {
         let samples: Vec<EvalSample> =
             all.iter().map(|numbers| sample(&bench.slots, numbers)).collect();
         let mut rows = vec![Vec::new(); samples.len()];
@@ -236,7 +236,7 @@ impl<'a> Lab<'a> {
     ///
     /// # Errors
     /// What the compiler, the GPU or the interpreter refuses.
-    pub fn measure(&mut self, case: &Case, effort: &Effort) -> Result<Measured, Stopped> {
+    pub fn measure(&mut self, case: &Case, effort: &Effort) -> Result<Measured, MeasureError> {
         let bench = self.bench(case)?;
         let samples = samples(&bench, effort);
         let findings = self.compare(&bench, &samples)?;
@@ -252,7 +252,11 @@ impl<'a> Lab<'a> {
     ///
     /// # Errors
     /// What the compiler, the GPU or the interpreter refuses.
-    pub fn compare(&mut self, bench: &Bench, samples: &[Numbers]) -> Result<Vec<Finding>, Stopped> {
+    pub fn compare(
+        &mut self,
+        bench: &Bench,
+        samples: &[Numbers],
+    ) -> Result<Vec<Finding>, MeasureError> {
         let got = self.run(bench, samples)?;
         let truth = self.truth(bench, samples)?;
         let finding = |((numbers, got), truth): ((&Numbers, Vec<f64>), Vec<f64>)| {
@@ -301,7 +305,7 @@ impl<'a> Lab<'a> {
         bench: &Bench,
         doubtful: &dyn Fn(&Finding) -> bool,
         findings: &mut [Finding],
-    ) -> Result<(), Stopped> {
+    ) -> Result<(), MeasureError> {
         for below in [1.0, 4.0] {
             let is_tiny = |x: &f64| *x != 0.0 && x.abs() < below * f64::from(f32::MIN_POSITIVE);
             let has_any = |finding: &Finding| finding.numbers.iter().flatten().any(is_tiny);
@@ -337,7 +341,7 @@ impl<'a> Lab<'a> {
         indices: &[usize],
         more: usize,
         findings: &mut [Finding],
-    ) -> Result<(), Stopped> {
+    ) -> Result<(), MeasureError> {
         let together = moves_together(&bench.case);
         let mut around = Vec::new();
         let mut counts = Vec::new();

@@ -10,7 +10,7 @@ use super::case::{Bench, Case};
 use super::measure::{Finding, Lab, Measured, told};
 use super::random::Random;
 use super::slot::{Numbers, relate};
-use crate::accuracy::Stopped;
+use crate::accuracy::MeasureError;
 use crate::diag::Diagnostic;
 use crate::files::{OutputKind, Outputs, read_text};
 use crate::library::Library;
@@ -29,7 +29,7 @@ pub fn climb(
     bench: &Bench,
     measured: &mut Measured,
     rounds: usize,
-) -> Result<(), Stopped> {
+) -> Result<(), MeasureError> {
     if bench.slots.is_empty() || measured.broken > 0 {
         return Ok(());
     }

@@ -7,10 +7,11 @@ use serde::Serialize;
 
 use super::looks::EDGE_SHARE;
 use crate::accuracy::error::VISIBLE;
-use crate::accuracy::{Colors, Progress, Stopped, truth::Truth};
+use crate::accuracy::{Colors, MeasureError, truth::Truth};
 use crate::compile::Live;
 use crate::frame::{Assets, PlanOptions, Planner, Setup, open};
 use crate::library::Library;
+use crate::progress::Progress;
 use crate::render::{Renderer, block_on};
 
 /// What turns.
@@ -115,8 +116,8 @@ pub fn measure_stability(
     library: &Library,
     precise: &mut Renderer,
     effort: &StabilityEffort,
-    progress: &mut Progress<'_>,
-) -> Result<StabilityMeasured, Stopped> {
+    progress: &Progress,
+) -> Result<StabilityMeasured, MeasureError> {
     let (setup, _) = open(path, Some(mesh), &mut Assets::default())?;
     let (mut planner, mut truths) = (Planner::default(), Planner::for_truth(Assets::default()));
     let mut measured = StabilityMeasured {
@@ -149,10 +150,10 @@ fn frame(
     precise: &mut Renderer,
     (planner, truths): (&mut Planner, &mut Planner),
     side: u32,
-    progress: &mut Progress<'_>,
-) -> Result<Frame, Stopped> {
+    progress: &Progress,
+) -> Result<Frame, MeasureError> {
     let options = PlanOptions { size: [side; 2], samples: 1, time: 0.0 };
-    let mut truth = Truth::of(setup, library, truths, &options, progress)?;
+    let mut truth = Truth::of(setup, library, truths, &options, &progress.part(1))?;
     let plan = planner.plan(setup, library, &Live::Keyed, &options)?;
     let got = Colors::from(&block_on(precise.picture(&plan))?);
     let colors = truth.colors().rgba.into_owned();

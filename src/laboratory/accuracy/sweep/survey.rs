@@ -5,7 +5,7 @@
 
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, mpsc};
 use std::thread;
 
@@ -15,8 +15,9 @@ use super::measure::{Effort, Lab, Measured};
 use super::report::AccuracyReport;
 use super::search::Worst;
 use super::stability::{MESHES, StabilityEffort, StabilityMeasured, measure_stability};
-use crate::accuracy::{Progress, Stopped};
+use crate::accuracy::MeasureError;
 use crate::library::Library;
+use crate::progress::Progress;
 use crate::render::{Gpu, Renderer, block_on};
 
 /// What is surveyed.
@@ -58,14 +59,12 @@ enum Found {
     Large(Vec<LookMeasured>),
 }
 
-/// What a worker tells.
-enum Told {
-    /// A step is done.
-    Step,
-    /// A job is, the one of this number.
+/// A message of a worker.
+enum WorkerMessage {
+    /// The job of this number is done.
     Found(usize, Found),
-    /// The worker has stopped.
-    Stopped(Stopped),
+    /// The worker cannot go on.
+    Failed(MeasureError),
 }
 
 /// Measures everything.
@@ -79,8 +78,8 @@ enum Told {
 pub fn survey(
     survey: &Survey,
     library: &Library,
-    progress: &mut Progress<'_>,
-) -> Result<AccuracyReport, Stopped> {
+    progress: &Progress,
+) -> Result<AccuracyReport, MeasureError> {
     let looks = survey.looks.as_deref().map_or_else(|| Ok(Vec::new()), looks_in)?;
     let mut kinds: Vec<&String> = library.nodes.keys().collect();
     kinds.retain(|kind| survey.nodes.is_empty() || survey.nodes.contains(kind));
@@ -89,7 +88,10 @@ pub fn survey(
         kinds.into_iter().flat_map(|kind| Case::of(&library.nodes[kind])).collect();
     let large = survey.large.as_ref().map_or(0, LookEffort::truths);
     let truths = survey.look_effort.truths() + large + MESHES.len() * survey.stability.frames;
-    progress.expect((cases.len() + looks.len() * truths) as u64);
+    let steps = (cases.len() + looks.len() * truths) as u64;
+    progress.expect(steps);
+    let progress = progress.part(steps);
+    progress.begin(steps);
     let large = looks.iter().filter(|_| survey.large.is_some());
     let large: Vec<Job> = large.map(|path| Job::Large(path.clone())).collect();
     // What takes longest comes first.
@@ -110,7 +112,7 @@ pub fn survey(
         first_small,
         next_large: Mutex::new(0),
         next_small: AtomicUsize::new(first_small),
-        stops: AtomicBool::new(false),
+        progress,
     };
     let workers = thread::available_parallelism().map_or(1, NonZero::get).min(MOST_WORKERS);
     let (tell, told) = mpsc::channel();
@@ -121,7 +123,7 @@ pub fn survey(
             scope.spawn(move || team.work(&tell));
         }
         drop(tell);
-        team.gather(&told, progress)
+        team.gather(&told)
     })?;
     Ok(report.with(found))
 }
@@ -138,41 +140,34 @@ struct Team<'a> {
     next_large: Mutex<usize>,
     /// The number of the next other one.
     next_small: AtomicUsize,
-    /// Whether nobody wants the rest.
-    stops: AtomicBool,
+    /// Steps of all workers, stopped too where one of them fails.
+    progress: Progress,
 }
 
 impl Team<'_> {
     /// Does one job after the other, and tells what keeps it from going on.
-    fn work(&self, tell: &mpsc::Sender<Told>) {
+    fn work(&self, tell: &mpsc::Sender<WorkerMessage>) {
         if let Err(why) = self.work_on(tell) {
             // First what is wrong: whoever stops because of it tells only that.
-            drop(tell.send(Told::Stopped(why)));
-            self.stops.store(true, Ordering::Relaxed);
+            drop(tell.send(WorkerMessage::Failed(why)));
+            self.progress.stop();
         }
     }
 
     /// The same, until there are no more jobs; on a device of its own.
-    fn work_on(&self, tell: &mpsc::Sender<Told>) -> Result<(), Stopped> {
+    fn work_on(&self, tell: &mpsc::Sender<WorkerMessage>) -> Result<(), MeasureError> {
         let gpu = block_on(Gpu::headless())?;
         let precise = gpu.precise();
         let mut renderer = Renderer::new(gpu);
         let mut lab = Lab::new(self.library, &mut renderer)?;
         while let Some((number, _alone)) = self.next_job() {
-            let mut step =
-                |_, _| tell.send(Told::Step).is_ok() && !self.stops.load(Ordering::Relaxed);
-            let mut progress = Progress::new(&mut step);
             let found = match &self.jobs[number] {
-                Job::Case(case) => self.measure_case(case, &mut lab, &mut progress),
+                Job::Case(case) => self.measure_case(case, &mut lab),
                 // What a look's shaders and textures take is given back after it.
-                Job::Look(path) => {
-                    self.measure_look(path, &mut Renderer::new(precise.clone()), &mut progress)
-                }
-                Job::Large(path) => {
-                    self.measure_large(path, &mut Renderer::new(precise.clone()), &mut progress)
-                }
+                Job::Look(path) => self.measure_look(path, &mut Renderer::new(precise.clone())),
+                Job::Large(path) => self.measure_large(path, &mut Renderer::new(precise.clone())),
             }?;
-            if tell.send(Told::Found(number, found)).is_err() {
+            if tell.send(WorkerMessage::Found(number, found)).is_err() {
                 break;
             }
         }
@@ -182,7 +177,7 @@ impl Team<'_> {
     /// A large job where nobody else has one, or else another; what is held is held until it is
     /// done.
     fn next_job(&self) -> Option<(usize, Option<MutexGuard<'_, usize>>)> {
-        if self.stops.load(Ordering::Relaxed) {
+        if self.progress.is_stopped() {
             return None;
         }
         if let Ok(mut next) = self.next_large.try_lock()
@@ -195,27 +190,18 @@ impl Team<'_> {
         (number < self.jobs.len()).then_some((number, None))
     }
 
-    fn measure_case(
-        &self,
-        case: &Case,
-        lab: &mut Lab<'_>,
-        progress: &mut Progress<'_>,
-    ) -> Result<Found, Stopped> {
+    fn measure_case(&self, case: &Case, lab: &mut Lab<'_>) -> Result<Found, MeasureError> {
         let measured = lab.measure(case, &self.survey.effort)?;
         let bench = lab.bench(case)?;
         let worst =
             measured.worst.iter().take(KEPT_OF_A_CASE).filter(|finding| finding.error > 0.0);
         let worst = worst.map(|finding| Worst::new(&bench, finding)).collect();
-        progress.step()?;
+        self.progress.step()?;
         Ok(Found::Case(measured, worst))
     }
 
-    fn measure_look(
-        &self,
-        path: &Path,
-        precise: &mut Renderer,
-        progress: &mut Progress<'_>,
-    ) -> Result<Found, Stopped> {
+    fn measure_look(&self, path: &Path, precise: &mut Renderer) -> Result<Found, MeasureError> {
+        let progress = &self.progress;
         let drawn = measure_look(path, self.library, precise, &self.survey.look_effort, progress)?;
         let turning = |mesh| {
             measure_stability(path, mesh, self.library, precise, &self.survey.stability, progress)
@@ -224,43 +210,26 @@ impl Team<'_> {
         Ok(Found::Look(drawn, stability))
     }
 
-    fn measure_large(
-        &self,
-        path: &Path,
-        precise: &mut Renderer,
-        progress: &mut Progress<'_>,
-    ) -> Result<Found, Stopped> {
+    fn measure_large(&self, path: &Path, precise: &mut Renderer) -> Result<Found, MeasureError> {
         let effort = self.survey.large.clone().unwrap_or_else(LookEffort::large);
-        measure_look(path, self.library, precise, &effort, progress).map(Found::Large)
+        measure_look(path, self.library, precise, &effort, &self.progress).map(Found::Large)
     }
 
-    /// What all jobs came to, in their order. The first that fails, or `progress`, stops them all.
-    fn gather(
-        &self,
-        told: &mpsc::Receiver<Told>,
-        progress: &mut Progress<'_>,
-    ) -> Result<Vec<Found>, Stopped> {
+    /// What all jobs came to, in their order. The first that fails stops them all.
+    fn gather(&self, told: &mpsc::Receiver<WorkerMessage>) -> Result<Vec<Found>, MeasureError> {
         let mut found: Vec<Option<Found>> = self.jobs.iter().map(|_| None).collect();
-        let mut stopped = None;
+        let mut failed = None;
         // Until the last worker has left.
-        for told in told {
-            if stopped.is_some() {
-                continue;
-            }
-            let came = match told {
-                Told::Step => progress.step(),
-                Told::Found(number, of) => {
-                    found[number] = Some(of);
-                    Ok(())
+        for message in told {
+            match message {
+                WorkerMessage::Found(number, of) => found[number] = Some(of),
+                WorkerMessage::Failed(why) => {
+                    failed.get_or_insert(why);
                 }
-                Told::Stopped(why) => Err(why),
-            };
-            if let Err(why) = came {
-                self.stops.store(true, Ordering::Relaxed);
-                stopped = Some(why);
             }
         }
-        stopped.map_or_else(|| Ok(found.into_iter().flatten().collect()), Err)
+        failed.map_or_else(|| Ok(self.progress.check()?), Err)?;
+        Ok(found.into_iter().flatten().collect())
     }
 }
 

@@ -13,8 +13,9 @@ use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
 use super::bake::{self, Mapping};
 use super::plan::{Plan, Recipe, Source};
-use super::{Filled, NotFilled, Progress, blend, fill};
+use super::{Filled, NotFilled, blend, fill};
 use crate::document::{Hcbtf, Rule, Tile};
+use crate::progress::Progress;
 
 /// Where more paintings than these are others, all is filled anew.
 const MOST_CHANGED: usize = 4;

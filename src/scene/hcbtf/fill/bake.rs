@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use super::blend;
 use super::plan::{Plan, Recipe, Source};
 use super::turn::{Color, Turned};
-use super::{Progress, blend};
 use crate::document::Tile;
+use crate::progress::Progress;
 
 /// A recipe's tile; `None` where it is stopped.
 pub(super) fn tile(plan: &Plan<'_>, recipe: &Recipe, progress: &Progress) -> Option<Arc<Tile>> {

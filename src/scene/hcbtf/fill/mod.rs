@@ -27,9 +27,9 @@ use thiserror::Error;
 
 pub use self::again::refill;
 use self::plan::Plan;
-use super::Progress;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf, Rule, Tile};
+use crate::progress::Progress;
 
 /// Grids of more samples than this are not filled.
 pub const MAX_SAMPLES: u64 = 1 << 20;

@@ -8,13 +8,14 @@ use glam::DVec3;
 use indexmap::{IndexMap, IndexSet};
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
+use super::Provenance;
 use super::lock::{Lock, angle};
 use super::morph::Flows;
-use super::{Progress, Provenance};
 use crate::document::{
     Address, Direction, Directions, Grid, Hcbtf, HcbtfAngle as Angle, Rule, Tile,
 };
 use crate::hcbtf::generate::Generator;
+use crate::progress::Progress;
 
 /// Directions nearer than this, in radians, are the same: angles of one grid differ by far more,
 /// and those that ought to be equal by rounding alone.

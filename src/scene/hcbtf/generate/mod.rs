@@ -8,8 +8,8 @@
 mod relief;
 mod strokes;
 
-use super::Progress;
 use crate::document::{Address, Hcbtf, Rule};
+use crate::progress::Progress;
 
 /// Straight RGBA from 0 to 255.
 pub(in crate::hcbtf) type Color = [f32; 4];

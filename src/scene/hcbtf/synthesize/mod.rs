@@ -13,11 +13,12 @@ use std::sync::Arc;
 
 use rayon::iter::{IntoParallelIterator as _, IntoParallelRefIterator as _, ParallelIterator as _};
 
+use super::check_painted;
 use super::fill::{Filled, fill};
 use super::noise::hash;
-use super::{Progress, check_painted};
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Hcbtf, Rule, Tile};
+use crate::progress::Progress;
 
 /// How a tile is made of another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,8 +7,8 @@
 
 use glam::Vec2;
 
-use super::super::Progress;
 use crate::document::Tile;
+use crate::progress::Progress;
 
 /// Tiles are made smaller until no side is longer, for finding where texels go.
 const MAX_SIDE: usize = 64;

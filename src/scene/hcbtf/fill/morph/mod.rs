@@ -13,10 +13,11 @@ use glam::Vec2;
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
 use self::flow::Flow;
+use super::blend;
 use super::plan::Painted;
-use super::{Progress, blend};
 use crate::document::{Address, Grid, Tile};
 use crate::hcbtf::generate::Color;
+use crate::progress::Progress;
 
 /// So many samples are moved toward each other, at most.
 const NEAREST: usize = 3;

@@ -10,7 +10,7 @@ use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
 use super::pattern::{Material, Sampler};
 use crate::document::Relief;
-use crate::hcbtf::Progress;
+use crate::progress::Progress;
 
 /// As many cells along a side of the tile are aimed at.
 const AIM: u32 = 128;

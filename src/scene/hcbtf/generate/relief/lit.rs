@@ -7,7 +7,7 @@ use super::pattern::linear;
 use super::transport::Transport;
 use crate::document::Relief;
 use crate::document::relief::Illumination;
-use crate::hcbtf::Progress;
+use crate::progress::Progress;
 
 /// A cell whose corners are farther apart than this, in cells, is a wall: its shadow is found where
 /// it is looked at.

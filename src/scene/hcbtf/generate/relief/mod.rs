@@ -29,7 +29,8 @@ use self::seen::Seen;
 use self::transport::Transport;
 use super::Color;
 use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Relief};
-use crate::hcbtf::{Progress, noise};
+use crate::hcbtf::noise;
+use crate::progress::Progress;
 
 /// How long what is made ahead of the tiles takes, in tiles: as measured for the examples, within a
 /// factor of three.

@@ -4,7 +4,7 @@
 use super::field::Field;
 use super::noise::{ramp, rough};
 use crate::document::Relief;
-use crate::hcbtf::Progress;
+use crate::progress::Progress;
 
 /// Eyes farther from the normal look as from here: nearer to the horizon, they would see the
 /// field's tops alone.

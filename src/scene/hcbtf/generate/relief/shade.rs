@@ -8,7 +8,7 @@ use super::pattern::linear;
 use super::seen::{Hit, Seen};
 use super::{Color, Ready};
 use crate::document::relief::Pattern;
-use crate::hcbtf::Progress;
+use crate::progress::Progress;
 
 /// The tile of a sample; `None` where it is stopped.
 pub(super) fn tile(

@@ -483,7 +483,9 @@ fn how_far_it_is_goes_from_nothing_to_all_while_it_is_prepared_too() {
     let hcbtf = Hcbtf { rules, ..Hcbtf::new(grid) };
     let told: std::sync::Arc<std::sync::Mutex<Vec<[u64; 2]>>> = Arc::default();
     let listener = told.clone();
-    let progress = Progress::telling(move |steps| listener.lock().unwrap().push(steps));
+    let progress = Progress::observed(move |progress| {
+        listener.lock().unwrap().push(progress.steps());
+    });
     fill(&hcbtf, &progress).unwrap();
     let [done, total] = progress.steps();
     // 4 x 4 samples, 4 views and 4 lights.

@@ -13,7 +13,7 @@ use std::f32::consts::{FRAC_PI_2, TAU};
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
 use super::field::{Crossing, Field};
-use crate::hcbtf::Progress;
+use crate::progress::Progress;
 
 /// Directions around a cell.
 const AZIMUTHS: usize = 16;

@@ -27,7 +27,7 @@ use self::scatter::Stroke;
 use self::seen::{Rays, Seen, draw, seen, slope};
 use super::Color;
 use crate::document::{Address, Grid, Strokes};
-use crate::hcbtf::Progress;
+use crate::progress::Progress;
 
 /// Places along a side of a texel.
 const CELLS: usize = 4;

@@ -6,8 +6,8 @@ use std::f32::consts::TAU;
 use glam::{Vec2, Vec3};
 
 use crate::document::{Bundle, Placement, StrokeShape, Strokes};
-use crate::hcbtf::Progress;
 use crate::hcbtf::noise::mixed;
+use crate::progress::Progress;
 
 /// Pieces of a stroke that is no path.
 const SEGMENTS: usize = 8;

@@ -6,7 +6,7 @@ use glam::{Vec2, Vec3};
 use super::canvas::{Canvas, Corner, Grain};
 use super::scatter::Stroke;
 use crate::document::{Bundle, StrokeShape, Strokes};
-use crate::hcbtf::Progress;
+use crate::progress::Progress;
 
 /// Toward the horizon the way that a point moves by its height grows without bound: it counts as no
 /// more than this many times the height, as for a direction 76 degrees from the normal.
