@@ -43,7 +43,6 @@ pub use canvas::Canvas;
 pub use viewport::Viewport;
 
 use crate::catalog::values;
-use panels::problems;
 
 use crate::diag::Diagnostic;
 use crate::frame::{DEFAULT_MESH, SHAPE_PREFIX};

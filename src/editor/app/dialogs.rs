@@ -6,116 +6,21 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::clock::Clock;
-use crate::document::Storage;
-use crate::hcbtf::exchange::Form;
-use crate::painter::Import;
+use crate::commands::FilePurpose;
 use crate::render::block_on;
 use crate::state::worker::start;
-use crate::viewport::Export;
-
-/// What a file is asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Purpose {
-    Open,
-    Save,
-    Mesh,
-    /// A mesh for one more object.
-    AddMesh,
-    /// A mesh for the object that is asked for.
-    ObjectMesh,
-    /// A look for the object that is asked for.
-    ObjectLook,
-    SaveScene,
-    SavePainting,
-    /// Pictures of other programs, or a folder of them.
-    ImportPainting(Import),
-    /// The open look is baked into an HCBTF.
-    BakeLook,
-    /// What is painted is written for other programs.
-    ExportPainting(Form, Storage),
-    /// Shaders of a language, or of all, are written into a folder.
-    Shaders(&'static str),
-    /// A picture is written.
-    Export(Export),
-    /// An image is shown.
-    Reference,
-}
-
-/// The endings of meshes that can be read.
-pub(crate) const MESHES: [&str; 5] = ["obj", "ply", "stl", "gltf", "glb"];
-
-/// The endings of images that can be read.
-pub(crate) const IMAGES: [&str; 5] = ["png", "jpg", "jpeg", "exr", "hdr"];
-
-/// The ending of HCBTFs.
-pub(crate) const PAINTING: &str = "hcbtf";
 
 /// A dialog that is over before anybody could have seen it, in seconds, was none: there is no
 /// portal and no program that shows one.
 const UNSEEN: f64 = 0.35;
 
-impl Purpose {
-    /// What such files are called, and their endings.
-    pub(crate) fn files(self) -> (&'static str, &'static [&'static str]) {
-        match self {
-            Self::Open => ("Chiaro look, scene or HCBTF", &["json", PAINTING]),
-            Self::Save | Self::ObjectLook => ("Chiaro look", &["json"]),
-            Self::SaveScene => ("Chiaro scene", &["json"]),
-            Self::SavePainting | Self::BakeLook => ("HCBTF", &[PAINTING]),
-            Self::Mesh | Self::AddMesh | Self::ObjectMesh => ("Mesh", &MESHES),
-            Self::ImportPainting(Import { form, .. }) | Self::ExportPainting(form, _) => match form
-            {
-                Form::Folder => ("Folder", &[]),
-                Form::Contact | Form::Sheet => ("PNG", &["png"]),
-                Form::Ktx2 => ("KTX2", &["ktx2"]),
-            },
-            Self::Shaders(_) => ("Folder", &[]),
-            Self::Export(_) => ("PNG", &["png"]),
-            Self::Reference => ("Image", &IMAGES),
-        }
-    }
-
-    /// Whether the file is written.
-    pub(crate) fn writes(self) -> bool {
-        let is_file = !self.is_folder();
-        is_file
-            && matches!(
-                self,
-                Self::Save
-                    | Self::SaveScene
-                    | Self::SavePainting
-                    | Self::BakeLook
-                    | Self::Export(_)
-                    | Self::ExportPainting(..)
-            )
-    }
-
-    /// Whether a folder is asked for; one that is written into is made where there is none.
-    pub(crate) fn is_folder(self) -> bool {
-        match self {
-            Self::Shaders(_) | Self::ExportPainting(Form::Folder, _) => true,
-            Self::ImportPainting(import) => import.form == Form::Folder,
-            _ => false,
-        }
-    }
-
-    /// The path with an ending, where one is to be written and has none.
-    pub(crate) fn complete(self, mut path: PathBuf) -> PathBuf {
-        let (_, endings) = self.files();
-        if self.writes() && path.extension().is_none() {
-            path.set_extension(endings[0]);
-        }
-        path
-    }
-}
-
 /// What became of a dialog.
 #[derive(Debug)]
 pub(crate) enum Answer {
     /// This file was chosen.
-    File(Purpose, PathBuf),
+    File(FilePurpose, PathBuf),
     /// There is no dialog; with the path that it would have begun at.
-    NoDialog(Purpose, PathBuf),
+    NoDialog(FilePurpose, PathBuf),
 }
 
 /// How files are asked for.
@@ -150,7 +55,7 @@ impl Dialogs {
     }
 
     /// Asks for a file, beginning in the folder of `near`.
-    pub(crate) fn ask(&mut self, purpose: Purpose, near: Option<&Path>) {
+    pub(crate) fn ask(&mut self, purpose: FilePurpose, near: Option<&Path>) {
         if let Some(path) = self.prepared.pop_front() {
             return self.answer(Answer::File(purpose, path));
         }
@@ -161,7 +66,7 @@ impl Dialogs {
         }
     }
 
-    fn ask_system(&self, purpose: Purpose, near: Option<&Path>) {
+    fn ask_system(&self, purpose: FilePurpose, near: Option<&Path>) {
         let suggested = suggested(purpose, near);
         let (kind, endings) = purpose.files();
         let mut dialog = rfd::AsyncFileDialog::new();
@@ -214,7 +119,7 @@ impl Dialogs {
 
 /// Where a dialog begins: beside `near`, under its name where a file is written; at `near` where a
 /// folder is asked for.
-fn suggested(purpose: Purpose, near: Option<&Path>) -> PathBuf {
+fn suggested(purpose: FilePurpose, near: Option<&Path>) -> PathBuf {
     if purpose.is_folder() {
         return near.and_then(|near| std::path::absolute(near).ok()).unwrap_or_default();
     }

@@ -9,7 +9,7 @@ use eframe::egui::{
     WidgetInfo, text::CCursor, text::CCursorRange,
 };
 
-use crate::app::dialogs::Purpose;
+use crate::commands::FilePurpose;
 use crate::widgets::confirm;
 use crate::widgets::theme;
 
@@ -20,7 +20,7 @@ const WIDTH: f32 = 520.0;
 
 /// A path that is being typed.
 pub(crate) struct PathField {
-    pub(crate) purpose: Purpose,
+    pub(crate) purpose: FilePurpose,
     /// Whether it stands in for a dialog that the system does not have.
     stands_in: bool,
     text: String,
@@ -50,7 +50,7 @@ enum Verdict {
 
 impl PathField {
     /// Asks for a file, beginning at a path.
-    pub(crate) fn new(purpose: Purpose, path: &Path, stands_in: bool) -> Self {
+    pub(crate) fn new(purpose: FilePurpose, path: &Path, stands_in: bool) -> Self {
         Self { purpose, stands_in, text: path.display().to_string(), is_new: true, beside: None }
     }
 
@@ -170,22 +170,22 @@ impl PathField {
     }
 }
 
-fn title(purpose: Purpose) -> &'static str {
+fn title(purpose: FilePurpose) -> &'static str {
     match purpose {
-        Purpose::Open => "Open a look, a scene or an HCBTF",
-        Purpose::Save => "Save the look",
-        Purpose::SaveScene => "Save the scene",
-        Purpose::SavePainting => "Save the painting",
-        Purpose::BakeLook => "Bake the look onto a tile",
-        Purpose::ImportPainting(_) => "Import painted pictures",
-        Purpose::ExportPainting(..) => "Export the painting",
-        Purpose::Mesh => "Show the look on a mesh",
-        Purpose::AddMesh => "Add an object of a mesh",
-        Purpose::ObjectMesh => "Give the object another mesh",
-        Purpose::ObjectLook => "Give the object another look",
-        Purpose::Shaders(_) => "Export the look into a folder",
-        Purpose::Export(_) => "Save the picture",
-        Purpose::Reference => "Show an image with the picture",
+        FilePurpose::Open => "Open a look, a scene or an HCBTF",
+        FilePurpose::Save => "Save the look",
+        FilePurpose::SaveScene => "Save the scene",
+        FilePurpose::SavePainting => "Save the painting",
+        FilePurpose::BakeLook => "Bake the look onto a tile",
+        FilePurpose::ImportPainting(_) => "Import painted pictures",
+        FilePurpose::ExportPainting(..) => "Export the painting",
+        FilePurpose::Mesh => "Show the look on a mesh",
+        FilePurpose::AddMesh => "Add an object of a mesh",
+        FilePurpose::ObjectMesh => "Give the object another mesh",
+        FilePurpose::ObjectLook => "Give the object another look",
+        FilePurpose::Shaders(_) => "Export the look into a folder",
+        FilePurpose::Export(_) => "Save the picture",
+        FilePurpose::Reference => "Show an image with the picture",
     }
 }
 
@@ -197,7 +197,7 @@ fn expand(text: &str, home: Option<OsString>) -> PathBuf {
     }
 }
 
-fn verdict(purpose: Purpose, path: &Path) -> Verdict {
+fn verdict(purpose: FilePurpose, path: &Path) -> Verdict {
     let has_folder =
         path.parent().is_some_and(|folder| folder.as_os_str().is_empty() || folder.is_dir());
     match purpose.writes() {
@@ -223,7 +223,7 @@ fn split(text: &str) -> (&str, &str) {
 }
 
 /// What of a folder begins as what is typed, or all of it where nothing does; folders first.
-fn entries(purpose: Purpose, text: &str) -> Vec<Entry> {
+fn entries(purpose: FilePurpose, text: &str) -> Vec<Entry> {
     let (folder, typed) = split(text);
     let folder = if folder.is_empty() {
         PathBuf::from(".")
@@ -264,25 +264,25 @@ mod tests {
         std::fs::write(path("a.json"), "{}").unwrap();
         std::fs::create_dir(path("inner")).unwrap();
         for (purpose, name, expected) in [
-            (Purpose::Open, "a.json", Verdict::Good),
-            (Purpose::Open, "b.json", Verdict::Bad("There is no such file")),
-            (Purpose::Open, "inner", Verdict::Folder),
-            (Purpose::Save, "a.json", Verdict::Replaces),
-            (Purpose::Save, "b.json", Verdict::Good),
-            (Purpose::Save, "no/b.json", Verdict::Bad("There is no such folder")),
-            (Purpose::Shaders("all"), "inner", Verdict::Good),
-            (Purpose::Shaders("all"), "inner/", Verdict::Good),
-            (Purpose::Shaders("all"), "new", Verdict::Good),
+            (FilePurpose::Open, "a.json", Verdict::Good),
+            (FilePurpose::Open, "b.json", Verdict::Bad("There is no such file")),
+            (FilePurpose::Open, "inner", Verdict::Folder),
+            (FilePurpose::Save, "a.json", Verdict::Replaces),
+            (FilePurpose::Save, "b.json", Verdict::Good),
+            (FilePurpose::Save, "no/b.json", Verdict::Bad("There is no such folder")),
+            (FilePurpose::Shaders("all"), "inner", Verdict::Good),
+            (FilePurpose::Shaders("all"), "inner/", Verdict::Good),
+            (FilePurpose::Shaders("all"), "new", Verdict::Good),
             (
-                Purpose::Shaders("all"),
+                FilePurpose::Shaders("all"),
                 "no/new",
                 Verdict::Bad("There is no folder to make this one in"),
             ),
-            (Purpose::Shaders("all"), "a.json", Verdict::Bad("This is a file, and no folder")),
+            (FilePurpose::Shaders("all"), "a.json", Verdict::Bad("This is a file, and no folder")),
         ] {
             assert_eq!(verdict(purpose, &path(name)), expected, "{name}");
         }
-        assert_eq!(verdict(Purpose::Open, Path::new("")), Verdict::Bad("Type a path"));
+        assert_eq!(verdict(FilePurpose::Open, Path::new("")), Verdict::Bad("Type a path"));
     }
 
     #[test]
@@ -296,25 +296,25 @@ mod tests {
             let text = format!("{}/{typed}", folder.path().display());
             entries(purpose, &text).into_iter().map(|entry| entry.name).collect()
         };
-        assert_eq!(names(Purpose::Open, "ri"), ["rinks", "rim.json", "Rind.json"]);
-        assert_eq!(names(Purpose::Reference, "rim"), ["rim.png"]);
+        assert_eq!(names(FilePurpose::Open, "ri"), ["rinks", "rim.json", "Rind.json"]);
+        assert_eq!(names(FilePurpose::Reference, "rim"), ["rim.png"]);
         assert_eq!(
-            names(Purpose::Save, "new").len(),
+            names(FilePurpose::Save, "new").len(),
             4,
             "what is new is seen beside what is there"
         );
         assert_eq!(
-            names(Purpose::Open, "").len(),
+            names(FilePurpose::Open, "").len(),
             4,
             "a folder is listed whole, but for what is hidden"
         );
-        assert_eq!(names(Purpose::Open, "."), [".hidden.json"]);
+        assert_eq!(names(FilePurpose::Open, "."), [".hidden.json"]);
     }
 
     #[test]
     fn endings_and_homes_are_filled_in() {
-        assert_eq!(Purpose::Save.complete("/a/rim".into()), PathBuf::from("/a/rim.json"));
-        assert_eq!(Purpose::Open.complete("/a/rim".into()), PathBuf::from("/a/rim"));
+        assert_eq!(FilePurpose::Save.complete("/a/rim".into()), PathBuf::from("/a/rim.json"));
+        assert_eq!(FilePurpose::Open.complete("/a/rim".into()), PathBuf::from("/a/rim"));
         assert_eq!(expand("~/a", Some("/home/b".into())), PathBuf::from("/home/b/a"));
         assert_eq!(expand("~a", Some("/home/b".into())), PathBuf::from("~a"));
     }

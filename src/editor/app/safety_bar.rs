@@ -6,10 +6,11 @@ use std::path::PathBuf;
 use eframe::egui;
 use eframe::egui::{Panel, RichText, Ui};
 
+use crate::commands::RecoveryCommand;
+use crate::state::safety::Safety;
 use crate::state::safety::crashes::Suspect;
 use crate::state::safety::disk::{Conflict, PaintingConflict};
 use crate::state::safety::offers::Offer;
-use crate::state::safety::{Safety, Wish};
 use crate::state::session::Session;
 
 /// The names of so many documents are told in the bar; a list has all of them.
@@ -19,7 +20,7 @@ const LIST: f32 = 620.0;
 
 impl Safety {
     /// Shows the bar, if there is anything to tell.
-    pub(crate) fn show(&self, ui: &mut Ui, session: &Session) -> Vec<Wish> {
+    pub(crate) fn show(&self, ui: &mut Ui, session: &Session) -> Vec<RecoveryCommand> {
         let problem = session.keeping_problem();
         let problem = problem.filter(|_| !self.is_problem_read);
         let count = self.offers.shown().count();
@@ -32,52 +33,70 @@ impl Safety {
         if problem.is_none() && !is_any && count == 0 {
             return Vec::new();
         }
-        let mut wishes = Vec::new();
+        let mut out = Vec::new();
         let frame = egui::Frame::side_top_panel(ui.style());
         Panel::top("safety").frame(frame).resizable(false).show(ui, |ui| {
             if let Some(unopened) = &self.unopened {
                 row(ui, Tone::Warning, &unopened.text, |ui| {
-                    ask(ui, "Understood", "Hides this", Wish::HideUnopened, &mut wishes);
-                    ask(ui, "Open another file", "Asks for a file", Wish::OpenAnother, &mut wishes);
+                    ask(ui, "Understood", "Hides this", RecoveryCommand::HideUnopened, &mut out);
+                    ask(
+                        ui,
+                        "Open another file",
+                        "Asks for a file",
+                        RecoveryCommand::OpenAnother,
+                        &mut out,
+                    );
                     if unopened.interrupted.is_some() {
-                        ask(ui, "Try again", "Reads it all the same", Wish::ReadAgain, &mut wishes);
+                        ask(
+                            ui,
+                            "Try again",
+                            "Reads it all the same",
+                            RecoveryCommand::ReadAgain,
+                            &mut out,
+                        );
                     }
                 });
                 ui.add(egui::Label::new(RichText::new(&unopened.help).weak()).wrap());
             }
             if let Some(suspect) = session.held() {
-                held(ui, suspect, &mut wishes);
+                held(ui, suspect, &mut out);
             }
             if let Some(problem) = problem {
                 let hint = problem.hints.join("\n");
                 row(ui, Tone::Warning, &problem.message, |ui| {
-                    ask(ui, "Understood", &hint, Wish::Hide, &mut wishes);
+                    ask(ui, "Understood", &hint, RecoveryCommand::Hide, &mut out);
                 });
             }
             if let Some(conflict) = &self.disk.conflict {
-                self.conflict(ui, conflict, session, &mut wishes);
+                self.conflict(ui, conflict, session, &mut out);
             }
             if let (Some(_), Some(stage)) = (&self.disk.scene_conflict, session.stage()) {
                 let text = format!("{} was changed by another program, and by you", stage.name());
                 row(ui, Tone::Warning, &text, |ui| {
                     let help = "Takes the scene as it is in the file now, as one step: Undo brings \
                                 your version back";
-                    ask(ui, "Load the file's version", help, Wish::ReloadScene, &mut wishes);
+                    ask(
+                        ui,
+                        "Load the file's version",
+                        help,
+                        RecoveryCommand::ReloadScene,
+                        &mut out,
+                    );
                     let help = "Saving the scene then writes your version over the other one";
-                    ask(ui, "Keep mine", help, Wish::KeepMyScene, &mut wishes);
+                    ask(ui, "Keep mine", help, RecoveryCommand::KeepMyScene, &mut out);
                 });
             }
             if let (Some(conflict), Some(work)) = (painting, session.painting()) {
-                of_painting(ui, conflict, &work.name(), &mut wishes);
+                of_painting(ui, conflict, &work.name(), &mut out);
             }
             let offers: Vec<(usize, &Offer)> = self.offers.shown().collect();
             match offers[..] {
-                [(number, offer)] => offered(ui, number, offer, &mut wishes),
+                [(number, offer)] => offered(ui, number, offer, &mut out),
                 [] => {}
-                _ => several(ui, &offers, &mut wishes),
+                _ => several(ui, &offers, &mut out),
             }
         });
-        wishes
+        out
     }
 
     fn conflict(
@@ -85,7 +104,7 @@ impl Safety {
         ui: &mut Ui,
         conflict: &Conflict,
         session: &Session,
-        wishes: &mut Vec<Wish>,
+        out: &mut Vec<RecoveryCommand>,
     ) {
         let name = session
             .path()
@@ -98,9 +117,9 @@ impl Safety {
                 row(ui, Tone::Warning, &text, |ui| {
                     let help =
                         "Takes the file as it is now, as one step: Undo brings your version back";
-                    ask(ui, "Load the file's version", help, Wish::Reload, wishes);
+                    ask(ui, "Load the file's version", help, RecoveryCommand::Reload, out);
                     let help = "Saving then writes your version over the other one";
-                    ask(ui, "Keep mine", help, Wish::KeepMine, wishes);
+                    ask(ui, "Keep mine", help, RecoveryCommand::KeepMine, out);
                 });
             }
             Conflict::Broken(_) => {
@@ -110,7 +129,7 @@ impl Safety {
                 );
                 row(ui, Tone::Warning, &text, |ui| {
                     let help = "Saving then writes your version over the other one";
-                    ask(ui, "Keep mine", help, Wish::KeepMine, wishes);
+                    ask(ui, "Keep mine", help, RecoveryCommand::KeepMine, out);
                 });
             }
             Conflict::Gone => {
@@ -118,7 +137,7 @@ impl Safety {
                     "{name} was removed or moved by another program; saving writes it again"
                 );
                 row(ui, Tone::Warning, &text, |ui| {
-                    ask(ui, "Understood", "Hides this", Wish::Hide, wishes);
+                    ask(ui, "Understood", "Hides this", RecoveryCommand::Hide, out)
                 });
             }
         }
@@ -155,18 +174,23 @@ impl Safety {
 }
 
 /// What is open is not drawn, because the last program ended over it.
-fn held(ui: &mut Ui, suspect: &Suspect, wishes: &mut Vec<Wish>) {
+fn held(ui: &mut Ui, suspect: &Suspect, out: &mut Vec<RecoveryCommand>) {
     let (name, doing) = (&suspect.document.name, suspect.step.doing());
     let text =
         format!("{name} is open without being drawn: Chiaro ended while {doing} it the last time");
     row(ui, Tone::Warning, &text, |ui| {
         let help = "Compiles and draws it as ever. If Chiaro ends over it again, the next start \
                     asks again";
-        ask(ui, "Try again", help, Wish::TryAgain, wishes);
+        ask(ui, "Try again", help, RecoveryCommand::TryAgain, out);
     });
 }
 
-fn of_painting(ui: &mut Ui, conflict: PaintingConflict, name: &str, wishes: &mut Vec<Wish>) {
+fn of_painting(
+    ui: &mut Ui,
+    conflict: PaintingConflict,
+    name: &str,
+    out: &mut Vec<RecoveryCommand>,
+) {
     let keep = "Saving then writes your version over the other one";
     match conflict {
         PaintingConflict::Changed => {
@@ -174,8 +198,8 @@ fn of_painting(ui: &mut Ui, conflict: PaintingConflict, name: &str, wishes: &mut
             row(ui, Tone::Warning, &text, |ui| {
                 let help =
                     "Takes the file as it is now, as one step: Undo brings your version back";
-                ask(ui, "Load the file's version", help, Wish::ReloadPainting, wishes);
-                ask(ui, "Keep mine", keep, Wish::KeepMyPainting, wishes);
+                ask(ui, "Load the file's version", help, RecoveryCommand::ReloadPainting, out);
+                ask(ui, "Keep mine", keep, RecoveryCommand::KeepMyPainting, out);
             });
         }
         PaintingConflict::Broken => {
@@ -183,14 +207,14 @@ fn of_painting(ui: &mut Ui, conflict: PaintingConflict, name: &str, wishes: &mut
                 "{name} was changed by another program and cannot be read now; your version stays"
             );
             row(ui, Tone::Warning, &text, |ui| {
-                ask(ui, "Keep mine", keep, Wish::KeepMyPainting, wishes);
+                ask(ui, "Keep mine", keep, RecoveryCommand::KeepMyPainting, out)
             });
         }
         PaintingConflict::Gone => {
             let text =
                 format!("{name} was removed or moved by another program; saving writes it again");
             row(ui, Tone::Warning, &text, |ui| {
-                ask(ui, "Understood", "Hides this", Wish::KeepMyPainting, wishes);
+                ask(ui, "Understood", "Hides this", RecoveryCommand::KeepMyPainting, out)
             });
         }
     }
@@ -217,14 +241,20 @@ fn row(ui: &mut Ui, tone: Tone, text: &str, buttons: impl FnOnce(&mut Ui)) {
     });
 }
 
-fn ask(ui: &mut Ui, label: &str, help: &str, wish: Wish, wishes: &mut Vec<Wish>) {
+fn ask(
+    ui: &mut Ui,
+    label: &str,
+    help: &str,
+    command: RecoveryCommand,
+    out: &mut Vec<RecoveryCommand>,
+) {
     if ui.button(label).on_hover_text(help).clicked() {
-        wishes.push(wish);
+        out.push(command);
     }
 }
 
 /// Several documents in one line, with a list of them behind a button.
-fn several(ui: &mut Ui, offers: &[(usize, &Offer)], wishes: &mut Vec<Wish>) {
+fn several(ui: &mut Ui, offers: &[(usize, &Offer)], out: &mut Vec<RecoveryCommand>) {
     let is_damaged = offers.iter().any(|(_, offer)| !offer.damage.is_empty());
     let names: Vec<&str> =
         offers.iter().take(MOST_NAMED).map(|(_, offer)| offer.name.as_str()).collect();
@@ -245,7 +275,7 @@ fn several(ui: &mut Ui, offers: &[(usize, &Offer)], wishes: &mut Vec<Wish>) {
             .on_hover_text(help)
             .clicked()
         {
-            wishes.extend(offers.iter().map(|(number, _)| Wish::Throw(*number, true)));
+            out.extend(offers.iter().map(|(number, _)| RecoveryCommand::Throw(*number, true)));
         }
         let list = egui::containers::menu::MenuConfig::new()
             .close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside);
@@ -253,32 +283,32 @@ fn several(ui: &mut Ui, offers: &[(usize, &Offer)], wishes: &mut Vec<Wish>) {
             egui::containers::menu::MenuButton::new("Choose...").config(list).ui(ui, |ui| {
                 ui.set_min_width(LIST);
                 for (number, offer) in offers {
-                    offered(ui, *number, offer, wishes);
+                    offered(ui, *number, offer, out);
                 }
             });
         button.on_hover_text("Lists them: each is restored or thrown away by itself");
     });
 }
 
-fn offered(ui: &mut Ui, number: usize, offer: &Offer, wishes: &mut Vec<Wish>) {
+fn offered(ui: &mut Ui, number: usize, offer: &Offer, out: &mut Vec<RecoveryCommand>) {
     if offer.is_thrown {
         let text = format!("{} is thrown away when this window closes", offer.name);
         row(ui, Tone::Note, &text, |ui| {
-            ask(ui, "Keep it", "It is offered again", Wish::Throw(number, false), wishes);
+            ask(ui, "Keep it", "It is offered again", RecoveryCommand::Throw(number, false), out);
         });
         return;
     }
     let tone = if offer.damage.is_empty() { Tone::Note } else { Tone::Warning };
     row(ui, tone, &format!("Work that was not saved: {}", offer.summary()), |ui| {
         let help = "It goes when this window closes; until then you can still keep it";
-        ask(ui, "Throw it away", help, Wish::Throw(number, true), wishes);
+        ask(ui, "Throw it away", help, RecoveryCommand::Throw(number, true), out);
         if offer.is_readable {
             let path = offer
                 .path
                 .as_ref()
                 .map_or_else(|| "It has no file yet".to_owned(), |path| path.display().to_string());
             let help = format!("{path}\nOpens it as it was, with everything that can be undone");
-            ask(ui, "Restore it", &help, Wish::TakeBack(number), wishes);
+            ask(ui, "Restore it", &help, RecoveryCommand::TakeBack(number), out);
         }
     });
 }

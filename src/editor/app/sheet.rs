@@ -4,8 +4,8 @@
 use eframe::egui;
 use eframe::egui::{Align2, Key, Modifiers, RichText, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
 
-use crate::commands::Command;
-use crate::commands::shortcuts::{self, Action, PAINTING_POINTER, POINTER, Place, Shortcut};
+use crate::commands::table::{self, CommandRow, PAINTING_POINTER, POINTER, Place};
+use crate::commands::{Command, GraphCommand};
 use crate::ids::NodeId;
 use crate::state::session::Session;
 use crate::widgets::theme;
@@ -20,52 +20,56 @@ const MOST_NODES: usize = 40;
 /// What is open of both.
 #[derive(Default)]
 pub(crate) struct Sheet {
-    shown: Option<Shown>,
+    open: Option<OpenSheet>,
 }
 
-enum Shown {
+enum OpenSheet {
     Shortcuts { is_new: bool },
     Commands { query: String, index: usize, is_new: bool },
 }
 
 impl Sheet {
-    /// Opens the sheet or the palette, or closes it where it is open.
-    pub(crate) fn open(&mut self, action: Action) {
-        self.shown = match (action, &self.shown) {
-            (Action::Commands, Some(Shown::Commands { .. })) => None,
-            (Action::Commands, _) => {
-                Some(Shown::Commands { query: String::new(), index: 0, is_new: true })
-            }
-            (_, Some(Shown::Shortcuts { .. })) => None,
-            _ => Some(Shown::Shortcuts { is_new: true }),
+    /// Opens the palette of commands, or closes it where it is open.
+    pub(crate) fn open_palette(&mut self) {
+        self.open = match self.open {
+            Some(OpenSheet::Commands { .. }) => None,
+            _ => Some(OpenSheet::Commands { query: String::new(), index: 0, is_new: true }),
+        };
+    }
+
+    /// Opens the sheet of shortcuts, or closes it where it is open.
+    pub(crate) fn open_shortcuts(&mut self) {
+        self.open = match self.open {
+            Some(OpenSheet::Shortcuts { .. }) => None,
+            _ => Some(OpenSheet::Shortcuts { is_new: true }),
         };
     }
 
     pub(crate) fn is_open(&self) -> bool {
-        self.shown.is_some()
+        self.open.is_some()
     }
 
     /// Takes the key that closes it, before others do.
     pub(crate) fn take_escape(&mut self, ui: &Ui) {
         if self.is_open() && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
-            self.shown = None;
+            self.open = None;
         }
     }
 
     /// Shows what is open; what was chosen.
     pub(crate) fn show(&mut self, ui: &Ui, session: &Session) -> Option<Command> {
-        let shown = self.shown.as_mut()?;
+        let shown = self.open.as_mut()?;
         let (mut chosen, is_new) = (None, shown.is_new());
         let screen = ui.ctx().content_rect();
         // A window may be narrower than the sheet.
-        let width = if matches!(shown, Shown::Shortcuts { .. }) { SHEET } else { WIDTH };
+        let width = if matches!(shown, OpenSheet::Shortcuts { .. }) { SHEET } else { WIDTH };
         let area = egui::Area::new(egui::Id::unique("sheet")).order(egui::Order::Foreground);
         let area = area.fixed_pos(screen.center_top() + vec2(-width / 2.0, 70.0));
         let response = area.show(ui.ctx(), |ui| {
             egui::Frame::popup(ui.style()).show(ui, |ui| match shown {
-                Shown::Shortcuts { .. } => show_shortcuts(ui, screen.height() - 180.0),
-                Shown::Commands { query, index, is_new } => {
-                    chosen = show_commands(ui, session, query, index, is_new);
+                OpenSheet::Shortcuts { .. } => show_shortcuts(ui, screen.height() - 180.0),
+                OpenSheet::Commands { query, index, is_new } => {
+                    chosen = show_commands(ui, session, query, index, is_new)
                 }
             });
         });
@@ -74,13 +78,13 @@ impl Sheet {
             press.is_some_and(|press| !response.response.rect.contains(press))
         });
         if chosen.is_some() || is_outside && !is_new {
-            self.shown = None;
+            self.open = None;
         }
         chosen
     }
 }
 
-impl Shown {
+impl OpenSheet {
     fn is_new(&mut self) -> bool {
         match self {
             Self::Shortcuts { is_new } => std::mem::replace(is_new, false),
@@ -115,11 +119,13 @@ fn show_shortcuts(ui: &mut Ui, height: f32) {
 
 /// The rows of a place; the nine bookmarks are told as one.
 fn rows(place: Place) -> impl Iterator<Item = (String, &'static str)> {
-    let rows = shortcuts::ALL.iter().filter(move |row| row.place == place && !row.keys.is_empty());
-    rows.filter_map(|row| match row.action {
-        Action::GoTo(1) => Some(("1 … 9".to_owned(), "Go to a bookmark")),
-        Action::Remember(1) => Some(("Ctrl+1 … 9".to_owned(), "Bookmark this view")),
-        Action::GoTo(_) | Action::Remember(_) => None,
+    let rows = table::rows().filter(move |row| row.place == place && !row.keys.is_empty());
+    rows.filter_map(|row| match row.command {
+        Command::Graph(GraphCommand::GoTo(1)) => Some(("1 … 9".to_owned(), "Go to a bookmark")),
+        Command::Graph(GraphCommand::Remember(1)) => {
+            Some(("Ctrl+1 … 9".to_owned(), "Bookmark this view"))
+        }
+        Command::Graph(GraphCommand::GoTo(_) | GraphCommand::Remember(_)) => None,
         _ => Some((row.text(), &*row.label)),
     })
 }
@@ -224,11 +230,11 @@ fn show_entry(ui: &mut Ui, entry: &Entry, is_current: bool) -> bool {
 
 /// Commands, and once there is a query nodes.
 fn entries(session: &Session, query: &str) -> Vec<Entry> {
-    let command = |row: &Shortcut| Entry {
+    let command = |row: &CommandRow| Entry {
         label: row.label.to_string(),
         aside: row.text(),
         name: format!("Command: {}", row.label),
-        command: Command::Act(row.action),
+        command: row.command.clone(),
     };
     let node = |(id, title): (&NodeId, String)| Entry {
         name: format!("Node: {title}"),
@@ -244,15 +250,15 @@ fn entries(session: &Session, query: &str) -> Vec<Entry> {
 }
 
 /// Commands whose label has all words of the query, those that begin with the first one first.
-fn found(query: &str) -> Vec<&'static Shortcut> {
+fn found(query: &str) -> Vec<&'static CommandRow> {
     let query = query.to_lowercase();
     let words: Vec<&str> = query.split_whitespace().collect();
-    let fits = |row: &&Shortcut| {
+    let fits = |row: &&CommandRow| {
         let label = row.label.to_lowercase();
         words.iter().all(|word| label.contains(word))
     };
-    let mut found: Vec<&Shortcut> =
-        shortcuts::ALL.iter().filter(|row| row.action != Action::Commands).filter(fits).collect();
+    let mut found: Vec<&CommandRow> =
+        table::rows().filter(|row| row.command != Command::OpenPalette).filter(fits).collect();
     found.sort_by_key(|row| {
         !words.first().is_some_and(|word| row.label.to_lowercase().starts_with(word))
     });
@@ -289,8 +295,14 @@ mod tests {
 
     #[test]
     fn commands_are_found_by_words() {
-        assert_eq!(found("group make").first().map(|row| row.action), Some(Action::Group));
-        assert_eq!(found("tidy").first().map(|row| row.action), Some(Action::Layout));
+        assert_eq!(
+            found("group make").first().map(|row| &row.command),
+            Some(&Command::Graph(GraphCommand::Group))
+        );
+        assert_eq!(
+            found("tidy").first().map(|row| &row.command),
+            Some(&Command::Graph(GraphCommand::Layout))
+        );
         assert!(found("xyzzy").is_empty());
     }
 

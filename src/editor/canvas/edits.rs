@@ -150,7 +150,7 @@ pub(crate) fn ungroup(
         let Some(node) = session.graph().nodes.get(id) else { continue };
         let Some(definition) = session.definition_of(&node.kind).cloned() else { continue };
         let dissolved = grouping::dissolve(&trial, session.graph_id(), id, &definition)
-            .map_err(|problem| crate::problems::sentence(&problem))?;
+            .map_err(|problem| crate::state::problem_text::sentence(&problem))?;
         // The next one finds the look as this one leaves it.
         trial.apply(dissolved.edit.clone()).map_err(|problem| problem.message)?;
         all.extend(dissolved.nodes);

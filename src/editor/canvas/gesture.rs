@@ -9,8 +9,7 @@ use super::inplace::Item;
 use super::palette::{Loose, Outcome, Palette};
 use super::table::{Hit, Socket};
 use super::{Canvas, edits};
-use crate::commands::Command;
-use crate::commands::shortcuts;
+use crate::commands::{Command, keyboard};
 use crate::document::{Edit, Endpoint};
 use crate::drawing::{NODE_WIDTH, ROW_HEIGHT, TITLE_HEIGHT};
 use crate::ids::{FrameId, NodeId, NoteId};
@@ -285,7 +284,7 @@ impl Canvas {
             .is_some_and(|at| self.view.screen.contains(at));
         self.wants_search = is_here
             && self.palette.is_none()
-            && !shortcuts::is_keyboard_taken(ui.ctx())
+            && !keyboard::is_keyboard_taken(ui.ctx())
             && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Tab));
         if self.wants_search {
             ui.memory_mut(|memory| memory.move_focus(egui::FocusDirection::None));

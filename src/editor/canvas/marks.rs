@@ -29,7 +29,7 @@ pub(super) fn marks(session: &Session) -> HashMap<NodeId, Mark> {
     for problem in session.all_problems().filter(|problem| problem.severity > Severity::Note) {
         let Some(path) = &problem.place.node else { continue };
         let Some(id) = session.step_here(path) else { continue };
-        let text = crate::problems::sentence(problem);
+        let text = crate::state::problem_text::sentence(problem);
         let fixes = if path.last() == Some(id) { fixes::of(session, problem) } else { Vec::new() };
         match marks.get_mut(id) {
             // A group that is used more than once has the same problem as often.

@@ -27,7 +27,7 @@ use crate::library::{Library, Type};
 use crate::reference;
 use crate::state::safety::crashes::{DocumentOrigin, Step};
 use crate::state::session::Session;
-use crate::state::worker::Worker;
+use crate::state::worker::{BackgroundJobs, Worker};
 use crate::values::number_text;
 
 /// Points across the ball.
@@ -175,6 +175,10 @@ impl Previews {
     }
 }
 
+/// Contexts that do not follow from the surface.
+const PIXEL: crate::library::Context = crate::library::Context::named("pixel");
+const MAGNIFICATION: crate::library::Context = crate::library::Context::named("magnification");
+
 /// Points of a ball as the camera sees it, row by row; those of the corners lie on its rim and are
 /// not shown.
 fn ball() -> Vec<EvalSample> {
@@ -192,8 +196,7 @@ fn ball() -> Vec<EvalSample> {
             position: normal,
             uv,
             kappa: 2.0,
-            pixel,
-            magnification: 0.5,
+            contexts: [(PIXEL, pixel.to_array().to_vec()), (MAGNIFICATION, vec![0.5])].into(),
             ..EvalSample::default()
         }
     };
@@ -323,14 +326,14 @@ impl Canvas {
             _ => None,
         }
     }
+}
 
-    /// Whether values of nodes are being evaluated.
-    pub(crate) fn is_busy(&self) -> bool {
+impl BackgroundJobs for Canvas {
+    fn is_busy(&self) -> bool {
         self.previews.is_busy()
     }
 
-    /// Waits for them; for tests.
-    pub(crate) fn wait(&self) {
+    fn wait(&self) {
         self.previews.wait();
     }
 }

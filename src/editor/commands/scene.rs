@@ -1,16 +1,17 @@
-//! What panels and the picture ask for of a scene; [`App`](crate::App) does it.
+//! What is asked for of the scene around the look.
 
 use std::path::PathBuf;
 
 use eframe::egui;
 
-use crate::app::dialogs::Purpose;
+use super::FilePurpose;
 use crate::document::SceneEdit;
 use crate::ids::ObjectId;
+use crate::state::stage::Placed;
 
 /// Something that is asked for of the scene.
-#[derive(Clone, Debug)]
-pub(crate) enum Wish {
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum SceneCommand {
     /// A change as an undo step of its own.
     Edit(SceneEdit),
     /// A change that goes on for as long as the same widget is held: one undo step in all.
@@ -25,11 +26,13 @@ pub(crate) enum Wish {
     /// none.
     Add(Option<String>),
     /// Asks for a file: a mesh for an object, or a look for one of its materials.
-    Ask(Purpose, ObjectId, String),
+    Ask(FilePurpose, ObjectId, String),
     /// A file was chosen.
-    Chosen(Purpose, PathBuf),
+    Chosen(FilePurpose, PathBuf),
     /// Brings an object into view, or all.
     Frame(Option<ObjectId>),
+    /// Tells where objects are, as of the last picture.
+    Locate(Vec<Placed>),
     /// Lets the scene's camera and lights be as they are turned now.
     KeepView,
     /// Saves to the scene's own file; asks where there is none.

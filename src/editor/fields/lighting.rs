@@ -4,8 +4,7 @@
 use eframe::egui;
 use indexmap::IndexMap;
 
-use crate::commands::Command;
-use crate::commands::scene::Wish;
+use crate::commands::{Command, SceneCommand};
 use crate::document::{Edit, Light, LightField, Look, SceneEdit, Target, Value};
 use crate::frame::set_light_field;
 use crate::ids::{LightId, make_slug};
@@ -47,7 +46,7 @@ impl Change {
     pub(crate) fn once(self) -> Command {
         match self {
             Self::Look(edit) => Command::Edit(edit),
-            Self::Scene(edit) => Command::Stage(Wish::Edit(edit)),
+            Self::Scene(edit) => Command::Scene(SceneCommand::Edit(edit)),
         }
     }
 
@@ -55,7 +54,7 @@ impl Change {
     pub(crate) fn held(self, hand: egui::Id) -> Command {
         match self {
             Self::Look(edit) => Command::EditHeld(hand, edit),
-            Self::Scene(edit) => Command::Stage(Wish::EditHeld(hand, edit)),
+            Self::Scene(edit) => Command::Scene(SceneCommand::EditHeld(hand, edit)),
         }
     }
 }

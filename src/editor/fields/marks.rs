@@ -5,8 +5,7 @@ use eframe::egui;
 use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
 
 use super::row;
-use crate::app::dock::Panel;
-use crate::commands::Command;
+use crate::commands::{Command, PanelId};
 use crate::document::{Edit, Exposed, KeyDirection, Target};
 use crate::fields::{mark, still_wires};
 use crate::ids::{PortName, is_slug, make_slug};
@@ -112,7 +111,7 @@ fn keys_in_time(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
         "A key at the playhead with the value of now; setting it at another time adds another key";
     if ui.button(text).on_hover_text(help).clicked() {
         out.extend(marked.session.key_in_time(&marked.target).map(Command::Edit));
-        out.push(Command::ShowPanel(Panel::Timeline));
+        out.push(Command::ShowPanel(PanelId::TIMELINE));
     }
 }
 
@@ -124,7 +123,7 @@ fn keys_by_direction(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
         let help = "Has its present value at every key of this set, until you change it at one";
         if !has_it && ui.button(format!("Key in \"{}\"", set.name)).on_hover_text(help).clicked() {
             out.extend(session.key_in_set(index, &marked.target).map(Command::Edit));
-            out.push(Command::ShowPanel(Panel::Keys));
+            out.push(Command::ShowPanel(PanelId::KEYS));
         }
     }
     let lights = session.look().lights.keys().map(|id| KeyDirection::Light(id.clone()));
@@ -133,7 +132,7 @@ fn keys_by_direction(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
         if ui.button(text).on_hover_text("Begins keys with one where that is now").clicked() {
             out.push(Command::Edit(session.new_set(by, Some(&marked.target))));
             out.push(Command::SelectKey(Some((sets.len(), 0))));
-            out.push(Command::ShowPanel(Panel::Keys));
+            out.push(Command::ShowPanel(PanelId::KEYS));
         }
     };
     for by in lights.chain([KeyDirection::View]).chain(drivers) {

@@ -6,15 +6,13 @@ use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, Slider, TextEdit
 use super::Subject;
 use super::keyed;
 use super::marks::{self, Marked};
-use crate::app::dock::Panel;
 use crate::catalog::Port;
-use crate::commands::Command;
+use crate::commands::{Command, PaintCommand, PanelId};
 use crate::document::{ColorSpace, Edit, Endpoint, Grid, Node, Value, Wire};
 use crate::examples::PREFIX;
 use crate::frame::UNSAVED_HCBTF;
 use crate::ids::NodeId;
 use crate::library::{Fallback, Type};
-use crate::painter::Wish;
 use crate::state::keying::KeyedBy;
 use crate::values;
 use crate::widgets::theme;
@@ -286,18 +284,18 @@ fn paint_button(
     }
     if name.is_empty() {
         out.push(held(subject, port, response.id, Value::Text(UNSAVED_HCBTF.to_owned())));
-        out.push(Command::Paint(Wish::New { grid: Grid::THESIS, keeps_look: true }));
+        out.push(Command::Paint(PaintCommand::New { grid: Grid::THESIS, keeps_look: true }));
     } else if name.starts_with(PREFIX) {
         // What is painted is a copy of the example, which has no file yet: the look names that once
         // it is there.
-        out.push(Command::Paint(Wish::Open { path: name.into(), keeps_look: true }));
+        out.push(Command::Paint(PaintCommand::Open { path: name.into(), keeps_look: true }));
     } else if name != UNSAVED_HCBTF {
-        out.push(Command::Paint(Wish::Open {
+        out.push(Command::Paint(PaintCommand::Open {
             path: subject.session.folder().join(name),
             keeps_look: true,
         }));
     } else {
-        out.push(Command::ShowPanel(Panel::Paint));
+        out.push(Command::ShowPanel(PanelId::PAINT));
     }
 }
 

@@ -8,14 +8,14 @@ use eframe::egui::{
 
 use super::making::{Bake, Job, told_seconds};
 use super::preview::{self, Of, Preview};
-use super::{Wish, command, counted, grid, memory};
-use crate::commands::Command;
+use super::{counted, grid, memory};
+use crate::commands::{Command, PaintCommand};
 use crate::document::{Grid, LightKind};
 use crate::frame::{SetupLook, moving_light};
 use crate::hcbtf::{Device, check_all_painted};
 use crate::ids::LightId;
-use crate::panels::problems::sentence;
 use crate::state::painting::work::Work;
+use crate::state::problem_text::sentence;
 use crate::state::session::Session;
 use crate::widgets::confirm;
 use crate::widgets::rows::{fitted, lead, picture_frame, whole};
@@ -123,7 +123,7 @@ pub(super) fn show(
                                                it is done",
             );
             if button.clicked() || enters && is_ready {
-                out = Some(command(Wish::Bake { to: None }));
+                out = Some(Command::Paint(PaintCommand::Bake { to: None }));
             }
             is_over |= ui.button("Cancel").clicked();
         });

@@ -27,13 +27,9 @@ impl ViewBefore {
         }
     }
 
-    /// Gives the view back, once what is open shows no painting.
-    pub(crate) fn give_back(&mut self, session: &mut Session) {
-        if session.stage().is_none()
-            && lies_flat(&session.view)
-            && let Some(view) = self.view.take()
-        {
-            session.view = view;
-        }
+    /// The view to be given back, once what is open shows no painting.
+    pub(crate) fn given_back(&mut self, session: &Session) -> Option<Orbit> {
+        let is_due = session.stage().is_none() && lies_flat(&session.view);
+        is_due.then(|| self.view.take()).flatten()
     }
 }

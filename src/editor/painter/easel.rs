@@ -12,13 +12,13 @@ use eframe::egui::{
 use super::hand::{self, Going};
 use super::textures::Shown;
 use super::tilt::Tilt;
-use super::tools::{Kind, Tools};
+use super::tools::Tools;
 use super::{arrows, moves};
-use crate::commands::Command;
-use crate::commands::shortcuts::{self, Place, Way};
+use crate::commands::keyboard;
+use crate::commands::table::{self, Place};
+use crate::commands::{Command, Heading, PaintTool};
 use crate::document::{Address, HcbtfAngle};
 use crate::state::painting::work::Work;
-use crate::state::session::Session;
 use crate::widgets::theme;
 
 /// The tile fills so much of the room when it is fitted, so that some of its copies are seen.
@@ -48,7 +48,17 @@ pub(super) struct Easel {
     /// As it lay in the last frame.
     tilt: Option<Tilt>,
     has_pointer: bool,
+    /// What was taken in of this frame, until it is drawn.
+    scene: Option<EaselScene>,
     pub(super) hint: String,
+}
+
+/// What one frame draws: the room, and what is under the pointer.
+struct EaselScene {
+    room: Rect,
+    pointer: Option<Pos2>,
+    /// A sample that is only looked at, in place of the one at work.
+    peek: Option<Address>,
 }
 
 impl Default for Easel {
@@ -67,23 +77,24 @@ impl Default for Easel {
             checks: None,
             tilt: None,
             has_pointer: false,
+            scene: None,
             hint: String::new(),
         }
     }
 }
 
 impl Easel {
-    /// Shows the tile in all the room there is. `peek` is shown in place of the sample at work.
-    pub(super) fn show(
+    /// Takes in what the pointer does on the tile, which has all the room there is. `peek` is shown
+    /// in place of the sample at work.
+    pub(super) fn interact(
         &mut self,
         ui: &mut Ui,
-        session: &mut Session,
+        work: &Work,
         tools: &mut Tools,
         peek: Option<Address>,
     ) -> Vec<Command> {
         let (room, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Painting canvas"));
-        let Some(work) = session.painting() else { return Vec::new() };
         let shown = peek.unwrap_or(work.at());
         let grid = *work.grid();
         let fitted = |tilt: &Tilt| {
@@ -111,13 +122,22 @@ impl Easel {
                 self.zoom.unwrap_or(fit),
             );
         }
-        let is_peeking = peek.is_some();
-        let out = match is_peeking {
-            true => Vec::new(),
-            false => hand::paint(ui, &response, &tilt, &mut self.going, tools, session),
-        };
         self.tilt = Some(tilt);
-        let Some(work) = session.painting() else { return out };
+        self.scene = Some(EaselScene { room, pointer, peek });
+        match peek {
+            Some(_) => Vec::new(),
+            None => hand::paint(ui, &response, &tilt, &mut self.going, tools, work),
+        }
+    }
+
+    /// Draws the tile.
+    pub(super) fn show(&mut self, ui: &Ui, work: &Work, tools: &Tools) {
+        let (Some(EaselScene { room, pointer, peek }), Some(tilt)) = (self.scene.take(), self.tilt)
+        else {
+            return;
+        };
+        let (is_peeking, shown) = (peek.is_some(), peek.unwrap_or(work.at()));
+        let grid = *work.grid();
         let painter = ui.painter_at(room);
         painter.rect_filled(room, 0.0, theme::of(ui).canvas);
         self.paint(ui, &painter, room, &tilt, work, shown);
@@ -144,7 +164,6 @@ impl Easel {
         if pointer.is_none() {
             self.hint.clear();
         }
-        out
     }
 
     /// The wheel zooms about the pointer; middle, right or space drags move the tile. Returns
@@ -264,10 +283,10 @@ impl Easel {
     }
 
     /// What the keys over it ask for.
-    pub(super) fn keys(&self, ui: &Ui) -> Vec<shortcuts::Action> {
+    pub(super) fn keys(&self, ui: &Ui) -> Vec<Command> {
         let is_free =
-            self.has_pointer && !shortcuts::is_keyboard_taken(ui.ctx()) && self.going.is_none();
-        if is_free { shortcuts::pressed(ui, Place::Painting) } else { Vec::new() }
+            self.has_pointer && !keyboard::is_keyboard_taken(ui.ctx()) && self.going.is_none();
+        if is_free { table::pressed(ui, Place::Painting) } else { Vec::new() }
     }
 }
 
@@ -285,8 +304,8 @@ pub(super) fn name_of(work: &Work, address: Address) -> String {
 fn neighbours(work: &Work, at: Address, along: HcbtfAngle) -> [Address; 2] {
     let grid = work.grid();
     let ways = match along {
-        HcbtfAngle::LightTheta | HcbtfAngle::ViewTheta => [Way::Up, Way::Down],
-        HcbtfAngle::LightPhi | HcbtfAngle::ViewPhi => [Way::Left, Way::Right],
+        HcbtfAngle::LightTheta | HcbtfAngle::ViewTheta => [Heading::Up, Heading::Down],
+        HcbtfAngle::LightPhi | HcbtfAngle::ViewPhi => [Heading::Left, Heading::Right],
     };
     ways.map(|way| match along {
         HcbtfAngle::LightTheta | HcbtfAngle::LightPhi => {
@@ -330,7 +349,8 @@ fn add_quad(mesh: &mut Mesh, corners: [Pos2; 4], uvs: [Pos2; 4], color: Color32)
 /// The brush as it lies on the tile.
 fn cursor(ui: &Ui, painter: &Painter, tilt: &Tilt, tools: &Tools, at: Pos2) {
     if !tools.kind.has_brush() {
-        let icon = if tools.kind == Kind::Pick { CursorIcon::Crosshair } else { CursorIcon::Cell };
+        let icon =
+            if tools.kind == PaintTool::Pick { CursorIcon::Crosshair } else { CursorIcon::Cell };
         return ui.ctx().set_cursor_icon(icon);
     }
     let outline = tilt.outline(tilt.texel(at), tools.size);

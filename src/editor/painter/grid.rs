@@ -5,12 +5,12 @@ use std::sync::Arc;
 
 use eframe::egui::{self, Button, DragValue, Id, Modal, RichText, Ui, WidgetInfo};
 
-use super::{Wish, command, counted, memory};
-use crate::commands::Command;
+use super::{counted, memory};
+use crate::commands::{Command, PaintCommand};
 use crate::document::{Address, Directions, Grid, MAX_ANGLE_STEPS, MAX_TILE_SIDE, Tile};
 use crate::hcbtf::Device;
-use crate::panels::problems::sentence;
 use crate::state::painting::work::Work;
+use crate::state::problem_text::sentence;
 use crate::widgets::confirm;
 use crate::widgets::rows::lead;
 use crate::widgets::theme;
@@ -75,9 +75,9 @@ pub(super) fn show(
             let is_other = work.is_none_or(|work| *work.grid() != grid);
             let is_ready = refused.is_none() && is_other;
             if ui.add_enabled(is_ready, Button::new(label)).clicked() || enters && is_ready {
-                out = Some(command(match work {
-                    Some(work) => Wish::Divide { grid, lost: lost(work, &grid) },
-                    None => Wish::New { grid, keeps_look: false },
+                out = Some(Command::Paint(match work {
+                    Some(work) => PaintCommand::Divide { grid, lost: lost(work, &grid) },
+                    None => PaintCommand::New { grid, keeps_look: false },
                 }));
                 is_over = true;
             }

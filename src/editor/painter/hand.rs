@@ -7,13 +7,11 @@ use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Response, TouchPh
 use glam::DVec2;
 
 use super::tilt::Tilt;
-use super::tools::{Kind, Tools};
-use super::{Wish, command};
-use crate::commands::Command;
+use super::tools::Tools;
+use crate::commands::{Command, PaintCommand, PaintTool};
 use crate::document::{Address, Hcbtf, HcbtfEdit, Tile};
 use crate::hcbtf::paint::{self, Flood, Stroke};
 use crate::state::painting::work::Work;
-use crate::state::session::Session;
 
 /// What the pointer is at.
 pub(super) enum Going {
@@ -33,32 +31,61 @@ pub(super) struct Of {
     over: Option<Arc<Hcbtf>>,
 }
 
+/// What is painted as the events of a frame leave it: the strokes before are not applied yet.
+struct LivePainting<'a> {
+    work: &'a Work,
+    /// The stroke that is shown from now on, where that is another.
+    stroke: Option<Option<(Address, Arc<Tile>)>>,
+}
+
+impl LivePainting<'_> {
+    fn show(&mut self, stroke: Option<(Address, Arc<Tile>)>) {
+        self.stroke = Some(stroke);
+    }
+
+    /// The tile that a hand paints on: what is shown at a sample, or nothing at all.
+    fn tile_at(&self, address: Address) -> Arc<Tile> {
+        let tile = match &self.stroke {
+            Some(stroke) => self.work.tile_with(stroke.as_ref(), address),
+            None => self.work.tile(address),
+        };
+        tile.cloned().unwrap_or_else(|| Arc::new(Tile::filled(self.work.grid().size, [0; 4])))
+    }
+
+    /// Everything as it is shown.
+    fn shown(&self) -> Arc<Hcbtf> {
+        match &self.stroke {
+            Some(stroke) => Arc::new(self.work.hcbtf_with(stroke.as_ref())),
+            None => self.work.shown().clone(),
+        }
+    }
+
+    fn is_tiling(&self) -> bool {
+        self.work.hcbtf().is_tiling
+    }
+}
+
 impl Of {
-    fn new(work: &Work, is_first: bool) -> Self {
-        let address = work.at();
+    fn new(painting: &LivePainting<'_>, is_first: bool) -> Self {
+        let address = painting.work.at();
         Self {
             address,
-            before: tile_at(work, address),
-            over: (!is_first).then(|| work.shown().clone()),
+            before: painting.tile_at(address),
+            over: (!is_first).then(|| painting.shown()),
         }
     }
 
     /// The step of undo, if anything is another now. A stroke that leaves no trace paints nothing.
     /// What was painted is shown from now on: another step of the same frame lies over it.
-    fn done(self, tile: Tile, session: &mut Session) -> Option<Command> {
+    fn done(self, tile: Tile, painting: &mut LivePainting<'_>) -> Option<Command> {
         if tile == *self.before {
             return None;
         }
-        let hcbtf = self.over.as_deref().or_else(|| session.painting().map(Work::hcbtf))?;
+        let hcbtf = self.over.as_deref().unwrap_or_else(|| painting.work.hcbtf());
         let edit = HcbtfEdit::paint(hcbtf, self.address, tile.clone());
-        show(session, Some((self.address, Arc::new(tile))));
-        Some(command(Wish::Edit(edit)))
+        painting.show(Some((self.address, Arc::new(tile))));
+        Some(Command::Paint(PaintCommand::Edit(edit)))
     }
-}
-
-/// What a hand paints on: what is shown at a sample, or nothing at all.
-pub(super) fn tile_at(work: &Work, address: Address) -> Arc<Tile> {
-    work.tile(address).cloned().unwrap_or_else(|| Arc::new(Tile::filled(work.grid().size, [0; 4])))
 }
 
 /// Does what the pointer asks for on the tile as it lies now: event by event, so that a click
@@ -69,21 +96,21 @@ pub(super) fn paint(
     tilt: &Tilt,
     going: &mut Option<Going>,
     tools: &mut Tools,
-    session: &mut Session,
+    work: &Work,
 ) -> Vec<Command> {
     let (is_down, space, escape) = ui.input(|input| {
         (input.pointer.primary_down(), input.key_down(Key::Space), input.key_pressed(Key::Escape))
     });
     if escape && going.take().is_some() {
-        show(session, None);
-        return Vec::new();
+        return vec![Command::Paint(PaintCommand::ShowStroke(None))];
     }
     // What is pressed and let go within a frame is not down any more.
     let is_quick = !is_down && (response.clicked() || response.hovered());
     let is_over = response.is_pointer_button_down_on() || is_quick;
     let pressure = tools.pen.unwrap_or(1.0);
+    let painting = LivePainting { work, stroke: None };
     let mut hand =
-        Events { tilt, going, tools, session, path: Vec::new(), pressure, out: Vec::new() };
+        Events { tilt, going, tools, painting, path: Vec::new(), pressure, out: Vec::new() };
     let mut last = ui.input(|input| input.pointer.latest_pos());
     for event in ui.input(|input| input.events.clone()) {
         match event {
@@ -113,7 +140,9 @@ pub(super) fn paint(
     if !is_down {
         hand.release(last);
     }
-    hand.out
+    // The stroke is shown before the steps are done, each of which ends what is shown.
+    let stroke = hand.painting.stroke.map(PaintCommand::ShowStroke).map(Command::Paint);
+    stroke.into_iter().chain(hand.out).collect()
 }
 
 /// What the pointer does in a frame, and what comes of it.
@@ -121,7 +150,7 @@ struct Events<'a> {
     tilt: &'a Tilt,
     going: &'a mut Option<Going>,
     tools: &'a mut Tools,
-    session: &'a mut Session,
+    painting: LivePainting<'a>,
     /// Where the pointer went since the last button.
     path: Vec<Pos2>,
     /// How hard the pen is pressed: what a tablet told last, until the pen goes up.
@@ -135,21 +164,21 @@ impl Events<'_> {
         if self.going.is_some() {
             return;
         }
-        let kind = if modifiers.alt { Kind::Pick } else { self.tools.kind };
+        let kind = if modifiers.alt { PaintTool::Pick } else { self.tools.kind };
         let begun = self.begin(self.tilt.texel(at), kind, modifiers.shift);
         self.out.extend(begun);
     }
 
-    fn begin(&mut self, at: DVec2, kind: Kind, is_shifted: bool) -> Option<Command> {
-        let work = self.session.painting()?;
-        let wraps = work.hcbtf().is_tiling;
-        let of = || Of::new(work, self.out.is_empty());
+    fn begin(&mut self, at: DVec2, kind: PaintTool, is_shifted: bool) -> Option<Command> {
+        let wraps = self.painting.is_tiling();
+        let of = || Of::new(&self.painting, self.out.is_empty());
         match kind {
-            Kind::Pick => {
-                pick(work, at, self.tools);
+            PaintTool::Pick => {
+                pick(&self.painting, at, self.tools);
                 *self.going = Some(Going::Pick);
             }
-            Kind::Stamp if is_shifted || self.tools.stamp.is_none() => {
+            PaintTool::Stamp if is_shifted || self.tools.stamp.is_none() => {
+                let work = self.painting.work;
                 self.tools.stamp = work.tile(work.at()).cloned();
                 let told = match self.tools.stamp {
                     Some(_) => {
@@ -160,14 +189,14 @@ impl Events<'_> {
                 };
                 return Some(Command::Tell(told.to_owned()));
             }
-            Kind::Fill => {
+            PaintTool::Fill => {
                 let of = of();
                 let at = texel(at, of.before.size(), wraps)?;
                 let flood = Flood { tolerance: self.tools.tolerance, edge: self.tools.edge, wraps };
                 let tile = paint::fill(&of.before, at, self.tools.colors[0], flood);
-                return of.done(tile, self.session);
+                return of.done(tile, &mut self.painting);
             }
-            Kind::Line => *self.going = Some(Going::Line { from: at, of: of() }),
+            PaintTool::Line => *self.going = Some(Going::Line { from: at, of: of() }),
             _ => {
                 let of = of();
                 let mut stroke = Box::new(Stroke::begin(
@@ -179,7 +208,7 @@ impl Events<'_> {
                 stroke.to(at, self.pressure);
                 let live = (of.address, Arc::new(stroke.tile().clone()));
                 *self.going = Some(Going::Stroke { stroke, of });
-                show(self.session, Some(live));
+                self.painting.show(Some(live));
             }
         }
         None
@@ -196,11 +225,11 @@ impl Events<'_> {
                     is_changed |= !stroke.to(self.tilt.texel(at), self.pressure).is_empty();
                 }
                 if is_changed {
-                    show(self.session, Some((of.address, Arc::new(stroke.tile().clone()))));
+                    self.painting.show(Some((of.address, Arc::new(stroke.tile().clone()))));
                 }
             }
             Some(Going::Line { from, of }) => {
-                let wraps = self.session.painting().is_some_and(|work| work.hcbtf().is_tiling);
+                let wraps = self.painting.is_tiling();
                 let tile = paint::line(
                     &of.before,
                     &self.tools.brush(),
@@ -209,12 +238,10 @@ impl Events<'_> {
                     *from,
                     last,
                 );
-                show(self.session, Some((of.address, Arc::new(tile))));
+                self.painting.show(Some((of.address, Arc::new(tile))));
             }
             Some(Going::Pick) => {
-                if let Some(work) = self.session.painting() {
-                    pick(work, last, self.tools);
-                }
+                pick(&self.painting, last, self.tools);
             }
             None => {}
         }
@@ -225,19 +252,19 @@ impl Events<'_> {
         let Some(was) = self.going.take() else { return };
         let done = self.end(was, at.map(|at| self.tilt.texel(at)));
         if done.is_none() {
-            show(self.session, None);
+            self.painting.show(None);
         }
         self.out.extend(done);
     }
 
     fn end(&mut self, was: Going, last: Option<DVec2>) -> Option<Command> {
         match was {
-            Going::Stroke { stroke, of } => of.done(stroke.finish(), self.session),
+            Going::Stroke { stroke, of } => of.done(stroke.finish(), &mut self.painting),
             Going::Line { from, of } => {
-                let wraps = self.session.painting()?.hcbtf().is_tiling;
+                let wraps = self.painting.is_tiling();
                 let (brush, to) = (self.tools.brush(), last.unwrap_or(from));
                 let tile = paint::line(&of.before, &brush, &self.tools.symmetry, wraps, from, to);
-                of.done(tile, self.session)
+                of.done(tile, &mut self.painting)
             }
             Going::Pick => {
                 self.tools.picked(self.tools.colors[0]);
@@ -247,18 +274,10 @@ impl Events<'_> {
     }
 }
 
-fn show(session: &mut Session, live: Option<(Address, Arc<Tile>)>) {
-    if let Some(work) = session.painting_mut() {
-        work.set_live(live);
-        session.painting_changed();
-    }
-}
-
-fn pick(work: &Work, at: DVec2, tools: &mut Tools) {
-    if let Some(tile) = work.tile(work.at())
-        && let Some(at) = texel(at, tile.size(), work.hcbtf().is_tiling)
-    {
-        let color = paint::pick(tile, at);
+fn pick(painting: &LivePainting<'_>, at: DVec2, tools: &mut Tools) {
+    let tile = painting.tile_at(painting.work.at());
+    if let Some(at) = texel(at, tile.size(), painting.is_tiling()) {
+        let color = paint::pick(&tile, at);
         if color[3] > 0 {
             tools.colors[0] = color;
         }

@@ -6,35 +6,16 @@ use std::path::Path;
 use eframe::egui::{self, Button, ComboBox, DragValue, Id, Modal, RichText, Ui, WidgetInfo};
 
 use super::grid::directions;
-use super::{Wish, command};
-use crate::commands::Command;
+use crate::commands::{Command, PaintCommand, PictureImport};
 use crate::diag::Diagnostic;
-use crate::document::{Directions, Grid, Hcbtf};
+use crate::document::{Grid, Hcbtf};
 use crate::hcbtf::contact::MAX_GAP;
 use crate::hcbtf::exchange::{self, Form};
 use crate::progress::Progress;
 use crate::widgets::confirm;
 use crate::widgets::theme;
 
-/// What pictures are taken for. How large their tiles are they tell themselves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Import {
-    pub(crate) form: Form,
-    light: Directions,
-    view: Directions,
-    /// Texels between the tiles of a contact sheet.
-    gap: u32,
-    is_tiling: bool,
-}
-
-impl Default for Import {
-    fn default() -> Self {
-        let Grid { light, view, .. } = Grid::THESIS;
-        Self { form: Form::Folder, light, view, gap: 0, is_tiling: true }
-    }
-}
-
-impl Import {
+impl PictureImport {
     /// The HCBTF of the pictures there, with what was odd about them.
     ///
     /// # Errors
@@ -81,7 +62,7 @@ fn told(form: Form) -> (&'static str, &'static str) {
 }
 
 /// Asks what is imported, while `asked` is there. The pictures themselves are asked for next.
-pub(super) fn show(ui: &Ui, asked: &mut Option<Import>) -> Option<Command> {
+pub(super) fn show(ui: &Ui, asked: &mut Option<PictureImport>) -> Option<Command> {
     let mut import = (*asked)?;
     let mut out = None;
     let mut is_over = false;
@@ -116,7 +97,7 @@ pub(super) fn show(ui: &Ui, asked: &mut Option<Import>) -> Option<Command> {
         ui.add_space(8.0);
         ui.horizontal(|ui| {
             if ui.add(Button::new("Choose them...")).clicked() || enters {
-                out = Some(command(Wish::Import { import, from: None }));
+                out = Some(Command::Paint(PaintCommand::Import { import, from: None }));
                 is_over = true;
             }
             is_over |= ui.button("Cancel").clicked();

@@ -3,13 +3,13 @@
 use eframe::egui::{FontId, Rect, Role, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use super::easel::name_of;
-use super::{Wish, command, moves};
-use crate::app::dock::cell;
-use crate::commands::Command;
+use super::moves;
+use crate::commands::{Command, PaintCommand};
 use crate::document::{Address, HcbtfEdit};
 use crate::painter::atlas::Atlas;
 use crate::state::painting::work::Work;
 use crate::widgets::rows::{picture_frame, row_ground};
+use crate::widgets::text::cell;
 use crate::widgets::theme;
 
 const ROW: f32 = 30.0;
@@ -106,7 +106,7 @@ fn row(
         .on_hover_text("Takes this painting away: the rules fill its place. Undo brings it back")
         .clicked()
     {
-        out.push(command(Wish::Edit(HcbtfEdit::DeleteTile { address })));
+        out.push(Command::Paint(PaintCommand::Edit(HcbtfEdit::DeleteTile { address })));
     }
     let copy = row.add_enabled(!is_at_work, eframe::egui::Button::new("Copy").small());
     copy.widget_info(|| WidgetInfo::labeled(Role::Button, !is_at_work, format!("Copy {name}")));
@@ -117,7 +117,7 @@ fn row(
         *peek = Some(address);
     }
     if response.clicked() {
-        out.push(command(Wish::GoTo(address)));
+        out.push(Command::Paint(PaintCommand::GoTo(address)));
     }
     response.on_hover_text("Click to work at it; hold Alt to only look at it");
 }
@@ -128,5 +128,5 @@ pub(super) fn copy_to(work: &Work, from: Address, to: Address) -> Option<Command
         Some(_) => HcbtfEdit::CopyTile { from, to },
         None => HcbtfEdit::SetTile { address: to, tile: Some(work.tile(from)?.clone()) },
     };
-    Some(command(Wish::Edit(edit)))
+    Some(Command::Paint(PaintCommand::Edit(edit)))
 }

@@ -7,8 +7,8 @@ use std::sync::Arc;
 use eframe::egui::{Id, Modal, ProgressBar, RichText, Ui};
 
 use super::counted;
-use super::import::Import;
 use crate::clock::Clock;
+use crate::commands::PictureImport;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf, Tile};
 use crate::files::write_atomic;
@@ -28,7 +28,7 @@ const AGAIN: f32 = 0.1;
 /// What is asked for.
 pub(super) enum Job {
     Import {
-        import: Import,
+        import: PictureImport,
         from: PathBuf,
     },
     /// A tile of patches of another; `filled` is what its rules made, where that is known. Also the
@@ -273,7 +273,7 @@ mod tests {
     #[test]
     fn what_was_given_up_never_comes_and_the_next_one_does() {
         let mut making = Making::new(|| {});
-        let import = || Job::Import { import: Import::default(), from: "nowhere".into() };
+        let import = || Job::Import { import: PictureImport::default(), from: "nowhere".into() };
         making.begin(import());
         making.wait();
         making.stop();

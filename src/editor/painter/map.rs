@@ -10,8 +10,7 @@ use eframe::egui::{
 pub(super) use super::atlas::Atlas;
 use super::easel::name_of;
 use super::list::copy_to;
-use super::{Wish, command};
-use crate::commands::Command;
+use crate::commands::{Command, PaintCommand};
 use crate::document::{Address, Direction, Directions, HcbtfEdit};
 use crate::hcbtf::Provenance;
 use crate::state::painting::work::{State, Work};
@@ -152,7 +151,7 @@ impl Map {
             if response.clicked() && shift {
                 out.extend(copy_to(work, address, work.at()));
             } else if response.clicked() {
-                out.push(command(Wish::GoTo(address)));
+                out.push(Command::Paint(PaintCommand::GoTo(address)));
             }
         }
         if let Some(address) = self.menu {
@@ -175,7 +174,7 @@ impl Map {
 fn menu(ui: &mut Ui, work: &Work, address: Address, out: &mut Vec<Command>) {
     ui.label(name_of(work, address));
     if ui.button("Work here").clicked() {
-        out.push(command(Wish::GoTo(address)));
+        out.push(Command::Paint(PaintCommand::GoTo(address)));
     }
     if ui.button("Copy to the sample at work").clicked() {
         out.extend(copy_to(work, address, work.at()));
@@ -188,7 +187,7 @@ fn menu(ui: &mut Ui, work: &Work, address: Address, out: &mut Vec<Command>) {
         .add_enabled(is_painted, eframe::egui::Button::new("Delete what is painted here"))
         .clicked()
     {
-        out.push(command(Wish::Edit(HcbtfEdit::DeleteTile { address })));
+        out.push(Command::Paint(PaintCommand::Edit(HcbtfEdit::DeleteTile { address })));
     }
 }
 

@@ -38,101 +38,25 @@ mod toolbar;
 mod tools;
 
 use std::path::PathBuf;
-use std::sync::Arc;
 
-use eframe::egui;
 use eframe::egui::{Button, Key, Pos2, Rect, RichText, Slider, Ui, WidgetInfo};
 
-use crate::app::dock::{self, Panel};
-use crate::commands::Command;
-use crate::commands::shortcuts::{self, Action, Way};
+use crate::commands::keyboard;
+use crate::commands::{Command, Heading, PaintCommand, PictureImport};
 use crate::diag::Diagnostic;
-use crate::document::{Address, Grid, Hcbtf, HcbtfEdit, Storage};
+use crate::document::{Address, Grid, HcbtfEdit, Storage};
 use crate::hcbtf::Device;
 use crate::hcbtf::exchange::Form;
-use crate::panels::problems::sentence;
-use crate::state::painting::look;
-pub(crate) use crate::state::painting::work::OnDisk;
 use crate::state::painting::work::State;
-pub use crate::state::painting::work::Work;
+use crate::state::painting::work::Work;
+use crate::state::painting::{PaintingUpdate, look};
+use crate::state::problem_text::sentence;
 use crate::state::session::Session;
+use crate::state::worker::BackgroundJobs;
+use crate::widgets::text::hint;
 use crate::widgets::theme;
-pub(crate) use import::Import;
 pub(crate) use making::Made;
-pub(crate) use start::{Preset, Shown, shown};
-pub(crate) use tools::Kind;
-
-/// Something that is asked for of what is painted; [`App`](crate::App) does it.
-#[derive(Clone, Debug)]
-pub(crate) enum Wish {
-    /// A change as an undo step of its own.
-    Edit(HcbtfEdit),
-    /// A change that goes on for as long as the same widget is held: one undo step in all.
-    EditHeld(egui::Id, HcbtfEdit),
-    /// Works at another sample.
-    GoTo(Address),
-    /// Begins a new one, in a look of its own unless the open one is to stay.
-    New {
-        grid: Grid,
-        keeps_look: bool,
-    },
-    /// Opens the one in a file. The open look stays where it shows that, or where it is to.
-    Open {
-        path: PathBuf,
-        keeps_look: bool,
-    },
-    /// Divides the open one otherwise, which loses so many painted samples.
-    Divide {
-        grid: Grid,
-        lost: usize,
-    },
-    /// Paints what the open look shows, or goes on with that; where it is more than one, shows
-    /// which there are.
-    PaintShown,
-    /// Shows the open one in the look that it was painted in, or in one of its own.
-    GoBack,
-    /// Asks how finely a new one is divided, or how the open one is to be from now on.
-    AskGrid {
-        changes: bool,
-    },
-    /// Asks for a new tile of patches of the open one.
-    AskSynthesis,
-    /// Asks onto which grid the open look is to be baked.
-    AskBake,
-    /// Bakes it as was asked for; asks for the file where there is none.
-    Bake {
-        to: Option<PathBuf>,
-    },
-    /// Begins with what was made, in a look of its own.
-    Begin {
-        hcbtf: Arc<Hcbtf>,
-    },
-    /// Asks what pictures of other programs are to become an HCBTF.
-    AskImport,
-    /// Makes one of pictures; asks for them where there are none.
-    Import {
-        import: Import,
-        from: Option<PathBuf>,
-    },
-    /// Asks how a texture is to be stored.
-    AskTexture,
-    /// Writes all samples in another program's form; asks where to.
-    Export {
-        form: Form,
-        /// Of a texture.
-        storage: Storage,
-        to: Option<PathBuf>,
-    },
-    Save,
-    SaveAs,
-    /// Saves to this file.
-    SaveTo(PathBuf),
-    Close,
-}
-
-fn command(wish: Wish) -> Command {
-    Command::Paint(wish)
-}
+pub(crate) use start::{Shown, shown};
 
 /// The workspace, and what it remembers between frames.
 pub struct Painting {
@@ -151,7 +75,7 @@ pub struct Painting {
     making: making::Making,
     /// What is to be imported, while that is asked for; the same of a new tile, and of a look that
     /// is baked.
-    import: Option<Import>,
+    import: Option<PictureImport>,
     synthesis: Option<synthesis::Asked>,
     baking: Option<baking::Asked>,
     /// What is baked once it has a file.
@@ -196,7 +120,7 @@ impl Painting {
 
     /// Asks what is to be imported.
     pub(crate) fn ask_import(&mut self) {
-        self.import = Some(Import::default());
+        self.import = Some(PictureImport::default());
     }
 
     /// Asks how finely something new is divided, or how what is open is to be.
@@ -236,7 +160,7 @@ impl Painting {
     }
 
     /// Makes an HCBTF of pictures.
-    pub(crate) fn import(&mut self, import: Import, from: PathBuf) {
+    pub(crate) fn import(&mut self, import: PictureImport, from: PathBuf) {
         self.making.begin(making::Job::Import { import, from });
     }
 
@@ -288,72 +212,100 @@ impl Painting {
     }
 
     /// What is due once a frame, whichever panels are seen.
-    pub(crate) fn tick(&mut self, session: &mut Session) {
+    pub(crate) fn tick(&mut self, session: &Session) -> PaintingUpdate {
         self.peek = self.next_peek.take();
-        self.seen.tick(session);
-        if let Some(work) = session.painting_mut()
-            && self.filling.tick(work, &self.memory.device)
-        {
-            session.painting_changed();
-        }
+        self.seen.tick(session)
     }
 
-    /// Shows one of its panels.
-    pub(crate) fn show(
-        &mut self,
-        ui: &mut Ui,
-        panel: Panel,
-        session: &mut Session,
-    ) -> Vec<Command> {
+    /// Takes what rules filled, and asks for what they have not. Returns whether there is something
+    /// new.
+    pub(crate) fn fill(&mut self, work: &mut Work) -> bool {
+        self.filling.tick(work, &self.memory.device)
+    }
+
+    /// What is painted, where the open look shows that.
+    fn shown<'s>(&self, session: &'s Session) -> Option<&'s Work> {
+        session.painting().filter(|_| self.seen.is_shown())
+    }
+
+    /// Shows the tools, and takes in what the pointer and the keys do on the tile.
+    pub(crate) fn interact(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut out = Vec::new();
-        if session.painting().is_none() || !self.seen.is_shown() {
-            match panel {
-                Panel::Paint => {
-                    self.easel.leave();
-                    start::show(ui, session, &mut out);
-                }
-                _ => dock::hint(ui, &start::in_short(session)),
-            }
+        let Some(work) = self.shown(session) else {
+            self.easel.leave();
             return out;
-        }
-        match panel {
-            Panel::Paint => self.show_easel(ui, session, &mut out),
-            Panel::Samples | Panel::Directions => self.show_samples(ui, panel, session, &mut out),
-            Panel::Sheet => {
-                if let Some(work) = session.painting() {
-                    self.sheet.show(ui, work, self.easel.is_painting(), &mut out);
-                }
-            }
-            _ => {
-                let problem = self.filling.problem.as_ref().map(sentence);
-                if let Some(work) = session.painting() {
-                    rules::show(
-                        ui,
-                        work,
-                        self.filling.share(),
-                        problem.as_deref(),
-                        &mut self.memory,
-                        &mut out,
-                    );
-                }
-            }
+        };
+        toolbar::show(ui, &mut self.tools);
+        self.options(ui, session, work, &mut out);
+        let is_free = self.easel.has_pointer() && !keyboard::is_keyboard_taken(ui.ctx());
+        let held = (is_free && ui.input(|input| input.key_down(Key::V))).then_some(work.before());
+        out.extend(self.easel.interact(ui, work, &mut self.tools, self.peek.or(held)));
+        out.extend(self.easel.keys(ui));
+        out
+    }
+
+    /// Shows the tile as the eye sees it, or what there is to begin with.
+    pub(crate) fn show_tile(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
+        let mut out = Vec::new();
+        match self.shown(session) {
+            Some(work) => self.easel.show(ui, work, &self.tools),
+            None => start::show(ui, session, &mut out),
         }
         out
     }
 
-    fn show_easel(&mut self, ui: &mut Ui, session: &mut Session, out: &mut Vec<Command>) {
-        toolbar::show(ui, &mut self.tools);
-        if let Some(work) = session.painting() {
-            self.options(ui, session, work, out);
+    /// Shows all lights and views of what is painted at a glance.
+    pub(crate) fn show_samples(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
+        let mut out = Vec::new();
+        match self.shown(session) {
+            Some(work) => {
+                self.atlas.update(ui.ctx(), work, self.easel.is_painting());
+                self.map.show(ui, work, &self.atlas, &mut self.next_peek, &mut out);
+            }
+            None => hint(ui, &start::in_short(session)),
         }
-        let is_free = self.easel.has_pointer() && !shortcuts::is_keyboard_taken(ui.ctx());
-        let before = session.painting().map(Work::before);
-        let held =
-            (is_free && ui.input(|input| input.key_down(Key::V))).then_some(before).flatten();
-        out.extend(self.easel.show(ui, session, &mut self.tools, self.peek.or(held)));
-        for action in self.easel.keys(ui) {
-            self.act(action, session);
+        out
+    }
+
+    /// Shows all of what is painted and filled in one picture.
+    pub(crate) fn show_sheet(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
+        let mut out = Vec::new();
+        match self.shown(session) {
+            Some(work) => self.sheet.show(ui, work, self.easel.is_painting(), &mut out),
+            None => hint(ui, &start::in_short(session)),
         }
+        out
+    }
+
+    /// Shows where the light and the eye are, and what is painted already.
+    pub(crate) fn show_directions(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
+        let mut out = Vec::new();
+        let Some(work) = self.shown(session) else {
+            hint(ui, &start::in_short(session));
+            return out;
+        };
+        self.atlas.update(ui.ctx(), work, self.easel.is_painting());
+        let side = ui.available_width().min(ui.available_height() * 0.55).clamp(90.0, 190.0);
+        ui.vertical_centered(|ui| {
+            if let Some(address) = dome::show(ui, work, &mut self.held, side) {
+                out.push(Command::Paint(PaintCommand::GoTo(address)));
+            }
+        });
+        list::show(ui, work, &self.atlas, &mut self.order, &mut self.next_peek, &mut out);
+        out
+    }
+
+    /// Shows the rules that fill the rest.
+    pub(crate) fn show_rules(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
+        let mut out = Vec::new();
+        let Some(work) = self.shown(session) else {
+            hint(ui, &start::in_short(session));
+            return out;
+        };
+        let problem = self.filling.problem.as_ref().map(sentence);
+        let share = self.filling.share();
+        rules::show(ui, work, share, problem.as_deref(), &mut self.memory, &mut out);
+        out
     }
 
     /// Which sample is at work, and how it is shown.
@@ -377,7 +329,7 @@ impl Painting {
             let is_painted = work.state(at) == State::Painted;
             let clear = ui.add_enabled(is_painted, Button::new("Delete painting").small());
             if clear.on_hover_text("Takes this painting away: the rules fill its place").clicked() {
-                out.push(command(Wish::Edit(HcbtfEdit::DeleteTile { address: at })));
+                out.push(Command::Paint(PaintCommand::Edit(HcbtfEdit::DeleteTile { address: at })));
             }
             self.seen.mark(ui);
         });
@@ -408,39 +360,16 @@ impl Painting {
         }
     }
 
-    fn show_samples(
-        &mut self,
-        ui: &mut Ui,
-        panel: Panel,
-        session: &Session,
-        out: &mut Vec<Command>,
-    ) {
-        let Some(work) = session.painting() else { return };
-        self.atlas.update(ui.ctx(), work, self.easel.is_painting());
-        if panel == Panel::Samples {
-            return self.map.show(ui, work, &self.atlas, &mut self.next_peek, out);
-        }
-        let side = ui.available_width().min(ui.available_height() * 0.55).clamp(90.0, 190.0);
-        ui.vertical_centered(|ui| {
-            if let Some(address) = dome::show(ui, work, &mut self.held, side) {
-                out.push(command(Wish::GoTo(address)));
-            }
-        });
-        list::show(ui, work, &self.atlas, &mut self.order, &mut self.next_peek, out);
-    }
-
-    /// Does what a key over the tile or the command palette asks for.
-    pub(crate) fn act(&mut self, action: Action, session: &mut Session) {
-        match action {
-            Action::Tool(kind) => self.tools.take(kind),
-            Action::Brush { is_larger } => self.tools.resize(is_larger),
-            Action::SwapColors => self.tools.colors.swap(0, 1),
-            Action::Flat => self.easel.is_flat = !self.easel.is_flat,
-            Action::Copies => self.easel.shows_copies = !self.easel.shows_copies,
-            Action::Arrows => self.easel.shows_arrows = !self.easel.shows_arrows,
-            Action::FitTile => self.easel.fit(),
-            Action::StepView(way) => step(session, way, true),
-            Action::StepLight(way) => step(session, way, false),
+    /// Does what is asked for of the tools and of how the tile is shown.
+    pub(crate) fn apply(&mut self, command: PaintCommand) {
+        match command {
+            PaintCommand::TakeTool(tool) => self.tools.take(tool),
+            PaintCommand::ResizeBrush { is_larger } => self.tools.resize(is_larger),
+            PaintCommand::SwapColors => self.tools.colors.swap(0, 1),
+            PaintCommand::ToggleTilt => self.easel.is_flat = !self.easel.is_flat,
+            PaintCommand::ToggleCopies => self.easel.shows_copies = !self.easel.shows_copies,
+            PaintCommand::ToggleArrows => self.easel.shows_arrows = !self.easel.shows_arrows,
+            PaintCommand::FitTile => self.easel.fit(),
             _ => {}
         }
     }
@@ -474,13 +403,15 @@ impl Painting {
     pub fn on_sheet(&self, address: Address, texel: [u32; 2]) -> Option<Pos2> {
         self.sheet.screen(address, texel)
     }
+}
 
-    pub(crate) fn is_busy(&self) -> bool {
+impl BackgroundJobs for Painting {
+    fn is_busy(&self) -> bool {
         let is_storing = self.exports.is_busy() || self.memory.is_busy();
         is_storing || self.filling.is_busy() || self.preview.is_busy() || self.making.is_busy()
     }
 
-    pub(crate) fn wait(&self) {
+    fn wait(&self) {
         self.filling.wait();
         self.exports.wait();
         self.memory.wait();
@@ -494,12 +425,11 @@ pub(crate) fn counted(count: usize, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
-/// Moves the eye or the light by one step.
-fn step(session: &mut Session, way: Way, is_view: bool) {
-    let Some(work) = session.painting_mut() else { return };
-    let (grid, at) = (*work.grid(), work.at());
-    work.go_to(match is_view {
-        true => Address { view: moves::step(grid.view, at.view, way), ..at },
-        false => Address { light: moves::step(grid.light, at.light, way), ..at },
-    });
+/// The sample that is one step from the one at work, by the eye or by the light.
+pub(crate) fn stepped(work: &Work, heading: Heading, is_view: bool) -> Address {
+    let (grid, at) = (work.grid(), work.at());
+    match is_view {
+        true => Address { view: moves::step(grid.view, at.view, heading), ..at },
+        false => Address { light: moves::step(grid.light, at.light, heading), ..at },
+    }
 }

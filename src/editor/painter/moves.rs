@@ -1,12 +1,12 @@
 //! Ways through the directions of a light or a view, by keys and by names.
 
-use crate::commands::shortcuts::Way;
+use crate::commands::Heading;
 use crate::document::{Direction, Directions};
 
 /// The direction one step away: left and right go around the normal, down goes toward the horizon,
 /// up toward the normal. At the normal, where there is nowhere to go around to, left and right lead
 /// off it to their own side of the hemisphere.
-pub(super) fn step(directions: Directions, from: Direction, way: Way) -> Direction {
+pub(super) fn step(directions: Directions, from: Direction, way: Heading) -> Direction {
     let Direction { theta, phi } = from.canonical();
     let steps = directions.phi.max(1);
     let off = |turn: f64| Direction {
@@ -14,13 +14,13 @@ pub(super) fn step(directions: Directions, from: Direction, way: Way) -> Directi
         phi: (turn * f64::from(steps)).round() as u32 % steps,
     };
     let next = match way {
-        Way::Left if theta > 0 => Direction { theta, phi: (phi + steps - 1) % steps },
-        Way::Right if theta > 0 => Direction { theta, phi: (phi + 1) % steps },
+        Heading::Left if theta > 0 => Direction { theta, phi: (phi + steps - 1) % steps },
+        Heading::Right if theta > 0 => Direction { theta, phi: (phi + 1) % steps },
         // From v, which points up, toward u, which points right.
-        Way::Right => off(0.25),
-        Way::Left => off(0.75),
-        Way::Up => Direction { theta: theta.saturating_sub(1), phi },
-        Way::Down => Direction { theta: (theta + 1).min(directions.theta.max(1) - 1), phi },
+        Heading::Right => off(0.25),
+        Heading::Left => off(0.75),
+        Heading::Up => Direction { theta: theta.saturating_sub(1), phi },
+        Heading::Down => Direction { theta: (theta + 1).min(directions.theta.max(1) - 1), phi },
     };
     next.canonical()
 }
@@ -61,18 +61,18 @@ mod tests {
     #[test]
     fn steps_go_around_and_down() {
         let at = |theta, phi| Direction { theta, phi };
-        assert_eq!(step(DIRECTIONS, at(2, 0), Way::Left), at(2, 9));
-        assert_eq!(step(DIRECTIONS, at(2, 9), Way::Right), at(2, 0));
-        assert_eq!(step(DIRECTIONS, at(5, 3), Way::Down), at(5, 3));
-        assert_eq!(step(DIRECTIONS, at(1, 3), Way::Up), at(0, 0));
+        assert_eq!(step(DIRECTIONS, at(2, 0), Heading::Left), at(2, 9));
+        assert_eq!(step(DIRECTIONS, at(2, 9), Heading::Right), at(2, 0));
+        assert_eq!(step(DIRECTIONS, at(5, 3), Heading::Down), at(5, 3));
+        assert_eq!(step(DIRECTIONS, at(1, 3), Heading::Up), at(0, 0));
     }
 
     #[test]
     fn left_and_right_lead_off_the_normal_to_their_own_side() {
         let to = |way| place(DIRECTIONS, step(DIRECTIONS, Direction::default(), way));
-        assert!(to(Way::Right).x > 0.1 && to(Way::Left).x < -0.1);
-        assert_eq!(step(DIRECTIONS, Direction::default(), Way::Up), Direction::default());
-        for way in [Way::Left, Way::Right, Way::Down] {
+        assert!(to(Heading::Right).x > 0.1 && to(Heading::Left).x < -0.1);
+        assert_eq!(step(DIRECTIONS, Direction::default(), Heading::Up), Direction::default());
+        for way in [Heading::Left, Heading::Right, Heading::Down] {
             assert_eq!(
                 step(Directions { theta: 1, phi: 1 }, Direction::default(), way),
                 Direction::default()

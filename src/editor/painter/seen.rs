@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 
 use eframe::egui::Ui;
 
-use crate::commands::Command;
+use crate::commands::{Command, ViewCommand};
 use crate::state::orbit::Orbit;
-use crate::state::painting::look;
 use crate::state::painting::work::Work;
+use crate::state::painting::{PaintingUpdate, look};
 use crate::state::session::Session;
 
 /// What is known of it.
@@ -50,21 +50,15 @@ impl Of {
 
 impl Seen {
     /// What is due once a frame.
-    pub(super) fn tick(&mut self, session: &mut Session) {
+    pub(super) fn tick(&mut self, session: &Session) -> PaintingUpdate {
         let now = Of::now(session);
         if self.shown.as_ref().is_none_or(|(of, _)| *of != now) {
             self.shown = Some((now, look::shows(session)));
         }
-        session.hides_painting = session.painting().is_some() && !self.is_shown();
-        let marks = self.marks && self.is_shown();
-        if let Some(work) = session.painting_mut()
-            && work.set_marked(marks.then_some(work.at()))
-        {
-            session.painting_changed();
-        }
         let number = session.document_number();
         let is_there = look::lies_flat(&session.view);
         self.turned_from = self.turned_from.take().filter(|(of, _)| *of == number && is_there);
+        PaintingUpdate { is_shown: self.is_shown(), is_marked: self.marks && self.is_shown() }
     }
 
     /// Whether what is open shows what is painted, as of the last tick.
@@ -99,7 +93,7 @@ impl Seen {
                 if !look::lies_flat(before) {
                     self.turned_from = Some((session.document_number(), Box::new(before.clone())));
                 }
-                out.push(Command::TurnTo(Box::new(view)));
+                out.push(Command::View(ViewCommand::TurnTo(Box::new(view))));
             }
         }
         if let Some((_, view)) =
@@ -107,7 +101,7 @@ impl Seen {
         {
             let help = "Shows what the picture showed before, from where it was seen";
             if ui.small_button("Back to the mesh").on_hover_text(help).clicked() {
-                out.push(Command::TurnTo(view.clone()));
+                out.push(Command::View(ViewCommand::TurnTo(view.clone())));
             }
         }
     }

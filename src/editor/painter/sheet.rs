@@ -10,8 +10,8 @@ use eframe::egui::{
     Stroke, StrokeKind, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 
-use super::{Wish, command, moves};
-use crate::commands::Command;
+use super::moves;
+use crate::commands::{Command, PaintCommand};
 use crate::document::{Address, Direction, Grid};
 use crate::hcbtf::sheet::{Held, column, held, place, row, size};
 use crate::state::painting::work::{State, Work};
@@ -141,7 +141,7 @@ impl Sheet {
             outline(ui, &laid, texel, Color32::WHITE);
             plate(ui, room, lines);
             if response.clicked() {
-                out.push(command(Wish::GoTo(held.address)));
+                out.push(Command::Paint(PaintCommand::GoTo(held.address)));
             }
         }
     }

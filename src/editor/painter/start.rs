@@ -5,9 +5,7 @@ use std::path::PathBuf;
 use eframe::egui::{Button, Response, RichText, ScrollArea, Ui};
 
 use super::memory;
-use super::{Wish, command};
-use crate::commands::Command;
-use crate::document::{Directions, Grid};
+use crate::commands::{Command, GridPreset, PaintCommand};
 use crate::examples::PREFIX;
 use crate::frame::UNSAVED_HCBTF;
 use crate::state::painting::look::sheets;
@@ -15,50 +13,6 @@ use crate::state::painting::work::Work;
 use crate::state::session::Session;
 use crate::state::stage::real;
 use crate::widgets::theme;
-
-/// A grid to begin with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Preset {
-    Small,
-    Thesis,
-    Large,
-    Fine,
-}
-
-impl Preset {
-    pub(super) const ALL: [Self; 4] = [Self::Small, Self::Thesis, Self::Large, Self::Fine];
-
-    /// What is made.
-    pub(crate) fn grid(self) -> Grid {
-        let directions = |theta, phi| Directions { theta, phi };
-        let of =
-            |side, directions| Grid { size: [side, side], light: directions, view: directions };
-        match self {
-            Self::Small => of(16, directions(3, 6)),
-            Self::Thesis => Grid::THESIS,
-            Self::Large => of(64, directions(6, 10)),
-            Self::Fine => of(128, directions(3, 8)),
-        }
-    }
-
-    fn label(self) -> &'static str {
-        match self {
-            Self::Small => "Small",
-            Self::Thesis => "Thesis",
-            Self::Large => "Large",
-            Self::Fine => "Fine tile",
-        }
-    }
-
-    fn help(self) -> &'static str {
-        match self {
-            Self::Small => "Few texels, few directions: to try things out",
-            Self::Thesis => "The size of the thesis that HCBTFs come from",
-            Self::Large => "The thesis's directions with finer strokes",
-            Self::Fine => "Fine strokes that change little with light and eye",
-        }
-    }
-}
 
 /// What a look is painted with can be this many HCBTFs; more are painted from the inspector.
 const MOST_SHEETS: usize = 4;
@@ -171,7 +125,7 @@ fn of_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
             None => "Shows it in a look of its own, and goes on painting it",
         };
         if wide(ui, &format!("Back to {name}")).on_hover_text(help).clicked() {
-            out.push(command(Wish::GoBack));
+            out.push(Command::Paint(PaintCommand::GoBack));
         }
         ui.add_space(4.0);
     } else if names.is_empty() {
@@ -184,7 +138,7 @@ fn of_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     let is_any = !shown.is_empty() || session.painting().is_some();
     for Shown { label, help, path, .. } in shown {
         if wide(ui, &label).on_hover_text(help).clicked() {
-            out.push(command(Wish::Open { path, keeps_look: true }));
+            out.push(Command::Paint(PaintCommand::Open { path, keeps_look: true }));
         }
     }
     if is_any {
@@ -202,7 +156,7 @@ fn anew(ui: &mut Ui, out: &mut Vec<Command>) {
                     a look of its own.";
     ui.label(RichText::new(text).color(theme::of(ui).dim));
     ui.add_space(12.0);
-    for preset in Preset::ALL {
+    for preset in GridPreset::ALL {
         let grid = preset.grid();
         let directions = grid.light.distinct_count();
         let label = format!(
@@ -215,7 +169,7 @@ fn anew(ui: &mut Ui, out: &mut Vec<Command>) {
         let button = wide(ui, &label);
         if button.on_hover_text(format!("{}: {}", preset.help(), memory::in_short(&grid))).clicked()
         {
-            out.push(command(Wish::New { grid, keeps_look: false }));
+            out.push(Command::Paint(PaintCommand::New { grid, keeps_look: false }));
         }
     }
     let other = wide(ui, "Another grid...");
@@ -223,7 +177,7 @@ fn anew(ui: &mut Ui, out: &mut Vec<Command>) {
         .on_hover_text("Any number of texels, lights and views, and what they take in memory")
         .clicked()
     {
-        out.push(command(Wish::AskGrid { changes: false }));
+        out.push(Command::Paint(PaintCommand::AskGrid { changes: false }));
     }
     ui.add_space(8.0);
     if wide(ui, "Open an .hcbtf file...").clicked() {
@@ -233,12 +187,12 @@ fn anew(ui: &mut Ui, out: &mut Vec<Command>) {
                 sheet of the thesis";
     let import = wide(ui, "Import painted pictures...");
     if import.on_hover_text(help).clicked() {
-        out.push(command(Wish::AskImport));
+        out.push(Command::Paint(PaintCommand::AskImport));
     }
     let help = "Paints every sample as the open look shows it: a dear look becomes a quick one, or \
                 one to paint on";
     let bake = wide(ui, "Bake this look onto a tile...");
     if bake.on_hover_text(help).clicked() {
-        out.push(command(Wish::AskBake));
+        out.push(Command::Paint(PaintCommand::AskBake));
     }
 }

@@ -4,8 +4,7 @@
 use eframe::egui::{Grid as Table, Id, Modal, RichText, Ui};
 
 use super::memory::{Memory, named};
-use super::{Wish, command};
-use crate::commands::Command;
+use crate::commands::{Command, PaintCommand};
 use crate::document::Storage;
 use crate::figures::bytes;
 use crate::hcbtf::exchange::Form;
@@ -48,7 +47,11 @@ pub(super) fn show(
                 .clicked()
                 || enters
             {
-                out = Some(command(Wish::Export { form: Form::Ktx2, storage: *storage, to: None }));
+                out = Some(Command::Paint(PaintCommand::Export {
+                    form: Form::Ktx2,
+                    storage: *storage,
+                    to: None,
+                }));
                 is_over = true;
             }
             is_over |= ui.button("Cancel").clicked();

@@ -11,13 +11,13 @@ use eframe::egui::{
 
 use super::making::{Job, Laid, Making, bar};
 use super::textures::Shown;
-use super::{Wish, command, grid, memory};
-use crate::commands::Command;
+use super::{grid, memory};
+use crate::commands::{Command, PaintCommand};
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf};
 use crate::hcbtf::{Device, Filled, Synthesis};
-use crate::panels::problems::sentence;
 use crate::state::painting::work::Work;
+use crate::state::problem_text::sentence;
 use crate::widgets::confirm;
 use crate::widgets::rows::lead;
 use crate::widgets::theme;
@@ -119,7 +119,7 @@ pub(super) fn show(
             let button = ui.add_enabled(ready.is_some(), Button::new("Begin it as a new painting"));
             let button = button.on_hover_text("Opens it to be painted on, without a file yet");
             if button.clicked() || enters && ready.is_some() {
-                out = ready.map(|hcbtf| command(Wish::Begin { hcbtf }));
+                out = ready.map(|hcbtf| Command::Paint(PaintCommand::Begin { hcbtf }));
                 is_over = true;
             }
             is_over |= ui.button("Cancel").clicked();

@@ -6,7 +6,8 @@ use eframe::egui::{
 };
 
 use super::icons;
-use super::tools::{Kind, LARGEST, PALETTE, Tools};
+use super::tools::{LARGEST, PALETTE, Tools};
+use crate::commands::PaintTool;
 use crate::document::ColorSpace;
 use crate::hcbtf::paint::{Pressure, Symmetry};
 use crate::widgets::color;
@@ -22,10 +23,10 @@ const WHEEL: f32 = 0.0012;
 /// Shows the tools and what they are set to.
 pub(super) fn show(ui: &mut Ui, tools: &mut Tools) {
     ui.horizontal_wrapped(|ui| {
-        for kind in Kind::ALL {
+        for kind in PaintTool::ALL {
             let response = icons::button(ui, kind, tools.kind == kind);
             if response.clicked() {
-                if kind == Kind::Stamp && ui.input(|input| input.modifiers.shift) {
+                if kind == PaintTool::Stamp && ui.input(|input| input.modifiers.shift) {
                     tools.stamp = None;
                 }
                 tools.take(kind);
@@ -37,7 +38,7 @@ pub(super) fn show(ui: &mut Ui, tools: &mut Tools) {
         palette(ui, tools);
     });
     ui.horizontal_wrapped(|ui| match tools.kind {
-        Kind::Fill => {
+        PaintTool::Fill => {
             let help = "How far a color may be from the one under the pointer to be filled too";
             part(ui, "Tolerance", help, &mut tools.tolerance);
             let help = "How many texels the color goes on under soft edges, so that no rim of the \
@@ -47,7 +48,7 @@ pub(super) fn show(ui: &mut Ui, tools: &mut Tools) {
                 DragValue::new(&mut tools.edge).range(0..=MOST_EDGE).speed(0.1).suffix(" texels");
             named(ui, "Under edges", help, drag);
         }
-        Kind::Pick => {
+        PaintTool::Pick => {
             ui.label("Click or drag on the tile to take a color");
         }
         _ => brush(ui, tools),

@@ -2,62 +2,9 @@
 
 use std::sync::Arc;
 
+use crate::commands::PaintTool;
 use crate::document::Tile;
 use crate::hcbtf::paint::{Brush, Flood, Pressure, Symmetry, Tool};
-
-/// A tool of the hand.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Kind {
-    Paint,
-    Erase,
-    Smudge,
-    Line,
-    Fill,
-    Stamp,
-    Pick,
-}
-
-impl Kind {
-    /// All, in the order of the bar.
-    pub(crate) const ALL: [Self; 7] =
-        [Self::Paint, Self::Erase, Self::Smudge, Self::Line, Self::Fill, Self::Stamp, Self::Pick];
-
-    /// What people call it.
-    pub(crate) fn label(self) -> &'static str {
-        match self {
-            Self::Paint => "Brush",
-            Self::Erase => "Eraser",
-            Self::Smudge => "Smudge",
-            Self::Line => "Line",
-            Self::Fill => "Fill",
-            Self::Stamp => "Stamp",
-            Self::Pick => "Pick a color",
-        }
-    }
-
-    /// What it does, with its key.
-    pub(crate) fn help(self) -> &'static str {
-        match self {
-            Self::Paint => "Paints with the first color (B). Alt-click picks a color from the tile",
-            Self::Erase => "Takes paint away, down to what is transparent (E)",
-            Self::Smudge => "Pulls the paint along, as a finger does (S)",
-            Self::Line => "Draws a straight stroke from where you press to where you let go (L)",
-            Self::Fill => {
-                "Fills what is of one color and hangs together, and goes on under soft edges (G)"
-            }
-            Self::Stamp => {
-                "Lays a whole tile down, as wide as the brush (K). Shift-click takes the tile at \
-                 work as the stamp"
-            }
-            Self::Pick => "Takes the color under the pointer (I)",
-        }
-    }
-
-    /// Whether it has a size and an edge.
-    pub(super) fn has_brush(self) -> bool {
-        !matches!(self, Self::Fill | Self::Pick)
-    }
-}
 
 /// The largest brush, in texels.
 pub(super) const LARGEST: f64 = 512.0;
@@ -89,9 +36,9 @@ pub(super) const PALETTE: [[u8; 3]; 20] = [
 /// What the hand holds.
 #[derive(Clone, Debug)]
 pub(super) struct Tools {
-    pub(super) kind: Kind,
+    pub(super) kind: PaintTool,
     /// The tool to go back to after a color was picked.
-    before: Kind,
+    before: PaintTool,
     /// The brush's diameter in texels.
     pub(super) size: f64,
     pub(super) hardness: f64,
@@ -114,8 +61,8 @@ pub(super) struct Tools {
 impl Default for Tools {
     fn default() -> Self {
         Self {
-            kind: Kind::Paint,
-            before: Kind::Paint,
+            kind: PaintTool::Paint,
+            before: PaintTool::Paint,
             size: 4.0,
             hardness: 0.8,
             opacity: 1.0,
@@ -133,8 +80,8 @@ impl Default for Tools {
 
 impl Tools {
     /// Takes another tool.
-    pub(super) fn take(&mut self, kind: Kind) {
-        if kind == Kind::Pick && self.kind != Kind::Pick {
+    pub(super) fn take(&mut self, kind: PaintTool) {
+        if kind == PaintTool::Pick && self.kind != PaintTool::Pick {
             self.before = self.kind;
         }
         self.kind = kind;
@@ -145,7 +92,7 @@ impl Tools {
         if color[3] > 0 {
             self.colors[0] = color;
         }
-        if self.kind == Kind::Pick {
+        if self.kind == PaintTool::Pick {
             self.kind = self.before;
         }
     }
@@ -168,9 +115,9 @@ impl Tools {
     /// The brush for a stroke; a stamp without a tile paints.
     pub(super) fn brush(&self) -> Brush {
         let tool = match (self.kind, &self.stamp) {
-            (Kind::Erase, _) => Tool::Erase,
-            (Kind::Smudge, _) => Tool::Smudge,
-            (Kind::Stamp, Some(tile)) => Tool::Stamp(tile.clone()),
+            (PaintTool::Erase, _) => Tool::Erase,
+            (PaintTool::Smudge, _) => Tool::Smudge,
+            (PaintTool::Stamp, Some(tile)) => Tool::Stamp(tile.clone()),
             _ => Tool::Paint,
         };
         // Stamps are laid beside each other, not over each other.
@@ -207,10 +154,10 @@ mod tests {
     #[test]
     fn picking_gives_the_tool_back() {
         let mut tools = Tools::default();
-        tools.take(Kind::Smudge);
-        tools.take(Kind::Pick);
+        tools.take(PaintTool::Smudge);
+        tools.take(PaintTool::Pick);
         tools.picked([1, 2, 3, 255]);
-        assert_eq!((tools.kind, tools.colors[0]), (Kind::Smudge, [1, 2, 3, 255]));
+        assert_eq!((tools.kind, tools.colors[0]), (PaintTool::Smudge, [1, 2, 3, 255]));
         tools.picked([9, 9, 9, 0]);
         assert_eq!(tools.colors[0], [1, 2, 3, 255], "nothing is no color");
     }

@@ -8,11 +8,25 @@ use std::sync::Arc;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{Color32, FontId, RichText, ScrollArea, Sense, TextStyle, Ui, vec2};
 
-use crate::commands::Command;
+use crate::commands::{Command, PanelId};
 use crate::compile::CompiledShader;
 use crate::ids::{NodeId, NodePath};
+use crate::panels::table::{PanelContext, PanelPlace, PanelRow};
 use crate::state::session::Session;
+use crate::viewport::solo_bar;
 use crate::widgets::theme::{self, Colors};
+
+pub(super) const PANEL: PanelRow = PanelRow::new(
+    PanelId::CODE,
+    "Code",
+    "The generated WGSL",
+    PanelPlace::BELOW_PICTURE,
+    |bench, ui, PanelContext { session, .. }| {
+        let is_alone = !session.solo().layers.is_empty();
+        let bar = is_alone.then(|| solo_bar::show(ui, session)).flatten();
+        bench.memory.of::<Code>().show(ui, session).into_iter().chain(bar).collect()
+    },
+);
 
 /// The panel and what it knows of the shader that it shows.
 #[derive(Default)]

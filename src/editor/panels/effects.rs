@@ -5,11 +5,29 @@ use eframe::egui;
 use eframe::egui::{Color32, FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 use std::sync::Arc;
 
-use crate::app::dock::{cell, hint};
-use crate::commands::Command;
+use crate::commands::{Command, PanelId};
 use crate::frame::{Effect, EffectCost, EffectKind, EffectState};
 use crate::ids::NodePath;
+use crate::panels::table::{PanelPlace, PanelRow, Presence};
+use crate::widgets::text::{cell, hint};
 use crate::widgets::theme::{self, Colors};
+
+pub(super) const PANEL: PanelRow = PanelRow::new(
+    PanelId::EFFECTS,
+    "Effects",
+    "Everything that the picture costs, what was left out, and the proof",
+    PanelPlace::BELOW_PICTURE,
+    |bench, ui, _| {
+        let effects = bench.picture.as_ref().map(|picture| &picture.effects);
+        bench.memory.of::<Effects>().show(ui, effects)
+    },
+)
+.with_each_frame(|bench, _, _, presence| {
+    if let Some(picture) = &mut bench.picture {
+        picture.tells_effects = presence == Presence::Seen;
+    }
+    Vec::new()
+});
 
 const ROW: f32 = 20.0;
 const STATES: [EffectState; 3] = [EffectState::Runs, EffectState::Cached, EffectState::Dropped];

@@ -7,6 +7,15 @@ use std::time::Duration;
 
 use crate::threads;
 
+/// Threads that work for a part of the window.
+pub(crate) trait BackgroundJobs {
+    /// Whether anything is being made.
+    fn is_busy(&self) -> bool;
+
+    /// Waits for what is being made.
+    fn wait(&self);
+}
+
 struct State<Q, A> {
     waiting: Option<Q>,
     is_busy: bool,

@@ -243,7 +243,7 @@ impl Picture {
     /// `dt` is how long the last one took, in seconds.
     pub(crate) fn update(
         &mut self,
-        session: &mut Session,
+        session: &Session,
         size: [u32; 2],
         is_at_work: bool,
         dt: f32,
@@ -259,7 +259,7 @@ impl Picture {
     /// where that needs only to be drawn. The GPU does what it is given in order, so that this
     /// frame shows the picture already: it need not be finished, only be handed over before the
     /// frame is.
-    pub(crate) fn hurry(&mut self, session: &mut Session) {
+    pub(crate) fn hurry(&mut self, session: &Session) {
         self.pace.has_wished |= self.ask(session);
         if !self.worker.is_busy() {
             return;
@@ -286,7 +286,7 @@ impl Picture {
         }
     }
 
-    fn ask(&mut self, session: &mut Session) -> bool {
+    fn ask(&mut self, session: &Session) -> bool {
         let size = self
             .size
             .map(|side| if side > 0 { side.div_ceil(self.pace.coarseness).max(1) } else { 0 });

@@ -9,5 +9,6 @@ pub(crate) mod picker;
 pub(crate) mod ramp;
 pub(crate) mod rows;
 pub(crate) mod spots;
+pub(crate) mod text;
 pub(crate) mod theme;
 pub(crate) mod value;

@@ -5,14 +5,14 @@ use std::collections::HashMap;
 
 use eframe::egui::{Context, Id, Rect, Ui};
 
-use crate::app::dock::Panel;
+use crate::commands::PanelId;
 use crate::ids::{NodeId, PortName};
 
 /// Something that can be pointed at.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Spot {
     /// All of a panel.
-    Panel(Panel),
+    Panel(PanelId),
     /// The picture itself, without what is above it.
     Picture,
     /// What adds a layer.

@@ -12,7 +12,10 @@ use egui_tiles::{
     Behavior, Container, Linear, LinearDir, SimplificationOptions, TabState, Tabs, Tile, TileId,
     Tiles, Tree, UiResponse,
 };
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
+
+use crate::commands::PanelId;
+use crate::panels::{self, PANELS, PanelRow, Stack};
 
 use crate::widgets::theme;
 pub(crate) use workspace::Workspace;
@@ -26,181 +29,42 @@ const FRAMES: u8 = 3;
 /// Panels are laid out in as much room at least, in points.
 const LEAST: Vec2 = Vec2::splat(48.0);
 
-/// A part of the window.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub(crate) enum Panel {
-    Picture,
-    Graph,
-    Paint,
-    Samples,
-    Sheet,
-    Directions,
-    Rules,
-    Inspector,
-    Code,
-    Effects,
-    Cost,
-    Probe,
-    Profile,
-    Keys,
-    Timeline,
-    Layers,
-    Lights,
-    Objects,
-    Problems,
-    History,
-    Library,
-    Fit,
+/// A panel in its tile: in a saved layout it goes by its name.
+#[derive(Clone, Copy)]
+struct Pane(&'static PanelRow);
+
+impl Pane {
+    fn of(id: PanelId) -> Option<Self> {
+        panels::row_of(id).map(Self)
+    }
 }
 
-impl Panel {
-    /// All, in the order of menus.
-    pub(crate) const ALL: [Self; 22] = [
-        Self::Picture,
-        Self::Graph,
-        Self::Paint,
-        Self::Samples,
-        Self::Sheet,
-        Self::Directions,
-        Self::Rules,
-        Self::Layers,
-        Self::Lights,
-        Self::Objects,
-        Self::Library,
-        Self::History,
-        Self::Inspector,
-        Self::Profile,
-        Self::Keys,
-        Self::Timeline,
-        Self::Code,
-        Self::Problems,
-        Self::Effects,
-        Self::Cost,
-        Self::Probe,
-        Self::Fit,
-    ];
-
-    /// What its tab says.
-    pub(crate) fn label(self) -> &'static str {
-        match self {
-            Self::Picture => "Picture",
-            Self::Graph => "Graph",
-            Self::Paint => "Paint",
-            Self::Samples => "Samples",
-            Self::Sheet => "Sheet",
-            Self::Directions => "Light and eye",
-            Self::Rules => "Fill rules",
-            Self::Inspector => "Inspector",
-            Self::Code => "Code",
-            Self::Effects => "Effects",
-            Self::Cost => "Cost and accuracy",
-            Self::Probe => "Probe",
-            Self::Profile => "Profile",
-            Self::Keys => "Keys",
-            Self::Timeline => "Timeline",
-            Self::Layers => "Layers",
-            Self::Lights => "Lights",
-            Self::Objects => "Objects",
-            Self::Problems => "Problems",
-            Self::History => "History",
-            Self::Library => "Library",
-            Self::Fit => "Paint light",
-        }
+impl PartialEq for Pane {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.id == other.0.id
     }
+}
 
-    /// What it is for.
-    pub(crate) fn help(self) -> &'static str {
-        match self {
-            Self::Picture => "The look on a mesh: drag the lights and the camera",
-            Self::Graph => "The nodes of the look and their wires",
-            Self::Paint => {
-                "A surface that changes with the light and the eye, to be painted on (HCBTF)"
-            }
-            Self::Samples => {
-                "All lights and views of what is painted at a glance: go from one to another, \
-                 copy, delete"
-            }
-            Self::Sheet => {
-                "All of what is painted and filled in one picture, as the thesis lays it out; \
-                 tells what lies where"
-            }
-            Self::Directions => {
-                "Where the light and the eye are that you paint for, and what is painted already"
-            }
-            Self::Rules => "The rules that fill the lights and views that nobody painted",
-            Self::Inspector => "The values of what is selected",
-            Self::Code => "The generated WGSL",
-            Self::Effects => "Everything that the picture costs, what was left out, and the proof",
-            Self::Cost => "What each tier costs in time, and how far it is from the truth",
-            Self::Probe => "The value on every wire at a pixel, f32 beside f64 (I)",
-            Self::Profile => {
-                "How a layer's tone falls with the angle: drag offset, fall-off and cut-off"
-            }
-            Self::Keys => "Values that change with the direction of a light or of the view",
-            Self::Timeline => "Values that change with time: keys, play, scrub",
-            Self::Layers => "The look as a stack of layers: another view of the same graph",
-            Self::Lights => "The lights that layers name: which shine, from where, how bright",
-            Self::Objects => {
-                "The objects of the scene: their meshes, their looks, where they stand"
-            }
-            Self::Problems => "What is wrong, where, and what mends it",
-            Self::History => "Everything that was done; a click goes there and back",
-            Self::Library => "Nodes to drag onto the canvas, and finished looks to begin with",
-            Self::Fit => {
-                "Paint on the picture where it should be lighter or darker: the look is fitted to \
-                 that (L)"
-            }
-        }
+impl Serialize for Pane {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.0.id.0)
     }
+}
 
-    /// Where it comes back to when it was closed: beside the first of these that is there.
-    fn neighbours(self) -> &'static [Self] {
-        match self {
-            Self::Picture | Self::Graph | Self::Inspector => &[],
-            Self::Paint => &[Self::Graph],
-            Self::Sheet => &[Self::Paint, Self::Graph],
-            Self::Rules => &[Self::Inspector],
-            Self::Samples => {
-                &[Self::Profile, Self::Keys, Self::Code, Self::Effects, Self::Problems]
-            }
-            Self::Profile | Self::Keys | Self::Timeline => {
-                &[Self::Profile, Self::Keys, Self::Code, Self::Effects]
-            }
-            Self::Code | Self::Problems | Self::Effects | Self::Cost | Self::Probe | Self::Fit => {
-                &[
-                    Self::Code,
-                    Self::Problems,
-                    Self::Effects,
-                    Self::Cost,
-                    Self::Probe,
-                    Self::Profile,
-                    Self::Keys,
-                ]
-            }
-            Self::Directions
-            | Self::Layers
-            | Self::Lights
-            | Self::Objects
-            | Self::Library
-            | Self::History => &[
-                Self::Layers,
-                Self::Lights,
-                Self::Objects,
-                Self::Library,
-                Self::History,
-                Self::Inspector,
-            ],
-        }
+impl<'de> Deserialize<'de> for Pane {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let name = String::deserialize(deserializer)?;
+        let row = PANELS.iter().find(|row| row.id.0 == name);
+        row.map(Self).ok_or_else(|| de::Error::custom(format!("there is no panel {name}")))
     }
 }
 
 /// How the panels share the window.
 pub(crate) struct Dock {
-    tree: Tree<Panel>,
+    tree: Tree<Pane>,
     workspace: Workspace,
     /// The layout of the other workspace, once that was entered.
-    aside: Option<Tree<Panel>>,
+    aside: Option<Tree<Pane>>,
     /// What is saved of it is another now.
     is_changed: bool,
 }
@@ -217,41 +81,37 @@ impl Default for Dock {
 }
 
 /// Picture and graph side by side, what they are made of below and beside them.
-fn arrangement() -> Tree<Panel> {
+fn arrangement() -> Tree<Pane> {
     let mut tiles = Tiles::default();
-    let mut tabs = |panels: &[Panel]| {
-        let panes = panels.iter().map(|panel| tiles.insert_pane(*panel)).collect();
+    let mut stacked = |stack| {
+        let rows = PANELS.iter().filter(|row| row.place.stack == Some(stack));
+        let panes = rows.map(|row| tiles.insert_pane(Pane(row))).collect();
         tiles.insert_tab_tile(panes)
     };
-    let picture = tabs(&[Panel::Picture]);
-    let below = tabs(&[
-        Panel::Profile,
-        Panel::Keys,
-        Panel::Code,
-        Panel::Problems,
-        Panel::Effects,
-        Panel::Cost,
-        Panel::Probe,
-    ]);
-    let graph = tabs(&[Panel::Graph]);
-    let stack =
-        tabs(&[Panel::Layers, Panel::Lights, Panel::Objects, Panel::Library, Panel::History]);
-    let inspector = tabs(&[Panel::Inspector]);
+    let picture = stacked(Stack::Picture);
+    let below = stacked(Stack::BelowPicture);
+    let graph = stacked(Stack::Graph);
+    let document = stacked(Stack::Document);
+    let inspector = stacked(Stack::Inspector);
     let mut shared = |dir, parts: &[(TileId, f32)]| {
         let mut linear = Linear::new(dir, parts.iter().map(|(tile, _)| *tile).collect());
         parts.iter().for_each(|(tile, share)| linear.shares.set_share(*tile, *share));
         tiles.insert_container(Container::Linear(linear))
     };
     let left = shared(LinearDir::Vertical, &[(picture, 0.58), (below, 0.42)]);
-    let right = shared(LinearDir::Vertical, &[(stack, 0.44), (inspector, 0.56)]);
+    let right = shared(LinearDir::Vertical, &[(document, 0.44), (inspector, 0.56)]);
     let root = shared(LinearDir::Horizontal, &[(left, 0.33), (graph, 0.45), (right, 0.22)]);
     Tree::new(egui::Id::unique("dock"), root, tiles)
 }
 
 impl Dock {
     /// Shows every panel where it lies; `content` fills one.
-    pub(crate) fn show(&mut self, ui: &mut Ui, content: &mut dyn FnMut(&mut Ui, Panel)) {
-        let mut shown = Shown { content, is_changed: false, wanted: None };
+    pub(crate) fn show(
+        &mut self,
+        ui: &mut Ui,
+        content: &mut dyn FnMut(&mut Ui, &'static PanelRow),
+    ) {
+        let mut shown = TileBehavior { content, is_changed: false, wanted: None };
         self.tree.ui(&mut shown, ui);
         self.is_changed |= shown.is_changed;
         if let Some(wanted) = shown.wanted {
@@ -260,51 +120,54 @@ impl Dock {
         }
     }
 
+    fn tile_of(&self, panel: PanelId) -> Option<TileId> {
+        self.tree.tiles.find_pane(&Pane::of(panel)?)
+    }
+
     /// Whether this panel is seen.
-    pub(crate) fn shows(&self, panel: Panel) -> bool {
-        self.tree
-            .tiles
-            .find_pane(&panel)
-            .is_some_and(|tile| self.tree.active_tiles().contains(&tile))
+    pub(crate) fn shows(&self, panel: PanelId) -> bool {
+        self.tile_of(panel).is_some_and(|tile| self.tree.active_tiles().contains(&tile))
     }
 
     /// Whether this panel is there, seen or behind another's tab.
-    pub(crate) fn has(&self, panel: Panel) -> bool {
-        self.tree.tiles.find_pane(&panel).is_some()
+    pub(crate) fn has(&self, panel: PanelId) -> bool {
+        self.tile_of(panel).is_some()
     }
 
     /// Brings a panel to the front; one that was closed comes back.
-    pub(crate) fn open(&mut self, panel: Panel) {
+    pub(crate) fn open(&mut self, panel: PanelId) {
+        let Some(pane) = Pane::of(panel) else { return };
         if !self.has(panel) {
-            self.bring_back(panel);
+            self.bring_back(pane);
         }
-        self.tree.make_active(|_, tile| matches!(tile, Tile::Pane(found) if *found == panel));
+        self.tree.make_active(|_, tile| matches!(tile, Tile::Pane(found) if *found == pane));
         self.is_changed = true;
     }
 
     /// Takes a panel away.
-    pub(crate) fn close(&mut self, panel: Panel) {
-        if let Some(tile) = self.tree.tiles.find_pane(&panel) {
+    pub(crate) fn close(&mut self, panel: PanelId) {
+        if let Some(tile) = self.tile_of(panel) {
             self.tree.remove_recursively(tile);
             self.is_changed = true;
         }
     }
 
-    fn bring_back(&mut self, panel: Panel) {
+    fn bring_back(&mut self, panel: Pane) {
         let tiles = &mut self.tree.tiles;
-        let pane = tiles.insert_pane(panel);
-        if panel == Panel::Timeline && below_graph(tiles, pane).is_some() {
+        let tile = tiles.insert_pane(panel);
+        let place = &panel.0.place;
+        if place.is_below_graph && below_graph(tiles, tile).is_some() {
             return;
         }
-        let beside = panel.neighbours().iter().filter(|other| **other != panel);
+        let beside = place.beside.iter().filter(|other| **other != panel.0.id);
         let beside = beside
-            .filter_map(|other| tiles.find_pane(other))
+            .filter_map(|other| tiles.find_pane(&Pane::of(*other)?))
             .find_map(|tile| tiles.parent_of(tile));
         if let Some(Tile::Container(container)) = beside.and_then(|tabs| tiles.get_mut(tabs)) {
-            container.add_child(pane);
+            container.add_child(tile);
             return;
         }
-        let tabs = tiles.insert_tab_tile(vec![pane]);
+        let tabs = tiles.insert_tab_tile(vec![tile]);
         match self.tree.root.map(|root| (root, self.tree.tiles.get_mut(root))) {
             Some((_, Some(Tile::Container(Container::Linear(linear)))))
                 if linear.dir == LinearDir::Horizontal =>
@@ -320,8 +183,8 @@ impl Dock {
 }
 
 /// Puts a panel below the graph; `None` where there is no place for it.
-fn below_graph(tiles: &mut Tiles<Panel>, pane: TileId) -> Option<()> {
-    let graph = tiles.parent_of(tiles.find_pane(&Panel::Graph)?)?;
+fn below_graph(tiles: &mut Tiles<Pane>, pane: TileId) -> Option<()> {
+    let graph = tiles.parent_of(tiles.find_pane(&Pane::of(PanelId::GRAPH)?)?)?;
     let around = tiles.parent_of(graph)?;
     let Some(Tile::Container(Container::Linear(_))) = tiles.get(around) else { return None };
     let own = tiles.insert_tab_tile(vec![pane]);
@@ -336,19 +199,19 @@ fn below_graph(tiles: &mut Tiles<Panel>, pane: TileId) -> Option<()> {
     Some(())
 }
 
-/// What the tree asks while it is shown.
-struct Shown<'a> {
-    content: &'a mut dyn FnMut(&mut Ui, Panel),
+/// What the tree of tiles asks while it is drawn.
+struct TileBehavior<'a> {
+    content: &'a mut dyn FnMut(&mut Ui, &'static PanelRow),
     is_changed: bool,
     /// The panel that was chosen from the list of those without room for their tabs.
     wanted: Option<TileId>,
 }
 
-impl Behavior<Panel> for Shown<'_> {
-    fn pane_ui(&mut self, ui: &mut Ui, _: TileId, panel: &mut Panel) -> UiResponse {
-        let frame = match panel {
-            Panel::Graph => egui::Frame::new(),
-            _ => theme::panel(ui),
+impl Behavior<Pane> for TileBehavior<'_> {
+    fn pane_ui(&mut self, ui: &mut Ui, _: TileId, panel: &mut Pane) -> UiResponse {
+        let frame = match panel.0.place.fills_room {
+            true => egui::Frame::new(),
+            false => theme::panel(ui),
         };
         frame.show(ui, |ui| {
             ui.set_min_size(ui.available_size());
@@ -358,37 +221,36 @@ impl Behavior<Panel> for Shown<'_> {
             let whole = Rect::from_min_size(room.min, room.size().max(LEAST));
             ui.scope_builder(UiBuilder::new().max_rect(whole), |ui| {
                 ui.set_clip_rect(ui.clip_rect().intersect(room.expand(1.0)));
-                (self.content)(ui, *panel);
+                (self.content)(ui, panel.0);
             });
         });
         UiResponse::None
     }
 
-    fn tab_title_for_pane(&mut self, panel: &Panel) -> WidgetText {
-        panel.label().into()
+    fn tab_title_for_pane(&mut self, panel: &Pane) -> WidgetText {
+        panel.0.label.into()
     }
 
     fn tab_ui(
         &mut self,
-        tiles: &mut Tiles<Panel>,
+        tiles: &mut Tiles<Pane>,
         ui: &mut Ui,
         id: egui::Id,
         tile: TileId,
         state: &TabState,
     ) -> Response {
-        let Some(&panel) = tiles.get_pane(&tile) else {
+        let Some(&Pane(panel)) = tiles.get_pane(&tile) else {
             return ui.allocate_response(vec2(0.0, 0.0), Sense::hover());
         };
         let colors = theme::of(ui);
         let color = if state.active { colors.text } else { colors.dim };
         let font = TextStyle::Body.resolve(ui.style());
-        let galley = ui.painter().layout_no_wrap(panel.label().to_owned(), font, color);
+        let galley = ui.painter().layout_no_wrap(panel.label.to_owned(), font, color);
         let (_, rect) =
             ui.allocate_space(vec2(galley.size().x + TAB_MARGIN, ui.available_height()));
         let response = ui.interact(rect, id, Sense::click_and_drag());
-        response.widget_info(|| {
-            WidgetInfo::selected(egui::Role::Tab, true, state.active, panel.label())
-        });
+        response
+            .widget_info(|| WidgetInfo::selected(egui::Role::Tab, true, state.active, panel.label));
         if !state.is_being_dragged {
             let color = if response.hovered() { colors.text } else { color };
             // What is cut off by the end of the row has no half letters.
@@ -418,14 +280,14 @@ impl Behavior<Panel> for Shown<'_> {
             tiles.remove(tile);
             self.is_changed = true;
         }
-        response.on_hover_text(panel.help())
+        response.on_hover_text(panel.help)
     }
 
     /// Where tabs have no room beside each other: a list of all of them, and the one in front is
     /// always seen.
     fn top_bar_right_ui(
         &mut self,
-        tiles: &Tiles<Panel>,
+        tiles: &Tiles<Pane>,
         ui: &mut Ui,
         stack: TileId,
         tabs: &Tabs,
@@ -435,10 +297,10 @@ impl Behavior<Panel> for Shown<'_> {
         let mut end = 0.0;
         let mut all = Vec::new();
         for (tile, panel) in
-            tabs.children.iter().filter_map(|tile| Some((*tile, *tiles.get_pane(tile)?)))
+            tabs.children.iter().filter_map(|tile| Some((*tile, tiles.get_pane(tile)?.0)))
         {
             let galley =
-                ui.painter().layout_no_wrap(panel.label().to_owned(), font.clone(), Color32::WHITE);
+                ui.painter().layout_no_wrap(panel.label.to_owned(), font.clone(), Color32::WHITE);
             let from = end;
             end += galley.size().x + TAB_MARGIN;
             all.push((tile, panel, from..=end));
@@ -450,8 +312,8 @@ impl Behavior<Panel> for Shown<'_> {
         let menu = ui.menu_button("...", |ui| {
             for (tile, panel, _) in &all {
                 let is_it = tabs.active == Some(*tile);
-                let entry = ui.selectable_label(is_it, panel.label()).on_hover_text(panel.help());
-                let label = format!("Show {}", panel.label());
+                let entry = ui.selectable_label(is_it, panel.label).on_hover_text(panel.help);
+                let label = format!("Show {}", panel.label);
                 entry.widget_info(|| {
                     WidgetInfo::selected(egui::Role::MenuItem, true, is_it, &label)
                 });
@@ -505,27 +367,4 @@ impl Behavior<Panel> for Shown<'_> {
     fn on_edit(&mut self, _: egui_tiles::EditAction) {
         self.is_changed = true;
     }
-}
-
-/// A line in place of what is not there yet.
-pub(crate) fn hint(ui: &mut Ui, text: &str) {
-    ui.label(egui::RichText::new(text).color(theme::of(ui).dim));
-}
-
-/// Text in a column of a row, cut where it is too long.
-pub(crate) fn cell(
-    ui: &Ui,
-    rect: egui::Rect,
-    text: &str,
-    font: egui::FontId,
-    color: egui::Color32,
-) {
-    let mut job = egui::text::LayoutJob::single_section(
-        text.to_owned(),
-        egui::text::TextFormat { font_id: font, color, ..egui::text::TextFormat::default() },
-    );
-    job.wrap = egui::text::TextWrapping::truncate_at_width(rect.width().max(0.0));
-    let galley = ui.fonts_mut(|fonts| fonts.layout_job(job));
-    let at = egui::pos2(rect.left(), rect.center().y - galley.size().y / 2.0);
-    ui.painter().galley(at, galley, color);
 }

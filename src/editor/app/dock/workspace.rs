@@ -4,7 +4,9 @@
 use egui_tiles::{Container, Tile, Tree};
 use serde_json::{Value, json};
 
-use super::{Dock, Panel, arrangement};
+use super::{Dock, Pane, arrangement};
+use crate::commands::PanelId;
+use crate::panels::PANELS;
 
 /// What the panels are laid out for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -42,9 +44,6 @@ impl Workspace {
     }
 }
 
-/// Panels that a new layout for painting has in front.
-const PAINTING: [Panel; 4] = [Panel::Rules, Panel::Directions, Panel::Samples, Panel::Paint];
-
 impl Dock {
     /// What the panels are laid out for.
     pub(crate) fn workspace(&self) -> Workspace {
@@ -66,7 +65,7 @@ impl Dock {
         if workspace == Workspace::Painting {
             uncover_graph(&mut left);
             if is_first {
-                PAINTING.into_iter().for_each(|panel| self.open(panel));
+                self.open_for_painting();
             }
         }
         self.aside = Some(left);
@@ -77,8 +76,14 @@ impl Dock {
         self.tree = arrangement();
         self.is_changed = true;
         if self.workspace == Workspace::Painting {
-            PAINTING.into_iter().for_each(|panel| self.open(panel));
+            self.open_for_painting();
         }
+    }
+
+    /// Brings the panels to the front that painting needs, the one to paint on last.
+    fn open_for_painting(&mut self) {
+        let rows = PANELS.iter().rev().filter(|row| row.place.is_for_painting);
+        rows.for_each(|row| self.open(row.id));
     }
 
     /// Both layouts, where one changed since they were asked for last.
@@ -115,23 +120,24 @@ impl Dock {
 }
 
 /// A layout that was saved, where it can be used.
-fn sound(saved: &Value) -> Option<Tree<Panel>> {
-    let tree = serde_json::from_value::<Tree<Panel>>(saved.clone()).ok()?;
+fn sound(saved: &Value) -> Option<Tree<Pane>> {
+    let tree = serde_json::from_value::<Tree<Pane>>(saved.clone()).ok()?;
     let count = |panel| {
         tree.tiles
             .tiles()
-            .filter(|tile| matches!(tile, Tile::Pane(found) if *found == panel))
+            .filter(|tile| matches!(tile, Tile::Pane(found) if found.0.id == panel))
             .count()
     };
-    let is_sound = Panel::ALL.into_iter().all(|panel| count(panel) < 2)
-        && count(Panel::Picture) + count(Panel::Graph) > 0;
+    let is_sound = PANELS.iter().all(|row| count(row.id) < 2)
+        && count(PanelId::PICTURE) + count(PanelId::GRAPH) > 0;
     (is_sound && tree.root.is_some()).then_some(tree)
 }
 
 /// Brings the graph to the front where the panel to paint on covers it: that was opened to paint,
 /// and looks are made of graphs. Returns whether it was so.
-fn uncover_graph(tree: &mut Tree<Panel>) -> bool {
-    let (graph, paint) = (tree.tiles.find_pane(&Panel::Graph), tree.tiles.find_pane(&Panel::Paint));
+fn uncover_graph(tree: &mut Tree<Pane>) -> bool {
+    let tile = |panel| tree.tiles.find_pane(&Pane::of(panel)?);
+    let (graph, paint) = (tile(PanelId::GRAPH), tile(PanelId::PAINT));
     let (Some(graph), Some(paint)) = (graph, paint) else { return false };
     let Some(stack) = tree.tiles.parent_of(graph) else { return false };
     match tree.tiles.get_mut(stack) {

@@ -113,9 +113,9 @@ pub(super) fn last(ui: &Ui, session: &Session) -> (Option<Command>, bool) {
         ui.label(RichText::new(text).color(theme::of(ui).dim));
         ui.add_space(4.0);
         ui.horizontal_wrapped(|ui| {
-            for (label, help, action) in NEXT {
-                if ui.button(label).on_hover_text(help).clicked() {
-                    next = Some(Command::Act(action));
+            for (label, help, command) in &NEXT {
+                if ui.button(*label).on_hover_text(*help).clicked() {
+                    next = Some(command.clone());
                 }
             }
         });

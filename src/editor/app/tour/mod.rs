@@ -11,7 +11,6 @@ use eframe::egui::Ui;
 use glam::DQuat;
 
 use crate::commands::Command;
-use crate::commands::shortcuts::Action;
 use crate::document::Look;
 use crate::state::session::Session;
 use card::{Answer, Progress};
@@ -94,8 +93,12 @@ impl Tour {
 }
 
 /// What the end of the tour leads to.
-const NEXT: [(&str, &str, Action); 3] = [
-    ("See the examples", "All of them, as pictures: open one and take it apart", Action::Start),
-    ("All shortcuts", "What every key does (?)", Action::Shortcuts),
-    ("Find a command", "Everything that the window can do, by name (Ctrl+P)", Action::Commands),
+static NEXT: [(&str, &str, Command); 3] = [
+    (
+        "See the examples",
+        "All of them, as pictures: open one and take it apart",
+        Command::ShowStart(true),
+    ),
+    ("All shortcuts", "What every key does (?)", Command::OpenShortcuts),
+    ("Find a command", "Everything that the window can do, by name (Ctrl+P)", Command::OpenPalette),
 ];

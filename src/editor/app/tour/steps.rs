@@ -2,8 +2,7 @@
 //! and how it is shown.
 
 use super::Before;
-use crate::app::dock::Panel;
-use crate::commands::Command;
+use crate::commands::{Command, PanelId, ViewCommand};
 use crate::document::{Edit, GraphId, Node, Value};
 use crate::ids::NodeId;
 use crate::panels::layers;
@@ -19,7 +18,7 @@ pub(super) struct Step {
     /// Why.
     pub(super) reason: &'static str,
     /// What is brought to the front for it.
-    pub(super) panels: &'static [Panel],
+    pub(super) panels: &'static [PanelId],
     /// What it points at: the first of these that is on the screen.
     pub(super) spots: fn(&Session) -> Vec<Spot>,
     /// Whether it is done, beside how things were when it was first shown.
@@ -41,13 +40,13 @@ pub(super) static STEPS: [Step; 7] = [
         task: "Click Base in the stack of layers, then change its color.",
         reason: "It is what is seen where no light falls. Painters begin dark and leave room for \
                  the light.",
-        panels: &[Panel::Picture, Panel::Layers, Panel::Inspector],
+        panels: &[PanelId::PICTURE, PanelId::LAYERS, PanelId::INSPECTOR],
         spots: |session| match ground(session) {
             Some(base) if session.selection.contains(&base) => {
                 vec![Spot::Input("color".into()), Spot::Layer(base)]
             }
-            Some(base) => vec![Spot::Layer(base), Spot::Panel(Panel::Layers)],
-            None => vec![Spot::Panel(Panel::Layers)],
+            Some(base) => vec![Spot::Layer(base), Spot::Panel(PanelId::LAYERS)],
+            None => vec![Spot::Panel(PanelId::LAYERS)],
         },
         is_done: |session, before| {
             ground(session).is_some_and(|base| is_changed(session, before, &base, &["color"]))
@@ -63,8 +62,8 @@ pub(super) static STEPS: [Step; 7] = [
         reason: "A layer is a light, the way it moves over the surface, a profile and two colors. \
                  Diffuse light stays \
                  where it falls; a highlight follows the eye.",
-        panels: &[Panel::Picture, Panel::Layers],
-        spots: |_| vec![Spot::AddLayer, Spot::Panel(Panel::Layers)],
+        panels: &[PanelId::PICTURE, PanelId::LAYERS],
+        spots: |_| vec![Spot::AddLayer, Spot::Panel(PanelId::LAYERS)],
         is_done: has_more_layers,
         show: |session| layers::add_preset(session, "Diffuse"),
     },
@@ -74,8 +73,8 @@ pub(super) static STEPS: [Step; 7] = [
         reason: "Up to the offset the tone is full, at the cut-off it is gone. Bring them together \
                  for the edge of a \
                  cartoon, apart for something soft.",
-        panels: &[Panel::Picture, Panel::Profile, Panel::Inspector],
-        spots: |_| vec![Spot::Panel(Panel::Profile), Spot::Input("offset".into())],
+        panels: &[PanelId::PICTURE, PanelId::PROFILE, PanelId::INSPECTOR],
+        spots: |_| vec![Spot::Panel(PanelId::PROFILE), Spot::Input("offset".into())],
         is_done: |session, before| any_layer_changed(session, before, &PROFILE),
         show: |session| {
             let values = [("offset", 0.75), ("falloff", 1.15), ("cutoff", 1.5)];
@@ -89,13 +88,13 @@ pub(super) static STEPS: [Step; 7] = [
         reason: "The light turns with your hand, and so do all lights of the look: they hang in \
                  one frame. A drag on \
                  a line shapes the layer, and a drag beside the object turns the camera.",
-        panels: &[Panel::Picture],
+        panels: &[PanelId::PICTURE],
         spots: |_| vec![Spot::Picture],
         is_done: is_light_turned,
         show: |session| {
             let mut view = session.view.clone();
             view.turn_lights(-0.1, -0.04);
-            vec![Command::TurnTo(Box::new(view))]
+            vec![Command::View(ViewCommand::TurnTo(Box::new(view)))]
         },
     },
     Step {
@@ -104,8 +103,8 @@ pub(super) static STEPS: [Step; 7] = [
         reason: "It brings a light of its own, behind the object as you see it now: its cool rim \
                  parts the object from \
                  what is behind.",
-        panels: &[Panel::Picture, Panel::Layers],
-        spots: |_| vec![Spot::AddLayer, Spot::Panel(Panel::Layers)],
+        panels: &[PanelId::PICTURE, PanelId::LAYERS],
+        spots: |_| vec![Spot::AddLayer, Spot::Panel(PanelId::LAYERS)],
         is_done: has_more_layers,
         show: |session| layers::add_preset(session, "Back-light"),
     },
@@ -114,12 +113,12 @@ pub(super) static STEPS: [Step; 7] = [
         task: "In a layer's row, choose another blending or drag its opacity.",
         reason: "Add brightens what is below, multiply darkens it, alpha covers it. The order \
                  counts too: drag rows.",
-        panels: &[Panel::Picture, Panel::Layers],
+        panels: &[PanelId::PICTURE, PanelId::LAYERS],
         spots: |session| {
             top_layer(session)
                 .map(Spot::Layer)
                 .into_iter()
-                .chain([Spot::Panel(Panel::Layers)])
+                .chain([Spot::Panel(PanelId::LAYERS)])
                 .collect()
         },
         is_done: |session, before| any_layer_changed(session, before, &BLENDING),
@@ -134,7 +133,7 @@ pub(super) static STEPS: [Step; 7] = [
         task: "Press Save and choose where.",
         reason: "A look is a small text file, and Recent will have it. What is not saved is kept \
                  too, until you are back.",
-        panels: &[Panel::Picture],
+        panels: &[PanelId::PICTURE],
         spots: |_| vec![Spot::Save],
         is_done: |session, _| session.path().is_some() && !session.is_dirty(),
         show: |_| vec![Command::Save],

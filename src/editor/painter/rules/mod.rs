@@ -12,8 +12,8 @@ use eframe::egui::{
 };
 
 use super::memory::Memory;
-use super::{Wish, command, moves};
-use crate::commands::Command;
+use super::moves;
+use crate::commands::{Command, PaintCommand};
 use crate::document::relief::PRESETS;
 use crate::document::{Address, ColorSpace, Directions, HcbtfAngle, HcbtfEdit, Rule, Strokes};
 use crate::hcbtf::Provenance;
@@ -103,7 +103,10 @@ pub(super) fn show(
                 let button = ui.button(name);
                 button.widget_info(|| WidgetInfo::labeled(Role::MenuItem, true, name));
                 if button.on_hover_text(help).clicked() {
-                    out.push(command(Wish::Edit(HcbtfEdit::AddRule { rule, index: None })));
+                    out.push(Command::Paint(PaintCommand::Edit(HcbtfEdit::AddRule {
+                        rule,
+                        index: None,
+                    })));
                     ui.close();
                 }
             }
@@ -117,11 +120,13 @@ pub(super) fn show(
             .on_hover_text("Strokes go across its edges")
             .changed()
         {
-            out.push(command(Wish::Edit(HcbtfEdit::SetTiling { is_tiling: tiling })));
+            out.push(Command::Paint(PaintCommand::Edit(HcbtfEdit::SetTiling {
+                is_tiling: tiling,
+            })));
         }
         let help = "Divides it into other texels, lights or views, once it is told what that takes";
         if ui.button("Grid...").on_hover_text(help).clicked() {
-            out.push(command(Wish::AskGrid { changes: true }));
+            out.push(Command::Paint(PaintCommand::AskGrid { changes: true }));
         }
     });
     memory.show(ui, work);
@@ -190,7 +195,7 @@ fn card(ui: &mut Ui, work: &Work, index: usize, rule: &Rule, count: usize, out: 
                     true,
                     "Takes the rule away; Undo brings it back",
                 ) {
-                    out.push(command(Wish::Edit(HcbtfEdit::RemoveRule { index })));
+                    out.push(Command::Paint(PaintCommand::Edit(HcbtfEdit::RemoveRule { index })));
                 }
                 if moved(
                     ui,
@@ -199,7 +204,7 @@ fn card(ui: &mut Ui, work: &Work, index: usize, rule: &Rule, count: usize, out: 
                     index < last,
                     "Lets it work later",
                 ) {
-                    out.push(command(Wish::Edit(HcbtfEdit::MoveRule {
+                    out.push(Command::Paint(PaintCommand::Edit(HcbtfEdit::MoveRule {
                         from: index,
                         to: index + 1,
                     })));
@@ -211,7 +216,7 @@ fn card(ui: &mut Ui, work: &Work, index: usize, rule: &Rule, count: usize, out: 
                     index > 0,
                     "Lets it work earlier",
                 ) {
-                    out.push(command(Wish::Edit(HcbtfEdit::MoveRule {
+                    out.push(Command::Paint(PaintCommand::Edit(HcbtfEdit::MoveRule {
                         from: index,
                         to: index - 1,
                     })));
@@ -223,7 +228,10 @@ fn card(ui: &mut Ui, work: &Work, index: usize, rule: &Rule, count: usize, out: 
         ui.label(RichText::new(text).color(theme::of(ui).dim).small());
         let mut edited = rule.clone();
         if let Some(widget) = fields(ui, work, &mut edited).filter(|_| edited != *rule) {
-            out.push(command(Wish::EditHeld(widget, HcbtfEdit::SetRule { index, rule: edited })));
+            out.push(Command::Paint(PaintCommand::EditHeld(
+                widget,
+                HcbtfEdit::SetRule { index, rule: edited },
+            )));
         }
     });
     ui.add_space(2.0);

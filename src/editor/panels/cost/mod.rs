@@ -14,7 +14,8 @@ use crate::progress::{Progress, Stopped};
 use crate::render::{Gpu, Renderer, block_on};
 use crate::state::session::Session;
 use crate::state::still::Still;
-use crate::state::worker::Worker;
+use crate::state::worker::{BackgroundJobs, Worker};
+pub(super) use panel::PANEL;
 
 /// How often each variant is drawn: enough for an interval, and no long wait.
 const ROUNDS: usize = 15;
@@ -85,16 +86,6 @@ impl Cost {
         self.done.as_ref().and_then(|done| done.result.as_ref().ok())
     }
 
-    pub(crate) fn is_busy(&self) -> bool {
-        self.worker.as_ref().is_some_and(Worker::is_busy)
-    }
-
-    pub(crate) fn wait(&self) {
-        if let Some(worker) = &self.worker {
-            worker.wait();
-        }
-    }
-
     fn start(&mut self, session: &Session, size: [u32; 2]) {
         self.stop();
         let wake = self.wake.clone();
@@ -127,6 +118,18 @@ impl Cost {
         if self.is_current.0 != number {
             let now = Measured::of(session.look(), &session.view.mesh, session.stage_version());
             self.is_current = (number, self.done.as_ref().is_some_and(|done| done.of == now));
+        }
+    }
+}
+
+impl BackgroundJobs for Cost {
+    fn is_busy(&self) -> bool {
+        self.worker.as_ref().is_some_and(Worker::is_busy)
+    }
+
+    fn wait(&self) {
+        if let Some(worker) = &self.worker {
+            worker.wait();
         }
     }
 }

@@ -5,11 +5,27 @@ use eframe::egui::{FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 
 use super::{Cost, adopt, plot};
 use crate::accuracy::{Report, Row, Subject, report::tier_word};
-use crate::app::dock::{cell, hint};
-use crate::commands::Command;
-use crate::problems;
+use crate::commands::{Command, PanelId};
+use crate::panels::table::{PanelPlace, PanelRow};
+use crate::state::problem_text::sentence;
 use crate::state::session::Session;
+use crate::state::worker::BackgroundJobs;
+use crate::tools::probe::picture_size;
+use crate::widgets::text::{cell, hint};
 use crate::widgets::theme;
+
+pub(in crate::panels) const PANEL: PanelRow = PanelRow::new(
+    PanelId::COST,
+    "Cost and accuracy",
+    "What each tier costs in time, and how far it is from the truth",
+    PanelPlace::BELOW_PICTURE,
+    |bench, ui, context| {
+        let rect = bench.viewport.rect();
+        let size = rect.map_or([0, 0], |rect| picture_size(rect, ui.pixels_per_point()));
+        bench.cost.show(ui, context.session, size)
+    },
+)
+.with_jobs(|bench| &bench.cost);
 
 const ROW: f32 = 20.0;
 /// Where columns begin, in parts of the width.
@@ -36,7 +52,7 @@ impl Cost {
             Ok(report) => report,
             Err(found) => {
                 for problem in found.iter().take(3) {
-                    ui.label(RichText::new(problems::sentence(problem)).color(theme::of(ui).error));
+                    ui.label(RichText::new(sentence(problem)).color(theme::of(ui).error));
                 }
                 return Vec::new();
             }

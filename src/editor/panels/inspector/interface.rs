@@ -6,7 +6,8 @@ use eframe::egui::{RichText, TextEdit, Ui};
 use crate::commands::Command;
 use crate::document::{Definition, Edit, GraphId, InterfacePort};
 use crate::fields::row;
-use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, PortName, make_slug};
+use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS};
+use crate::state::interface::{free_port, set};
 use crate::state::session::Session;
 use crate::widgets::theme;
 
@@ -91,18 +92,6 @@ fn list(definition: &mut Definition, is_output: bool) -> &mut Vec<InterfacePort>
     if is_output { &mut definition.outputs } else { &mut definition.inputs }
 }
 
-/// The edit that changes what a group shows to the outside.
-pub(crate) fn set(
-    id: &DefinitionId,
-    definition: &Definition,
-    change: impl FnOnce(&mut Definition),
-) -> Edit {
-    let mut changed = Definition { graph: Default::default(), ..definition.clone() };
-    change(&mut changed);
-    let Definition { label, help, inputs, outputs, .. } = changed;
-    Edit::SetInterface { id: id.clone(), label, help, inputs, outputs }
-}
-
 fn ports(
     ui: &mut Ui,
     title: &str,
@@ -168,12 +157,6 @@ fn ports(
         out.push(Command::Edit(set(id, definition, |changed| list(changed, is_output).push(port))));
     }
     ui.add_space(4.0);
-}
-
-/// A name that no port of that side has.
-pub(crate) fn free_port(definition: &Definition, is_output: bool, wished: &str) -> PortName {
-    let ports = if is_output { &definition.outputs } else { &definition.inputs };
-    PortName::new(make_slug(wished, |slug| ports.iter().any(|port| port.name.as_str() == slug)))
 }
 
 /// Removes a port with the wires to it inside.

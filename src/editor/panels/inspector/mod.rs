@@ -2,25 +2,31 @@
 
 mod interface;
 
-pub(crate) use interface::{free_port, set as set_interface};
-
 use eframe::egui;
 use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
 
-use crate::app::dock::Panel;
 use crate::catalog::Kind;
-use crate::commands::Command;
+use crate::commands::{Command, PanelId};
 use crate::document::{ColorSpace, Edit, Target, Tier, Value};
 use crate::fields::lighting::Owner;
 use crate::fields::{Subject, marks, row};
 use crate::ids::LightId;
 use crate::library::Type;
 use crate::panels::lights;
+use crate::panels::table::{PanelPlace, PanelRow, Stack};
 use crate::state::session::Session;
 use crate::state::wire::{ShownWire, Style};
 use crate::values;
 use crate::widgets::spots::{self, Spot};
 use crate::widgets::theme;
+
+pub(super) const PANEL: PanelRow = PanelRow::new(
+    PanelId::INSPECTOR,
+    "Inspector",
+    "The values of what is selected",
+    PanelPlace { stack: Some(Stack::Inspector), ..PanelPlace::CLOSED },
+    |_, ui, context| show(ui, context.session),
+);
 
 /// Shows the node that was selected last, or the look itself.
 pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
@@ -319,7 +325,7 @@ fn lights_row(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         let count = session.look().lights.len();
         let text = format!("{count} {}", if count == 1 { "light" } else { "lights" });
         if ui.link(text).on_hover_text("Opens the list of lights").clicked() {
-            out.push(Command::ShowPanel(Panel::Lights));
+            out.push(Command::ShowPanel(PanelId::LIGHTS));
         }
     });
 }

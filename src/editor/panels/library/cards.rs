@@ -12,14 +12,13 @@ use eframe::egui::{
 
 use super::super::thumbs::{Shot, Thumbs, key_of, key_of_scene};
 use super::examples::{self, Example, count, example};
-use crate::app::dialogs::PAINTING;
-use crate::app::dock::cell;
-use crate::commands::Command;
+use crate::commands::{Command, PAINTING};
 use crate::document::{Document, Loaded, Look};
 use crate::hcbtf::{Cover, Picture, cover};
 use crate::state::safety::crashes::{CrashLog, DocumentOrigin, Step, Suspect};
 use crate::state::session::Session;
 use crate::widgets::rows::{fitted, picture_frame, row_ground, whole};
+use crate::widgets::text::cell;
 use crate::widgets::theme;
 
 /// The height of a card's name.

@@ -9,11 +9,11 @@ use eframe::egui::{
 };
 
 use super::DraggedKind;
-use crate::app::dock::{cell, hint};
 use crate::catalog::Kind;
 use crate::commands::Command;
 use crate::state::session::Session;
 use crate::widgets::rows::row_ground;
+use crate::widgets::text::{cell, hint};
 use crate::widgets::theme;
 
 const ROW: f32 = 24.0;

@@ -3,8 +3,7 @@
 use eframe::egui;
 use eframe::egui::{Checkbox, ComboBox, DragValue, Id, Ui};
 
-use crate::app::dialogs::Purpose;
-use crate::commands::scene::Wish;
+use crate::commands::{FilePurpose, SceneCommand};
 use crate::document::{Object, Transform};
 use crate::fields::row::labelled;
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX};
@@ -37,7 +36,7 @@ impl Details {
         stage: &Stage,
         id: &ObjectId,
         object: &Object,
-        out: &mut Vec<Wish>,
+        out: &mut Vec<SceneCommand>,
     ) {
         ui.push_id(id, |ui| {
             labelled(ui, "Mesh", "What it is made of", |ui, label| {
@@ -77,7 +76,7 @@ impl Details {
             );
             if let Some(hand) = hand.filter(|_| new != object.transform) {
                 let edit = stage.change(id, |object| object.transform = new);
-                out.extend(edit.map(|edit| Wish::EditHeld(hand, edit)));
+                out.extend(edit.map(|edit| SceneCommand::EditHeld(hand, edit)));
             }
         });
     }
@@ -126,7 +125,7 @@ fn mesh(
     stage: &Stage,
     id: &ObjectId,
     object: &Object,
-    out: &mut Vec<Wish>,
+    out: &mut Vec<SceneCommand>,
 ) {
     let combo = ComboBox::from_id_salt("mesh")
         .selected_text(mesh_label(&object.mesh))
@@ -137,7 +136,7 @@ fn mesh(
             if ui.selectable_label(is_it, shape.label).on_hover_text(shape.help).clicked() && !is_it
             {
                 let mesh = format!("{SHAPE_PREFIX}{}", shape.name);
-                out.extend(stage.change(id, |object| object.mesh = mesh).map(Wish::Edit));
+                out.extend(stage.change(id, |object| object.mesh = mesh).map(SceneCommand::Edit));
             }
         }
         ui.separator();
@@ -147,7 +146,7 @@ fn mesh(
             .on_hover_text("OBJ, PLY, STL or glTF")
             .clicked()
         {
-            out.push(Wish::Ask(Purpose::ObjectMesh, id.clone(), String::new()));
+            out.push(SceneCommand::Ask(FilePurpose::ObjectMesh, id.clone(), String::new()));
         }
     });
     combo.response.labelled_by(label).on_hover_text(&object.mesh);
@@ -155,7 +154,7 @@ fn mesh(
 
 /// A row for what all materials wear, and where the mesh has several, or the object names some, one
 /// for each.
-fn looks(ui: &mut Ui, stage: &Stage, id: &ObjectId, object: &Object, out: &mut Vec<Wish>) {
+fn looks(ui: &mut Ui, stage: &Stage, id: &ObjectId, object: &Object, out: &mut Vec<SceneCommand>) {
     let known = stage.materials(id);
     let mut materials: Vec<&str> =
         known.iter().map(String::as_str).filter(|_| known.len() > 1).collect();
@@ -187,7 +186,7 @@ fn look(
     id: &ObjectId,
     object: &Object,
     material: &str,
-    out: &mut Vec<Wish>,
+    out: &mut Vec<SceneCommand>,
 ) {
     let nothing = if material == ANY_MATERIAL { "None" } else { "As the others" };
     let worn = object.looks.get(material);
@@ -201,7 +200,7 @@ fn look(
                 Some(name) => drop(object.looks.insert(material.to_owned(), name)),
                 None => drop(object.looks.shift_remove(material)),
             });
-            out.extend(edit.map(Wish::Edit));
+            out.extend(edit.map(SceneCommand::Edit));
         };
         for name in stage.looks() {
             let is_it = worn
@@ -217,7 +216,7 @@ fn look(
         }
         ui.separator();
         if ui.selectable_label(false, "From a file...").on_hover_text("Another look").clicked() {
-            out.push(Wish::Ask(Purpose::ObjectLook, id.clone(), material.to_owned()));
+            out.push(SceneCommand::Ask(FilePurpose::ObjectLook, id.clone(), material.to_owned()));
         }
     });
     combo.response.labelled_by(label);

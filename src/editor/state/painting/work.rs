@@ -349,6 +349,31 @@ impl Work {
         self.shown.painted(address).or_else(ahead).or_else(filled)
     }
 
+    /// A sample as it is shown with this stroke, or none, in place of the one that goes on.
+    pub(crate) fn tile_with<'t>(
+        &'t self,
+        stroke: Option<&'t (Address, Arc<Tile>)>,
+        address: Address,
+    ) -> Option<&'t Arc<Tile>> {
+        let at = address.canonical();
+        let stroke = stroke.filter(|(over, _)| over.canonical() == at).map(|(_, tile)| tile);
+        let ahead = || self.ahead.as_ref().filter(|(over, _)| *over == at).map(|(_, tile)| tile);
+        let is_filled = |filled: &&Arc<Filled>| {
+            matches!(filled.provenance(address), Some(Provenance::Filled { .. }))
+        };
+        let filled = || self.filled.as_ref().filter(is_filled)?.tile(address);
+        stroke.or_else(|| self.hcbtf().painted(address)).or_else(ahead).or_else(filled)
+    }
+
+    /// Everything as it is shown with this stroke, or none, in place of the one that goes on.
+    pub(crate) fn hcbtf_with(&self, stroke: Option<&(Address, Arc<Tile>)>) -> Hcbtf {
+        let mut hcbtf = self.hcbtf().clone();
+        if let Some((address, tile)) = stroke {
+            hcbtf.painted.insert(address.canonical(), tile.clone());
+        }
+        hcbtf
+    }
+
     /// How a sample came about.
     pub(crate) fn state(&self, address: Address) -> State {
         if self.shown.painted(address).is_some() {
@@ -440,10 +465,7 @@ impl Work {
     }
 
     fn show(&mut self) {
-        let mut hcbtf = self.hcbtf().clone();
-        if let Some((address, tile)) = &self.live {
-            hcbtf.painted.insert(address.canonical(), tile.clone());
-        }
+        let hcbtf = self.hcbtf_with(self.live.as_ref());
         if !hcbtf.grid.contains(self.at) {
             self.at = Address::default();
         }

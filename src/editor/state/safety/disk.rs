@@ -10,8 +10,7 @@ use super::watch::{Watch, Watched};
 use crate::compile::CompiledShader;
 use crate::frame::SHAPE_PREFIX;
 use crate::library::node_files;
-use crate::painter as painting;
-use crate::state::painting::work::Work;
+use crate::state::painting::work::{self, Work};
 use crate::state::session::Session;
 use crate::state::session::keeping::OnDisk;
 use crate::state::stage::Stage;
@@ -256,7 +255,7 @@ impl Disk {
     }
 
     fn check_painting(&mut self, session: &mut Session) -> Option<String> {
-        use painting::OnDisk;
+        use work::OnDisk;
         let work = session.painting()?;
         let name = work.name();
         let mut told = None;

@@ -21,7 +21,7 @@ use crate::state::painting::look;
 use crate::state::session::Session;
 use crate::state::settings::{Settings, Theme};
 use crate::state::stage::real;
-use disk::{Conflict, Disk};
+use disk::Disk;
 use offers::Offers;
 use places::Places;
 use unopened::Unopened;
@@ -29,37 +29,6 @@ use unopened::Unopened;
 /// When, in seconds of the window's clock, it looks for left work once more: a program that was
 /// killed may take a while to let go of its own.
 const LOOKS: [f64; 3] = [2.0, 6.0, 20.0];
-
-/// What the bar asks for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Wish {
-    /// Opens what is offered under this number.
-    TakeBack(usize),
-    /// Throws it away when the window closes, or does not.
-    Throw(usize, bool),
-    /// Takes the file as another program left it.
-    Reload,
-    /// Lets saving write over it.
-    KeepMine,
-    /// Takes the scene's file as another program left it.
-    ReloadScene,
-    /// Lets saving the scene write over it.
-    KeepMyScene,
-    /// Takes what is painted as another program left its file.
-    ReloadPainting,
-    /// Lets saving what is painted write over it.
-    KeepMyPainting,
-    /// The note was read.
-    Hide,
-    /// The note of a file that could not be opened was read.
-    HideUnopened,
-    /// Asks for another file in its place.
-    OpenAnother,
-    /// Reads the file all the same over which the last program ended.
-    ReadAgain,
-    /// Compiles and draws what is open all the same, over which the last program ended.
-    TryAgain,
-}
 
 /// What looks after a window's work.
 pub(crate) struct Safety {
@@ -236,7 +205,7 @@ impl Safety {
         Some(String::new())
     }
 
-    fn take_back(&mut self, number: usize, session: &mut Session) -> String {
+    pub(crate) fn take_back(&mut self, number: usize, session: &mut Session) -> String {
         if self.offers.get(number).is_some_and(|offer| offer.is_painting) {
             return self.take_back_painting(number, session);
         }
@@ -350,86 +319,6 @@ impl Safety {
     /// Looks at files now. Returns what to tell.
     pub(crate) fn look_at_files(&mut self, session: &mut Session) -> Option<String> {
         self.disk.check(session)
-    }
-
-    /// Does what the bar asks for. Returns what to tell.
-    pub(crate) fn apply(&mut self, wish: Wish, session: &mut Session) -> Option<String> {
-        match wish {
-            Wish::TakeBack(number) => {
-                let told = self.take_back(number, session);
-                session.look_as_kept(true);
-                return Some(told);
-            }
-            Wish::Throw(number, is_thrown) => self.offers.throw(number, is_thrown),
-            Wish::Reload => {
-                if let Some(Conflict::Changed(text)) = self.disk.conflict.take() {
-                    if session.reload(&text) {
-                        return Some("Loaded again; Undo brings your changes back".to_owned());
-                    }
-                    self.disk.conflict = Some(Conflict::Broken(text));
-                }
-            }
-            Wish::KeepMine => {
-                if let Some(Conflict::Changed(text) | Conflict::Broken(text)) =
-                    self.disk.conflict.take()
-                {
-                    session.keep_mine(text);
-                    return Some("Saving will write over the other version".to_owned());
-                }
-            }
-            Wish::ReloadScene => {
-                if let Some(text) = self.disk.scene_conflict.take() {
-                    let is_read = session.reload_scene(&text);
-                    return Some(match is_read {
-                        true => {
-                            "The scene was loaded again; Undo brings your changes back".to_owned()
-                        }
-                        false => {
-                            "The scene's file cannot be read now; your version stays".to_owned()
-                        }
-                    });
-                }
-            }
-            Wish::KeepMyScene => {
-                if let (Some(text), Some(stage)) =
-                    (self.disk.scene_conflict.take(), session.stage_mut())
-                {
-                    stage.keep_mine(text);
-                    return Some("Saving the scene will write over the other version".to_owned());
-                }
-            }
-            Wish::ReloadPainting => {
-                self.disk.painting_conflict = None;
-                return Some(match session.reload_painting() {
-                    Ok(_) => {
-                        "What is painted was loaded again; Undo brings your changes back".to_owned()
-                    }
-                    Err(problems) => {
-                        let why = problems
-                            .first()
-                            .map(|problem| problem.message.as_str())
-                            .unwrap_or_default();
-                        format!("The file cannot be read now, and your version stays: {why}")
-                    }
-                });
-            }
-            Wish::KeepMyPainting => {
-                self.disk.painting_conflict = None;
-                if let Some(work) = session.painting_mut() {
-                    work.keep_mine();
-                    return Some(
-                        "Saving what is painted will write the file as it is here".to_owned(),
-                    );
-                }
-            }
-            Wish::HideUnopened | Wish::OpenAnother | Wish::ReadAgain => self.unopened = None,
-            Wish::TryAgain => session.try_again(),
-            Wish::Hide => {
-                self.is_problem_read = session.keeping_problem().is_some();
-                self.disk.forget_gone();
-            }
-        }
-        None
     }
 
     /// The files that were open, the newest first, each with whether it is still there.

@@ -8,8 +8,8 @@ use crate::document::{Hcbtf, HcbtfEdit, Look};
 use crate::files::journal::{Recovered, Slot};
 use crate::frame::UNSAVED_HCBTF;
 use crate::state::painting::home::Home;
-use crate::state::painting::look;
 use crate::state::painting::work::Work;
+use crate::state::painting::{PaintingUpdate, look};
 use crate::state::stage::{folder_of, real, relative};
 
 impl Session {
@@ -63,6 +63,16 @@ impl Session {
     /// The picture may be another now.
     pub(crate) fn painting_changed(&mut self) {
         self.picture += 1;
+    }
+
+    /// Takes what a frame found out of what is painted.
+    pub(crate) fn update_painting(&mut self, update: PaintingUpdate) {
+        self.hides_painting = self.painting.is_some() && !update.is_shown;
+        if let Some(work) = &mut self.painting
+            && work.set_marked(update.is_marked.then_some(work.at()))
+        {
+            self.painting_changed();
+        }
     }
 
     /// Applies a change of what is painted. With a `hand`, consecutive changes by it are one step.

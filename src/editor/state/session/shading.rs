@@ -215,26 +215,34 @@ impl Session {
         self.picture
     }
 
-    /// What can be shown: the look as it is, by the baked shader where nothing changed since, else
-    /// by the live one; or the last look that could be compiled.
-    pub(crate) fn showing(&mut self) -> Option<Showing> {
-        let revision = self.kept.history.revision();
-        let shaders = &mut self.shaders;
-        let is_live = shaders.live_structure == Some(shaders.structure);
-        let good = shaders.good.as_mut()?;
-        if shaders.baked_revision == Some(revision) {
-            return Some(Showing {
-                look: self.solo.lit(good),
-                shader: shaders.baked.clone()?,
-                live: Live::Keyed,
-            });
+    /// Whether the baked shader shows the look as it is.
+    fn is_baked(&self) -> bool {
+        self.shaders.baked_revision == Some(self.kept.history.revision())
+    }
+
+    /// Takes the look as it is for what is shown, where the live shader can show that.
+    pub(crate) fn refresh_shown_look(&mut self) {
+        let revision = (self.document_number, self.kept.history.revision());
+        let is_live = self.shaders.live_structure == Some(self.shaders.structure);
+        if self.is_baked() || !is_live || self.good_revision == revision {
+            return;
         }
-        if is_live && self.good_revision != (self.document_number, revision) {
+        if let Some(good) = &mut self.shaders.good {
             *good =
                 Arc::new(self.solo.alone(self.kept.history.document(), &self.catalog).into_owned());
-            self.good_revision = (self.document_number, revision);
+            self.good_revision = revision;
         }
-        Some(Showing { look: self.solo.lit(good), shader: shaders.live.clone()?, live: Live::All })
+    }
+
+    /// What can be shown: the look as it was refreshed last, by the baked shader where nothing
+    /// changed since, else by the live one; or the last look that could be compiled.
+    pub(crate) fn showing(&self) -> Option<Showing> {
+        let good = self.solo.lit(self.shaders.good.as_ref()?);
+        let (shader, live) = match self.is_baked() {
+            true => (&self.shaders.baked, Live::Keyed),
+            false => (&self.shaders.live, Live::All),
+        };
+        Some(Showing { look: good, shader: shader.clone()?, live })
     }
 
     /// The shader whose text is shown.

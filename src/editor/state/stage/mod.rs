@@ -13,7 +13,6 @@ use std::sync::Arc;
 
 use serde_json::json;
 
-pub(crate) use crate::commands::scene::Wish;
 use crate::diag::Diagnostic;
 use crate::document::{History, Object, Scene, SceneEdit, SourceMap};
 use crate::files::journal::{About, Recovered, Slot};

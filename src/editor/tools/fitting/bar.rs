@@ -4,9 +4,9 @@ use eframe::egui::{
     self, DragValue, Response, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
 };
 
-use super::tools::{Kind, SIZES};
-use super::{Fitting, Wish};
-use crate::commands::Command;
+use super::Fitting;
+use super::tools::SIZES;
+use crate::commands::{Command, FitCommand, LightBrush, Switch};
 use crate::document::ColorSpace;
 use crate::widgets::color;
 use crate::widgets::theme;
@@ -17,12 +17,12 @@ const PERCENT: f32 = 110.0;
 const SUN: f32 = 28.0;
 
 impl Fitting {
-    /// What turns painting on and off.
+    /// FitGoal turns painting on and off.
     pub(crate) fn toggle(&self, ui: &mut Ui, out: &mut Vec<Command>) {
         let help = "Paint on the picture where it should be lighter or darker, and fit the look to \
                     that (L)";
         if sun(ui, self.is_on).on_hover_text(help).clicked() {
-            out.push(Command::Fit(Wish::Turn(!self.is_on)));
+            out.push(Command::Fit(FitCommand::Turn(Switch::Toggle)));
         }
     }
 
@@ -33,7 +33,7 @@ impl Fitting {
         }
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
-            for kind in Kind::ALL {
+            for kind in LightBrush::ALL {
                 let is_it = self.tools.kind == kind;
                 let response = ui.selectable_label(is_it, kind.label()).on_hover_text(kind.help());
                 let name = format!("Brush: {}", kind.label());
@@ -53,7 +53,7 @@ impl Fitting {
             );
             if let Some((_, [r, g, b, _])) = swatch {
                 self.tools.color = [r, g, b];
-                self.tools.kind = Kind::Color;
+                self.tools.kind = LightBrush::Color;
             }
             ui.separator();
             let help = "The brush's diameter, in percent of the picture's height ([ and ] change \
@@ -69,7 +69,7 @@ impl Fitting {
             );
             // All tools have all controls: a bar that grew would push the picture, which would be
             // read anew.
-            let has_amount = matches!(self.tools.kind, Kind::Light | Kind::Dark);
+            let has_amount = matches!(self.tools.kind, LightBrush::Light | LightBrush::Dark);
             let help = "How much lighter or darker Light and Dark make it, as an eye sees it: from \
                         black to white is 100%. A \
                         stroke that crosses itself makes no more of it; another stroke goes on \

@@ -5,12 +5,13 @@ use std::sync::Arc;
 
 use super::work::Done;
 use super::work::Job;
-use super::{ENOUGH, Fitting, LEAST_PAINTED, What};
+use super::{ENOUGH, Fitting, LEAST_PAINTED};
+use crate::commands::{Command, FitGoal};
 use crate::diag::Diagnostic;
-use crate::document::{Edit, Tile};
+use crate::document::{Edit, Look, Tile};
 use crate::fit::{FitOptions, Fitted, Keep, Report, Target};
-use crate::panels::problems::sentence;
 use crate::progress::Progress;
+use crate::state::problem_text::sentence;
 use crate::state::session::Session;
 
 /// Which look something is about: another revision is another look.
@@ -48,7 +49,7 @@ pub(super) struct Running {
 
 /// What was fitted.
 pub(super) struct Outcome {
-    pub(super) what: What,
+    pub(super) what: FitGoal,
     pub(super) strokes: Strokes,
     pub(super) edit: Edit,
     pub(super) report: Report,
@@ -58,11 +59,11 @@ pub(super) struct Outcome {
 
 impl Fitting {
     /// Begins a fit; tells where that cannot be.
-    pub(crate) fn fit(&mut self, what: What, session: &Session) {
+    pub(crate) fn fit(&mut self, what: FitGoal, session: &Session) {
         self.told = self.try_fit(what, session).err().map(str::to_owned);
     }
 
-    fn try_fit(&mut self, what: What, session: &Session) -> Result<(), &'static str> {
+    fn try_fit(&mut self, what: FitGoal, session: &Session) -> Result<(), &'static str> {
         if session.sketch().is_empty() {
             return Err("Nothing is painted yet: take Light or Dark and drag on the object");
         }
@@ -84,7 +85,7 @@ impl Fitting {
         let target = Target { size: ground.size, wishes: painted };
         let wake = self.wake.clone();
         let progress = Progress::observed(move |_| wake());
-        let keep = if what == What::ThisLook { self.how.keep } else { Keep::default() };
+        let keep = if what == FitGoal::ThisLook { self.how.keep } else { Keep::default() };
         let options = FitOptions {
             time: session.time,
             keep,
@@ -120,10 +121,11 @@ impl Fitting {
         }
     }
 
-    pub(super) fn take(&mut self, done: Done, session: &mut Session) {
+    /// Takes what a fit came to: the look to be shown in place of the open one, if any.
+    pub(super) fn take(&mut self, done: Done, session: &Session) -> Option<Arc<Look>> {
         // What was given up, or is of a look that is gone, is nobody's.
         if !self.running.as_ref().is_some_and(|running| running.progress.is_same(&done.progress)) {
-            return;
+            return None;
         }
         let running = self.running.take();
         match done.result {
@@ -140,21 +142,21 @@ impl Fitting {
                 ));
             }
             Ok(Fitted { look, edit, report, .. }) => {
-                session.set_preview(Some(Arc::new(look)));
                 self.told =
                     report.is_stopped.then(|| "Stopped: this is the best so far".to_owned());
                 let strokes = Strokes::of(session);
                 self.outcome =
                     Some(Outcome { what: done.what, strokes, edit, report, applied: None });
+                return Some(Arc::new(look));
             }
         }
+        None
     }
 
     /// Takes on what was fitted: the edit, one step.
-    pub(crate) fn apply(&mut self, session: &mut Session) -> Option<Edit> {
+    pub(crate) fn take_on(&mut self, session: &Session) -> Option<Edit> {
         let outcome = self.outcome.as_mut().filter(|outcome| outcome.applied.is_none())?;
         outcome.applied = Some(of(session));
-        session.set_preview(None);
         self.told = None;
         Some(outcome.edit.clone())
     }
@@ -167,10 +169,10 @@ impl Fitting {
     }
 
     /// Lets go of what was fitted.
-    pub(crate) fn discard(&mut self, session: &mut Session) {
-        session.set_preview(None);
+    pub(crate) fn discard(&mut self) -> Vec<Command> {
         self.outcome = self.outcome.take().filter(|outcome| outcome.applied.is_some());
         self.told = None;
+        vec![super::preview(None)]
     }
 }
 

@@ -5,12 +5,12 @@ use std::sync::Arc;
 use eframe::egui::{Event, Modifiers, PointerButton, Pos2, Rect, Response, Ui};
 use glam::DVec2;
 
+use super::Fitting;
 use super::cover::Cover;
 use super::ground::Ground;
 use super::target::FINENESS;
 use super::tools::Tools;
-use super::{Fitting, Kind};
-use crate::commands::Command;
+use crate::commands::{Command, LightBrush, SketchCommand};
 use crate::document::Tile;
 use crate::state::session::Session;
 use crate::state::sketch::Standpoint;
@@ -48,7 +48,7 @@ impl Going {
         for ([x, y], cover) in self.cover.to(at) {
             let place = |x: u32| (f64::from(x) + 0.5) / f64::from(FINENESS);
             let (shown, share) = ground.at(place(x), place(y));
-            if share < 0.5 && self.tools.kind != Kind::Erase {
+            if share < 0.5 && self.tools.kind != LightBrush::Erase {
                 continue;
             }
             self.meets = true;
@@ -87,7 +87,7 @@ impl Fitting {
         ui: &Ui,
         response: &Response,
         rect: Rect,
-        session: &mut Session,
+        session: &Session,
     ) -> Option<Command> {
         let (is_down, is_pressed, modifiers) = ui.input(|input| {
             let pointer = &input.pointer;
@@ -155,7 +155,7 @@ impl Fitting {
             let (shown, share) = ground.at(place.x, place.y);
             if share > 0.0 {
                 self.tools.color = shown;
-                self.tools.kind = Kind::Color;
+                self.tools.kind = LightBrush::Color;
             }
             return None;
         }
@@ -181,19 +181,20 @@ impl Fitting {
         None
     }
 
-    fn end(&self, going: Going, session: &mut Session) -> Option<Command> {
+    fn end(&self, going: Going, session: &Session) -> Option<Command> {
         if !going.meets {
             let told = "That stroke met no object that wears this look: only strokes on it count";
             return Some(Command::Tell(told.to_owned()));
         }
         if going.now != going.before {
-            let here = match session.sketch().standpoint() {
+            let from = match session.sketch().standpoint() {
                 Some(standpoint) => standpoint.clone(),
                 None => Standpoint::new(&session.view, session.time),
             };
             let is_empty = going.now.bytes().chunks_exact(4).all(|texel| texel[3] == 0);
             let tile = Arc::unwrap_or_clone(going.now);
-            session.paint_sketch(going.tools.kind.step(), here, (!is_empty).then_some(tile));
+            let (label, tile) = (going.tools.kind.step(), (!is_empty).then_some(tile));
+            return Some(Command::Sketch(SketchCommand::Paint { label, from, tile }));
         }
         None
     }
@@ -214,12 +215,12 @@ mod tests {
         let whole = laid(&[0; 4], 1.0, shown, &tools);
         let twice = laid(&whole, 1.0, shown, &tools);
         assert!((0..3).all(|c| twice[c] > whole[c]) && twice[3] == 255);
-        let keep = Tools { kind: Kind::Keep, ..tools.clone() };
+        let keep = Tools { kind: LightBrush::Keep, ..tools.clone() };
         assert!(
             (0..3).all(|c| near(laid(&twice, 1.0, shown, &keep)[c], shown[c])),
             "it stays as the look shows it"
         );
-        let erase = Tools { kind: Kind::Erase, ..tools };
+        let erase = Tools { kind: LightBrush::Erase, ..tools };
         assert_eq!(laid(&twice, 1.0, shown, &erase)[3], 0);
         assert!(near(laid(&twice, 0.25, shown, &erase)[3], 0.75));
     }

@@ -23,44 +23,20 @@ use std::sync::Arc;
 
 use eframe::egui::{self, Rect, Ui};
 
-use crate::commands::Command;
-use crate::commands::shortcuts::Action;
+use crate::commands::{Command, LightBrush, SketchCommand};
 use crate::diag::has_errors;
-use crate::document::Tile;
+use crate::document::{Look, Tile};
 use crate::fit::{Keep, Wish as Painted};
 use crate::state::session::Session;
 pub(crate) use crate::state::sketch::Standpoint;
-use crate::state::worker::Worker;
+use crate::state::worker::{BackgroundJobs, Worker};
 use fit::{Outcome, Running, of};
 use ground::{Ground, Grounds, Moment};
 use hand::{Going, Waiting};
 use overlay::Textures;
 use target::FINENESS;
-pub(crate) use tools::Kind;
 use tools::Tools;
-pub(crate) use work::What;
 use work::{Done, Job};
-
-/// Something that is asked for of painted light; [`App`](crate::App) does it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Wish {
-    /// Begins to paint on the picture, or ends that.
-    Turn(bool),
-    /// Gives up what is going on, the nearest thing first, and at last the painting.
-    Leave,
-    /// Fits to what is painted.
-    Fit(What),
-    /// Gives up the fit that is going on.
-    Stop,
-    /// Takes on what was fitted.
-    Apply,
-    /// Lets go of what was fitted.
-    Discard,
-    /// Takes all strokes away.
-    Clear,
-    /// Looks from where the strokes were painted.
-    Back,
-}
 
 /// The height of the picture that is fitted at, in pixels: what is painted is broad, and a fit
 /// looks at some hundred pixels only.
@@ -193,57 +169,56 @@ impl Fitting {
         if self.is_on { self.hint } else { "" }
     }
 
-    pub(crate) fn is_busy(&self) -> bool {
-        self.grounds.is_busy() || self.fitter.is_busy()
-    }
-
-    pub(crate) fn wait(&self) {
-        self.grounds.wait();
-        self.fitter.wait();
-    }
-
     /// Waits for what is under the strokes, and not for a fit.
     pub fn wait_for_ground(&self) {
         self.grounds.wait();
     }
 
     /// Begins or ends painting. The strokes stay.
-    pub(crate) fn turn(&mut self, on: bool, session: &mut Session) {
+    pub(crate) fn turn(&mut self, on: bool, session: &Session) -> Vec<Command> {
         self.is_on = on;
         self.document = session.document_number();
-        session.open_sketch(on);
         (self.going, self.waiting) = (None, None);
+        let mut out = vec![Command::Sketch(SketchCommand::Open(on))];
         if !on {
             self.give_up();
-            self.discard(session);
+            out.extend(self.discard());
             self.grounds.rest();
             self.told = None;
         }
+        out
     }
 
     /// Gives up the nearest thing that is going on: a stroke, a fit, what was fitted, the painting.
-    pub(crate) fn leave(&mut self, session: &mut Session) {
+    pub(crate) fn leave(&mut self, session: &Session) -> Vec<Command> {
         if self.going.take().is_some() || self.waiting.take().is_some() {
-            return;
+            return Vec::new();
         }
         if self.running.is_some() {
             self.stop();
+            Vec::new()
         } else if self.awaits() {
-            self.discard(session);
+            let out = self.discard();
             self.told = Some("What was fitted is discarded: the look is as it was".to_owned());
+            out
         } else {
-            self.turn(false, session);
+            self.turn(false, session)
         }
     }
 
     /// Takes what was done on threads, and asks for what is missing.
-    pub(crate) fn tick(&mut self, ui: &Ui, session: &mut Session) {
+    pub(crate) fn tick(&mut self, ui: &Ui, session: &Session) -> Vec<Command> {
+        let mut out = Vec::new();
         if self.is_on && self.document != session.document_number() {
             // Strokes went aside with their look, and nobody asked to paint on another.
-            self.turn(false, session);
+            out.extend(self.turn(false, session));
         }
+        let mut previews = session.preview().is_some() && out.is_empty();
         for done in self.fitter.answers() {
-            self.take(done, session);
+            if let Some(look) = self.take(done, session) {
+                previews = true;
+                out.push(preview(Some(look)));
+            }
         }
         if self.running.as_ref().is_some_and(|running| running.of != of(session)) {
             self.give_up();
@@ -257,10 +232,11 @@ impl Fitting {
         if self.outcome.as_ref().is_some_and(|outcome| !outcome.strokes.are(session)) {
             let awaited = self.awaits();
             self.outcome = None;
-            session.set_preview(None);
+            previews = false;
+            out.push(preview(None));
             self.told = awaited.then(|| "The strokes were changed: fit again".to_owned());
         }
-        if self.awaits() && session.preview().is_none() {
+        if self.awaits() && !previews {
             self.outcome = None;
             self.told = Some(
                 "The look was changed, and what was fitted to it before is gone: fit again"
@@ -273,7 +249,7 @@ impl Fitting {
             self.outcome = None;
         }
         if !self.is_on {
-            return;
+            return out;
         }
         let moment = Moment::new(session, self.size(session));
         let now = ui.input(|input| input.time);
@@ -286,6 +262,7 @@ impl Fitting {
             ui.ctx().request_repaint_after_secs((REST - (now - since)).max(0.01) as f32);
         }
         self.weigh(session);
+        out
     }
 
     /// The picture that is fitted at: that of the sketch, or as the viewport is.
@@ -356,28 +333,24 @@ impl Fitting {
     }
 
     /// Takes all strokes away.
-    pub(crate) fn clear(&mut self, session: &mut Session) {
+    pub(crate) fn clear(&mut self, session: &Session) -> Vec<Command> {
         (self.going, self.waiting) = (None, None);
-        if !session.sketch().is_empty() {
-            let here = Standpoint::new(&session.view, session.time);
-            session.paint_sketch("clear the strokes", here, None);
+        if session.sketch().is_empty() {
+            return Vec::new();
         }
+        let from = Standpoint::new(&session.view, session.time);
+        let label = "clear the strokes";
+        vec![Command::Sketch(SketchCommand::Paint { label, from, tile: None })]
     }
 
-    /// Looks from where the strokes were painted.
-    pub(crate) fn go_back(session: &mut Session) {
-        if let Some(standpoint) = session.sketch().standpoint() {
-            (session.view, session.time) = standpoint.back(&session.view);
-        }
+    /// Takes a brush in hand.
+    pub(crate) fn take_brush(&mut self, brush: LightBrush) {
+        self.tools.kind = brush;
     }
 
-    /// Does what a key or the command palette asks for.
-    pub(crate) fn act(&mut self, action: Action) {
-        match action {
-            Action::LightTool(kind) => self.tools.kind = kind,
-            Action::LightBrush { is_larger } => self.tools.resize(is_larger),
-            _ => {}
-        }
+    /// Makes the brush larger or smaller.
+    pub(crate) fn resize_brush(&mut self, is_larger: bool) {
+        self.tools.resize(is_larger);
     }
 
     /// Where the sketch lies on the screen, of a viewport in `rect`: as high, in the middle.
@@ -386,20 +359,48 @@ impl Fitting {
         Rect::from_center_size(rect.center(), egui::vec2(width, rect.height()))
     }
 
-    /// The viewport's part: painting, and what is over the picture. `pointer` is over it.
+    /// Takes in what the pointer paints over the picture in `rect`.
+    pub(crate) fn interact(
+        &mut self,
+        ui: &Ui,
+        response: &egui::Response,
+        rect: Rect,
+        session: &Session,
+    ) -> Option<Command> {
+        self.aspect = f64::from(rect.width() / rect.height().max(1.0));
+        if !self.is_on {
+            return None;
+        }
+        self.paint(ui, response, rect, session)
+    }
+
+    /// Shows what is over the picture in `rect`.
     pub(crate) fn over(
         &mut self,
         ui: &mut Ui,
         response: &egui::Response,
         rect: Rect,
-        session: &mut Session,
+        session: &Session,
         out: &mut Vec<Command>,
     ) {
-        self.aspect = f64::from(rect.width() / rect.height().max(1.0));
-        if !self.is_on {
-            return;
+        if self.is_on {
+            self.show_over(ui, response, rect, session, out);
         }
-        out.extend(self.paint(ui, response, rect, session));
-        self.show_over(ui, response, rect, session, out);
     }
+}
+
+impl BackgroundJobs for Fitting {
+    fn is_busy(&self) -> bool {
+        self.grounds.is_busy() || self.fitter.is_busy()
+    }
+
+    fn wait(&self) {
+        self.grounds.wait();
+        self.fitter.wait();
+    }
+}
+
+/// Shows a look in place of the open one, or the open one again.
+fn preview(look: Option<Arc<Look>>) -> Command {
+    Command::Sketch(SketchCommand::Preview(look))
 }

@@ -11,17 +11,17 @@ use eframe::egui::{
 
 use glam::DVec2;
 
+use super::Fitting;
 use super::ground::Moment;
 use super::target;
 use super::veil::strokes;
-use super::{Fitting, Wish};
-use crate::commands::Command;
+use crate::commands::{Command, FitCommand};
 use crate::document::Tile;
 use crate::fit::picture_of;
 use crate::state::session::Session;
 use crate::widgets::theme;
 
-/// What a texture of strokes is of.
+/// FitGoal a texture of strokes is of.
 #[derive(PartialEq)]
 struct Of {
     tile: usize,
@@ -222,7 +222,7 @@ fn elsewhere(ui: &mut Ui, rect: Rect, out: &mut Vec<Command>) {
                     WidgetInfo::labeled(Role::Button, true, "Back to the painted view")
                 });
                 if button.clicked() {
-                    out.push(Command::Fit(Wish::Back));
+                    out.push(Command::Fit(FitCommand::Back));
                 }
                 let text = egui::RichText::new("The strokes belong to another view")
                     .color(theme::of(ui).accent);

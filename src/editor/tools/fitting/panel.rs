@@ -7,13 +7,13 @@ use eframe::egui::{
 };
 
 use super::fit::Outcome;
-use super::{Fitting, What, Wish, target};
-use crate::app::dock::hint;
-use crate::commands::Command;
+use super::{Fitting, target};
+use crate::commands::{Command, FitCommand, FitGoal, Switch};
 use crate::document::parse_hex;
 use crate::fit::{Changed, Report};
-use crate::panels::problems::sentence;
+use crate::state::problem_text::sentence;
 use crate::state::session::Session;
+use crate::widgets::text::hint;
 use crate::widgets::theme;
 
 /// The most layers that are fitted from nothing here.
@@ -26,7 +26,7 @@ impl Fitting {
         if !self.is_on {
             let help = "Paint on the picture where it should be lighter or darker (L)";
             if ui.button("Paint light on the picture").on_hover_text(help).clicked() {
-                out.push(Command::Fit(Wish::Turn(true)));
+                out.push(Command::Fit(FitCommand::Turn(Switch::On)));
             }
             hint(
                 ui,
@@ -90,14 +90,15 @@ impl Fitting {
             ui.toggle_value(&mut self.shows.misses, "Misses").on_hover_text(help);
             let help = "Takes all strokes away; undo brings them back";
             if ui.add_enabled(!is_empty, Button::new("Clear")).on_hover_text(help).clicked() {
-                out.push(Command::Fit(Wish::Clear));
+                out.push(Command::Fit(FitCommand::Clear));
             }
         });
     }
 
     fn how_rows(&mut self, ui: &mut Ui) {
         ui.horizontal_wrapped(|ui| {
-            ui.label("Keep").on_hover_text("What of this look stays as it is; all else is turned");
+            ui.label("Keep")
+                .on_hover_text("FitGoal of this look stays as it is; all else is turned");
             let keep = &mut self.how.keep;
             for (kept, label, help) in [
                 (&mut keep.lights, "Lights", "Directions of directional lights stay"),
@@ -123,7 +124,7 @@ impl Fitting {
         });
     }
 
-    /// What came of a fit.
+    /// FitGoal came of a fit.
     fn result(&self, ui: &mut Ui, outcome: &Outcome, session: &Session, out: &mut Vec<Command>) {
         let report = &outcome.report;
         errors(ui, report);
@@ -139,23 +140,23 @@ impl Fitting {
         changes(ui, report, session);
     }
 
-    /// What else may bring a look nearer to the strokes.
-    pub(super) fn advice(&self, what: What, report: &Report) -> String {
+    /// FitGoal else may bring a look nearer to the strokes.
+    pub(super) fn advice(&self, what: FitGoal, report: &Report) -> String {
         let mut ways = Vec::new();
-        if let Some(kept) = report.kept.told().filter(|_| what == What::ThisLook) {
+        if let Some(kept) = report.kept.told().filter(|_| what == FitGoal::ThisLook) {
             ways.push(format!("keep less ({kept} did not take part)"));
         }
         if self.how.keep_rest > 0.0 {
             ways.push("keep less of the rest".to_owned());
         }
         ways.push(match what {
-            What::ThisLook => "fit new layers".to_owned(),
-            What::Layers(_) => "allow more layers".to_owned(),
+            FitGoal::ThisLook => "fit new layers".to_owned(),
+            FitGoal::Layers(_) => "allow more layers".to_owned(),
         });
         let last = ways.pop().unwrap_or_default();
         let ways = if ways.is_empty() { last } else { format!("{}, or {last}", ways.join(", ")) };
         let wired =
-            if what == What::ThisLook { " What is wired or keyed stays as it is." } else { "" };
+            if what == FitGoal::ThisLook { " What is wired or keyed stays as it is." } else { "" };
         format!("What may help: {ways}.{wired}")
     }
 
@@ -165,7 +166,7 @@ impl Fitting {
             ui.horizontal(|ui| {
                 let help = "Ends the fit, and shows the best that it has come to (Esc)";
                 if ui.button("Stop").on_hover_text(help).clicked() {
-                    out.push(Command::Fit(Wish::Stop));
+                    out.push(Command::Fit(FitCommand::Stop));
                 }
                 ui.add(ProgressBar::new(share).text(format!("fitting, {:.0} %", 100.0 * share)));
             });
@@ -175,12 +176,12 @@ impl Fitting {
             let help = "Turns lights, profiles and colors of this look until it shows what is \
                         painted. Its nodes and wires stay";
             if ui.button("Fit this look").on_hover_text(help).clicked() {
-                out.push(Command::Fit(Wish::Fit(What::ThisLook)));
+                out.push(Command::Fit(FitCommand::Fit(FitGoal::ThisLook)));
             }
             let help = "Begins from nothing: light layers over a base, as many as help, in place \
                         of all nodes of this look";
             if ui.button("Fit new layers").on_hover_text(help).clicked() {
-                out.push(Command::Fit(Wish::Fit(What::Layers(self.how.layers))));
+                out.push(Command::Fit(FitCommand::Fit(FitGoal::Layers(self.how.layers))));
             }
             let label = ui.label("at most");
             ui.add(DragValue::new(&mut self.how.layers).range(1..=MOST_LAYERS).speed(0.05))
@@ -214,12 +215,12 @@ fn choice(ui: &mut Ui, outcome: &Outcome, out: &mut Vec<Command>) {
             return;
         }
         if ui.button("Apply").on_hover_text("Changes the look, as one step").clicked() {
-            out.push(Command::Fit(Wish::Apply));
+            out.push(Command::Fit(FitCommand::Apply));
         }
         if ui.button("Discard").on_hover_text("Leaves the look as it is (Esc)").clicked() {
-            out.push(Command::Fit(Wish::Discard));
+            out.push(Command::Fit(FitCommand::Discard));
         }
-        if let What::Layers(_) = outcome.what {
+        if let FitGoal::Layers(_) = outcome.what {
             ui.label(
                 RichText::new("New layers take the place of all nodes").color(theme::of(ui).dim),
             );

@@ -1,67 +1,12 @@
 //! The brushes of painted light, and what each wishes where it goes.
 
+use crate::commands::LightBrush;
 use crate::document::{linear_to_srgb, srgb_to_linear};
-
-/// What a stroke wishes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Kind {
-    /// Lighter than it is seen.
-    Light,
-    /// Darker than it is seen.
-    Dark,
-    /// A color.
-    Color,
-    /// As the look shows it.
-    Keep,
-    /// Nothing any more.
-    Erase,
-}
-
-impl Kind {
-    /// All, in the order of the bar.
-    pub(crate) const ALL: [Self; 5] =
-        [Self::Light, Self::Dark, Self::Color, Self::Keep, Self::Erase];
-
-    /// What people call it.
-    pub(crate) fn label(self) -> &'static str {
-        match self {
-            Self::Light => "Light",
-            Self::Dark => "Dark",
-            Self::Color => "Color",
-            Self::Keep => "Keep",
-            Self::Erase => "Erase",
-        }
-    }
-
-    /// What it does, with its key.
-    pub(crate) fn help(self) -> &'static str {
-        match self {
-            Self::Light => "Here it should be lighter, as if more light fell on it (B)",
-            Self::Dark => "Here it should be darker (D)",
-            Self::Color => {
-                "Here it should have this color (C). Ctrl-click takes a color from the picture"
-            }
-            Self::Keep => "Here it should stay as it is (K)",
-            Self::Erase => "Takes strokes away (E)",
-        }
-    }
-
-    /// What undo calls a stroke of it.
-    pub(super) fn step(self) -> &'static str {
-        match self {
-            Self::Light => "paint light",
-            Self::Dark => "paint dark",
-            Self::Color => "paint a color",
-            Self::Keep => "paint what stays",
-            Self::Erase => "erase strokes",
-        }
-    }
-}
 
 /// What the hand holds.
 #[derive(Clone, Debug)]
 pub(super) struct Tools {
-    pub(super) kind: Kind,
+    pub(super) kind: LightBrush,
     /// The brush's diameter, in parts of the picture's height.
     pub(super) size: f64,
     /// From 0 to 1.
@@ -77,7 +22,13 @@ pub(super) const SIZES: std::ops::RangeInclusive<f64> = 0.01..=1.0;
 
 impl Default for Tools {
     fn default() -> Self {
-        Self { kind: Kind::Light, size: 0.16, hardness: 0.5, amount: 0.2, color: [0.91, 0.64, 0.3] }
+        Self {
+            kind: LightBrush::Light,
+            size: 0.16,
+            hardness: 0.5,
+            amount: 0.2,
+            color: [0.91, 0.64, 0.3],
+        }
     }
 }
 
@@ -97,11 +48,11 @@ impl Tools {
     /// painted before, as `seen`; `None` for nothing.
     pub(super) fn wish(&self, shown: [f64; 3], seen: [f64; 3]) -> Option<[f64; 3]> {
         match self.kind {
-            Kind::Light => Some(lighter(seen, self.amount)),
-            Kind::Dark => Some(lighter(seen, -self.amount)),
-            Kind::Color => Some(self.color),
-            Kind::Keep => Some(shown),
-            Kind::Erase => None,
+            LightBrush::Light => Some(lighter(seen, self.amount)),
+            LightBrush::Dark => Some(lighter(seen, -self.amount)),
+            LightBrush::Color => Some(self.color),
+            LightBrush::Keep => Some(shown),
+            LightBrush::Erase => None,
         }
     }
 }

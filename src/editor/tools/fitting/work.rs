@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::commands::FitGoal;
 use crate::diag::Diagnostic;
 use crate::document::Look;
 use crate::fit::{FitOptions, Fitted, Target, fit_layers, fit_look};
@@ -10,27 +11,18 @@ use crate::progress::Progress;
 use crate::state::still::Still;
 use crate::state::worker::Worker;
 
-/// What is fitted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum What {
-    /// What the open look has: its nodes and wires stay.
-    ThisLook,
-    /// Up to so many layers from nothing, in place of the look's nodes.
-    Layers(usize),
-}
-
 /// A fit that is asked for.
 pub(super) struct Job {
-    pub(super) what: What,
+    pub(super) what: FitGoal,
     pub(super) still: Still,
     pub(super) target: Target,
     pub(super) options: FitOptions,
     pub(super) progress: Progress,
 }
 
-/// What became of it.
+/// FitGoal became of it.
 pub(super) struct Done {
-    pub(super) what: What,
+    pub(super) what: FitGoal,
     pub(super) look: Arc<Look>,
     pub(super) progress: Progress,
     pub(super) result: Result<Fitted, Vec<Diagnostic>>,
@@ -50,8 +42,8 @@ fn fit(assets: &mut Assets, job: &Job) -> Result<Fitted, Vec<Diagnostic>> {
     let (setup, _) = still.setup(assets)?;
     // The open look is the first.
     match what {
-        What::ThisLook => fit_look(&setup, 0, &still.library, target, options, progress),
-        What::Layers(count) => {
+        FitGoal::ThisLook => fit_look(&setup, 0, &still.library, target, options, progress),
+        FitGoal::Layers(count) => {
             fit_layers(&setup, 0, &still.library, target, *count, options, progress)
         }
     }

@@ -15,7 +15,7 @@ use crate::progress::Progress;
 use crate::reference::{Options, WireValue, probe_wires};
 use crate::state::session::Session;
 use crate::state::still::{Reused, Stamp, Still};
-use crate::state::worker::Worker;
+use crate::state::worker::{BackgroundJobs, Worker};
 use crate::widgets::theme;
 
 /// The pointer rests after so many seconds.
@@ -112,14 +112,6 @@ impl Probe {
         }
     }
 
-    pub(crate) fn is_busy(&self) -> bool {
-        self.worker.is_busy()
-    }
-
-    pub(crate) fn wait(&self) {
-        self.worker.wait();
-    }
-
     /// Takes what was found, and asks for what is under the pointer once that rests. `pointer` is
     /// over the picture in `rect`.
     pub(crate) fn update(
@@ -214,6 +206,16 @@ impl Probe {
         let place = align.anchor_size(corner, galley.size());
         painter.rect_filled(place.expand(2.0), 2.0, egui::Color32::from_black_alpha(150));
         painter.galley(place.min, galley, color);
+    }
+}
+
+impl BackgroundJobs for Probe {
+    fn is_busy(&self) -> bool {
+        self.worker.is_busy()
+    }
+
+    fn wait(&self) {
+        self.worker.wait();
     }
 }
 

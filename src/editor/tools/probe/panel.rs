@@ -4,14 +4,14 @@ use eframe::egui;
 use eframe::egui::{Color32, FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 
 use super::Probe;
-use crate::app::dock::{cell, hint};
 use crate::commands::Command;
 use crate::ids::NodePath;
-use crate::problems;
 use crate::reference::WireValue;
+use crate::state::problem_text::sentence;
 use crate::state::session::Session;
 use crate::state::wire::{ShownWire, Style, node_at};
 use crate::values::number_text;
+use crate::widgets::text::{cell, hint};
 use crate::widgets::theme;
 
 const ROW: f32 = 20.0;
@@ -40,7 +40,7 @@ impl Probe {
             }
             Some(Err(found)) => {
                 for problem in found.iter().filter(|problem| problem.code != "cancelled").take(3) {
-                    ui.label(RichText::new(problems::sentence(problem)).color(theme::of(ui).error));
+                    ui.label(RichText::new(sentence(problem)).color(theme::of(ui).error));
                 }
             }
         }
@@ -55,7 +55,7 @@ impl Probe {
                 .on_hover_text("Reads every wire's value at a pixel (I); Esc leaves it")
                 .changed()
             {
-                commands.push(Command::Probe(is_on));
+                commands.push(Command::Probe(is_on.into()));
             }
             if !self.is_on {
                 return;

@@ -20,7 +20,7 @@ use crate::progress::{Progress, Stopped};
 use crate::render::Gpu;
 use crate::state::session::Session;
 use crate::state::still::{Stamp, Still};
-use crate::state::worker::Worker;
+use crate::state::worker::{BackgroundJobs, Worker};
 use compare::Comparer;
 
 /// A tier is compared again after the hand rests for so many seconds.
@@ -138,16 +138,6 @@ impl Wipe {
         self.split
     }
 
-    pub(crate) fn is_busy(&self) -> bool {
-        self.worker.as_ref().is_some_and(Worker::is_busy)
-    }
-
-    pub(crate) fn wait(&self) {
-        if let Some(worker) = &self.worker {
-            worker.wait();
-        }
-    }
-
     fn current(&self) -> Option<&Shown> {
         self.shown.as_ref().filter(|shown| Some(&shown.moment) == self.seen.as_ref())
     }
@@ -227,6 +217,18 @@ impl Wipe {
                 self.shown = None;
                 self.problems = if Stopped::is_among(&problems) { Vec::new() } else { problems };
             }
+        }
+    }
+}
+
+impl BackgroundJobs for Wipe {
+    fn is_busy(&self) -> bool {
+        self.worker.as_ref().is_some_and(Worker::is_busy)
+    }
+
+    fn wait(&self) {
+        if let Some(worker) = &self.worker {
+            worker.wait();
         }
     }
 }

@@ -7,8 +7,9 @@ use eframe::egui::{
 };
 
 use super::{Against, GAINS, Shown, Wipe};
-use crate::problems;
+use crate::state::problem_text::sentence;
 use crate::state::session::Session;
+use crate::state::worker::BackgroundJobs;
 use crate::widgets::theme;
 
 /// Half of the width in which the divider is taken.
@@ -62,7 +63,7 @@ impl Wipe {
             self.state(ui, session, against);
         });
         for problem in self.problems.iter().take(2) {
-            ui.label(RichText::new(problems::sentence(problem)).color(theme::of(ui).error));
+            ui.label(RichText::new(sentence(problem)).color(theme::of(ui).error));
         }
     }
 

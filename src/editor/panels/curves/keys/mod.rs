@@ -14,15 +14,24 @@ use eframe::egui::{
 };
 use glam::DVec3;
 
-use crate::app::dock;
-use crate::commands::Command;
+use crate::commands::{Command, PanelId, ViewCommand};
 use crate::document::{DirectionKey, DirectionKeys, Edit, KeyDirection, KeyScheme};
 use crate::fields::still_wires;
+use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::keying::rounded;
 use crate::state::orbit::Orbit;
 use crate::state::session::Session;
+use crate::widgets::text::hint;
 use crate::widgets::theme;
 use sphere::{Globe, Ground};
+
+pub(crate) const PANEL: PanelRow = PanelRow::new(
+    PanelId::KEYS,
+    "Keys",
+    "Values that change with the direction of a light or of the view",
+    PanelPlace::BELOW_PICTURE_WITH_CURVES,
+    |bench, ui, context| bench.memory.of::<Keys>().show(ui, context.session),
+);
 
 /// A step by an arrow key, in radians.
 const STEP: f64 = 2.0 * std::f64::consts::PI / 180.0;
@@ -181,13 +190,13 @@ impl Keys {
                 && let Some(view) = to
             {
                 self.back.get_or_insert_with(|| session.view.clone());
-                out.push(Command::TurnTo(Box::new(view)));
+                out.push(Command::View(ViewCommand::TurnTo(Box::new(view))));
             }
             let back = ui.add_enabled(self.back.is_some(), egui::Button::new("Back"));
             if back.on_hover_text("To where it was").clicked()
                 && let Some(view) = self.back.take()
             {
-                out.push(Command::TurnTo(Box::new(view)));
+                out.push(Command::View(ViewCommand::TurnTo(Box::new(view))));
             }
         });
     }
@@ -279,7 +288,7 @@ fn name(response: &egui::Response, role: Role, text: &str) {
 
 /// Before there are any keys: what they are for, and how to begin.
 fn nothing(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
-    dock::hint(
+    hint(
         ui,
         "Direction keys change a look with where the light, or the view, is: a rim light that \
          turns violet as it comes \

@@ -4,11 +4,11 @@ use eframe::egui;
 use eframe::egui::{Button, Grid, RichText, Ui, WidgetInfo};
 
 use super::Shown;
-use crate::app::dock;
 use crate::commands::Command;
 use crate::document::{LightField, Target};
 use crate::library::Type;
 use crate::state::keying::{has_between, targets_of};
+use crate::widgets::text::hint;
 use crate::widgets::theme;
 use crate::widgets::value;
 
@@ -25,7 +25,7 @@ pub(super) fn show(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
             }
         });
     if targets.is_empty() {
-        dock::hint(
+        hint(
             ui,
             "These keys change nothing yet: add a value, or press the diamond beside one in the \
              inspector.",
@@ -144,7 +144,7 @@ fn add_value(ui: &mut Ui, shown: &Shown<'_>, known: &[Target], out: &mut Vec<Com
                 }
             }
             if session.selection.is_empty() {
-                dock::hint(ui, "Select a node to key its values.");
+                hint(ui, "Select a node to key its values.");
             }
             for (id, light) in &session.look().lights {
                 // Where a light is, or shines from, is no value of a table; the diamond beside it

@@ -12,18 +12,27 @@ use std::sync::Arc;
 use eframe::egui;
 use eframe::egui::{Button, ComboBox, DragValue, RichText, ScrollArea, Ui, vec2};
 
-use crate::app::dock;
 use crate::catalog::Kind;
-use crate::commands::Command;
+use crate::commands::{Command, PanelId};
 use crate::document::{Node, Target, Tier, Value};
 use crate::fields::mark;
 use crate::ids::{NodeId, PortName};
 use crate::library::Library;
+use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::keying::KeyedBy;
 use crate::state::session::Session;
 use crate::values;
+use crate::widgets::text::hint;
 use crate::widgets::theme;
 use sample::{Bend, Sampler, Shape};
+
+pub(crate) const PANEL: PanelRow = PanelRow::new(
+    PanelId::PROFILE,
+    "Profile",
+    "How a layer's tone falls with the angle: drag offset, fall-off and cut-off",
+    PanelPlace::BELOW_PICTURE_WITH_CURVES,
+    |bench, ui, context| bench.memory.of::<Profile>().show(ui, context.session),
+);
 
 /// The inputs that make a profile, in order, with their marks.
 const PARTS: [Part; 3] = [
@@ -168,7 +177,7 @@ impl Profile {
         let id = id.or_else(|| session.graph().nodes.keys().find(has_one).cloned());
         let layer = id.as_ref().and_then(|id| Layer::new(session, id));
         let Some(layer) = layer else {
-            dock::hint(
+            hint(
                 ui,
                 "Nothing here has a profile yet. Add a Light layer: its tone over the angle is \
                  drawn here.",

@@ -4,12 +4,12 @@ use eframe::egui;
 use eframe::egui::{Button, ComboBox, DragValue, RichText, Role, Ui, WidgetInfo};
 
 use super::Timeline;
-use crate::app::dock;
 use crate::commands::Command;
 use crate::document::{Edit, Interpolation, LightField, Target};
 use crate::state::keying::changes_in_time;
 use crate::state::session::Session;
 use crate::values;
+use crate::widgets::text::hint;
 use crate::widgets::theme;
 use crate::widgets::value;
 
@@ -106,7 +106,7 @@ fn add_value(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
                 }
             }
             if session.selection.is_empty() {
-                dock::hint(ui, "Select a node to key its values.");
+                hint(ui, "Select a node to key its values.");
             }
             for (id, light) in &session.look().lights {
                 for field in LightField::of(light.kind).map(|field| field.name().to_owned()) {

@@ -12,13 +12,29 @@ use std::time::Duration;
 use eframe::egui;
 use eframe::egui::{Key, Modifiers, Rect, ScrollArea, Sense, Stroke, Ui, pos2, vec2};
 
-use crate::app::dock;
-use crate::commands::Command;
-use crate::commands::shortcuts;
+use crate::commands::{Command, PanelId, keyboard};
 use crate::document::TimeRange;
+use crate::panels::table::{PanelPlace, PanelRow, Presence};
 use crate::state::session::Session;
+use crate::widgets::text::hint;
 use crate::widgets::theme;
 use axis::Axis;
+
+pub(crate) const PANEL: PanelRow = PanelRow::new(
+    PanelId::TIMELINE,
+    "Timeline",
+    "Values that change with time: keys, play, scrub",
+    PanelPlace { is_below_graph: true, ..PanelPlace::BELOW_PICTURE_WITH_CURVES.closed() },
+    |bench, ui, context| bench.memory.of::<Timeline>().show(ui, context.session),
+)
+.with_each_frame(|bench, ui, _, presence| {
+    let timeline = bench.memory.of::<Timeline>();
+    if presence == Presence::Absent {
+        timeline.stop();
+        return Vec::new();
+    }
+    timeline.tick(ui).map(Command::SetTime).into_iter().collect()
+});
 
 /// How wide the names of values are.
 const NAMES: f32 = 190.0;
@@ -59,9 +75,10 @@ impl Default for Timeline {
 }
 
 impl Timeline {
-    /// Moves the playhead on while it plays, and asks for the next frame when that is due.
-    pub(crate) fn tick(&mut self, ui: &Ui, session: &mut Session) {
-        let Some((at, then)) = self.playing else { return };
+    /// The moment that the playhead moves on to while it plays; asks for the next frame when that is
+    /// due.
+    fn tick(&mut self, ui: &Ui) -> Option<f64> {
+        let (at, then) = self.playing?;
         let now = ui.input(|input| input.time);
         let [start, end] = self.range;
         let length = (end - start).max(LEAST);
@@ -71,16 +88,17 @@ impl Timeline {
             at = start + (at - start).rem_euclid(length);
         }
         self.playing = (!is_over || self.loops).then_some((at, now));
-        session.time = self.on_frame(at.min(end));
+        let time = self.on_frame(at.min(end));
         if self.playing.is_some() {
             let next = ((at * self.fps).floor() + 1.0) / self.fps - at;
             let wait = if self.snaps { next.clamp(0.001, 1.0) } else { 0.0 };
             ui.ctx().request_repaint_after(Duration::from_secs_f64(wait));
         }
+        Some(time)
     }
 
     /// Stops where it is.
-    pub(crate) fn stop(&mut self) {
+    fn stop(&mut self) {
         self.playing = None;
     }
 
@@ -134,7 +152,7 @@ impl Timeline {
         let top = ui.cursor().top();
         if tracks.is_empty() {
             ui.add_space(6.0);
-            dock::hint(
+            hint(
                 ui,
                 "Nothing changes with time yet. Press the diamond beside a value in the inspector \
                  and choose \"Key in \
@@ -152,7 +170,7 @@ impl Timeline {
         let rows = Rect::from_min_max(pos2(lane.left(), top), pos2(lane.right(), panel.bottom()));
         self.navigate(ui, panel, axis, rows);
         playhead(ui, session, axis, rows);
-        let is_over = ui.rect_contains_pointer(panel) && !shortcuts::is_keyboard_taken(ui.ctx());
+        let is_over = ui.rect_contains_pointer(panel) && !keyboard::is_keyboard_taken(ui.ctx());
         if is_over && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Space)) {
             self.toggle(ui, session);
         }

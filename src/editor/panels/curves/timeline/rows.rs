@@ -8,7 +8,6 @@ use eframe::egui::{
 
 use super::axis::Axis;
 use super::{NAMES, ROW, Timeline, bar};
-use crate::app::dock;
 use crate::catalog::Port;
 use crate::commands::Command;
 use crate::document::{Interpolation, TimeKeys, Value};
@@ -18,6 +17,7 @@ use crate::library::Type;
 use crate::state::session::Session;
 use crate::values;
 use crate::widgets::handle::{self, handle};
+use crate::widgets::text::cell;
 use crate::widgets::theme;
 
 /// Shows a track.
@@ -93,10 +93,10 @@ fn name(ui: &mut Ui, session: &Session, index: usize, track: &TimeKeys, out: &mu
         let value_width = 62.0;
         let font = egui::TextStyle::Body.resolve(ui.style());
         let left = Rect::from_min_max(rect.min, pos2(rect.right() - value_width, rect.bottom()));
-        dock::cell(ui, left, &format!("{owner}: {what}"), font.clone(), colors.text);
+        cell(ui, left, &format!("{owner}: {what}"), font.clone(), colors.text);
         let right =
             Rect::from_min_max(pos2(rect.right() - value_width + 4.0, rect.top()), rect.max);
-        dock::cell(ui, right, &shown, font, colors.dim);
+        cell(ui, right, &shown, font, colors.dim);
     });
 }
 
