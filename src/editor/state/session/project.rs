@@ -38,9 +38,7 @@ impl ProjectReader {
     /// `wake` is called from another thread when nodes were read.
     pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
         let read = |request: NodesRequest| {
-            let read = |library: Library, folder: &PathBuf| {
-                library.with_project(&crate::files::Disk, &Disk, folder)
-            };
+            let read = |library: Library, folder: &PathBuf| library.with_project(&Disk, folder);
             let library = request.folders.iter().fold(Library::built_in().clone(), read);
             NodesAnswer { request, library }
         };
