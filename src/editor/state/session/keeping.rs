@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use super::Session;
 use crate::diag::Diagnostic;
-use crate::document::journal::{About, Journaled, Op, Recovered, Slot};
-use crate::document::{Edit, Look, read_text};
+use crate::document::{Edit, Look};
+use crate::files::journal::{About, Journaled, Op, Recovered, Slot};
+use crate::files::read_text;
 use crate::frame::UNSAVED_HCBTF;
-use crate::library::Library;
 use crate::state::orbit::Orbit;
 use crate::state::painting::work::Work;
 use crate::state::paths::absolute;
@@ -286,7 +286,7 @@ impl Session {
         let source = Look::read(found.source.as_deref().unwrap_or("{}"), name).source;
         match &path {
             Some(path) => self.use_project(path),
-            None => self.use_library(Library::built_in().clone()),
+            None => self.leave_all_projects(),
         }
         self.kept_view = found.about.window.get(VIEW).cloned();
         if let Some(mesh) = found.about.window.get("mesh").and_then(serde_json::Value::as_str) {

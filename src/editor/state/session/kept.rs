@@ -6,7 +6,7 @@ use super::keeping::Keeping;
 use super::times::{Gestures, Times};
 use crate::diag::Diagnostic;
 use crate::document::History;
-use crate::document::journal::{About, Journaled, Op, Slot};
+use crate::files::journal::{About, Journaled, Op, Slot};
 use crate::state::safety::keeper::Standing;
 
 /// A document with all that is kept of it.

@@ -24,8 +24,8 @@ use crate::catalog::Catalog;
 use crate::diag::Diagnostic;
 use crate::document::{
     DirectionKeys, Document, Edit, GraphId, History, Light, Look, SourceMap, Target, Value,
-    write_atomic,
 };
+use crate::files::write_atomic;
 use crate::ids::{LightId, NodeId};
 use crate::library::{Fallback, Library};
 use crate::state::compiling::{self, Compiler};
@@ -81,6 +81,8 @@ pub struct Session {
     pub(crate) load_problems: Vec<Diagnostic>,
     /// What is wrong with the project's own node files.
     library_problems: Vec<Diagnostic>,
+    /// Who reads the project's own nodes.
+    project: project::ProjectReader,
     compiler: Compiler,
     /// What goes on with documents, for the next window to know if this one ends over it.
     pub(crate) crashes: CrashLog,
@@ -115,7 +117,9 @@ pub struct Session {
 impl Session {
     /// An empty look, with what every look needs. `wake` is called from another thread when there
     /// is something new.
-    pub fn new(library: Arc<Library>, wake: impl Fn() + Send + 'static) -> Self {
+    pub fn new(library: Arc<Library>, wake: impl Fn() + Send + Sync + 'static) -> Self {
+        let wake = Arc::new(wake);
+        let nodes_are_read = wake.clone();
         let catalog = Catalog::new(&library);
         let source = Arc::new(Look::read(NEW_LOOK, "new look").source);
         let crashes = CrashLog::default();
@@ -142,7 +146,8 @@ impl Session {
             keyed: Default::default(),
             load_problems: Vec::new(),
             library_problems: Vec::new(),
-            compiler: compiling::start(wake, crashes.clone()),
+            project: project::ProjectReader::new(move || nodes_are_read()),
+            compiler: compiling::start(move || wake(), crashes.clone()),
             crashes,
             holding: holding::Holding::default(),
             shaders: Shown::default(),
@@ -199,7 +204,7 @@ impl Session {
     /// # Errors
     /// What keeps the file from being read at all; what was open stays then.
     pub fn open(&mut self, path: &Path) -> Result<(), Vec<Diagnostic>> {
-        let loaded = match Document::load(path) {
+        let loaded = match Document::load(&crate::files::Disk, path) {
             Document::Look(loaded) => loaded,
             Document::Scene(loaded) => return self.open_scene(path, loaded),
         };

@@ -99,8 +99,12 @@ impl Session {
     /// Asks for what must be compiled, takes what is. `now` is the window's clock. Returns when to
     /// look again.
     pub(crate) fn tick(&mut self, now: f64) -> Option<Duration> {
+        let awaits_nodes = self.awaits_nodes();
         for answer in self.compiler.answers() {
             self.take(answer);
+        }
+        if awaits_nodes {
+            return None;
         }
         self.hold_suspect();
         if self.held().is_some() {
@@ -195,13 +199,14 @@ impl Session {
         }
     }
 
-    /// Whether something is being compiled, or is and was not taken yet.
+    /// Whether nodes are being read or something compiled, or are and were not taken yet.
     pub fn is_compiling(&self) -> bool {
-        self.compiler.owes()
+        self.project.owes() || self.compiler.owes()
     }
 
-    /// Waits for the compiler; for tests.
+    /// Waits for the project's nodes and the compiler; for tests.
     pub fn wait(&self) {
+        self.project.wait();
         self.compiler.wait();
     }
 
