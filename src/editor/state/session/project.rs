@@ -14,7 +14,7 @@ use crate::library::Library;
 impl Session {
     /// What is in no folder has no nodes but those that Chiaro ships.
     pub(super) fn leave_project(&mut self) {
-        if self.path.is_some() || self.stage.is_some() {
+        if self.look.path.is_some() || self.stage.is_some() {
             self.use_library(Library::built_in().clone());
         }
     }
@@ -47,41 +47,40 @@ impl Session {
     /// node as it was.
     pub(crate) fn reload_library(&mut self) {
         let of_scene = || self.stage.as_ref().and_then(|stage| stage.path()).map(Path::to_path_buf);
-        let Some(path) = self.path.clone().or_else(of_scene) else { return };
-        let before = self.library.clone();
+        let Some(path) = self.look.path.clone().or_else(of_scene) else { return };
+        let before = self.project.library.clone();
         self.use_project(&path);
-        let broken = self.library.problems.iter().filter_map(kind_of).map(str::to_owned);
+        let broken = self.project.library.problems.iter().filter_map(kind_of).map(str::to_owned);
         let lost: Vec<String> =
-            broken.filter(|kind| !self.library.nodes.contains_key(kind)).collect();
+            broken.filter(|kind| !self.project.library.nodes.contains_key(kind)).collect();
         for kind in lost {
             if let Some(node) = before.nodes.get(&kind) {
-                Arc::make_mut(&mut self.library).nodes.insert(kind, node.clone());
+                Arc::make_mut(&mut self.project.library).nodes.insert(kind, node.clone());
             }
         }
-        self.catalog = Catalog::new(&self.library);
-        self.catalog.sync(self.kept.history.document(), &self.library);
+        self.project.catalog = Catalog::new(&self.project.library);
+        self.project.sync(self.look.history.document());
         self.place_library_problems();
-        self.shaders.structure_changed();
+        self.compilation.shaders.structure_changed();
         // What was probed or compared was so with the nodes of before.
         self.files_changed();
     }
 
     /// Tells what is wrong with node files at a node of theirs, where the look has one.
     pub(super) fn place_library_problems(&mut self) {
-        let nodes = &self.kept.history.document().graph.nodes;
-        let placed = self.library.problems.iter().cloned().map(|mut problem| {
+        let nodes = &self.look.history.document().graph.nodes;
+        let placed = self.project.library.problems.iter().cloned().map(|mut problem| {
             let used =
                 kind_of(&problem).and_then(|kind| nodes.iter().find(|(_, node)| node.kind == kind));
             problem.place.node = used.map(|(id, _)| NodePath::root(id.clone()));
             problem
         });
-        self.library_problems = placed.collect();
-        self.problems_number += 1;
+        self.project.problems = placed.collect();
+        self.revisions.problems.advance();
     }
 
     pub(super) fn use_library(&mut self, library: Library) {
-        self.library = Arc::new(library);
-        self.catalog = Catalog::new(&self.library);
+        self.project.set_library(library);
     }
 }
 
