@@ -2,6 +2,7 @@
 
 use chiaro_test_support as support;
 
+mod cases;
 mod compile;
 mod document_format;
 mod document_history;

@@ -1,9 +1,10 @@
-//! What several test programs share and what knows nothing of Chiaro's crates: formulas in f64,
-//! random numbers, ledgers, outside validators. `tests/drawing` is what draws.
+//! What several test programs share and what knows no more of Chiaro than its words: formulas in
+//! f64, random numbers, cases in files, ledgers, outside validators. `tests/drawing` is what draws.
 
 use std::path::Path;
 
 pub mod badf;
+pub mod cases;
 pub mod color;
 pub mod files;
 pub mod ledger;

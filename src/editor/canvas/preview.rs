@@ -176,6 +176,10 @@ impl Previews {
     }
 }
 
+/// Contexts that do not follow from the surface.
+const PIXEL: crate::library::Context = crate::library::Context::named("pixel");
+const MAGNIFICATION: crate::library::Context = crate::library::Context::named("magnification");
+
 /// Points of a ball as the camera sees it, row by row; those of the corners lie on its rim and are
 /// not shown.
 fn ball() -> Vec<EvalSample> {
@@ -193,8 +197,7 @@ fn ball() -> Vec<EvalSample> {
             position: normal,
             uv,
             kappa: 2.0,
-            pixel,
-            magnification: 0.5,
+            contexts: [(PIXEL, pixel.to_array().to_vec()), (MAGNIFICATION, vec![0.5])].into(),
             ..EvalSample::default()
         }
     };

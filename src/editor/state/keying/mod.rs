@@ -20,7 +20,7 @@ use crate::document::{
     DirectionKeys, KeyDirection, Light, LightField, LightKind, Node, Object, Scene, Target, Value,
     Values,
 };
-use crate::frame::{KeyedValues, Moment, Rig, Wires};
+use crate::frame::{KeyedValues, Rig, RigInputs, Wires};
 use crate::ids::{LightId, NodeId, NodePath, ObjectId, PortName};
 use crate::library::Type;
 use crate::state::orbit::Orbit;
@@ -92,7 +92,7 @@ impl Session {
     }
 
     /// Asks something of this moment, of the object that stands for all that wear the look.
-    fn at_this_moment<R>(&self, ask: impl FnOnce(&Moment<'_>) -> R) -> R {
+    fn at_this_moment<R>(&self, ask: impl FnOnce(&RigInputs<'_>) -> R) -> R {
         let scene = self.stage().map(crate::state::scene::OpenScene::scene);
         let place = |object: &Object| DVec3::from(object.transform.translate);
         let own = self.own_object();
@@ -104,7 +104,7 @@ impl Session {
         let near =
             others.map(|(id, object)| (id.clone(), place(object).distance(own_place))).collect();
         let (none, no_values) = (IndexMap::new(), Values::new());
-        ask(&Moment {
+        ask(&RigInputs {
             time: self.view.time,
             illumination: self.view.orbit.illumination,
             camera_from_world: camera_from_world(&self.view.orbit),
