@@ -29,7 +29,8 @@ SAMPLES.json is a list of objects; every field may be left out:
   camera        three rows: right, up, toward the viewer
   uv, time, color (vertex color)
   kappa         a number; also "inf", "-inf", "nan"
-CONTEXTS  distance      from the eye to the object, in scene units
+CONTEXTS                (the picture of a sample is one pixel high)
+  distance      from the eye to the object, in scene units
   front         the object's front, world space, 3 numbers
   near          {"another object's id": its distance}
   frame         the illumination frame's rotation: a 3x3 matrix (rows) or a quaternion [x, y, z, w]
@@ -53,7 +54,6 @@ fn help() -> String {
         }
         lines.join("\n") + "\n"
     };
-    // A sample's picture is one pixel high, so that pixels are picture heights.
     HELP.replace("CONTEXTS", &samples::own_contexts().map(context).collect::<String>())
 }
 

@@ -59,15 +59,14 @@ fn drawn_by(executor: &mut dyn Executor, plan: &FramePlan) -> Picture {
 fn differing(one: &Picture, other: &Picture) -> [usize; 2] {
     let both = one.rgba.iter().zip(&other.rgba).filter(|(a, b)| a[3] > 0.5 && b[3] > 0.5);
     both.fold([0; 2], |[count, far], (a, b)| {
-        let is_far = a.iter().zip(b).any(|(a, b)| !((a - b).abs() <= 0.01));
-        [count + 1, far + usize::from(is_far)]
+        let is_near = a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 0.01);
+        [count + 1, far + usize::from(!is_near)]
     })
 }
 
 #[test]
 fn every_context_is_the_same_on_a_gpu_and_in_truth() {
-    let lights = |context: &Context| context.light_input().is_none();
-    for context in Context::all().filter(lights) {
+    for context in Context::all().filter(|context| context.light_input().is_none()) {
         let plan = plan_of(context);
         let is_planned = |pass| plan.passes.iter().any(|planned| planned.id == pass);
         assert!(context.pass().is_none_or(is_planned), "{context:?}: its pass");

@@ -23,8 +23,7 @@ pub trait Executor {
     fn picture<'a>(&'a mut self, plan: &'a FramePlan, progress: &'a Progress) -> PictureFuture<'a>;
 
     /// What of a plan will not be drawn as it was asked for.
-    fn warnings(&self, plan: &FramePlan) -> Vec<Diagnostic> {
-        let _ = plan;
+    fn warnings(&self, _plan: &FramePlan) -> Vec<Diagnostic> {
         Vec::new()
     }
 }

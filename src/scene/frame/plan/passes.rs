@@ -48,8 +48,8 @@ impl WantedPasses {
         let mut wanted = BTreeMap::from([(PassId::LOOK, "it is the picture".to_owned())]);
         // From the last to the first, so that whoever reads a pass is known before it.
         for pass in PassId::all().rev() {
-            let served = Context::all().filter(|context| context.pass() == Some(pass));
-            let own = served.into_iter().find_map(|c| readers.reason(c, pass.row().purpose));
+            let mut served = Context::all().filter(|context| context.pass() == Some(pass));
+            let own = served.find_map(|context| readers.reason(context, pass.row().purpose));
             let of_reader = || {
                 let (reader, reason) = wanted.iter().find(|(reader, _)| reader.reads(pass))?;
                 Some(if pass.is_screen() {
