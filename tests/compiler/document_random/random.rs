@@ -195,7 +195,7 @@ impl Random {
             let numbers = match (field.range(), field.quantity()) {
                 (Some([least, most]), _) => {
                     let least = if field.is_above_range() { least + 1e-6 } else { least };
-                    [least + self.positive(most - least); 3]
+                    [(least + self.positive(most - least)).min(most); 3]
                 }
                 (None, LightQuantity::Direction) => self.direction(),
                 (None, _) => self.numbers(1e6),
