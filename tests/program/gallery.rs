@@ -13,6 +13,7 @@ use crate::support::random::Random;
 
 use chiaro::diag::{Diagnostic, has_errors};
 use chiaro::files::Outputs;
+use chiaro::frame::Assets;
 use chiaro::gallery::nodes::{SIDE, draw_nodes, write_nodes};
 use chiaro::gallery::{List, Made, Options, Section, Shown, build, content, list};
 use chiaro::library::Library;
@@ -101,15 +102,47 @@ const JUDGES: &[&str] = &[
     "src/render",
     "src/scene/drawing",
     "src/scene/frame",
+    "src/scene/hcbtf",
     "tests/program/gallery.rs",
 ];
 
-/// What the verdict on a document's page depends on.
-fn key(shown: &Shown, library: &Library) -> Key {
-    let mut key = Key::of_sources(JUDGES).with(gpu().info.driver_info.as_bytes());
-    content(shown, library, &options(SIDE_OF_PAGES, 0), &mut |bytes| key.add(bytes))
-        .unwrap_or_else(|problems| panic!("{}: {problems:?}", shown.file.display()));
-    key
+/// Reads what keys are made of: meshes and HCBTFs are read once, and HCBTFs filled for few
+/// directions, since keys hold the files themselves.
+struct KeyMaker {
+    assets: Assets,
+    hcbtfs: Vec<(String, Vec<u8>)>,
+}
+
+impl KeyMaker {
+    fn new() -> Self {
+        let mut assets = Assets::default();
+        assets.draft();
+        let files = support::files::below(&root().join("examples/hcbtf")).into_iter();
+        let hcbtfs = files.filter(|path| path.extension().is_some_and(|e| e == "hcbtf"));
+        let read = |path: PathBuf| {
+            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            (name, std::fs::read(&path).unwrap())
+        };
+        Self { assets, hcbtfs: hcbtfs.map(read).collect() }
+    }
+
+    /// What the verdict on a document's page depends on.
+    fn key(&mut self, shown: &Shown, library: &Library) -> Key {
+        let mut key = Key::of_sources(JUDGES).with(gpu().info.driver_info.as_bytes());
+        let mut looks = String::new();
+        let mut sink = |bytes: &[u8]| {
+            key.add(bytes);
+            if bytes.starts_with(b"{") {
+                looks += &String::from_utf8_lossy(bytes);
+            }
+        };
+        content(shown, library, &options(SIDE_OF_PAGES, 0), &mut self.assets, &mut sink)
+            .unwrap_or_else(|problems| panic!("{}: {problems:?}", shown.file.display()));
+        for (_, bytes) in self.hcbtfs.iter().filter(|(name, _)| looks.contains(name)) {
+            key.add(bytes);
+        }
+        key
+    }
 }
 
 /// Pixels of a side of what pages show here.
@@ -220,7 +253,11 @@ fn every_example_has_a_page() {
     let whole = Key::of_sources(JUDGES).with(whole.as_bytes());
     ledger.prove("the whole", &whole, || gallery(&list));
     let library = Library::built_in();
-    let keys: Vec<Key> = order.par_iter().map(|shown| key(shown, library)).collect();
+    let keys = |shown: &[&Shown]| -> Vec<Key> {
+        let mut maker = KeyMaker::new();
+        shown.iter().map(|shown| maker.key(shown, library)).collect()
+    };
+    let keys: Vec<Key> = order.par_chunks(order.len().div_ceil(2)).flat_map(keys).collect();
     for (index, (shown, key)) in order.iter().zip(&keys).enumerate() {
         // A document may be shown more than once, from elsewhere.
         let before = order[..index].iter().filter(|other| other.file == shown.file).count();
@@ -247,11 +284,12 @@ fn a_changed_shader_and_a_forged_line_are_found() {
     std::fs::write(&file, halved::text().to_string()).unwrap();
     let shown = Shown { file, ..Shown::default() };
     let (before, after) = (halved::library("0.5"), halved::library("0.5000001"));
+    let mut maker = KeyMaker::new();
     let keys =
-        [&before, &halved::library("0.5"), &after].map(|library| key(&shown, library).text());
+        [&before, &halved::library("0.5"), &after].map(|library| maker.key(&shown, library).text());
     assert_eq!(keys[0], keys[1]);
     assert_ne!(keys[0], keys[2]);
-    let (key, honest) = (key(&shown, &before), page(&shown, &before).unwrap());
+    let (key, honest) = (maker.key(&shown, &before), page(&shown, &before).unwrap());
     assert!(is_found_false("half", &key, 3.0 * honest, || page(&shown, &before)), "a forged line");
     assert!(!is_found_false("half", &key, honest, || page(&shown, &before)), "an honest line");
 }

@@ -46,16 +46,23 @@ struct DocumentPlan {
 }
 
 impl DocumentPlan {
-    fn new(shown: &Shown, library: &Library, options: &Options) -> Result<Self, Vec<Diagnostic>> {
-        let mut assets = Assets::default();
+    /// Reads with `assets`, and keeps in them what was read.
+    fn new(
+        shown: &Shown,
+        library: &Library,
+        options: &Options,
+        assets: &mut Assets,
+    ) -> Result<Self, Vec<Diagnostic>> {
         let mesh = options.mesh.as_deref().or(shown.mesh.as_deref());
-        let (mut setup, mut warnings) = open(&shown.file, mesh, &mut assets)?;
+        let (mut setup, mut warnings) = open(&shown.file, mesh, assets)?;
         setup.scene.backdrop = shown.backdrop.or(setup.scene.backdrop);
         shown.place(&mut setup.scene).map_err(|problem| vec![problem])?;
         let time = shown.time.unwrap_or(setup.scene.time.start);
         let options = PlanOptions { size: options.size, samples: options.samples, time };
-        let mut planner = Planner::new(assets);
-        let plan = planner.plan(&setup, library, &Live::Keyed, &options)?;
+        let mut planner = Planner::new(std::mem::take(assets));
+        let plan = planner.plan(&setup, library, &Live::Keyed, &options);
+        *assets = planner.assets;
+        let plan = plan?;
         warnings.append(&mut planner.warnings);
         Ok(Self { setup, options, plan, warnings })
     }
@@ -66,9 +73,10 @@ pub(super) fn content(
     shown: &Shown,
     library: &Library,
     options: &Options,
+    assets: &mut Assets,
     sink: &mut dyn FnMut(&[u8]),
 ) -> Result<(), Vec<Diagnostic>> {
-    let document = DocumentPlan::new(shown, library, options)?;
+    let document = DocumentPlan::new(shown, library, options, assets)?;
     document.plan.content(sink);
     let (name, about) = told(shown, &document.setup);
     sink(format!("{name}\n{about}\n{options:?}").as_bytes());
@@ -85,7 +93,7 @@ impl Entry {
         options: &Options,
     ) -> Result<(Self, Vec<Diagnostic>), Vec<Diagnostic>> {
         let DocumentPlan { setup, options: plan_options, plan, warnings } =
-            DocumentPlan::new(shown, library, options)?;
+            DocumentPlan::new(shown, library, options, &mut Assets::default())?;
         let picture = block_on(renderer.picture(&plan)).map_err(|error| vec![error.into()])?;
         let png = picture.to_png().map_err(|problem| vec![problem])?;
         let mut seen = HashSet::new();

@@ -18,6 +18,7 @@ use crate::catalog::Catalog;
 use crate::diag::Diagnostic;
 use crate::files::{self, ReadError};
 use crate::files::{OutputKind, Outputs};
+use crate::frame::Assets;
 use crate::ids::make_slug;
 use crate::library::Library;
 use crate::progress::Progress;
@@ -145,7 +146,9 @@ pub fn build(
 }
 
 /// Hands over everything that decides on a document's page, but for times and errors and for the
-/// code that draws and writes: for those who keep what was shown by a hash of it.
+/// code that draws and writes: for those who keep what was shown by a hash of it. Reads with
+/// `assets`, which may be [drafts](Assets::draft) where the files of HCBTFs are kept account of
+/// otherwise.
 ///
 /// # Errors
 /// What is wrong with the document.
@@ -153,9 +156,10 @@ pub fn content(
     shown: &Shown,
     library: &Library,
     options: &Options,
+    assets: &mut Assets,
     sink: &mut dyn FnMut(&[u8]),
 ) -> Result<(), Vec<Diagnostic>> {
-    entry::content(shown, library, options, sink)
+    entry::content(shown, library, options, assets, sink)
 }
 
 /// A page's name for each document in order, each used once: `index` and the like are taken by the

@@ -5,6 +5,8 @@ pub(crate) mod home;
 pub(crate) mod painting;
 mod verbs;
 
+use std::sync::OnceLock;
+
 use chiaro::document::Look;
 use chiaro::editor::App;
 use chiaro::render::{Gpu, block_on};
@@ -47,7 +49,10 @@ impl Hand {
         builder: HarnessBuilder<Option<App>>,
         prepare: impl Fn(App, &egui::Context) -> App + 'static,
     ) -> Self {
-        block_on(Gpu::headless()).expect("an adapter; software Vulkan does");
+        // Asked once: a device is made for the answer.
+        static HAS_ADAPTER: OnceLock<bool> = OnceLock::new();
+        let has_adapter = *HAS_ADAPTER.get_or_init(|| block_on(Gpu::headless()).is_ok());
+        assert!(has_adapter, "an adapter is needed; software Vulkan does");
         let state = create_render_state(
             default_wgpu_setup(),
             eframe::egui_wgpu::RendererOptions::PREDICTABLE,
