@@ -278,13 +278,6 @@ pub(super) const TABLE: &[Row] = &[
     )
     .given(&[1.0], (Some(0.0), Some(4.0))),
     Row::fragment(
-        "eye_distance",
-        "f32",
-        "size_on_screen(length((view.camera_from_world * vec4f(in.position, 1.0)).xyz), 1.0, 1.0)",
-        "how large a unit of the scene is seen at this distance from the eye itself",
-    )
-    .given(&[1.0], (Some(0.0), Some(4.0))),
-    Row::fragment(
         "world_from_normal",
         "mat3x3f",
         "object.world_from_normal",
