@@ -88,16 +88,3 @@ fn a_picture_that_is_not_wanted_any_more_is_not_made() {
         assert_eq!(stopped.code, chiaro::progress::Stopped::CODE, "{}", executor.name());
     }
 }
-
-/// The dummy pass: the mean of depths around a pixel is close to the depth within a surface.
-#[test]
-fn mean_depths_are_depths_nearly() {
-    let [mean, depth] = ["mean_depth", "depth"].map(|word| {
-        let plan = plan_of(Context::from_word(word).expect("a row"));
-        [drawn_by(&mut *renderer(), &plan), drawn_by(&mut Reference::default(), &plan)]
-    });
-    for (mean, depth) in mean.iter().zip(&depth) {
-        let [count, far] = differing(mean, depth);
-        assert!(count > 1000 && far * 10 < count, "{far} of {count} pixels differ");
-    }
-}

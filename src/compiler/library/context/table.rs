@@ -112,13 +112,6 @@ pub(super) const TABLE: &[Row] = &[
     )
     .sampled(&[Position, Camera], |at| Value::Float(-(at.camera * at.position).z)),
     Row::of_pass(
-        "mean_depth",
-        "f32",
-        ("mean_depth", "texel.x"),
-        "the mean distance in front of the eye around the pixel, scene units",
-    )
-    .sampled(&[Position, Camera], |at| Value::Float(-(at.camera * at.position).z)),
-    Row::of_pass(
         "kappa",
         "f32",
         ("curvature", "texel.x"),
