@@ -13,7 +13,8 @@ use super::tier;
 use crate::clock::Clock;
 use crate::compile::Live;
 use crate::diag::Diagnostic;
-use crate::document::{Camera, OutputKind, Scene, Tier, parse_hex};
+use crate::document::{Camera, Scene, Tier, parse_hex};
+use crate::files::OutputKind;
 use crate::frame::{
     self, Assets, Executor, FramePlan, PassId, Picture, PictureFuture, PlanOptions, Planner, open,
 };
