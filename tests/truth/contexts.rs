@@ -88,31 +88,3 @@ fn a_picture_that_is_not_wanted_any_more_is_not_made() {
         assert_eq!(stopped.code, chiaro::progress::Stopped::CODE, "{}", executor.name());
     }
 }
-
-/// The dummy pass: the mean of depths around a pixel is close to the depth within a surface.
-#[test]
-fn mean_depths_are_depths_nearly() {
-    let [mean, depth] = ["mean_depth", "depth"].map(|word| {
-        let plan = plan_of(Context::from_word(word).expect("a row"));
-        [drawn_by(&mut *renderer(), &plan), drawn_by(&mut Reference::default(), &plan)]
-    });
-    for (mean, depth) in mean.iter().zip(&depth) {
-        let [count, far] = differing(mean, depth);
-        assert!(count > 1000 && far * 10 < count, "{far} of {count} pixels differ");
-    }
-}
-
-/// The dummy context, which calls a function of the library: half the inverse of the distance.
-#[test]
-fn distances_to_the_eye_are_seen() {
-    let plan = plan_of(Context::from_word("eye_distance").expect("a row"));
-    for picture in [drawn_by(&mut *renderer(), &plan), drawn_by(&mut Reference::default(), &plan)] {
-        let seen: Vec<f32> =
-            picture.rgba.iter().filter(|pixel| pixel[3] > 0.5).map(|pixel| pixel[0]).collect();
-        let eye = plan.view.eye.length() as f32;
-        let [near, far] = [eye - 2.0, eye + 2.0].map(|distance| 0.5 / distance);
-        let shown = |x: f32| 0.5 + 0.5 * x / (1.0 + x);
-        assert!(seen.len() > 1000);
-        assert!(seen.iter().all(|x| (shown(far)..=shown(near)).contains(x)), "{near} {far}");
-    }
-}

@@ -644,7 +644,7 @@ fn set_part(sample: &mut EvalSample, part: SurfacePart, numbers: &[f64]) {
         }
         SurfacePart::Uv => sample.uv = glam::DVec2::from_slice(numbers),
         SurfacePart::VertexColor => {
-            sample.vertex_color = [numbers[0], numbers[1], numbers[2], numbers[3]]
+            sample.vertex_color = [numbers[0], numbers[1], numbers[2], numbers[3]];
         }
         SurfacePart::Kappa => sample.kappa = numbers[0],
         SurfacePart::Time => sample.time = numbers[0],
