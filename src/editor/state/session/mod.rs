@@ -210,7 +210,7 @@ impl Session {
 
     /// The look as it is.
     pub fn look(&self) -> &Look {
-        self.look.history.document()
+        self.look.document()
     }
 
     /// The file, once there is one.
