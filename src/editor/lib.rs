@@ -11,6 +11,7 @@
 //! `painter` and `viewport`, then `panels`, and `app` above all.
 
 use chiaro_compiler::{catalog, compile, document, examples, library};
+use chiaro_files as files;
 use chiaro_laboratory::{accuracy, fit};
 use chiaro_language::{clock, diag, figures, ids, interp, milestones, progress};
 use chiaro_reference as reference;

@@ -36,6 +36,7 @@ const CRATES: &[(&str, &[&[&str]])] = &[
         "compiler",
         &[&["examples"], &["files"], &["document"], &["library"], &["catalog", "compile"]],
     ),
+    ("files", &[]),
     (
         "scene",
         &[&["directions", "geometry", "hcbtf", "threads"], &["drawing", "frame"], &["export"]],
@@ -62,6 +63,10 @@ const CRATES: &[(&str, &[&[&str]])] = &[
 /// Imports that the floors would allow and that would make a proof worthless: the reference judges
 /// the compiler's output, so it must not be built on the compiler.
 const APART: &[(&str, &str, &str)] = &[("reference", "chiaro_compiler", "compile")];
+
+/// What the compiler may not ask of the system: whoever runs it says where files come from, and on
+/// which thread.
+const NOT_FOR_THE_COMPILER: &[&str] = &["env", "fs", "net", "process", "thread"];
 
 /// What a room of a crate may not know although the floors would allow it: modules of the crate and
 /// packages. The window's state goes without a window, and its widgets fit any state.
@@ -179,7 +184,7 @@ fn check_strangers(krate: &str, room: &str, path: &Path, text: &str) -> Vec<Stri
         .flat_map(|stranger| {
             let of_package = scan::crate_paths(text, stranger).into_iter();
             let of_crate = scan::crate_paths(text, "crate").into_iter().filter(
-                |found| matches!(&found.reference, Reference::Module(name) if name == stranger),
+                move |found| matches!(&found.reference, Reference::Module(name) if name == stranger),
             );
             of_package.chain(of_crate).map(move |found| {
                 let (line, path) = (found.line, path.display());
@@ -256,6 +261,39 @@ fn imports_go_down() {
         })
         .collect();
     assert!(complaints.is_empty(), "imports that break the floors:\n{}", complaints.join("\n"));
+}
+
+/// Where a source of the compiler asks the system for what it may not.
+fn check_bytes_in_text_out(path: &Path, text: &str) -> Vec<String> {
+    let found = scan::crate_paths(text, "std").into_iter();
+    let is_system = |reference: &Reference| match reference {
+        Reference::Module(name) => NOT_FOR_THE_COMPILER.contains(&name.as_str()),
+        other => *other == Reference::WholeCrate,
+    };
+    found
+        .filter(|found| is_system(&found.reference))
+        .map(|found| format!("src/{}:{}: `{}`", path.display(), found.line, found.path))
+        .collect()
+}
+
+#[test]
+fn the_compiler_has_no_files_and_no_threads() {
+    let (src, files) = sources();
+    let is_own = |path: &&PathBuf| path.starts_with("compiler") && !path.ends_with("build.rs");
+    let complaints: Vec<_> = files
+        .iter()
+        .filter(is_own)
+        .flat_map(|path| {
+            let text = fs::read_to_string(src.join(path)).expect("a source is UTF-8");
+            check_bytes_in_text_out(path, &text)
+        })
+        .collect();
+    assert!(complaints.is_empty(), "the compiler asks the system:\n{}", complaints.join("\n"));
+    assert_eq!(check_bytes_in_text_out(Path::new("a"), "use std::{fs, io};").len(), 1);
+    assert_eq!(
+        check_bytes_in_text_out(Path::new("a"), "fn f() { std::thread::yield_now() }").len(),
+        1
+    );
 }
 
 #[test]

@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::diag::Diagnostic;
-use crate::document::{Look, Outputs};
+use crate::document::Look;
 use crate::export::{self, Export};
+use crate::files::Outputs;
 use crate::library::Library;
 use crate::state::session::Session;
 use crate::state::worker::Worker;

@@ -134,7 +134,7 @@ impl Card {
             });
             return Self { origin, name: name_of(path), content, key: 0, side };
         }
-        let (content, key) = match Document::load(path) {
+        let (content, key) = match Document::load(&crate::files::Disk, path) {
             Document::Look(Loaded { value: Some(look), .. }) => {
                 let key = key_of(&look, Shot::Whole, side);
                 (Content::Look(Arc::new(look)), key)

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::diag::Diagnostic;
-use crate::document::journal::{Journaled, Op};
+use crate::files::journal::{Journaled, Op};
 use crate::state::orbit::Orbit;
 use crate::state::safety::keeper::{JournalStart, JournalWriter};
 

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 use crate::diag::Diagnostic;
 use crate::document::History;
-use crate::document::journal::{About, Journaled, Op, Slot};
+use crate::files::journal::{About, Journaled, Op, Slot};
 use crate::state::safety::keeper::JournalStart;
 use journal::DocumentJournal;
 pub(crate) use text::TextFile;

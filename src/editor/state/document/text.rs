@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::{FileDocument, OnDisk, OpenDocument};
-use crate::document::{Loaded, Look, Scene, SourceMap, read_text};
+use crate::document::{Loaded, Look, Scene, SourceMap};
 
 /// A file of text as it was read or written last.
 pub(crate) struct TextFile {
@@ -43,7 +43,7 @@ macro_rules! text_document {
             const SAVED: &'static str = $saved;
 
             fn on_disk(document: &OpenDocument<Self>, path: &Path) -> OnDisk {
-                match read_text(path) {
+                match crate::files::read_text(path) {
                     Ok(found) if found == **document.file.source.text() => OnDisk::Same,
                     Ok(found) if document.journal.overrides(&found) => OnDisk::Same,
                     Ok(found) => OnDisk::Changed(found),

@@ -8,7 +8,7 @@ use serde_json::json;
 use super::work::{FileStamp, OpenPainting};
 use crate::diag::Diagnostic;
 use crate::document::Hcbtf;
-use crate::document::journal::{About, Recovered, Slot};
+use crate::files::journal::{About, Recovered, Slot};
 
 /// What a journal calls the file as it was when it was read or written last.
 const FILE: &str = "file";

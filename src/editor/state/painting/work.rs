@@ -10,7 +10,8 @@ use serde_json::{Value as Json, json};
 
 use super::home::Home;
 use crate::diag::Diagnostic;
-use crate::document::{Address, Grid, Hcbtf, HcbtfEdit, History, Rule, Tile, write_atomic};
+use crate::document::{Address, Grid, Hcbtf, HcbtfEdit, History, Rule, Tile};
+use crate::files::write_atomic;
 use crate::frame::Overlay;
 use crate::hcbtf::{self, Filled, Provenance};
 use crate::state::document::{FileDocument, OnDisk, OpenDocument};

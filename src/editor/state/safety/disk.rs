@@ -329,7 +329,7 @@ struct ProjectNodes {
 impl ProjectNodes {
     fn below(roots: &[PathBuf]) -> Self {
         let mut nodes = Self::default();
-        for found in roots.iter().map(|root| node_files(root)) {
+        for found in roots.iter().map(|root| node_files(&crate::files::Disk, root)) {
             nodes.stamps.extend(found.files.into_iter().map(|path| (path.clone(), stamp(&path))));
             nodes.folders.extend(found.folders);
         }

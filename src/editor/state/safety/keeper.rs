@@ -14,7 +14,7 @@ use std::time::Duration;
 use crate::clock::Clock;
 use crate::diag::Diagnostic;
 use crate::document::History;
-use crate::document::journal::{About, Journal, Journaled, Op, Slot};
+use crate::files::journal::{About, Journal, Journaled, Op, Slot};
 use crate::state::worker::start;
 
 /// As long as a gesture goes on, what was done is written so often.
@@ -418,8 +418,8 @@ fn reason(error: &std::io::Error) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::journal::LookOp;
     use crate::document::{Edit, GraphId, Look, Node, Value};
+    use crate::files::journal::LookOp;
 
     /// The document, and all that undo and redo lead through.
     fn all_of(mut history: History<Look>) -> Vec<String> {

@@ -95,7 +95,7 @@ fn read(
     library: &Library,
     catalog: &mut Option<Catalog>,
 ) -> LookFile {
-    let loaded = Look::load(file);
+    let loaded = Look::load(&crate::files::Disk, file);
     let mut problems = loaded.diagnostics;
     let folder = file.parent().map(Path::to_path_buf).unwrap_or_default();
     let look = loaded.value.filter(|_| !has_errors(&problems));

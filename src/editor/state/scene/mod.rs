@@ -14,8 +14,8 @@ use std::sync::Arc;
 use serde_json::json;
 
 use crate::diag::Diagnostic;
-use crate::document::journal::{About, Recovered, Slot};
 use crate::document::{History, Object, Scene, SceneEdit, SourceMap};
+use crate::files::journal::{About, Recovered, Slot};
 use crate::frame::SetupLook;
 use crate::ids::ObjectId;
 use crate::library::Library;

@@ -5,10 +5,9 @@ use std::sync::Arc;
 
 use super::Session;
 use crate::diag::Diagnostic;
-use crate::document::journal::{About, Recovered, Slot};
 use crate::document::{Edit, Look};
+use crate::files::journal::{About, Recovered, Slot};
 use crate::frame::UNSAVED_HCBTF;
-use crate::library::Library;
 use crate::state::document::OnDisk;
 use crate::state::document::journal::VIEW;
 use crate::state::painting::work::OpenPainting;
@@ -132,7 +131,7 @@ impl Session {
         let source = Look::read(found.source.as_deref().unwrap_or("{}"), name).source;
         match &path {
             Some(path) => self.use_project(path),
-            None => self.use_library(Library::built_in().clone()),
+            None => self.leave_all_projects(),
         }
         self.journals.view = found.about.window.get(VIEW).cloned();
         if let Some(mesh) = found.about.window.get("mesh").and_then(serde_json::Value::as_str) {

@@ -20,8 +20,8 @@ use std::sync::Arc;
 use crate::diag::Diagnostic;
 use crate::document::{
     DirectionKeys, Document, Edit, GraphId, History, Light, Look, SourceMap, Target, Value,
-    write_atomic,
 };
+use crate::files::write_atomic;
 use crate::ids::{LightId, NodeId};
 use crate::library::{Fallback, Library};
 use crate::state::compiling::{self};
@@ -65,7 +65,9 @@ pub struct Session {
 impl Session {
     /// An empty look, with what every look needs. `wake` is called from another thread when there
     /// is something new.
-    pub fn new(library: Arc<Library>, wake: impl Fn() + Send + 'static) -> Self {
+    pub fn new(library: Arc<Library>, wake: impl Fn() + Send + Sync + 'static) -> Self {
+        let wake = Arc::new(wake);
+        let nodes_are_read = wake.clone();
         let file = TextFile::new(Look::read(NEW_LOOK, "new look").source);
         let crashes = CrashLog::default();
         let mut session = Self {
@@ -74,12 +76,12 @@ impl Session {
             painting: None,
             hides_painting: false,
             sketchbook: Sketchbook::default(),
-            project: Project::new(library),
+            project: Project::new(library, move || nodes_are_read()),
             selection: Selection::default(),
             view: ViewState::default(),
             keyed: KeyEvaluation::default(),
             compilation: Compilation {
-                compiler: compiling::start(wake, crashes.clone()),
+                compiler: compiling::start(move || wake(), crashes.clone()),
                 shaders: ShaderCache::default(),
                 problems: Vec::new(),
                 shown_revision: Default::default(),
@@ -131,7 +133,7 @@ impl Session {
     /// # Errors
     /// What keeps the file from being read at all; what was open stays then.
     pub fn open(&mut self, path: &Path) -> Result<(), Vec<Diagnostic>> {
-        let loaded = match Document::load(path) {
+        let loaded = match Document::load(&crate::files::Disk, path) {
             Document::Look(loaded) => loaded,
             Document::Scene(loaded) => return self.open_scene(path, loaded),
         };
@@ -202,7 +204,7 @@ impl Session {
         self.view.wire = None;
         self.view.solo.keep_for_scene(self.stage.as_ref().map(OpenScene::scene));
         self.revisions.picture.advance();
-        self.project.sync(self.look.history.document());
+        self.project.sync(self.look.document());
         self.place_library_problems();
         self.reset_place();
         self.stage_changed();
@@ -400,14 +402,14 @@ impl Session {
         self.set_preview(None);
         if is_structural {
             self.compilation.shaders.structure = self.look.history.revision();
-            self.project.sync(self.look.history.document());
+            self.project.sync(self.look.document());
         }
         self.check_place();
         let mut selection = std::mem::take(&mut self.selection.nodes);
         selection.retain(|id| self.is_here(id));
         self.selection.nodes = selection;
         self.keep_solo();
-        let nodes = &self.look.history.document().graph.nodes;
+        let nodes = &self.look.document().graph.nodes;
         self.view.wire = self
             .view
             .wire

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use super::Session;
 use crate::diag::Diagnostic;
-use crate::document::journal::{Recovered, Slot};
 use crate::document::{Hcbtf, HcbtfEdit, Look};
+use crate::files::journal::{Recovered, Slot};
 use crate::frame::UNSAVED_HCBTF;
 use crate::state::painting::home::Home;
 use crate::state::painting::work::OpenPainting;

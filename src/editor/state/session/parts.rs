@@ -7,6 +7,7 @@ use indexmap::IndexSet;
 
 use super::holding::Holding;
 use super::place::OpenGroups;
+use super::project::ProjectReader;
 use super::shading::ShaderCache;
 use crate::catalog::Catalog;
 use crate::diag::Diagnostic;
@@ -54,11 +55,15 @@ pub(crate) struct Project {
     pub(crate) catalog: Catalog,
     /// What is wrong with the project's own node files.
     pub(crate) problems: Vec<Diagnostic>,
+    /// The thread that reads the project's own nodes.
+    pub(super) reader: ProjectReader,
 }
 
 impl Project {
-    pub(crate) fn new(library: Arc<Library>) -> Self {
-        Self { catalog: Catalog::new(&library), library, problems: Vec::new() }
+    /// `wake` is called from another thread when nodes were read.
+    pub(crate) fn new(library: Arc<Library>, wake: impl Fn() + Send + 'static) -> Self {
+        let reader = ProjectReader::new(wake);
+        Self { catalog: Catalog::new(&library), library, problems: Vec::new(), reader }
     }
 
     /// Takes other nodes. What is wrong with their files is still to be placed.

@@ -5,9 +5,9 @@ use std::path::Path;
 
 use super::Session;
 use crate::diag::Diagnostic;
-use crate::document::journal::{Recovered, Slot};
 use crate::document::{Light, Loaded, Scene, SceneEdit};
 use crate::examples;
+use crate::files::journal::{Recovered, Slot};
 use crate::ids::{LightId, ObjectId};
 use crate::state::document::journal::VIEW;
 use crate::state::painting::work::OpenPainting;
@@ -175,9 +175,7 @@ impl Session {
 
     /// Forgets solos of what is no longer there.
     pub(super) fn keep_solo(&mut self) {
-        self.view
-            .solo
-            .keep(self.look.history.document(), self.stage.as_ref().map(OpenScene::scene));
+        self.view.solo.keep(self.look.document(), self.stage.as_ref().map(OpenScene::scene));
     }
 
     /// Applies an edit of the scene. With a `hand`, consecutive edits by it are one step.

@@ -100,8 +100,12 @@ impl Session {
     /// Asks for what must be compiled, takes what is. `now` is the window's clock. Returns when to
     /// look again.
     pub(crate) fn tick(&mut self, now: f64) -> Option<Duration> {
+        let awaits_nodes = self.awaits_nodes();
         for answer in self.compilation.compiler.answers() {
             self.take(answer);
+        }
+        if awaits_nodes {
+            return None;
         }
         self.hold_suspect();
         if self.held().is_some() {
@@ -199,13 +203,14 @@ impl Session {
         }
     }
 
-    /// Whether something is being compiled, or is and was not taken yet.
+    /// Whether nodes are being read or something compiled, or are and were not taken yet.
     pub fn is_compiling(&self) -> bool {
-        self.compilation.compiler.owes()
+        self.project.reader.owes() || self.compilation.compiler.owes()
     }
 
-    /// Waits for the compiler; for tests.
+    /// Waits for the project's nodes and the compiler; for tests.
     pub fn wait(&self) {
+        self.project.reader.wait();
         self.compilation.compiler.wait();
     }
 
@@ -229,10 +234,7 @@ impl Session {
         }
         if let Some(good) = &mut self.compilation.shaders.good {
             *good = Arc::new(
-                self.view
-                    .solo
-                    .alone(self.look.history.document(), &self.project.catalog)
-                    .into_owned(),
+                self.view.solo.alone(self.look.document(), &self.project.catalog).into_owned(),
             );
             self.compilation.shown_revision = revision;
         }

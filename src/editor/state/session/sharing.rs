@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use super::Session;
-use crate::document::{Edit, Graph, GraphId, Look, write_atomic};
+use crate::document::{Edit, Graph, GraphId, Look};
+use crate::files::write_atomic;
 use crate::ids::{DefinitionId, make_slug};
 
 impl Session {
