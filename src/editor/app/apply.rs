@@ -14,6 +14,7 @@ use crate::commands::{
 };
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Projection};
+use crate::ids::NodePath;
 use crate::state::painting::look;
 use crate::state::scene::OpenScene;
 use crate::state::session::Session;
@@ -72,14 +73,7 @@ impl App {
                 self.session.select(vec![id.clone()]);
                 self.bench.canvas.reveal(id);
             }
-            Command::Show(path) => {
-                let ids = path.ids();
-                self.session.open_graph(&ids[..ids.len().saturating_sub(1)]);
-                if let Some(id) = self.session.step_here(&path).cloned() {
-                    self.session.select(vec![id.clone()]);
-                    self.bench.canvas.reveal(id);
-                }
-            }
+            Command::Show(path) => self.show_node(&path),
             Command::OpenGraph(path) => self.session.open_graph(&path),
             Command::Undo => drop(self.session.undo()),
             Command::Redo => drop(self.session.redo()),
@@ -106,22 +100,18 @@ impl App {
             Command::ShowOn(Some(path)) => self.show_on(&path.to_string_lossy()),
             Command::StandUp(z_is_up) => self.stand_up(z_is_up),
             Command::ShowOn(None) => {
-                self.dialogs.ask(FilePurpose::Mesh, Some(Path::new(&self.session.view.orbit.mesh)))
+                self.dialogs.ask(FilePurpose::Mesh, Some(Path::new(&self.session.view.orbit.mesh)));
             }
             Command::Probe(switch) => {
                 let on = switch.turned(self.bench.tools.probe.is_on());
-                self.bench.tools.probe.turn(on);
-                if on {
-                    self.turn_fitting(ui, false);
-                    self.dock.open(PanelId::PROBE);
-                }
+                self.turn_probe(ui, on);
             }
             Command::ShowWire(wire) => self.session.show_wire(wire),
             Command::Export(export, Some(path)) => {
-                self.bench.viewport.export(&self.session, export, path)
+                self.bench.viewport.export(&self.session, export, path);
             }
             Command::Export(export, None) => {
-                self.dialogs.ask(FilePurpose::Export(export), self.session.path())
+                self.dialogs.ask(FilePurpose::Export(export), self.session.path());
             }
             Command::ExportPicture => {
                 let size = self.bench.viewport.size_in_pixels(ui.pixels_per_point());
@@ -138,16 +128,11 @@ impl App {
                 let near = self.look_exports.suggested(&self.session);
                 self.dialogs.ask(FilePurpose::Shaders(language), Some(&near));
             }
-            Command::CopyPicture => {
-                // The panel of the picture takes what was drawn to the clipboard.
-                self.start = None;
-                self.dock.open(PanelId::PICTURE);
-                self.bench.viewport.copy(&self.session, ui.pixels_per_point());
-            }
+            Command::CopyPicture => self.copy_picture(ui),
             Command::CopyWgsl => self.copy_wgsl(ui),
             Command::ShowReference(Some(path)) => self.bench.viewport.show_reference(path),
             Command::ShowReference(None) => {
-                self.dialogs.ask(FilePurpose::Reference, self.session.path())
+                self.dialogs.ask(FilePurpose::Reference, self.session.path());
             }
             Command::LeaveProbe => self.bench.tools.probe.escape(),
             Command::Solo(solo) => self.session.set_solo(solo),
@@ -177,6 +162,32 @@ impl App {
             Command::Recovery(command) => self.apply_to_recovery(command),
             Command::Tell(text) => self.message = Some(text),
         }
+    }
+
+    /// Opens the graph that a node lies in, selects the node and brings it into view.
+    fn show_node(&mut self, path: &NodePath) {
+        let ids = path.ids();
+        self.session.open_graph(&ids[..ids.len().saturating_sub(1)]);
+        if let Some(id) = self.session.step_here(path).cloned() {
+            self.session.select(vec![id.clone()]);
+            self.bench.canvas.reveal(id);
+        }
+    }
+
+    /// Turns the probe on or off; painting light would be in its way.
+    fn turn_probe(&mut self, ui: &Ui, on: bool) {
+        self.bench.tools.probe.turn(on);
+        if on {
+            self.turn_fitting(ui, false);
+            self.dock.open(PanelId::PROBE);
+        }
+    }
+
+    /// Copies the picture: its panel takes what was drawn to the clipboard.
+    fn copy_picture(&mut self, ui: &Ui) {
+        self.start = None;
+        self.dock.open(PanelId::PICTURE);
+        self.bench.viewport.copy(&self.session, ui.pixels_per_point());
     }
 
     fn apply_to_view(&mut self, command: ViewCommand) {

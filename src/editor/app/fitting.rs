@@ -58,7 +58,7 @@ impl App {
         match command {
             SketchCommand::Open(is_open) => self.session.open_sketch(is_open),
             SketchCommand::Paint { label, from, tile } => {
-                self.session.paint_sketch(label, from, tile);
+                self.session.paint_sketch(label, *from, tile);
             }
             SketchCommand::Preview(look) => self.session.set_preview(look),
         }

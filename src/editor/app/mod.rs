@@ -426,10 +426,8 @@ impl App {
             self.laid_out_for = Some(open);
             let is_painted = crate::state::painting::look::shows(&self.session);
             self.dock.enter(if is_painted { Workspace::Painting } else { Workspace::Look });
-            if !is_painted {
-                if let Some(view) = self.view_before_painting.given_back(&self.session) {
-                    self.session.view.orbit = view;
-                }
+            if !is_painted && let Some(view) = self.view_before_painting.given_back(&self.session) {
+                self.session.view.orbit = view;
             }
         }
     }

@@ -22,7 +22,7 @@ impl App {
     pub(super) fn apply_to_painting(&mut self, ui: &Ui, command: PaintCommand) {
         match command {
             PaintCommand::Edit(change) => {
-                self.tell(|session| session.apply_to_painting(change, None))
+                self.tell(|session| session.apply_to_painting(change, None));
             }
             PaintCommand::EditHeld(widget, change) => {
                 let hand = self.hand(ui, widget);
@@ -34,10 +34,10 @@ impl App {
                 }
             }
             PaintCommand::New { grid, keeps_look } => {
-                self.do_or_ask(Pending::NewPainting { grid, keeps_look })
+                self.do_or_ask(Pending::NewPainting { grid, keeps_look });
             }
             PaintCommand::Open { path, keeps_look } => {
-                self.do_or_ask(Pending::OpenPainting { path, keeps_look })
+                self.do_or_ask(Pending::OpenPainting { path, keeps_look });
             }
             PaintCommand::Divide { grid, lost } => {
                 self.tell(|session| session.apply_to_painting(HcbtfEdit::SetGrid { grid }, None));
@@ -52,55 +52,33 @@ impl App {
             PaintCommand::GoBack => self.do_or_ask(Pending::ShowPainting),
             PaintCommand::PaintShown => self.paint_shown(),
             PaintCommand::AskGrid { changes } => {
-                self.bench.painting.ask_grid(&self.session, changes)
+                self.bench.painting.ask_grid(&self.session, changes);
             }
             PaintCommand::AskSynthesis if self.session.painting().is_some() => {
-                self.bench.painting.ask_synthesis(&self.session)
+                self.bench.painting.ask_synthesis(&self.session);
             }
             PaintCommand::AskSynthesis => {
                 self.message =
                     Some("Nothing is open to be painted that a tile could be made of".to_owned());
             }
             PaintCommand::AskBake => self.bench.painting.ask_bake(),
-            PaintCommand::Bake { to: None } => {
-                self.bench.painting.hold_bake();
-                let near = self.session.path().map(|path| path.with_extension("hcbtf"));
-                self.dialogs.ask(
-                    FilePurpose::BakeLook,
-                    Some(&near.unwrap_or_else(|| PathBuf::from("baked.hcbtf"))),
-                );
-            }
-            PaintCommand::Bake { to: Some(path) }
-                if self.session.painting().and_then(OpenPainting::path) == Some(path.as_path()) =>
-            {
-                self.message =
-                    Some(format!("{} is open to be painted: bake to another file", path.display()));
-            }
-            PaintCommand::Bake { to: Some(path) } => {
-                self.message = self.bench.painting.bake(&self.session, path).err();
-            }
+            PaintCommand::Bake { to } => self.bake(to),
             PaintCommand::Begin { hcbtf } => self.do_or_ask(Pending::BeginPainting { hcbtf }),
             PaintCommand::AskImport => self.bench.painting.ask_import(),
             PaintCommand::Import { import, from: None } => {
                 self.dialogs.ask(FilePurpose::ImportPainting(import), self.session.path());
             }
             PaintCommand::Import { import, from: Some(path) } => {
-                self.do_or_ask(Pending::ImportPainting { path, import })
+                self.do_or_ask(Pending::ImportPainting { path, import });
             }
             PaintCommand::AskTexture if self.session.painting().is_some() => {
-                self.bench.painting.ask_texture()
+                self.bench.painting.ask_texture();
             }
             PaintCommand::AskTexture => self.tell_nothing_to_export(),
             PaintCommand::Export { form, storage, to } => self.export_painting(form, storage, to),
-            PaintCommand::Save => {
-                match self.session.painting().map(|work| work.path().map(Path::to_path_buf)) {
-                    Some(Some(path)) => drop(self.save_painting_as(&path)),
-                    Some(None) => self.ask_where_to_save_painting(),
-                    None => {}
-                }
-            }
+            PaintCommand::Save => self.save_painting(),
             PaintCommand::SaveAs if self.session.painting().is_some() => {
-                self.ask_where_to_save_painting()
+                self.ask_where_to_save_painting();
             }
             PaintCommand::SaveAs => {}
             PaintCommand::SaveTo(path) => {
@@ -123,7 +101,31 @@ impl App {
             | PaintCommand::ToggleTilt
             | PaintCommand::ToggleCopies
             | PaintCommand::ToggleArrows
-            | PaintCommand::FitTile => self.bench.painting.apply(command),
+            | PaintCommand::FitTile => self.bench.painting.apply(&command),
+        }
+    }
+
+    /// Bakes the open look as was asked for; asks for the file where there is none.
+    fn bake(&mut self, to: Option<PathBuf>) {
+        let Some(to) = to else {
+            self.bench.painting.hold_bake();
+            let near = self.session.path().map(|path| path.with_extension("hcbtf"));
+            let near = near.unwrap_or_else(|| PathBuf::from("baked.hcbtf"));
+            return self.dialogs.ask(FilePurpose::BakeLook, Some(&near));
+        };
+        let is_painted = self.session.painting().and_then(OpenPainting::path) == Some(to.as_path());
+        self.message = match is_painted {
+            true => Some(format!("{} is open to be painted: bake to another file", to.display())),
+            false => self.bench.painting.bake(&self.session, to).err(),
+        };
+    }
+
+    /// Saves what is painted to its own file; asks where there is none.
+    fn save_painting(&mut self) {
+        match self.session.painting().map(|work| work.path().map(Path::to_path_buf)) {
+            Some(Some(path)) => drop(self.save_painting_as(&path)),
+            Some(None) => self.ask_where_to_save_painting(),
+            None => {}
         }
     }
 

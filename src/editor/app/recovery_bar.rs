@@ -137,7 +137,7 @@ impl Safety {
                     "{name} was removed or moved by another program; saving writes it again"
                 );
                 row(ui, Tone::Warning, &text, |ui| {
-                    ask(ui, "Understood", "Hides this", RecoveryCommand::Hide, out)
+                    ask(ui, "Understood", "Hides this", RecoveryCommand::Hide, out);
                 });
             }
         }
@@ -207,14 +207,14 @@ fn of_painting(
                 "{name} was changed by another program and cannot be read now; your version stays"
             );
             row(ui, Tone::Warning, &text, |ui| {
-                ask(ui, "Keep mine", keep, RecoveryCommand::KeepMyPainting, out)
+                ask(ui, "Keep mine", keep, RecoveryCommand::KeepMyPainting, out);
             });
         }
         PaintingConflict::Gone => {
             let text =
                 format!("{name} was removed or moved by another program; saving writes it again");
             row(ui, Tone::Warning, &text, |ui| {
-                ask(ui, "Understood", "Hides this", RecoveryCommand::KeepMyPainting, out)
+                ask(ui, "Understood", "Hides this", RecoveryCommand::KeepMyPainting, out);
             });
         }
     }

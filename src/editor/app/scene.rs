@@ -27,7 +27,7 @@ impl App {
             SceneCommand::Unselect => self.session.select_object(None),
             SceneCommand::Add(Some(mesh)) => self.add_object(&mesh),
             SceneCommand::Add(None) => {
-                self.dialogs.ask(FilePurpose::AddMesh, self.near_stage().as_deref())
+                self.dialogs.ask(FilePurpose::AddMesh, self.near_stage().as_deref());
             }
             SceneCommand::Ask(purpose, id, material) => {
                 if let Some(stage) = self.session.stage_mut() {
@@ -37,7 +37,7 @@ impl App {
             }
             SceneCommand::Chosen(purpose, path) => self.chosen(purpose, &path),
             SceneCommand::Frame(only) => {
-                self.session.frame(only.as_ref(), self.bench.viewport.aspect())
+                self.session.frame(only.as_ref(), self.bench.viewport.aspect());
             }
             SceneCommand::Locate(placed) => {
                 if let Some(stage) = self.session.stage_mut() {
@@ -50,7 +50,7 @@ impl App {
             }
             SceneCommand::Save => self.save_scene(),
             SceneCommand::SaveAs => {
-                self.dialogs.ask(FilePurpose::SaveScene, self.near_stage().as_deref())
+                self.dialogs.ask(FilePurpose::SaveScene, self.near_stage().as_deref());
             }
             SceneCommand::Close => self.do_or_ask(Pending::LeaveScene),
         }

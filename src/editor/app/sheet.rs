@@ -69,7 +69,7 @@ impl Sheet {
             egui::Frame::popup(ui.style()).show(ui, |ui| match shown {
                 OpenSheet::Shortcuts { .. } => show_shortcuts(ui, screen.height() - 180.0),
                 OpenSheet::Commands { query, index, is_new } => {
-                    chosen = show_commands(ui, session, query, index, is_new)
+                    chosen = show_commands(ui, session, query, index, is_new);
                 }
             });
         });

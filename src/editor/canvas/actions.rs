@@ -195,10 +195,10 @@ impl Canvas {
         let of = session.graph();
         match command {
             GraphCommand::Delete => {
-                out.extend(edits::delete(session, chosen.iter().cloned()).map(Command::Edit))
+                out.extend(edits::delete(session, chosen.iter().cloned()).map(Command::Edit));
             }
             GraphCommand::Dissolve => {
-                out.extend(edits::dissolve(session, chosen).map(Command::Edit))
+                out.extend(edits::dissolve(session, chosen).map(Command::Edit));
             }
             GraphCommand::Duplicate => {
                 let (ids, edit) = edits::duplicate(session, chosen);
@@ -212,10 +212,10 @@ impl Canvas {
                 }
             }
             GraphCommand::Upstream => {
-                out.push(Command::Select(edits::stream(session, chosen, true)))
+                out.push(Command::Select(edits::stream(session, chosen, true)));
             }
             GraphCommand::Downstream => {
-                out.push(Command::Select(edits::stream(session, chosen, false)))
+                out.push(Command::Select(edits::stream(session, chosen, false)));
             }
             GraphCommand::Rename => self.edit_when_there = chosen.last().cloned().map(Item::Node),
             GraphCommand::Mute => {
@@ -246,7 +246,7 @@ impl Canvas {
                 Err(problem) => out.push(Command::Tell(problem)),
             },
             GraphCommand::OpenGroup => {
-                out.extend(chosen.last().and_then(|id| self.open(session, id)))
+                out.extend(chosen.last().and_then(|id| self.open(session, id)));
             }
             GraphCommand::ShareGroup => {
                 let kind =

@@ -103,7 +103,7 @@ pub(crate) enum SketchCommand {
     /// Lets the strokes be seen, so that undo takes them back; or not.
     Open(bool),
     /// Paints on the picture, as a step; no tile for nothing.
-    Paint { label: &'static str, from: Standpoint, tile: Option<Tile> },
+    Paint { label: &'static str, from: Box<Standpoint>, tile: Option<Tile> },
     /// Shows another look in place of the open one, or the open one again.
     Preview(Option<Arc<Look>>),
 }

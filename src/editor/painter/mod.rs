@@ -368,10 +368,10 @@ impl Painting {
     }
 
     /// Does what is asked for of the tools and of how the tile is shown.
-    pub(crate) fn apply(&mut self, command: PaintCommand) {
+    pub(crate) fn apply(&mut self, command: &PaintCommand) {
         match command {
-            PaintCommand::TakeTool(tool) => self.tools.take(tool),
-            PaintCommand::ResizeBrush { is_larger } => self.tools.resize(is_larger),
+            PaintCommand::TakeTool(tool) => self.tools.take(*tool),
+            PaintCommand::ResizeBrush { is_larger } => self.tools.resize(*is_larger),
             PaintCommand::SwapColors => self.tools.colors.swap(0, 1),
             PaintCommand::ToggleTilt => self.easel.is_flat = !self.easel.is_flat,
             PaintCommand::ToggleCopies => self.easel.shows_copies = !self.easel.shows_copies,

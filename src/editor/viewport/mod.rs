@@ -6,14 +6,17 @@
 //! place on the object.
 
 mod arrows;
+mod backdrop;
 mod bar;
 mod export;
 mod field;
+mod hints;
 mod isocurves;
 mod layer;
 mod lights;
 mod objects;
 pub(crate) mod picture;
+mod place;
 mod preparing;
 mod show;
 pub(crate) mod solo_bar;
@@ -21,16 +24,12 @@ mod strip;
 mod surface;
 
 use eframe::egui;
-use eframe::egui::{
-    CursorIcon, PointerButton, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2,
-};
-use glam::DVec3;
+use eframe::egui::{CursorIcon, PointerButton, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo};
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::commands::table::{self, Place};
 use crate::commands::{Command, PictureExport, SceneCommand, ViewCommand, keyboard};
-use crate::document::Projection;
 use crate::ids::ObjectId;
 use crate::render::Gpu;
 use crate::state::orbit::Orbit;
@@ -43,9 +42,11 @@ use crate::tools::{PictureContext, PictureTools, ToolRow};
 use crate::viewport::picture::Picture;
 use crate::widgets::spots::{self, Spot};
 use crate::widgets::theme;
+use backdrop::{show_picture, stand_in};
 use export::{Destination, Exports, PictureExportResult};
 use isocurves::Isocurves;
 use layer::{Curve, Layer};
+use place::{is_on_object, place_in, project};
 use show::{Place as ReferencePlace, Reference};
 use surface::{Key as SurfaceKey, Surface, Surfaces};
 
@@ -472,48 +473,6 @@ impl Viewport {
         Some((before.view, session.place() == before.place + 1))
     }
 
-    fn hint_at(
-        &self,
-        pointer: Option<Pos2>,
-        rect: Rect,
-        session: &Session,
-        handles: &Handles,
-        hovered: Option<&Drag>,
-    ) -> String {
-        match (self.drag.as_ref().or(hovered), pointer) {
-            (Some(Drag::Curve(held)), _) => self.isocurves.hint(held),
-            (Some(Drag::Light(held)), _) => held.hint(session),
-            (Some(Drag::Lights), _) => {
-                "Turning the illumination frame: every light in it turns with it · Esc puts it \
-                 back"
-                    .to_owned()
-            }
-            (Some(Drag::Camera), _) => {
-                "Turning the camera around the object · Esc puts it back".to_owned()
-            }
-            (Some(Drag::Pan), _) => "Moving the camera · Esc puts it back".to_owned(),
-            (None, None) => String::new(),
-            (None, Some(at)) if is_on_object(at, rect, session, handles) => {
-                let one = if layer::selected_light(session).is_some()
-                    || layer::selected(session).is_some()
-                {
-                    "Shift-drag turns the layer's light · "
-                } else {
-                    ""
-                };
-                format!(
-                    "Drag to turn all lights · {one}Alt-drag turns the camera · wheel comes \
-                         nearer · R resets"
-                )
-            }
-            (None, Some(_)) => {
-                "Drag to turn the camera · right-drag moves it · wheel comes nearer · R resets · F \
-                 frames"
-                    .to_owned()
-            }
-        }
-    }
-
     /// What may be done at the pointer; empty while it is elsewhere.
     pub(crate) fn hint(&self) -> &str {
         &self.hint
@@ -615,90 +574,4 @@ impl BackgroundJobs for Viewport {
         self.surfaces.wait();
         self.exports.wait();
     }
-}
-
-/// A point of the screen in parts of the picture's size.
-fn place_in(rect: Rect, at: Pos2) -> [f32; 2] {
-    [(at.x - rect.min.x) / rect.width(), (at.y - rect.min.y) / rect.height()]
-}
-
-fn show_picture(
-    ui: &Ui,
-    rect: Rect,
-    session: &Session,
-    picture: &mut Picture,
-    turns: bool,
-    stops: f32,
-) {
-    let size = picture_size(rect, ui.pixels_per_point());
-    let (is_held, dt) = ui.input(|input| (input.pointer.any_down(), input.unstable_dt));
-    match picture.update(session, size, is_held || turns, dt) {
-        Some(texture) => {
-            ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
-            show::paint_exposed(ui, texture, rect, stops);
-        }
-        None => {
-            ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
-            let font = egui::FontId::proportional(theme::TEXT_SIZE);
-            let is_broken =
-                !picture.problems.is_empty() || crate::diag::has_errors(session.problems());
-            let text = match session.held() {
-                Some(_) => "Not drawn until you press Try again above",
-                None if is_broken => "No picture: Problems says what is to be mended",
-                None => "Making the first picture",
-            };
-            ui.painter().text(
-                rect.center(),
-                egui::Align2::CENTER_CENTER,
-                text,
-                font,
-                theme::of(ui).dim,
-            );
-        }
-    }
-}
-
-/// Where there is no GPU: a ball, so that camera and lights can be turned all the same.
-fn stand_in(ui: &Ui, rect: Rect, session: &Session) {
-    let radius = session.view.orbit.radius_in_picture() as f32 * rect.height();
-    ui.painter().circle(
-        rect.center(),
-        radius,
-        theme::of(ui).node,
-        egui::Stroke::new(1.0, theme::of(ui).grid),
-    );
-    let font = egui::FontId::proportional(theme::TEXT_SIZE);
-    let at = rect.center_bottom() - vec2(0.0, 12.0);
-    let text = "This window has no GPU to draw with";
-    ui.painter().text(at, egui::Align2::CENTER_BOTTOM, text, font, theme::of(ui).dim);
-}
-
-/// Whether a point of the screen is on the object, or near enough: its bounding sphere has radius
-/// 1.
-fn is_on_object(at: Pos2, rect: Rect, session: &Session, handles: &Handles) -> bool {
-    if let Some(surface) = &handles.surface {
-        return surface.piece_at(place_in(rect, at)).is_some();
-    }
-    if session.stage().is_some() {
-        return false;
-    }
-    let radius = session.view.orbit.radius_in_picture() as f32 * rect.height();
-    let center = project(DVec3::ZERO, rect, session).unwrap_or(rect.center());
-    at.distance(center) < radius * 0.92
-}
-
-/// A point of the world on the screen; `None` behind the eye.
-fn project(point: DVec3, rect: Rect, session: &Session) -> Option<Pos2> {
-    let view = &session.view.orbit;
-    let (right, up) = view.right_and_up();
-    let from_eye = point - (view.target + view.direction() * view.distance);
-    let depth = -from_eye.dot(view.direction());
-    let span = match view.projection {
-        Projection::Perspective if depth <= 1e-6 => return None,
-        Projection::Perspective => 2.0 * depth * (view.fov / 2.0).tan(),
-        Projection::Orthographic => view.height(),
-    };
-    let scale = f64::from(rect.height()) / span;
-    let (x, y) = (from_eye.dot(right) * scale, from_eye.dot(up) * scale);
-    Some(rect.center() + vec2(x as f32, -y as f32))
 }

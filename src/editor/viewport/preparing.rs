@@ -49,7 +49,7 @@ impl Preparing {
         let text = format!("Preparing {name}");
         match awaited {
             Some(MissingPicture::Shader) => {
-                sign(ui, rect, strength, true, &text, "building its shader")
+                sign(ui, rect, strength, true, &text, "building its shader");
             }
             Some(MissingPicture::Picture) => {
                 sign(ui, rect, strength, true, &text, "reading meshes and paintings, drawing");

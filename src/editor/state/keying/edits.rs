@@ -39,7 +39,7 @@ impl Session {
                     }
                 }
                 (KeyedBy::Time(track), _) => {
-                    edits.push(self.set_in_time(track, self.view.time, value))
+                    edits.push(self.set_in_time(track, self.view.time, value));
                 }
                 (KeyedBy::Nothing, Target::Light { light, field }) => {
                     let of = look.lights.get(light).cloned().unwrap_or_default();

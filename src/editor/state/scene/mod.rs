@@ -97,7 +97,7 @@ impl OpenScene {
 
     /// The scene as it is.
     pub fn scene(&self) -> &Scene {
-        self.document.history.document()
+        self.document.document()
     }
 
     /// Its file, once there is one.

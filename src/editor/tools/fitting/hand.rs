@@ -195,7 +195,11 @@ impl Fitting {
             let is_empty = going.now.bytes().chunks_exact(4).all(|texel| texel[3] == 0);
             let tile = Arc::unwrap_or_clone(going.now);
             let (label, tile) = (going.tools.kind.step(), (!is_empty).then_some(tile));
-            return Some(Command::Sketch(SketchCommand::Paint { label, from, tile }));
+            return Some(Command::Sketch(SketchCommand::Paint {
+                label,
+                from: Box::new(from),
+                tile,
+            }));
         }
         None
     }

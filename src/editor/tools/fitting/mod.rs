@@ -356,7 +356,7 @@ impl Fitting {
         if session.sketch().is_empty() {
             return Vec::new();
         }
-        let from = Standpoint::new(&session.view.orbit, session.view.time);
+        let from = Box::new(Standpoint::new(&session.view.orbit, session.view.time));
         let label = "clear the strokes";
         vec![Command::Sketch(SketchCommand::Paint { label, from, tile: None })]
     }

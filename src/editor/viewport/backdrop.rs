@@ -1,0 +1,60 @@
+//! The picture itself, or what stands in its place.
+
+use eframe::egui::{self, Rect, Ui, vec2};
+
+use super::picture::Picture;
+use super::show;
+use crate::state::session::Session;
+use crate::tools::probe::picture_size;
+use crate::widgets::theme;
+
+pub(super) fn show_picture(
+    ui: &Ui,
+    rect: Rect,
+    session: &Session,
+    picture: &mut Picture,
+    turns: bool,
+    stops: f32,
+) {
+    let size = picture_size(rect, ui.pixels_per_point());
+    let (is_held, dt) = ui.input(|input| (input.pointer.any_down(), input.unstable_dt));
+    match picture.update(session, size, is_held || turns, dt) {
+        Some(texture) => {
+            ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
+            show::paint_exposed(ui, texture, rect, stops);
+        }
+        None => {
+            ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
+            let font = egui::FontId::proportional(theme::TEXT_SIZE);
+            let is_broken =
+                !picture.problems.is_empty() || crate::diag::has_errors(session.problems());
+            let text = match session.held() {
+                Some(_) => "Not drawn until you press Try again above",
+                None if is_broken => "No picture: Problems says what is to be mended",
+                None => "Making the first picture",
+            };
+            ui.painter().text(
+                rect.center(),
+                egui::Align2::CENTER_CENTER,
+                text,
+                font,
+                theme::of(ui).dim,
+            );
+        }
+    }
+}
+
+/// Where there is no GPU: a ball, so that camera and lights can be turned all the same.
+pub(super) fn stand_in(ui: &Ui, rect: Rect, session: &Session) {
+    let radius = session.view.orbit.radius_in_picture() as f32 * rect.height();
+    ui.painter().circle(
+        rect.center(),
+        radius,
+        theme::of(ui).node,
+        egui::Stroke::new(1.0, theme::of(ui).grid),
+    );
+    let font = egui::FontId::proportional(theme::TEXT_SIZE);
+    let at = rect.center_bottom() - vec2(0.0, 12.0);
+    let text = "This window has no GPU to draw with";
+    ui.painter().text(at, egui::Align2::CENTER_BOTTOM, text, font, theme::of(ui).dim);
+}

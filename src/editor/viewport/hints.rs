@@ -1,0 +1,51 @@
+//! What may be done at the pointer, in words.
+
+use eframe::egui::{Pos2, Rect};
+
+use super::{Drag, Handles, Viewport, is_on_object, layer};
+use crate::state::session::Session;
+
+impl Viewport {
+    /// What may be done at the pointer over the picture, or is done by the drag that goes on.
+    pub(super) fn hint_at(
+        &self,
+        pointer: Option<Pos2>,
+        rect: Rect,
+        session: &Session,
+        handles: &Handles,
+        hovered: Option<&Drag>,
+    ) -> String {
+        match (self.drag.as_ref().or(hovered), pointer) {
+            (Some(Drag::Curve(held)), _) => self.isocurves.hint(held),
+            (Some(Drag::Light(held)), _) => held.hint(session),
+            (Some(Drag::Lights), _) => {
+                "Turning the illumination frame: every light in it turns with it · Esc puts it \
+                 back"
+                    .to_owned()
+            }
+            (Some(Drag::Camera), _) => {
+                "Turning the camera around the object · Esc puts it back".to_owned()
+            }
+            (Some(Drag::Pan), _) => "Moving the camera · Esc puts it back".to_owned(),
+            (None, None) => String::new(),
+            (None, Some(at)) if is_on_object(at, rect, session, handles) => {
+                let one = if layer::selected_light(session).is_some()
+                    || layer::selected(session).is_some()
+                {
+                    "Shift-drag turns the layer's light · "
+                } else {
+                    ""
+                };
+                format!(
+                    "Drag to turn all lights · {one}Alt-drag turns the camera · wheel comes \
+                         nearer · R resets"
+                )
+            }
+            (None, Some(_)) => {
+                "Drag to turn the camera · right-drag moves it · wheel comes nearer · R resets · F \
+                 frames"
+                    .to_owned()
+            }
+        }
+    }
+}

@@ -1,0 +1,43 @@
+//! Where things are on the screen: points of the picture and of the world.
+
+use eframe::egui::{Pos2, Rect, vec2};
+use glam::DVec3;
+
+use super::Handles;
+use crate::document::Projection;
+use crate::state::session::Session;
+
+/// A point of the screen in parts of the picture's size.
+pub(super) fn place_in(rect: Rect, at: Pos2) -> [f32; 2] {
+    [(at.x - rect.min.x) / rect.width(), (at.y - rect.min.y) / rect.height()]
+}
+
+/// Whether a point of the screen is on the object, or near enough: its bounding sphere has radius
+/// 1.
+pub(super) fn is_on_object(at: Pos2, rect: Rect, session: &Session, handles: &Handles) -> bool {
+    if let Some(surface) = &handles.surface {
+        return surface.piece_at(place_in(rect, at)).is_some();
+    }
+    if session.stage().is_some() {
+        return false;
+    }
+    let radius = session.view.orbit.radius_in_picture() as f32 * rect.height();
+    let center = project(DVec3::ZERO, rect, session).unwrap_or(rect.center());
+    at.distance(center) < radius * 0.92
+}
+
+/// A point of the world on the screen; `None` behind the eye.
+pub(super) fn project(point: DVec3, rect: Rect, session: &Session) -> Option<Pos2> {
+    let view = &session.view.orbit;
+    let (right, up) = view.right_and_up();
+    let from_eye = point - (view.target + view.direction() * view.distance);
+    let depth = -from_eye.dot(view.direction());
+    let span = match view.projection {
+        Projection::Perspective if depth <= 1e-6 => return None,
+        Projection::Perspective => 2.0 * depth * (view.fov / 2.0).tan(),
+        Projection::Orthographic => view.height(),
+    };
+    let scale = f64::from(rect.height()) / span;
+    let (x, y) = (from_eye.dot(right) * scale, from_eye.dot(up) * scale);
+    Some(rect.center() + vec2(x as f32, -y as f32))
+}
