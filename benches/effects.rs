@@ -7,6 +7,9 @@
 //! the picture is the same, and nothing is proved of it.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 
+#[path = "../tests/support/wait.rs"]
+mod wait;
+
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -17,9 +20,10 @@ use chiaro::frame::{
 };
 use chiaro::geometry::{Mesh, shape};
 use chiaro::library::Library;
-use chiaro::render::{Gpu, Renderer, block_on};
+use chiaro::render::{Gpu, Renderer};
 use glam::{DMat4, DVec3};
 use serde_json::{Value as Json, json};
+use wait::block_on;
 
 const OPTIONS: PlanOptions = PlanOptions { size: [640, 480], samples: 1, time: 0.0 };
 const TURNS: usize = 15;

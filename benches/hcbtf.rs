@@ -5,6 +5,9 @@
 //! with `-- frames`, `-- baking` or `-- memory` a part; docs/performance.md holds the figures.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 
+#[path = "../tests/support/wait.rs"]
+mod wait;
+
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -24,9 +27,10 @@ use chiaro::geometry::shape;
 use chiaro::hcbtf::{self, LayerOptions, needs, needs_at_most};
 use chiaro::library::Library;
 use chiaro::progress::Progress;
-use chiaro::render::{Gpu, Renderer, block_on};
+use chiaro::render::{Gpu, Renderer};
 use glam::{DMat4, DVec3};
 use serde_json::json;
+use wait::block_on;
 
 const SIZE: [u32; 2] = [1280, 720];
 const ROUNDS: usize = 5;
@@ -139,7 +143,7 @@ fn frames(path: &Path) {
             }
         }
         let plans: Vec<&FramePlan> = all.iter().map(|(_, plan)| plan).collect();
-        let series = alternate(&mut renderer, &plans, ROUNDS, &Progress::new());
+        let series = block_on(alternate(&mut renderer, &plans, ROUNDS, &Progress::new()));
         for ((name, _), series) in all.iter().zip(series.unwrap_or_else(|_| panic!("{scene}"))) {
             let least = series.frame.iter().copied().fold(f64::MAX, f64::min);
             println!(

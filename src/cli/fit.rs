@@ -169,14 +169,15 @@ fn setup(arguments: &Arguments, output: &Output) -> Result<Setup, Vec<Diagnostic
         let Some(mut look) = loaded.value else { return Err(loaded.diagnostics) };
         look.name = "Painted".to_owned();
         let look = SetupLook { look, source: loaded.source.into(), folder: PathBuf::new() };
-        let (setup, warnings) = default_setup(look, mesh.unwrap_or(DEFAULT_MESH), &mut assets)?;
+        let (setup, warnings) =
+            default_setup(look, mesh.unwrap_or(DEFAULT_MESH), &mut assets)?.into_parts();
         output.diagnostics(&warnings);
         return Ok(setup);
     };
     if let Document::Scene(scene) = Document::load(path) {
         return Err(vec![not_a_look(path, scene.value.as_ref())]);
     }
-    let (setup, warnings) = open(path, mesh, &mut assets)?;
+    let (setup, warnings) = open(path, mesh, &mut assets)?.into_parts();
     output.diagnostics(&warnings);
     Ok(setup)
 }

@@ -19,7 +19,7 @@ use crate::interp::Precision;
 use crate::milestones;
 use crate::reference::{self, Modules, execute};
 #[cfg(feature = "gpu")]
-use chiaro_render::{Gpu, Renderer, block_on};
+use chiaro_render::{Gpu, Renderer};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -121,7 +121,7 @@ pub(super) fn parse_samples(text: &str) -> Result<u32, String> {
     }
 }
 
-pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let one = |problem: Diagnostic| vec![problem];
     check_nodes_folder(arguments.nodes.as_deref())?;
     let target = arguments.output.as_ref();
@@ -138,7 +138,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     output.diagnostics(&library.problems);
     let mut assets = Assets::default();
     let (mut setup, mut warnings) =
-        open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?;
+        open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?.into_parts();
     warnings.extend(check_values(&setup, &arguments.document, &library)?);
     if arguments.z_up {
         setup.stand_up();
@@ -161,7 +161,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     warnings.extend(planner.warnings);
     output.diagnostics(&warnings);
     let Drawn { picture, passes, adapter, warnings: of_device } =
-        draw(&plan, arguments.on, output).map_err(one)?;
+        draw(&plan, arguments.on, output).await.map_err(one)?;
     output.diagnostics(&of_device);
     warnings.extend(of_device);
     let png = picture.to_png().map_err(one)?;
@@ -199,16 +199,16 @@ struct Drawn {
     warnings: Vec<Diagnostic>,
 }
 
-fn draw(plan: &FramePlan, on: Option<On>, output: &Output) -> Result<Drawn, Diagnostic> {
+async fn draw(plan: &FramePlan, on: Option<On>, output: &Output) -> Result<Drawn, Diagnostic> {
     #[cfg(feature = "gpu")]
     if on != Some(On::Reference) {
-        match block_on(Gpu::headless()) {
+        match Gpu::headless().await {
             Ok(gpu) => {
                 let warnings = gpu.warnings(plan);
                 let mut renderer = Renderer::new(gpu);
-                let passes = block_on(renderer.draw(plan))?;
+                let passes = renderer.draw(plan).await?;
                 // Nothing is drawn again: every pass has what it would draw.
-                let picture = block_on(renderer.picture(plan))?;
+                let picture = renderer.picture(plan).await?;
                 milestones::reached("first picture");
                 return Ok(Drawn { picture, passes, adapter: renderer.gpu().name(), warnings });
             }

@@ -13,7 +13,7 @@ use crate::frame::{Assets, PlanOptions, Setup, open};
 use chiaro_laboratory::accuracy::report::tier_word;
 use chiaro_laboratory::accuracy::tune::{Goal, TuneOptions, Tuned, is_beaten, tune};
 use chiaro_laboratory::accuracy::{Measure, Variant};
-use chiaro_render::{Gpu, Renderer, block_on};
+use chiaro_render::{Gpu, Renderer};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -99,7 +99,7 @@ fn parse_milliseconds(text: &str) -> Result<f64, String> {
     time.ok_or_else(|| "milliseconds, as in 16.7".to_owned())
 }
 
-pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let mut outputs = outputs(
         arguments.force,
         arguments.mesh.iter().map(Path::new).chain(arguments.nodes.as_deref()),
@@ -111,7 +111,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let library = library_for(&arguments.look, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
     let setups = setups(arguments, output)?;
-    let gpu = block_on(Gpu::headless()).map_err(|error| vec![error.into()])?;
+    let gpu = Gpu::headless().await.map_err(|error| vec![error.into()])?;
     let mut renderer = Renderer::new(gpu);
     let options = TuneOptions {
         goal: match (arguments.max_error, arguments.max_time) {
@@ -125,7 +125,10 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         stations: arguments.views as usize,
     };
     let tuned = output
-        .watch("tuning", |progress| tune(&setups, &library, &mut renderer, &options, progress))?;
+        .watch_async("tuning", async |progress| {
+            tune(&setups, &library, &mut renderer, &options, progress).await
+        })
+        .await?;
     if !arguments.dry_run {
         let target = arguments.output.as_ref().map_or(arguments.look.as_path(), AsRef::as_ref);
         write(arguments, &tuned, target, &mut outputs)?;
@@ -191,7 +194,7 @@ fn setups(arguments: &Arguments, output: &Output) -> Result<Vec<Setup>, Vec<Diag
         ]);
     }
     for mesh in meshes {
-        let (setup, warnings) = open(&arguments.look, mesh, &mut assets)?;
+        let (setup, warnings) = open(&arguments.look, mesh, &mut assets)?.into_parts();
         output.diagnostics(&warnings);
         setups.push(setup);
     }

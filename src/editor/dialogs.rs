@@ -7,11 +7,10 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::painting::Import;
 use super::viewport::Export;
-use super::worker::start;
+use super::worker::{start, wait};
 use crate::clock::Clock;
 use crate::document::Storage;
 use crate::hcbtf::exchange::Form;
-use crate::render::block_on;
 
 /// What a file is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -179,9 +178,9 @@ impl Dialogs {
         let _ = start("dialog", move || {
             let clock = Clock::start();
             let file = match purpose.writes() {
-                _ if purpose.is_folder() => block_on(dialog.pick_folder()),
-                false => block_on(dialog.pick_file()),
-                true => block_on(dialog.set_file_name(name).save_file()),
+                _ if purpose.is_folder() => wait(dialog.pick_folder()),
+                false => wait(dialog.pick_file()),
+                true => wait(dialog.set_file_name(name).save_file()),
             };
             let answer = match file {
                 Some(file) => Answer::File(purpose, purpose.complete(file.path().to_path_buf())),

@@ -9,7 +9,7 @@ use super::session::Session;
 use super::worker::Worker;
 use crate::diag::Diagnostic;
 use crate::document::{Look, Outputs};
-use crate::export::{self, Export};
+use crate::export::{self, File};
 use crate::library::Library;
 
 /// What leaves, and where to.
@@ -131,12 +131,12 @@ fn run(job: &Job) -> Done {
     });
     let done = exported.and_then(|(exported, languages)| match &job.to {
         Destination::Folder(folder) => {
-            let told = write(&exported, folder, job)?;
+            let told = write(&exported.value, folder, job)?;
             let unverified =
                 export::unverified(&languages).map(|told| format!(" · {told}")).unwrap_or_default();
             Ok(Done::Told(told + &unverified))
         }
-        Destination::Clipboard(ending) => copy(&exported, ending, job),
+        Destination::Clipboard(ending) => copy(&exported.value, ending, job),
     });
     done.unwrap_or_else(|problems| Done::Told(told(&problems)))
 }
@@ -144,12 +144,12 @@ fn run(job: &Job) -> Done {
 /// Writes the files. Where they would take a document's place they go into a folder of their own,
 /// rather than nowhere: whoever takes the look's own folder, where dialogs begin, has made no
 /// mistake.
-fn write(exported: &Export, folder: &Path, job: &Job) -> Result<String, Vec<Diagnostic>> {
+fn write(exported: &[File], folder: &Path, job: &Job) -> Result<String, Vec<Diagnostic>> {
     let mut outputs = Outputs::new(false);
     job.path.iter().for_each(|path| outputs.reads(path));
-    let is_free = export::in_the_way(&exported.files, folder, &outputs).is_none();
+    let is_free = export::in_the_way(exported, folder, &outputs).is_none();
     let folder = if is_free { folder.to_owned() } else { folder.join(own_folder(&job.stem)) };
-    let written = export::write(&exported.files, &folder, &mut outputs)?;
+    let written = export::write(exported, &folder, &mut outputs)?;
     let count = match written.len() {
         1 => "1 file".to_owned(),
         count => format!("{count} files"),
@@ -157,11 +157,11 @@ fn write(exported: &Export, folder: &Path, job: &Job) -> Result<String, Vec<Diag
     Ok(format!("Exported {count} to {}", folder.display()))
 }
 
-fn copy(exported: &Export, ending: &str, job: &Job) -> Result<Done, Vec<Diagnostic>> {
+fn copy(exported: &[File], ending: &str, job: &Job) -> Result<Done, Vec<Diagnostic>> {
     // The look's own module is called as the look is: `rim.es300.frag`, and
     // `rim.normals.es300.frag` that of a pass.
     let own = format!("{}{ending}", job.stem);
-    let file = exported.files.iter().find(|file| file.name == own);
+    let file = exported.iter().find(|file| file.name == own);
     let text =
         file.and_then(|file| Some((String::from_utf8(file.bytes.clone()).ok()?, &file.name)));
     let Some((text, name)) = text else {
@@ -173,7 +173,7 @@ fn copy(exported: &Export, ending: &str, job: &Job) -> Result<Done, Vec<Diagnost
     let is_of_pass = |file: &export::File| {
         file.name != own && file.name.ends_with(ending) && !file.name.contains(".prepare.")
     };
-    let more = if exported.files.iter().any(is_of_pass) {
+    let more = if exported.iter().any(is_of_pass) {
         ". It reads what other passes draw: Export writes those too"
     } else {
         ""

@@ -11,7 +11,7 @@ use super::painting::Work;
 use super::panels::solo::Solo;
 use super::session::Session;
 use super::stage::Staged;
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::{Look, SourceMap};
 use crate::frame::{Assets, Overlay, Planner, Setup, SetupLook, default_setup};
 use crate::library::Library;
@@ -46,10 +46,7 @@ impl Still {
     ///
     /// # Errors
     /// What is wrong with the mesh, without a stage.
-    pub(crate) fn setup(
-        &self,
-        assets: &mut Assets,
-    ) -> Result<(Setup, Vec<Diagnostic>), Vec<Diagnostic>> {
+    pub(crate) fn setup(&self, assets: &mut Assets) -> Result<Warned<Setup>, Vec<Diagnostic>> {
         assets.overlay(self.painting.clone());
         let look = SetupLook {
             look: (*self.look).clone(),
@@ -59,14 +56,15 @@ impl Still {
         let (mut setup, notes) = match &self.stage {
             Some(stage) => stage.setup(look, assets),
             None => default_setup(look, &self.orbit.mesh, assets)?,
-        };
+        }
+        .into_parts();
         if self.orbit.z_is_up && self.stage.is_none() {
             setup.stand_up();
         }
         setup.scene.camera = self.orbit.camera();
         setup.scene.backdrop = self.orbit.backdrop.or(setup.scene.backdrop);
         setup.scene.illumination = DQuat::to_array(&self.orbit.illumination);
-        Ok((setup, notes))
+        Ok(Warned::new(setup, notes))
     }
 }
 

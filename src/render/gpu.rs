@@ -25,12 +25,6 @@ pub struct Gpu {
     problem: Arc<Mutex<Option<RenderError>>>,
 }
 
-/// Waits for a future; for the command line, which has nothing else to do meanwhile.
-#[expect(clippy::disallowed_methods, reason = "the one place that waits for the GPU")]
-pub fn block_on<T>(future: impl Future<Output = T>) -> T {
-    pollster::block_on(future)
-}
-
 /// Catches what goes wrong on the device while it lives.
 ///
 /// Fields are dropped in their order, and of error scopes the last one pushed must be popped first:

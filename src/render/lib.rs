@@ -2,7 +2,8 @@
 //!
 //! [`Gpu`] is a device, our own or a window's. [`Renderer`] keeps what is expensive (pipelines,
 //! meshes, images, targets) and runs a [`FramePlan`]'s passes in order. [`Renderer::evaluate`] runs
-//! surface samples. Creation and readback are async; [`block_on`] is for the command line.
+//! surface samples. Creation, drawing and readback are async; whoever
+//! runs the program or a thread of its window waits.
 
 use chiaro_compiler::compile;
 use chiaro_language::{clock, diag, milestones, wgsl};
@@ -26,7 +27,7 @@ use crate::frame::{FramePlan, PassKind};
 pub use crate::frame::Picture;
 
 pub use error::RenderError;
-pub use gpu::{Gpu, block_on, device_descriptor};
+pub use gpu::{Gpu, device_descriptor};
 pub use timer::{PassTime, set_times};
 
 /// Runs frame plans.

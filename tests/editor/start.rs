@@ -888,7 +888,7 @@ fn an_example_of_an_hcbtf_brings_its_file_along_wherever_it_is_saved() {
     assets.draft();
     let options = chiaro::hcbtf::LayerOptions::default();
     let named = chiaro::frame::SetupLook::clone(&setup.looks[0]);
-    let (image, _) = assets.hcbtf(&named.folder, "example:hcbtf/halftone.hcbtf", options).unwrap();
+    let image = assets.hcbtf(&named.folder, "example:hcbtf/halftone.hcbtf", options).unwrap().value;
     // A draft has 1 + 2 x 4 views that differ at most, and the layer that tells the grid.
     assert!((2..=10).contains(&image.layers), "{}", image.layers);
 }

@@ -3,6 +3,7 @@
 #![cfg(feature = "gpu")]
 
 use crate::support;
+use crate::support::wait::block_on;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
@@ -12,7 +13,7 @@ use chiaro::gallery::nodes::{SIDE, draw_nodes, write_nodes};
 use chiaro::gallery::{List, Made, Options, build, list};
 use chiaro::library::Library;
 use chiaro::progress::Progress;
-use chiaro::render::{Gpu, block_on};
+use chiaro::render::Gpu;
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -34,7 +35,15 @@ fn options(side: u32, rounds: usize) -> Options {
 
 fn make(list: &List, folder: &Path, options: &Options) -> Result<Made, Vec<Diagnostic>> {
     let library = |_: &Path| Library::built_in().clone();
-    build(list, folder, &mut Outputs::new(false), &gpu(), &library, options, &Progress::new())
+    block_on(build(
+        list,
+        folder,
+        &mut Outputs::new(false),
+        &gpu(),
+        &library,
+        options,
+        &Progress::new(),
+    ))
 }
 
 /// What a page's attributes of a name lead to.
@@ -163,11 +172,12 @@ fn the_pictures_of_nodes_are_those_of_now() {
     let folder = root().join("docs/nodes");
     if std::env::var_os("CHIARO_BLESS").is_some() {
         let mut outputs = Outputs::new(false);
-        write_nodes(Library::built_in(), &folder, &gpu(), &mut outputs, &Progress::new()).unwrap();
+        block_on(write_nodes(Library::built_in(), &folder, &gpu(), &mut outputs, &Progress::new()))
+            .unwrap();
     }
     let mut files = HashSet::new();
     let mut far = Vec::new();
-    draw_nodes(Library::built_in(), &gpu(), &Progress::new(), &mut |node| {
+    block_on(draw_nodes(Library::built_in(), &gpu(), &Progress::new(), &mut |node| {
         let name = format!("{}.svg", node.kind);
         let svg = std::fs::read_to_string(folder.join(&name)).unwrap_or_default();
         if svg != node.svg {
@@ -190,7 +200,7 @@ fn the_pictures_of_nodes_are_those_of_now() {
             files.insert(name);
         }
         Ok(())
-    })
+    }))
     .unwrap();
     let there = std::fs::read_dir(&folder)
         .unwrap()

@@ -1,5 +1,6 @@
 //! Surface samples and pictures through the library, as `chiaro eval` and `chiaro render` run them.
 
+use super::wait::block_on;
 use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError, TryLockError};
 
@@ -13,7 +14,7 @@ use chiaro::frame::{
 use chiaro::geometry::Mesh;
 use chiaro::ids::{NodePath, ObjectId, PortName};
 use chiaro::library::{Library, Type};
-use chiaro::render::{Gpu, Picture, Renderer, block_on};
+use chiaro::render::{Gpu, Picture, Renderer};
 
 /// One of the test program's devices, whichever is free; with more tests at once than devices they
 /// take turns.
@@ -145,9 +146,10 @@ pub(crate) fn scene_of(parts: Vec<(SetupLook, Mesh, glam::DMat4)>, scene: Scene)
 
 /// An own shape, fitted into a sphere of radius 1.
 pub(crate) fn shape(name: &str) -> (Mesh, glam::DMat4) {
-    let (mesh, _) = Assets::default()
+    let mesh = Assets::default()
         .mesh(std::path::Path::new(""), &format!("shape:{name}"))
-        .expect("a shape");
+        .expect("a shape")
+        .value;
     let matrix = object_matrix(&chiaro::document::Transform::default(), &mesh);
     (Mesh::clone(&mesh), matrix)
 }

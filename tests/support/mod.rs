@@ -16,3 +16,5 @@ pub(crate) mod random;
 pub(crate) mod report;
 pub(crate) mod stacks;
 pub(crate) mod validators;
+#[cfg(feature = "gpu")]
+pub(crate) mod wait;

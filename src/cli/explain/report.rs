@@ -153,7 +153,7 @@ impl Report {
             // Time is in the plan already: what it chose is what was compiled, so nothing here
             // depends on it.
             let shown = structural_look(&setup.looks[index].look, 0.0, values);
-            let (typed, _) = check(&shown, library, None)?;
+            let typed = check(&shown, library, None)?.value;
             let keys = keys(&shown, draw);
             looks.push((index, LookReport { keys, ..LookReport::new(&shown.name, draw, &typed) }));
         }

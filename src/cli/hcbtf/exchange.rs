@@ -75,9 +75,11 @@ pub(super) fn import(arguments: &ImportArguments, output: &Output) -> Result<(),
         _ => Grid::THESIS,
     };
     let grid_or_fitted = grid.unwrap_or_else(fitted);
-    let (mut hcbtf, notes) = output.watch("reading", |progress| {
-        exchange::import(from, form, grid_or_fitted, arguments.gap, progress)
-    })?;
+    let (mut hcbtf, notes) = output
+        .watch("reading", |progress| {
+            exchange::import(from, form, grid_or_fitted, arguments.gap, progress)
+        })?
+        .into_parts();
     output.diagnostics(&notes);
     if grid.is_some_and(|grid| grid != hcbtf.grid) {
         let problem = Diagnostic::error(

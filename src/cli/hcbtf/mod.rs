@@ -65,9 +65,9 @@ enum Command {
     Rules(rules::Arguments),
 }
 
-pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     match &arguments.command {
-        Command::Info(arguments) => info::run(arguments, output),
+        Command::Info(arguments) => info::run(arguments, output).await,
         Command::Import(arguments) => exchange::import(arguments, output),
         Command::Export(arguments) => exchange::export(arguments, output),
         Command::Synthesize(arguments) => make::synthesized(arguments, output),
@@ -79,7 +79,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
 
 /// Reads a file and tells what is odd in it.
 fn open(path: &Path, output: &Output) -> Result<Hcbtf, Vec<Diagnostic>> {
-    let (hcbtf, notes) = load(path)?;
+    let (hcbtf, notes) = load(path)?.into_parts();
     output.diagnostics(&notes);
     Ok(hcbtf)
 }

@@ -6,7 +6,7 @@ use eframe::egui::Ui;
 
 use super::App;
 use super::files::Pending;
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::dialogs::Purpose;
 use crate::dock::{Panel, Workspace};
 use crate::document::{Edit, Grid, Hcbtf, HcbtfEdit, Storage};
@@ -238,13 +238,9 @@ impl App {
         }
     }
 
-    fn take_import(
-        &mut self,
-        path: &Path,
-        made: Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>>,
-    ) {
+    fn take_import(&mut self, path: &Path, made: Result<Warned<Hcbtf>, Vec<Diagnostic>>) {
         match made {
-            Ok((hcbtf, notes)) => {
+            Ok(Warned { value: hcbtf, warnings: notes }) => {
                 let told = format!(
                     "{} of {} samples are painted",
                     hcbtf.painted.len(),

@@ -47,7 +47,7 @@ pub(super) fn start(wake: impl Fn() + Send + 'static) -> Worker<Job, Done> {
 
 fn fit(assets: &mut Assets, job: &Job) -> Result<Fitted, Vec<Diagnostic>> {
     let Job { what, still, target, options, progress, .. } = job;
-    let (setup, _) = still.setup(assets)?;
+    let setup = still.setup(assets)?.value;
     // The open look is the first.
     match what {
         What::ThisLook => fit_look(&setup, 0, &still.library, target, options, progress),

@@ -9,7 +9,7 @@ use super::grid::directions;
 use super::{Wish, command};
 use crate::command::Command;
 use crate::confirm;
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::{Directions, Grid, Hcbtf};
 use crate::hcbtf::contact::MAX_GAP;
 use crate::hcbtf::exchange::{self, Form};
@@ -43,13 +43,13 @@ impl Import {
         self,
         from: &Path,
         progress: &Progress,
-    ) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+    ) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
         let Self { form, light, view, gap, is_tiling } = self;
         let grid = exchange::fitted(from, form, Grid { size: Grid::THESIS.size, light, view }, gap);
-        let (hcbtf, notes) = exchange::import(from, form, grid, gap, progress)?;
+        let (hcbtf, notes) = exchange::import(from, form, grid, gap, progress)?.into_parts();
         // What Chiaro wrote tells by itself whether it repeats.
         let is_tiling = if exchange::tells_all(from, form) { hcbtf.is_tiling } else { is_tiling };
-        Ok((Hcbtf { is_tiling, ..hcbtf }, notes))
+        Ok(Warned::new(Hcbtf { is_tiling, ..hcbtf }, notes))
     }
 }
 

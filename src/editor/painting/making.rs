@@ -9,7 +9,7 @@ use eframe::egui::{Id, Modal, ProgressBar, RichText, Ui};
 use super::counted;
 use super::import::Import;
 use crate::clock::Clock;
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::{Address, Grid, Hcbtf, Tile, write_atomic};
 use crate::frame::{Assets, Overlay, SetupLook, tile_assets};
 use crate::hcbtf::fill::{fill, sample};
@@ -58,7 +58,7 @@ pub(crate) type Laid = (Arc<Hcbtf>, Option<Arc<Tile>>);
 pub(crate) enum Made {
     Imported {
         from: PathBuf,
-        made: Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>>,
+        made: Result<Warned<Hcbtf>, Vec<Diagnostic>>,
     },
     /// Another tile.
     Tile {

@@ -172,7 +172,7 @@ impl Work {
     /// # Errors
     /// Everything that keeps the file from being used.
     pub(crate) fn open(path: &Path) -> Result<Self, Vec<Diagnostic>> {
-        let (hcbtf, notes) = hcbtf::load(path)?;
+        let (hcbtf, notes) = hcbtf::load(path)?.into_parts();
         if crate::examples::file(path).is_some() {
             let name = path.file_stem().unwrap_or_default().to_string_lossy();
             let (title, example) = (format!("{name}{COPY}"), Some(path.to_owned()));
@@ -231,7 +231,7 @@ impl Work {
         let Some(path) = self.path.clone() else { return Ok(false) };
         // Taken before it is read: what comes in between is noticed the next time.
         let read = Stamp::of(&path);
-        let (hcbtf, notes) = hcbtf::load(&path)?;
+        let (hcbtf, notes) = hcbtf::load(&path)?.into_parts();
         let is_other = hcbtf != *self.hcbtf();
         if is_other {
             let change = HcbtfEdit::Replace { hcbtf: Box::new(hcbtf) };

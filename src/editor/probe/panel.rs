@@ -11,6 +11,7 @@ use super::super::wire::{ShownWire, Style, node_at};
 use super::super::{problems, theme};
 use super::Probe;
 use crate::ids::NodePath;
+use crate::progress::Stopped;
 use crate::reference::WireValue;
 
 const ROW: f32 = 20.0;
@@ -38,7 +39,8 @@ impl Probe {
                 commands.extend(table(ui, session, wires, std::mem::take(&mut self.jump)))
             }
             Some(Err(found)) => {
-                for problem in found.iter().filter(|problem| problem.code != "cancelled").take(3) {
+                for problem in found.iter().filter(|problem| problem.code != Stopped::CODE).take(3)
+                {
                     ui.label(RichText::new(problems::sentence(problem)).color(theme::of(ui).error));
                 }
             }

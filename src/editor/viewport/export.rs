@@ -14,7 +14,7 @@ use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::{OutputKind, Outputs, Projection};
 use crate::frame::{Assets, Picture, PlanOptions, Planner};
-use crate::render::{Gpu, Renderer, block_on};
+use crate::render::{Gpu, Renderer};
 
 /// A baked ball's radius over the image's width: what a LitSphere node takes where nothing else is
 /// said.
@@ -65,11 +65,14 @@ impl Exports {
     pub(super) fn new(gpu: Option<Gpu>, wake: impl Fn() + Send + 'static) -> Self {
         let mut drawer =
             gpu.map(|gpu| Drawer { renderer: Renderer::new(gpu), assets: Assets::default() });
-        let work = move |jobs: Vec<Job>| {
-            let done = jobs.into_iter().map(|job| run(job, drawer.as_mut()));
-            done.map(|done| done.unwrap_or_else(Done::Failed)).collect()
+        let work = async move |jobs: Vec<Job>| {
+            let mut all = Vec::new();
+            for job in jobs {
+                all.push(run(job, drawer.as_mut()).await.unwrap_or_else(Done::Failed));
+            }
+            all
         };
-        Self { worker: Worker::new("export", wake, work) }
+        Self { worker: Worker::waiting("export", wake, work) }
     }
 
     /// Draws and saves or copies.
@@ -101,7 +104,7 @@ impl Exports {
     }
 }
 
-fn run(job: Job, drawer: Option<&mut Drawer>) -> Result<Done, Diagnostic> {
+async fn run(job: Job, drawer: Option<&mut Drawer>) -> Result<Done, Diagnostic> {
     match job {
         Job::Read(path) => {
             let image = Assets::default().image(Path::new(""), &path.display().to_string())?;
@@ -112,7 +115,7 @@ fn run(job: Job, drawer: Option<&mut Drawer>) -> Result<Done, Diagnostic> {
                 Diagnostic::error("no-gpu", "there is no GPU to draw with")
                     .hint("`chiaro render --on reference` needs none")
             })?;
-            let picture = drawer.draw(export, *still)?;
+            let picture = drawer.draw(export, *still).await?;
             match to {
                 Destination::File(path) => {
                     // The dialog has asked about what is there; but the picture must not take what
@@ -150,7 +153,7 @@ struct Drawer {
 }
 
 impl Drawer {
-    fn draw(&mut self, export: Export, mut still: Still) -> Result<Picture, Diagnostic> {
+    async fn draw(&mut self, export: Export, mut still: Still) -> Result<Picture, Diagnostic> {
         let size = match export {
             Export::Picture(size) => size,
             Export::LitSphere(side) => {
@@ -160,7 +163,7 @@ impl Drawer {
             }
         };
         let mut planner = Planner::new(std::mem::take(&mut self.assets));
-        let drawn = self.try_draw(&mut planner, &still, export, size);
+        let drawn = self.try_draw(&mut planner, &still, export, size).await;
         self.assets = planner.assets;
         // The list of problems tells all of them; one is enough to say why.
         let picture = drawn.map_err(|mut problems| {
@@ -173,20 +176,20 @@ impl Drawer {
         Ok(if matches!(export, Export::LitSphere(_)) { filled(picture) } else { picture })
     }
 
-    fn try_draw(
+    async fn try_draw(
         &mut self,
         planner: &mut Planner,
         still: &Still,
         export: Export,
         size: [u32; 2],
     ) -> Result<Picture, Vec<Diagnostic>> {
-        let (mut setup, _) = still.setup(&mut planner.assets)?;
+        let mut setup = still.setup(&mut planner.assets)?.value;
         if matches!(export, Export::LitSphere(_)) {
             setup.scene.backdrop = None;
         }
         let options = PlanOptions { size, samples: 4, time: still.time };
         let plan = planner.plan(&setup, &still.library, &Live::Keyed, &options)?;
-        block_on(self.renderer.picture(&plan)).map_err(|error| vec![error.into()])
+        self.renderer.picture(&plan).await.map_err(|error| vec![error.into()])
     }
 }
 

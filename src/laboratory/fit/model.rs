@@ -124,7 +124,7 @@ impl Model {
         }
         let time =
             [shot.time, ((shot.time - setup.scene.time.start) * setup.scene.time.fps).round()];
-        let (rig, lights) = (Rig::new(look).0, look.lights.clone());
+        let (rig, lights) = (Rig::new(look).value, look.lights.clone());
         let is_chosen = |pixel: [u32; 2]| chosen.contains(&pixel);
         let gathered = Gathered::new(plan, &is_chosen, &Options::default(), &Progress::new())
             .map_err(|one| vec![one])?;

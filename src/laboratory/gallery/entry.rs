@@ -7,12 +7,12 @@ use std::sync::Arc;
 use super::{Options, Shown};
 use crate::accuracy::{BenchOptions, MeasuredNodes, Report, bench};
 use crate::compile::Live;
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::Look;
 use crate::frame::{Assets, Pass, PlanOptions, Planner, Setup, open};
 use crate::library::Library;
 use crate::progress::Progress;
-use crate::render::{Renderer, block_on};
+use crate::render::Renderer;
 
 /// Everything that a page tells.
 pub(super) struct Entry {
@@ -39,15 +39,15 @@ pub(super) struct Entry {
 
 impl Entry {
     /// Draws and measures a document.
-    pub(super) fn make(
+    pub(super) async fn make(
         shown: &Shown,
         library: &Library,
         renderer: &mut Renderer,
         options: &Options,
-    ) -> Result<(Self, Vec<Diagnostic>), Vec<Diagnostic>> {
+    ) -> Result<Warned<Self>, Vec<Diagnostic>> {
         let mut assets = Assets::default();
         let mesh = options.mesh.as_deref().or(shown.mesh.as_deref());
-        let (mut setup, mut warnings) = open(&shown.file, mesh, &mut assets)?;
+        let (mut setup, mut warnings) = open(&shown.file, mesh, &mut assets)?.into_parts();
         setup.scene.backdrop = shown.backdrop.or(setup.scene.backdrop);
         shown.place(&mut setup.scene).map_err(|problem| vec![problem])?;
         let time = shown.time.unwrap_or(setup.scene.time.start);
@@ -55,7 +55,7 @@ impl Entry {
         let mut planner = Planner::new(assets);
         let plan = planner.plan(&setup, library, &Live::Keyed, &plan_options)?;
         warnings.append(&mut planner.warnings);
-        let picture = block_on(renderer.picture(&plan)).map_err(|error| vec![error.into()])?;
+        let picture = renderer.picture(&plan).await.map_err(|error| vec![error.into()])?;
         let png = picture.to_png().map_err(|problem| vec![problem])?;
         let mut seen = HashSet::new();
         let modules = plan.draws.iter().filter(|draw| seen.insert(Arc::as_ptr(&draw.look)));
@@ -63,7 +63,7 @@ impl Entry {
             modules.map(|draw| (draw.look_name.clone(), draw.look.wgsl.clone())).collect();
         let report = match options.rounds {
             0 => None,
-            rounds => Some(measure(&setup, library, renderer, &plan_options, rounds)?),
+            rounds => Some(measure(&setup, library, renderer, &plan_options, rounds).await?),
         };
         let looks = looks(&setup);
         let (name, about) = told(shown, &setup);
@@ -84,11 +84,11 @@ impl Entry {
             report,
             triangles: setup.objects.iter().map(|object| object.mesh.triangle_count()).sum(),
         };
-        Ok((entry, warnings))
+        Ok(Warned::new(entry, warnings))
     }
 }
 
-fn measure(
+async fn measure(
     setup: &Setup,
     library: &Library,
     renderer: &mut Renderer,
@@ -101,7 +101,7 @@ fn measure(
         nodes: MeasuredNodes::None,
         truth: true,
     };
-    Ok(bench(setup, library, renderer, &options, &Progress::new())?)
+    Ok(bench(setup, library, renderer, &options, &Progress::new()).await?)
 }
 
 /// Looks that differ, in the order in which they are worn.

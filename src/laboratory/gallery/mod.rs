@@ -71,7 +71,7 @@ fn is_page(bytes: &[u8]) -> bool {
 /// # Errors
 /// Where nothing can be written there, or a file of somebody else lies in the way, or `progress`
 /// stopped it: the pages that are done stay.
-pub fn build(
+pub async fn build(
     list: &List,
     folder: &Path,
     outputs: &mut Outputs,
@@ -96,9 +96,9 @@ pub fn build(
             made.problems.extend(library.problems.iter().cloned());
             // A renderer of its own, or the pipelines and textures of all would be kept.
             let mut renderer = Renderer::new(gpu.clone());
-            match Entry::make(shown, &library, &mut renderer, options) {
-                Ok((entry, warnings)) => {
-                    made.problems.extend(warnings);
+            match Entry::make(shown, &library, &mut renderer, options).await {
+                Ok(entry) => {
+                    let entry = entry.tell(&mut made.problems);
                     let mut catalog = Catalog::new(&library);
                     let page = folder.join(format!("{slug}.html"));
                     let is_picture = |bytes: &[u8]| is_picture(bytes, &page);

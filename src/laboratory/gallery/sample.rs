@@ -11,7 +11,7 @@ use crate::document::{Endpoint, Light, Look, Node, Value, Values, Wire};
 use crate::examples;
 use crate::frame::{Assets, Picture, PlanOptions, Planner, SHAPE_PREFIX, SetupLook, default_setup};
 use crate::library::{Fallback, Library, Type};
-use crate::render::{Renderer, block_on};
+use crate::render::Renderer;
 
 /// What shows more of a node than its defaults, by kind: values as in a look's JSON, which source
 /// `feed`s which input, what the output is multiplied by (`times`), on which own shape it is seen
@@ -275,7 +275,7 @@ impl Build<'_> {
 
 /// Draws what a node of a kind gives, on a transparent ground; `None` where nothing could be seen
 /// of it. `folder` is where the image and the HCBTF lie that some nodes read ([`write_assets`]).
-pub(super) fn picture(
+pub(super) async fn picture(
     kind: &Kind,
     catalog: &Catalog,
     library: &Library,
@@ -289,7 +289,7 @@ pub(super) fn picture(
     // No text of it is anywhere.
     let source = Look::read("{}", &kind.id).source.into();
     let look = SetupLook { look, source, folder: folder.to_path_buf() };
-    let (mut setup, _) = default_setup(look, &mesh, &mut assets)?;
+    let mut setup = default_setup(look, &mesh, &mut assets)?.value;
     setup.scene.backdrop = None;
     if mesh.ends_with(MESH) {
         // It fills its picture.
@@ -298,7 +298,7 @@ pub(super) fn picture(
     }
     let options = PlanOptions { size: [side, side], samples: 4, time: 0.4 };
     let plan = Planner::new(assets).plan(&setup, library, &Live::Keyed, &options)?;
-    Ok(Some(block_on(renderer.picture(&plan)).map_err(|error| vec![error.into()])?))
+    Ok(Some(renderer.picture(&plan).await.map_err(|error| vec![error.into()])?))
 }
 
 /// Writes the files that samples read.

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::SystemTime;
 
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::{Address, Directions, Grid, Hcbtf, Tile};
 use crate::files::{self, ReadError};
 use crate::geometry::{self, Mesh};
@@ -76,8 +76,7 @@ impl Image {
 #[derive(Clone, Debug)]
 struct Kept<T> {
     stamp: Option<(SystemTime, u64)>,
-    value: Arc<T>,
-    notes: Vec<Diagnostic>,
+    warned: Warned<Arc<T>>,
 }
 
 /// An HCBTF as it is being painted, in place of what its file holds.
@@ -218,21 +217,19 @@ impl Assets {
         &mut self,
         folder: &Path,
         name: &str,
-    ) -> Result<(Arc<Mesh>, Vec<Diagnostic>), Vec<Diagnostic>> {
+    ) -> Result<Warned<Arc<Mesh>>, Vec<Diagnostic>> {
         if let Some(shape) = name.strip_prefix(SHAPE_PREFIX) {
-            return Ok((self.shape(shape)?, Vec::new()));
+            return Ok(self.shape(shape)?.into());
         }
         let path = folder.join(name);
         let key = path.display().to_string();
         let stamp = stamp(&path);
         if let Some(kept) = self.meshes.get(&key).filter(|kept| kept.stamp == stamp) {
-            return Ok((kept.value.clone(), kept.notes.clone()));
+            return Ok(kept.warned.clone());
         }
-        let imported = geometry::load(&path)?;
-        let value = Arc::new(imported.mesh);
-        self.meshes
-            .insert(key, Kept { stamp, value: value.clone(), notes: imported.notes.clone() });
-        Ok((value, imported.notes))
+        let warned = geometry::load(&path)?.map(Arc::new);
+        self.meshes.insert(key, Kept { stamp, warned: warned.clone() });
+        Ok(warned)
     }
 
     /// Every file that was read: meshes, images and HCBTFs.
@@ -246,7 +243,7 @@ impl Assets {
     fn shape(&mut self, name: &str) -> Result<Arc<Mesh>, Vec<Diagnostic>> {
         let key = format!("{SHAPE_PREFIX}{name}");
         if let Some(kept) = self.meshes.get(&key) {
-            return Ok(kept.value.clone());
+            return Ok(kept.warned.value.clone());
         }
         let Some(mesh) = geometry::shape(name) else {
             let known = geometry::SHAPES.iter().map(|shape| shape.name);
@@ -258,7 +255,7 @@ impl Assets {
             ]);
         };
         let value = Arc::new(mesh);
-        self.meshes.insert(key, Kept { stamp: None, value: value.clone(), notes: Vec::new() });
+        self.meshes.insert(key, Kept { stamp: None, warned: value.clone().into() });
         Ok(value)
     }
 
@@ -270,10 +267,10 @@ impl Assets {
         let path = folder.join(path);
         let stamp = stamp(&path);
         if let Some(kept) = self.images.get(&path).filter(|kept| kept.stamp == stamp) {
-            return Ok(kept.value.clone());
+            return Ok(kept.warned.value.clone());
         }
         let value = Arc::new(read_image(&path)?);
-        self.images.insert(path, Kept { stamp, value: value.clone(), notes: Vec::new() });
+        self.images.insert(path, Kept { stamp, warned: value.clone().into() });
         Ok(value)
     }
 
@@ -328,25 +325,25 @@ impl Assets {
         folder: &Path,
         path: &str,
         options: LayerOptions,
-    ) -> Result<(Arc<Image>, Vec<Diagnostic>), Vec<Diagnostic>> {
+    ) -> Result<Warned<Arc<Image>>, Vec<Diagnostic>> {
         let path = folder.join(path);
         if let Some(image) = self.overlaid(&path, options) {
-            return Ok((image.map_err(|problem| vec![problem])?, Vec::new()));
+            return Ok(image.map_err(|problem| vec![problem])?.into());
         }
         let stamp = stamp(&path);
         let key = (path, options);
         if let Some(kept) = self.hcbtfs.get(&key).filter(|kept| kept.stamp == stamp) {
-            return Ok((kept.value.clone(), kept.notes.clone()));
+            return Ok(kept.warned.clone());
         }
-        let (mut hcbtf, notes) = hcbtf::load(&key.0)?;
+        let (mut hcbtf, notes) = hcbtf::load(&key.0)?.into_parts();
         if self.drafts && hcbtf.painted.is_empty() {
             hcbtf.grid = drafted(hcbtf.grid);
         }
         let value = bake(&hcbtf, options, &self.progress)
             .map_err(|problem| vec![problem.in_file(key.0.display().to_string())])?;
-        let value = Arc::new(value);
-        self.hcbtfs.insert(key, Kept { stamp, value: value.clone(), notes: notes.clone() });
-        Ok((value, notes))
+        let warned = Warned::new(Arc::new(value), notes);
+        self.hcbtfs.insert(key, Kept { stamp, warned: warned.clone() });
+        Ok(warned)
     }
 }
 
@@ -442,7 +439,10 @@ mod tests {
         let mut assets = Assets::default();
         let mut baked = |overlay: &Overlay| {
             assets.overlay(Some(overlay.clone()));
-            assets.hcbtf(Path::new("nowhere"), UNSAVED_HCBTF, LayerOptions::default()).unwrap().0
+            assets
+                .hcbtf(Path::new("nowhere"), UNSAVED_HCBTF, LayerOptions::default())
+                .unwrap()
+                .value
         };
         let one = baked(&overlay(1, &[(first, [9, 9, 9, 255])]));
         assert_eq!(one.change, None);
@@ -479,7 +479,7 @@ mod tests {
             let image = assets
                 .hcbtf(Path::new("nowhere"), UNSAVED_HCBTF, LayerOptions::default())
                 .unwrap()
-                .0;
+                .value;
             assert!(
                 image.rgba() == overlay.bake(LayerOptions::default()).unwrap().rgba(),
                 "version {version}"

@@ -290,7 +290,7 @@ impl Planner {
                 },
             );
         let shaders = known.unwrap_or_else(|| {
-            let (rig, problems) = Rig::new(look);
+            let (rig, problems) = Rig::new(look).into_parts();
             self.warnings = problems;
             let tables = HashMap::from([(Stage::Draw, ParamTable::new(&draw.params))]);
             LookShaders { draw, normals: HashMap::new(), rig, tables }
@@ -520,7 +520,7 @@ impl Planner {
             problems
         };
         let draw = Arc::new(compile(shown, library, &options).map_err(located)?);
-        let (rig, mut problems) = Rig::new(shown);
+        let (rig, mut problems) = Rig::new(shown).into_parts();
         problems.extend(draw.warnings.iter().cloned());
         self.warnings.extend(located(problems));
         let tables = HashMap::from([(Stage::Draw, ParamTable::new(&draw.params))]);
@@ -740,7 +740,7 @@ pub(super) fn images(
                 ImageShape::Hcbtf { has_levels, storage } => {
                     let options =
                         LayerOptions { has_levels, is_decoded: image.is_decoded, storage };
-                    assets.hcbtf(&setup.folder, &image.path, options).map(|(image, _)| image)
+                    assets.hcbtf(&setup.folder, &image.path, options).map(|image| image.value)
                 }
             };
             read.unwrap_or_else(|found| {

@@ -10,7 +10,7 @@ use super::fill::{Filled, Which};
 use super::picture::{Picture, decode, reduced};
 use super::report::Report;
 use super::sheet::{gathered, painted};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::{Address, Grid, Hcbtf};
 use crate::progress::Progress;
 
@@ -81,7 +81,7 @@ pub fn read(
     gap: u32,
     name: &str,
     progress: &Progress,
-) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
     let mut report = Report::new(name);
     let accept = |found: [u32; 2], asked: [u32; 2]| {
         let message = || {
@@ -157,8 +157,8 @@ mod tests {
             assert_eq!(picture.size, [5 * 3 + 4 * gap, 4 * 2 + 3 * gap]);
             let back =
                 read(&picture.to_png().unwrap(), grid, gap, "c.png", &Progress::new()).unwrap();
-            assert_eq!(back.0.painted, hcbtf.painted, "gap {gap}");
-            assert!(back.1.is_empty());
+            assert_eq!(back.value.painted, hcbtf.painted, "gap {gap}");
+            assert!(back.warnings.is_empty());
         }
         let filled = fill(&hcbtf, &progress).unwrap();
         let picture = export(&filled, 2, Which::All).unwrap();

@@ -7,7 +7,7 @@ use super::blocks::{Loss, loss};
 use super::fill::{Filled, NotFilled, Which};
 use super::layers::{LayerOptions, from_layers, stored};
 use super::{contact, folder, ktx2, read_bytes, sheet};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::{FileSet, Grid, Hcbtf, Storage, write_atomic};
 use crate::figures::{bytes, count};
 use crate::progress::Progress;
@@ -96,7 +96,7 @@ pub fn import(
     grid: Grid,
     gap: u32,
     progress: &Progress,
-) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
     let name = from.display().to_string();
     let bytes = || read_bytes(from).map_err(|problem| vec![*problem]);
     match form {
@@ -113,7 +113,7 @@ pub fn import(
             }
             let hcbtf = from_layers(&texture).map_err(|problem| vec![problem.in_file(name)])?;
             progress.add(1);
-            Ok((hcbtf, Vec::new()))
+            Ok(hcbtf.into())
         }
     }
 }
@@ -258,7 +258,7 @@ mod tests {
             let found = fitted(&path, form, unknown, gap);
             assert_eq!(found.size, if form == Form::Ktx2 { [1, 1] } else { grid.size }, "{form:?}");
             let progress = Progress::new();
-            let (back, notes) = import(&path, form, found, gap, &progress).unwrap();
+            let (back, notes) = import(&path, form, found, gap, &progress).unwrap().into_parts();
             assert_eq!(progress.share(), 1.0, "{form:?}");
             let stopped = Progress::new();
             stopped.stop();

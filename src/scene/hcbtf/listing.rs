@@ -140,7 +140,7 @@ mod tests {
                 &Progress::new(),
             )
         };
-        assert_eq!(import(&files).unwrap(), (hcbtf.clone(), vec![]));
+        assert_eq!(import(&files).unwrap(), hcbtf.clone().into());
         // An image that another program wrote anew, other below its transparent texels, is the
         // same; another color is not.
         let address = Address::new([1, 0], [0, 0]);
@@ -148,15 +148,15 @@ mod tests {
         let tile = filled.tile(address).unwrap();
         let mut rgba = tile.bytes().to_vec();
         files.insert(file.clone(), super::super::picture::encode([2, 2], &rgba).unwrap());
-        assert_eq!(import(&files).unwrap().0, hcbtf);
+        assert_eq!(import(&files).unwrap().value, hcbtf);
         rgba[0] ^= 1;
         files.insert(file.clone(), super::super::picture::encode([2, 2], &rgba).unwrap());
-        let changed = import(&files).unwrap().0;
+        let changed = import(&files).unwrap().value;
         assert_eq!(changed.painted.len(), 4);
         assert_eq!(changed.painted(address).unwrap().bytes(), rgba);
         // A painting that was thrown away is no longer painted.
         files.remove(&file_name(Address::new([0, 0], [1, 2])));
-        assert_eq!(import(&files).unwrap().0.painted.len(), 3);
+        assert_eq!(import(&files).unwrap().value.painted.len(), 3);
     }
 
     #[test]
@@ -166,7 +166,10 @@ mod tests {
         let told = |text: &str| {
             let mut report = Report::new("folder");
             let listing = parse(text.as_bytes(), &mut report);
-            (listing.is_some(), report.finish(Some(())).map_or_else(|all| all, |(_, notes)| notes))
+            (
+                listing.is_some(),
+                report.finish(Some(())).map_or_else(|all| all, |warned| warned.warnings),
+            )
         };
         assert_eq!(told(&text), (true, vec![]));
         for (text, code) in [

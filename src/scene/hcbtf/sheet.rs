@@ -23,7 +23,7 @@ use super::fill::{Filled, shared};
 use super::picture::{Picture, decode, reduced};
 use super::report::Report;
 use super::{MAX_PAINTED_BYTES, folder};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::{Address, Direction, Grid, Hcbtf, Tile};
 use crate::progress::Progress;
 
@@ -155,7 +155,7 @@ pub fn read(
     grid: Grid,
     name: &str,
     progress: &Progress,
-) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
     let mut report = Report::new(name);
     let hcbtf = decode_sheet(png, &grid, &mut report)
         .and_then(|sheet| import_into(&sheet, grid, &mut report, progress));
@@ -199,11 +199,7 @@ fn fits([width, height]: [u32; 2], grid: &Grid) -> Result<(), String> {
 ///
 /// # Errors
 /// Where the sheet's size is not what the grid asks for.
-pub fn import(
-    sheet: &Picture,
-    grid: Grid,
-    name: &str,
-) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+pub fn import(sheet: &Picture, grid: Grid, name: &str) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
     let mut report = Report::new(name);
     let hcbtf = match grid.check().and_then(|()| fits(sheet.size, &grid)) {
         Ok(())

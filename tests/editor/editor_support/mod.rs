@@ -4,16 +4,19 @@
 pub(crate) mod home;
 pub(crate) mod painting;
 mod verbs;
+#[path = "../../support/wait.rs"]
+mod wait;
 
 use chiaro::document::Look;
 use chiaro::editor::App;
-use chiaro::render::{Gpu, block_on};
+use chiaro::render::Gpu;
 use eframe::egui::{
     self, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect, Vec2, ViewportId, vec2,
 };
 use egui_kittest::kittest::Queryable as _;
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
 use egui_kittest::{Harness, HarnessBuilder};
+use wait::block_on;
 
 /// A window without display and GPU, and a hand in it.
 pub(crate) struct Hand {

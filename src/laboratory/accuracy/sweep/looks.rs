@@ -15,7 +15,7 @@ use crate::document::{Look, Tier};
 use crate::frame::{Assets, PlanOptions, Planner, Setup, open};
 use crate::library::Library;
 use crate::progress::Progress;
-use crate::render::{Renderer, block_on};
+use crate::render::Renderer;
 
 /// What looks are worn by.
 pub const MESHES: [&str; 3] = ["shape:sphere", "shape:creature", "shape:plane"];
@@ -235,7 +235,7 @@ pub fn content(
     let mut assets = Assets::default();
     let options = PlanOptions { size: [16; 2], samples: 1, time: 0.0 };
     for mesh in meshes {
-        let (setup, _) = open(path, Some(mesh), &mut assets)?;
+        let setup = open(path, Some(mesh), &mut assets)?.value;
         setup.looks.iter().for_each(|worn| sink(worn.look.to_text().as_bytes()));
         let exact = Variant::Looks(Tier::Exact).of(&setup);
         Planner::for_truth(Assets::default())
@@ -256,7 +256,7 @@ pub fn content(
 ///
 /// # Errors
 /// What is wrong with the look, what the GPU refuses, or that `progress` stopped it.
-pub fn measure_look(
+pub async fn measure_look(
     path: &Path,
     library: &Library,
     precise: &mut Renderer,
@@ -272,7 +272,7 @@ pub fn measure_look(
     let mut bounds: Vec<LookBound> =
         effort.tiers.iter().map(|tier| LookBound::of(*tier).at(side)).collect();
     for mesh in &effort.meshes {
-        let (setup, _) = open(path, Some(mesh), &mut assets)?;
+        let setup = open(path, Some(mesh), &mut assets)?.value;
         if let [worn, ..] = setup.looks.as_slice() {
             let of = |tier: &Tier| LookBound::of_look(&worn.look, library, *tier).at(side);
             bounds = effort.tiers.iter().map(of).collect();
@@ -303,7 +303,7 @@ pub fn measure_look(
                 for (number, &tier) in effort.tiers.iter().enumerate() {
                     let drawn = Variant::Looks(tier).of(&seen);
                     let plan = planners[number].plan(&drawn, library, &Live::Keyed, &options)?;
-                    let got = Colors::from(&block_on(precise.picture(&plan))?);
+                    let got = Colors::from(&precise.picture(&plan).await?);
                     if bounds[number].max.is_some() {
                         settled[number] += truth.settle(
                             &got,

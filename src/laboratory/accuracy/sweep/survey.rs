@@ -5,6 +5,7 @@
 
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
+use std::pin::Pin;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, mpsc};
 use std::thread;
@@ -18,7 +19,7 @@ use super::stability::{MESHES, StabilityEffort, StabilityMeasured, measure_stabi
 use crate::accuracy::MeasureError;
 use crate::library::Library;
 use crate::progress::Progress;
-use crate::render::{Gpu, Renderer, block_on};
+use crate::render::{Gpu, Renderer};
 
 /// What is surveyed.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,7 +68,11 @@ enum WorkerMessage {
     Failed(MeasureError),
 }
 
-/// Measures everything.
+/// Waits for a future on the thread that calls it. A survey has its own threads, and the library
+/// itself waits nowhere: whoever asks for a survey says how.
+pub type Wait<'a> = &'a (dyn Fn(Pin<Box<dyn Future<Output = ()> + '_>>) + Sync);
+
+/// Measures everything, each worker on a thread of its own that `wait`s for its device.
 ///
 /// # Errors
 /// What is wrong with a look or a node, no GPU or what it refuses, or that `progress` stopped it.
@@ -75,10 +80,11 @@ enum WorkerMessage {
     clippy::disallowed_methods,
     reason = "the one place of the survey that starts threads: each waits for a device of its own"
 )]
-pub fn survey(
+pub async fn survey(
     survey: &Survey,
     library: &Library,
     progress: &Progress,
+    wait: Wait<'_>,
 ) -> Result<AccuracyReport, MeasureError> {
     let looks = survey.looks.as_deref().map_or_else(|| Ok(Vec::new()), looks_in)?;
     let mut kinds: Vec<&String> = library.nodes.keys().collect();
@@ -99,7 +105,7 @@ pub fn survey(
     let first_small = large.len();
     let jobs: Vec<Job> = large.into_iter().chain(small).collect();
 
-    let gpu = block_on(Gpu::headless())?;
+    let gpu = Gpu::headless().await?;
     let report = AccuracyReport {
         adapter: gpu.name(),
         is_software: gpu.is_software(),
@@ -120,7 +126,7 @@ pub fn survey(
         for _ in 0..workers {
             let tell = tell.clone();
             let team = &team;
-            scope.spawn(move || team.work(&tell));
+            scope.spawn(move || wait(Box::pin(team.work(&tell))));
         }
         drop(tell);
         team.gather(&told)
@@ -146,8 +152,8 @@ struct Team<'a> {
 
 impl Team<'_> {
     /// Does one job after the other, and tells what keeps it from going on.
-    fn work(&self, tell: &mpsc::Sender<WorkerMessage>) {
-        if let Err(why) = self.work_on(tell) {
+    async fn work(&self, tell: &mpsc::Sender<WorkerMessage>) {
+        if let Err(why) = self.work_on(tell).await {
             // First what is wrong: whoever stops because of it tells only that.
             drop(tell.send(WorkerMessage::Failed(why)));
             self.progress.stop();
@@ -155,17 +161,21 @@ impl Team<'_> {
     }
 
     /// The same, until there are no more jobs; on a device of its own.
-    fn work_on(&self, tell: &mpsc::Sender<WorkerMessage>) -> Result<(), MeasureError> {
-        let gpu = block_on(Gpu::headless())?;
+    async fn work_on(&self, tell: &mpsc::Sender<WorkerMessage>) -> Result<(), MeasureError> {
+        let gpu = Gpu::headless().await?;
         let precise = gpu.precise();
         let mut renderer = Renderer::new(gpu);
         let mut lab = Lab::new(self.library, &mut renderer)?;
         while let Some((number, _alone)) = self.next_job() {
             let found = match &self.jobs[number] {
-                Job::Case(case) => self.measure_case(case, &mut lab),
+                Job::Case(case) => self.measure_case(case, &mut lab).await,
                 // What a look's shaders and textures take is given back after it.
-                Job::Look(path) => self.measure_look(path, &mut Renderer::new(precise.clone())),
-                Job::Large(path) => self.measure_large(path, &mut Renderer::new(precise.clone())),
+                Job::Look(path) => {
+                    self.measure_look(path, &mut Renderer::new(precise.clone())).await
+                }
+                Job::Large(path) => {
+                    self.measure_large(path, &mut Renderer::new(precise.clone())).await
+                }
             }?;
             if tell.send(WorkerMessage::Found(number, found)).is_err() {
                 break;
@@ -190,8 +200,8 @@ impl Team<'_> {
         (number < self.jobs.len()).then_some((number, None))
     }
 
-    fn measure_case(&self, case: &Case, lab: &mut Lab<'_>) -> Result<Found, MeasureError> {
-        let measured = lab.measure(case, &self.survey.effort)?;
+    async fn measure_case(&self, case: &Case, lab: &mut Lab<'_>) -> Result<Found, MeasureError> {
+        let measured = lab.measure(case, &self.survey.effort).await?;
         let bench = lab.bench(case)?;
         let worst =
             measured.worst.iter().take(KEPT_OF_A_CASE).filter(|finding| finding.error > 0.0);
@@ -200,19 +210,32 @@ impl Team<'_> {
         Ok(Found::Case(measured, worst))
     }
 
-    fn measure_look(&self, path: &Path, precise: &mut Renderer) -> Result<Found, MeasureError> {
+    async fn measure_look(
+        &self,
+        path: &Path,
+        precise: &mut Renderer,
+    ) -> Result<Found, MeasureError> {
         let progress = &self.progress;
-        let drawn = measure_look(path, self.library, precise, &self.survey.look_effort, progress)?;
-        let turning = |mesh| {
-            measure_stability(path, mesh, self.library, precise, &self.survey.stability, progress)
-        };
-        let stability = MESHES.into_iter().map(turning).collect::<Result<_, _>>()?;
+        let drawn =
+            measure_look(path, self.library, precise, &self.survey.look_effort, progress).await?;
+        let effort = &self.survey.stability;
+        let mut stability = Vec::new();
+        for mesh in MESHES {
+            stability.push(
+                measure_stability(path, mesh, self.library, precise, effort, progress).await?,
+            );
+        }
         Ok(Found::Look(drawn, stability))
     }
 
-    fn measure_large(&self, path: &Path, precise: &mut Renderer) -> Result<Found, MeasureError> {
+    async fn measure_large(
+        &self,
+        path: &Path,
+        precise: &mut Renderer,
+    ) -> Result<Found, MeasureError> {
         let effort = self.survey.large.clone().unwrap_or_else(LookEffort::large);
-        measure_look(path, self.library, precise, &effort, &self.progress).map(Found::Large)
+        let drawn = measure_look(path, self.library, precise, &effort, &self.progress).await?;
+        Ok(Found::Large(drawn))
     }
 
     /// What all jobs came to, in their order. The first that fails stops them all.
