@@ -13,7 +13,7 @@ use super::session::Session;
 use super::stage::Staged;
 use crate::diag::{Diagnostic, Warned};
 use crate::document::{Look, SourceMap};
-use crate::frame::{Assets, Overlay, Planner, Setup, SetupLook, default_setup};
+use crate::frame::{AssetStore, Assets, Overlay, Planner, Setup, SetupLook, default_setup};
 use crate::library::Library;
 
 /// A look with everything that its picture depends on, but for the size.
@@ -31,6 +31,8 @@ pub(crate) struct Still {
     pub(crate) stage: Option<Arc<Staged>>,
     /// The HCBTF that is being painted, in place of its file.
     pub(crate) painting: Option<Overlay>,
+    /// What all pictures of the window share.
+    pub(crate) assets: AssetStore,
 }
 
 impl Still {
@@ -47,6 +49,8 @@ impl Still {
     /// # Errors
     /// What is wrong with the mesh, without a stage.
     pub(crate) fn setup(&self, assets: &mut Assets) -> Result<Warned<Setup>, Vec<Diagnostic>> {
+        assets.share(&self.assets);
+        assets.begin_picture();
         assets.overlay(self.painting.clone());
         let look = SetupLook {
             look: (*self.look).clone(),
@@ -125,6 +129,7 @@ impl Session {
             time: self.time,
             stage: self.stage().map(|stage| self.solo().lit_stage(stage.staged())),
             painting: self.painting().map(Work::overlay),
+            assets: self.assets.clone(),
         }
     }
 

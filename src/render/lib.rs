@@ -17,6 +17,7 @@ mod mesh;
 mod passes;
 mod pipeline;
 mod readback;
+mod store;
 mod target;
 mod timer;
 
@@ -28,9 +29,10 @@ pub use crate::frame::Picture;
 
 pub use error::RenderError;
 pub use gpu::{Gpu, device_descriptor};
+pub use store::UploadCounts;
 pub use timer::{PassTime, set_times};
 
-/// Runs frame plans.
+/// Runs frame plans. Renderers on clones of one [`Gpu`] share meshes, images and pipelines.
 #[derive(Debug)]
 pub struct Renderer {
     gpu: Gpu,
@@ -50,10 +52,10 @@ impl Renderer {
     /// A renderer on `gpu`.
     pub fn new(gpu: Gpu) -> Self {
         Self {
+            pipelines: gpu.store.pipelines.clone(),
+            meshes: gpu.store.meshes.clone(),
+            images: gpu.store.images.clone(),
             gpu,
-            pipelines: pipeline::Pipelines::default(),
-            meshes: mesh::Meshes::default(),
-            images: image::Images::default(),
             curvature: HashMap::new(),
             targets: target::Targets::default(),
             done: HashMap::new(),
@@ -109,11 +111,13 @@ impl Renderer {
         self.gpu.queue.submit([encoder.finish()]);
         if let Err(error) = guard.finish().await {
             self.done.clear();
+            if matches!(error, RenderError::OutOfMemory { .. }) {
+                self.gpu.store.clear();
+            }
             return Err(error);
         }
         self.done.extend(plan.passes.iter().map(|pass| (pass.kind.clone(), pass.input_hash)));
-        self.meshes.keep_recent();
-        self.images.keep_recent();
+        self.gpu.store.keep_recent();
         Ok(ran)
     }
 

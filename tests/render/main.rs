@@ -8,6 +8,7 @@ mod node_code;
 mod probe;
 mod property_looks;
 mod prune;
+mod shared_store;
 #[path = "../support/mod.rs"]
 mod support;
 mod surfaces;

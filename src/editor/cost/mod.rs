@@ -181,7 +181,7 @@ async fn measure(renderer: &mut Option<Renderer>, window: &Gpu, job: &Job) -> Do
         }
     };
     let mut run = async || {
-        let setup = job.still.setup(&mut Assets::default())?.value;
+        let setup = job.still.setup(&mut Assets::of(&job.still.assets))?.value;
         let plan = PlanOptions { size: job.size, samples: 1, time: job.still.time };
         let options =
             BenchOptions { plan, rounds: ROUNDS, nodes: MeasuredNodes::Tiered, truth: true };

@@ -82,6 +82,8 @@ pub struct Session {
     /// What is wrong with the project's own node files.
     library_problems: Vec<Diagnostic>,
     compiler: Compiler,
+    /// Meshes and images that all pictures of the window share.
+    pub(crate) assets: crate::frame::AssetStore,
     /// What goes on with documents, for the next window to know if this one ends over it.
     pub(crate) crashes: CrashLog,
     holding: holding::Holding,
@@ -143,6 +145,7 @@ impl Session {
             load_problems: Vec::new(),
             library_problems: Vec::new(),
             compiler: compiling::start(wake, crashes.clone()),
+            assets: crate::frame::AssetStore::new(),
             crashes,
             holding: holding::Holding::default(),
             shaders: Shown::default(),

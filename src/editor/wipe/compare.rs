@@ -63,7 +63,7 @@ impl Comparer {
 }
 
 fn truth(job: &Job, setup: &Setup, options: &PlanOptions) -> Result<Truth, Vec<Diagnostic>> {
-    let mut planner = Planner::for_truth(Assets::default());
+    let mut planner = Planner::for_truth(Assets::of(&job.still.assets));
     let truth = Truth::of(setup, &job.still.library, &mut planner, options, &job.progress);
     Ok(truth?)
 }

@@ -95,7 +95,7 @@ pub async fn build(
             let library = library_for(&shown.file);
             made.problems.extend(library.problems.iter().cloned());
             // A renderer of its own, or the pipelines and textures of all would be kept.
-            let mut renderer = Renderer::new(gpu.clone());
+            let mut renderer = Renderer::new(gpu.with_own_store());
             match Entry::make(shown, &library, &mut renderer, options).await {
                 Ok(entry) => {
                     let entry = entry.tell(&mut made.problems);

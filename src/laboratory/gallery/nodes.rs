@@ -47,7 +47,7 @@ pub async fn draw_nodes(
     let kinds: Vec<_> = catalog.all().filter(|kind| kind.id != CUSTOM_KIND).collect();
     progress.expect(kinds.len() as u64);
     for kind in kinds {
-        let mut renderer = Renderer::new(gpu.clone());
+        let mut renderer = Renderer::new(gpu.with_own_store());
         let picture =
             sample::picture(kind, &catalog, library, &mut renderer, (folder.path(), SIDE)).await?;
         done(NodePictures { kind: kind.id.clone(), svg: node_svg(&kind.id, &catalog), picture })

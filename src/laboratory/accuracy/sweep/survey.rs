@@ -171,10 +171,10 @@ impl Team<'_> {
                 Job::Case(case) => self.measure_case(case, &mut lab).await,
                 // What a look's shaders and textures take is given back after it.
                 Job::Look(path) => {
-                    self.measure_look(path, &mut Renderer::new(precise.clone())).await
+                    self.measure_look(path, &mut Renderer::new(precise.with_own_store())).await
                 }
                 Job::Large(path) => {
-                    self.measure_large(path, &mut Renderer::new(precise.clone())).await
+                    self.measure_large(path, &mut Renderer::new(precise.with_own_store())).await
                 }
             }?;
             if tell.send(WorkerMessage::Found(number, found)).is_err() {
