@@ -160,7 +160,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     milestones::reached("first shaders");
     warnings.extend(planner.warnings);
     output.diagnostics(&warnings);
-    let Drawn { picture, passes, adapter, warnings: of_device } =
+    let RenderedPicture { picture, passes, adapter, warnings: of_device } =
         draw(&plan, arguments.on, output).await.map_err(one)?;
     output.diagnostics(&of_device);
     warnings.extend(of_device);
@@ -191,7 +191,7 @@ fn usual_size(camera: &Camera) -> [u32; 2] {
 }
 
 /// A picture, and who drew it.
-struct Drawn {
+struct RenderedPicture {
     picture: Picture,
     passes: Vec<PassKind>,
     adapter: String,
@@ -199,7 +199,11 @@ struct Drawn {
     warnings: Vec<Diagnostic>,
 }
 
-async fn draw(plan: &FramePlan, on: Option<On>, output: &Output) -> Result<Drawn, Diagnostic> {
+async fn draw(
+    plan: &FramePlan,
+    on: Option<On>,
+    output: &Output,
+) -> Result<RenderedPicture, Diagnostic> {
     #[cfg(feature = "gpu")]
     if on != Some(On::Reference) {
         match Gpu::headless().await {
@@ -210,7 +214,12 @@ async fn draw(plan: &FramePlan, on: Option<On>, output: &Output) -> Result<Drawn
                 // Nothing is drawn again: every pass has what it would draw.
                 let picture = renderer.picture(plan).await?;
                 milestones::reached("first picture");
-                return Ok(Drawn { picture, passes, adapter: renderer.gpu().name(), warnings });
+                return Ok(RenderedPicture {
+                    picture,
+                    passes,
+                    adapter: renderer.gpu().name(),
+                    warnings,
+                });
             }
             Err(error) if on.is_none() => {
                 output.message(&format!(
@@ -231,7 +240,12 @@ async fn draw(plan: &FramePlan, on: Option<On>, output: &Output) -> Result<Drawn
     let drawn = output.watch("drawing", |progress| execute(plan, &modules, &options, progress));
     let picture = drawn?.to_picture();
     let passes = plan.passes.iter().map(|pass| pass.kind.clone()).collect();
-    Ok(Drawn { picture, passes, adapter: "the reference, in f64".to_owned(), warnings: Vec::new() })
+    Ok(RenderedPicture {
+        picture,
+        passes,
+        adapter: "the reference, in f64".to_owned(),
+        warnings: Vec::new(),
+    })
 }
 
 pub(super) fn parse_time(text: &str) -> Result<f64, String> {

@@ -11,7 +11,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Document, Look, OutputKind, Outputs};
 use crate::frame::{Assets, PlanOptions, Setup, open};
 use chiaro_laboratory::accuracy::report::tier_word;
-use chiaro_laboratory::accuracy::tune::{Goal, TuneOptions, Tuned, is_beaten, tune};
+use chiaro_laboratory::accuracy::tune::{Goal, TuneOptions, TuneReport, is_beaten, tune};
 use chiaro_laboratory::accuracy::{Measure, Variant};
 use chiaro_render::{Gpu, Renderer};
 
@@ -146,7 +146,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
 }
 
 /// What keeps the goal from being reached, and what can be done.
-fn missed(tuned: &Tuned, meshes: &[String]) -> Diagnostic {
+fn missed(tuned: &TuneReport, meshes: &[String]) -> Diagnostic {
     let problem = |message: String| Diagnostic::error("goal-missed", message);
     if !tuned.is_exact_beyond() {
         let problem = problem("no choice of tiers reaches what was asked for".to_owned());
@@ -204,7 +204,7 @@ fn setups(arguments: &Arguments, output: &Output) -> Result<Vec<Setup>, Vec<Diag
 /// Writes the look with the tiers that were chosen and the report of how.
 fn write(
     arguments: &Arguments,
-    tuned: &Tuned,
+    tuned: &TuneReport,
     target: &Path,
     outputs: &mut Outputs,
 ) -> Result<(), Vec<Diagnostic>> {
@@ -219,7 +219,7 @@ fn write(
 }
 
 /// The report as people read it.
-fn report(tuned: &Tuned) -> String {
+fn report(tuned: &TuneReport) -> String {
     let mut lines = vec![tuned.summary()];
     lines.push(format!("  error means {}: {}", tuned.measure.word(), tuned.measure.meaning()));
     let [x, y] = tuned.worst.pixel;

@@ -11,3 +11,4 @@ mod math;
 #[path = "../support/mod.rs"]
 mod support;
 mod techniques;
+mod words;

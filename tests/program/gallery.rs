@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use chiaro::diag::{Diagnostic, has_errors};
 use chiaro::document::Outputs;
 use chiaro::gallery::nodes::{SIDE, draw_nodes, write_nodes};
-use chiaro::gallery::{List, Made, Options, build, list};
+use chiaro::gallery::{GalleryReport, List, Options, build, list};
 use chiaro::library::Library;
 use chiaro::progress::Progress;
 use chiaro::render::Gpu;
@@ -33,7 +33,7 @@ fn options(side: u32, rounds: usize) -> Options {
     }
 }
 
-fn make(list: &List, folder: &Path, options: &Options) -> Result<Made, Vec<Diagnostic>> {
+fn make(list: &List, folder: &Path, options: &Options) -> Result<GalleryReport, Vec<Diagnostic>> {
     let library = |_: &Path| Library::built_in().clone();
     block_on(build(
         list,

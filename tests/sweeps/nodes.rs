@@ -9,13 +9,13 @@ use crate::support::ledger::{Key, Ledger};
 use crate::support::wait::block_on;
 use chiaro::accuracy::MeasureError;
 use chiaro::accuracy::sweep::{
-    Case, Effort, Lab, LookEffort, Measured, StabilityEffort, Survey, survey,
+    Case, CaseFigures, Effort, Lab, LookEffort, StabilityEffort, Survey, survey,
 };
 use chiaro::diag::Diagnostic;
 use chiaro::library::Library;
 use chiaro::progress::Progress;
 
-fn sweep(effort: &Effort) -> Vec<Measured> {
+fn sweep(effort: &Effort) -> Vec<CaseFigures> {
     let mut renderer = renderer();
     let mut lab = Lab::new(Library::built_in(), &mut renderer)
         .unwrap_or_else(|problems| panic!("{}", told(&problems)));
@@ -36,7 +36,7 @@ fn sweep(effort: &Effort) -> Vec<Measured> {
 }
 
 /// A case's figures.
-fn line(one: &Measured) -> String {
+fn line(one: &CaseFigures) -> String {
     format!(
         "{:50} {:8} {:6} {:5} {:3} abs {:.1e} p999 {:.1e} max {:.1e} of {:.0e}  {}",
         one.case.name(),
@@ -53,7 +53,7 @@ fn line(one: &Measured) -> String {
 }
 
 #[allow(clippy::print_stdout, reason = "`--nocapture` shows how near the bounds are")]
-fn hold(all: &[Measured]) {
+fn hold(all: &[CaseFigures]) {
     let mut broken = Vec::new();
     for one in all {
         let line = line(one);
@@ -202,7 +202,7 @@ fn a_survey_by_several_workers_is_that_of_one() {
             let problems: Vec<Diagnostic> = stopped.into();
             panic!("{}", self::told(&problems))
         });
-    let names = |all: &[chiaro::accuracy::sweep::LookMeasured]| -> Vec<String> {
+    let names = |all: &[chiaro::accuracy::sweep::LookFigures]| -> Vec<String> {
         all.iter().map(|one| format!("{} {:?}", one.look, one.tier)).collect()
     };
     let all = ["a Exact", "a Balanced", "a Fast", "b Exact", "b Balanced", "b Fast"];

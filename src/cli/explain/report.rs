@@ -45,7 +45,7 @@ pub(super) struct LookReport {
     pub(super) modules: Vec<Module>,
     pub(super) attributes: Vec<AttributeReport>,
     pub(super) attributes_not_read: Vec<&'static str>,
-    pub(super) surroundings: Vec<Reading>,
+    pub(super) surroundings: Vec<SurroundingsReport>,
     pub(super) images: Vec<ImageReport>,
     pub(super) uniforms: Vec<Uniform>,
     pub(super) keys: Vec<KeysReport>,
@@ -74,7 +74,7 @@ pub(super) struct AttributeReport {
 
 /// Something of the surroundings that fragments read.
 #[derive(Debug, Serialize)]
-pub(super) struct Reading {
+pub(super) struct SurroundingsReport {
     pub(super) word: &'static str,
     pub(super) what: &'static str,
     pub(super) readers: Vec<String>,
@@ -209,7 +209,7 @@ impl LookReport {
             lines: shader.wgsl.lines().count(),
             uniform_bytes: shader.host.size,
         };
-        let surroundings: Vec<Reading> = shader
+        let surroundings: Vec<SurroundingsReport> = shader
             .needs
             .contexts
             .iter()
@@ -252,7 +252,11 @@ impl LookReport {
     }
 }
 
-fn reading(context: Context, emitted: &HashSet<&NodePath>, typed: &TypedGraph) -> Reading {
+fn reading(
+    context: Context,
+    emitted: &HashSet<&NodePath>,
+    typed: &TypedGraph,
+) -> SurroundingsReport {
     let reads = |input: &Option<crate::compile::TypedInput>| {
         input.as_ref().is_some_and(|input| input.source == TypedSource::Context(context))
     };
@@ -262,14 +266,14 @@ fn reading(context: Context, emitted: &HashSet<&NodePath>, typed: &TypedGraph) -
         node.inputs.iter().any(reads) && is_plain(node) && emitted.contains(&node.path)
     };
     let readers = typed.nodes.iter().filter(reader);
-    Reading {
+    SurroundingsReport {
         word: context.word(),
         what: context.help(),
         readers: readers.map(|node| node.path.to_string()).collect(),
     }
 }
 
-fn attribute_report(attribute: Attribute, surroundings: &[Reading]) -> AttributeReport {
+fn attribute_report(attribute: Attribute, surroundings: &[SurroundingsReport]) -> AttributeReport {
     let words: &[&str] = match attribute {
         Attribute::Position => &["position", "position_object", "position_camera", "view", "depth"],
         Attribute::Normal => &["normal", "tangent", "bitangent"],

@@ -9,7 +9,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Grid, OutputKind, Storage};
 use crate::output::Output;
 use crate::target::{OutputPath, outputs};
-use chiaro_scene::hcbtf::{Which, exchange};
+use chiaro_scene::hcbtf::{SampleChoice, exchange};
 
 /// How samples lie in other programs' files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -152,7 +152,7 @@ pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(),
     }
     let hcbtf = open(&arguments.file, output)?;
     let filled = filled(&hcbtf, &arguments.file, output)?;
-    let which = if arguments.painted { Which::Painted } else { Which::All };
+    let which = if arguments.painted { SampleChoice::Painted } else { SampleChoice::All };
     let manner = exchange::Manner { which, gap: arguments.gap, storage };
     let told = output.watch("writing", |progress| {
         exchange::export(&filled, form.into(), manner, path, progress)

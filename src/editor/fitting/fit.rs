@@ -8,7 +8,7 @@ use super::work::Job;
 use super::{ENOUGH, Fitting, LEAST_PAINTED, What};
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Tile};
-use crate::fit::{FitOptions, Fitted, Keep, Report, Target};
+use crate::fit::{FitOptions, FitResult, Keep, Report, Target};
 use crate::panels::problems::sentence;
 use crate::progress::Progress;
 use crate::session::Session;
@@ -139,7 +139,7 @@ impl Fitting {
                      {help}"
                 ));
             }
-            Ok(Fitted { look, edit, report, .. }) => {
+            Ok(FitResult { look, edit, report, .. }) => {
                 session.set_preview(Some(Arc::new(look)));
                 self.told =
                     report.is_stopped.then(|| "Stopped: this is the best so far".to_owned());

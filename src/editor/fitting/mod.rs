@@ -30,7 +30,7 @@ use super::shortcuts::Action;
 use super::worker::Worker;
 use crate::diag::has_errors;
 use crate::document::Tile;
-use crate::fit::{Keep, Wish as Painted};
+use crate::fit::{Keep, PixelGoal as Painted};
 use fit::{Outcome, Running, of};
 use ground::{Ground, Grounds, Moment};
 use hand::{Going, Waiting};

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::diag::Diagnostic;
 use crate::document::Look;
-use crate::fit::{FitOptions, Fitted, Target, fit_layers, fit_look};
+use crate::fit::{FitOptions, FitResult, Target, fit_layers, fit_look};
 use crate::frame::Assets;
 use crate::progress::Progress;
 use crate::still::Still;
@@ -33,7 +33,7 @@ pub(super) struct Done {
     pub(super) what: What,
     pub(super) look: Arc<Look>,
     pub(super) progress: Progress,
-    pub(super) result: Result<Fitted, Vec<Diagnostic>>,
+    pub(super) result: Result<FitResult, Vec<Diagnostic>>,
 }
 
 /// A thread that fits.
@@ -45,7 +45,7 @@ pub(super) fn start(wake: impl Fn() + Send + 'static) -> Worker<Job, Done> {
     })
 }
 
-fn fit(assets: &mut Assets, job: &Job) -> Result<Fitted, Vec<Diagnostic>> {
+fn fit(assets: &mut Assets, job: &Job) -> Result<FitResult, Vec<Diagnostic>> {
     let Job { what, still, target, options, progress, .. } = job;
     let setup = still.setup(assets)?.value;
     // The open look is the first.

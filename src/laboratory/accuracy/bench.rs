@@ -74,7 +74,7 @@ pub async fn bench(
 }
 
 /// A node that is measured.
-struct Measured {
+struct BenchNode {
     look: usize,
     id: NodeId,
     name: String,
@@ -83,10 +83,10 @@ struct Measured {
     can_be_left_out: bool,
 }
 
-fn nodes(setup: &Setup, library: &Library, wanted: MeasuredNodes) -> Vec<Measured> {
+fn nodes(setup: &Setup, library: &Library, wanted: MeasuredNodes) -> Vec<BenchNode> {
     let of_look = |(index, look): (usize, &crate::frame::SetupLook)| {
         let look = &look.look;
-        let measured = look.graph.nodes.iter().map(move |(id, node)| Measured {
+        let measured = look.graph.nodes.iter().map(move |(id, node)| BenchNode {
             look: index,
             id: id.clone(),
             name: if node.name.is_empty() { id.to_string() } else { node.name.clone() },
@@ -97,7 +97,7 @@ fn nodes(setup: &Setup, library: &Library, wanted: MeasuredNodes) -> Vec<Measure
         measured.collect::<Vec<_>>()
     };
     let all = setup.looks.iter().enumerate().flat_map(of_look);
-    let is_wanted = |node: &Measured| match wanted {
+    let is_wanted = |node: &BenchNode| match wanted {
         MeasuredNodes::None => false,
         MeasuredNodes::Tiered => node.tiers.len() > 1,
         MeasuredNodes::Every => node.tiers.len() > 1 || node.can_be_left_out,
@@ -212,7 +212,7 @@ impl Bench<'_> {
     /// A node in each tier, against the same look without it.
     async fn node(
         &mut self,
-        node: &Measured,
+        node: &BenchNode,
         truth: Option<&Truth>,
         progress: &Progress,
     ) -> Result<Vec<Row>, MeasureError> {

@@ -10,9 +10,9 @@ use serde::Serialize;
 
 use super::cost::alternate;
 use super::measure::Measure;
-use super::station::{Station, stations};
 use super::truth::Truth;
 use super::variant::{Variant, tiers_of};
+use super::viewpoint::{Viewpoint, viewpoints};
 use super::{ErrorFigures, Estimate, MeasureError};
 use crate::compile::Live;
 use crate::document::Tier;
@@ -80,12 +80,12 @@ pub struct Worst {
     /// Which of the setups.
     pub setup: usize,
     /// Seen from where.
-    pub station: Station,
+    pub station: Viewpoint,
 }
 
 /// What was chosen.
 #[derive(Clone, Debug, Serialize)]
-pub struct Tuned {
+pub struct TuneReport {
     /// What was to be kept.
     pub goal: Goal,
     /// By what errors were judged.
@@ -116,7 +116,7 @@ pub struct Tuned {
     pub stations: usize,
 }
 
-impl Tuned {
+impl TuneReport {
     /// The tier of each node that could have another: what was chosen, or exact.
     pub fn tiers(&self) -> Vec<(&NodeId, Tier)> {
         let mut tiers: Vec<(&NodeId, Tier)> = Vec::new();
@@ -194,7 +194,7 @@ pub async fn tune(
     renderer: &mut Renderer,
     options: &TuneOptions,
     progress: &Progress,
-) -> Result<Tuned, MeasureError> {
+) -> Result<TuneReport, MeasureError> {
     let exact: Vec<Setup> =
         setups.iter().map(|setup| Variant::Looks(Tier::Exact).of(setup)).collect();
     let nodes = exact.first().map(|setup| nodes(setup, library)).unwrap_or_default();
@@ -216,7 +216,7 @@ pub async fn tune(
     let (error, worst) = tuner.error(&chosen_of(&candidates, &chosen), progress).await?;
     let series = tuner.times(&[&[], &chosen], &candidates, progress).await?;
     let time = series[1].estimate();
-    Ok(Tuned {
+    Ok(TuneReport {
         goal: options.goal,
         measure: options.measure,
         is_met: match options.goal {
@@ -341,7 +341,7 @@ struct Tuner<'a> {
     options: &'a TuneOptions,
     planner: Planner,
     /// Each station's truth, with the index of its setup.
-    truths: Vec<(usize, Station, Truth)>,
+    truths: Vec<(usize, Viewpoint, Truth)>,
 }
 
 impl<'a> Tuner<'a> {
@@ -364,7 +364,7 @@ impl<'a> Tuner<'a> {
         };
         let mut truth_planner = Planner::for_truth(Assets::default());
         for (index, setup) in setups.iter().enumerate() {
-            for station in stations(setup, options.stations) {
+            for station in viewpoints(setup, options.stations) {
                 let plan = tuner.error_plan(&station);
                 let truth = Truth::of(
                     &station.of(setup),
@@ -379,7 +379,7 @@ impl<'a> Tuner<'a> {
         Ok(tuner)
     }
 
-    fn error_plan(&self, station: &Station) -> PlanOptions {
+    fn error_plan(&self, station: &Viewpoint) -> PlanOptions {
         let side = self.options.error_side;
         PlanOptions { size: [side; 2], samples: 1, time: station.time }
     }

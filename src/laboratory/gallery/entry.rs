@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::collections::HashSet;
 use std::sync::Arc;
 
-use super::{Options, Shown};
+use super::{GalleryDocument, Options};
 use crate::accuracy::{BenchOptions, MeasuredNodes, Report, bench};
 use crate::compile::Live;
 use crate::diag::{Diagnostic, Warned};
@@ -40,7 +40,7 @@ pub(super) struct Entry {
 impl Entry {
     /// Draws and measures a document.
     pub(super) async fn make(
-        shown: &Shown,
+        shown: &GalleryDocument,
         library: &Library,
         renderer: &mut Renderer,
         options: &Options,
@@ -130,7 +130,7 @@ fn kinds(looks: &[Look]) -> BTreeMap<String, usize> {
 }
 
 /// The document's name and paragraph: a scene's own, or those of the one look that was opened.
-fn told(shown: &Shown, setup: &Setup) -> (String, String) {
+fn told(shown: &GalleryDocument, setup: &Setup) -> (String, String) {
     let (mut name, mut about) = (setup.scene.name.clone(), setup.scene.about.clone());
     if let [only] = setup.looks.as_slice() {
         if name.is_empty() {

@@ -23,7 +23,7 @@ use crate::library::Library;
 use crate::progress::Progress;
 use crate::render::{Gpu, Renderer};
 use entry::Entry;
-pub use list::{List, Section, Shown};
+pub use list::{GalleryDocument, List, Section};
 
 /// A page of a gallery is smaller, in bytes.
 const MAX_PAGE_BYTES: u64 = 64 << 20;
@@ -46,7 +46,7 @@ pub struct Options {
 
 /// What was made of a gallery.
 #[derive(Debug, Default)]
-pub struct Made {
+pub struct GalleryReport {
     /// How many documents have a page.
     pub pages: usize,
     /// What was wrong with the others, and what is odd.
@@ -79,11 +79,11 @@ pub async fn build(
     library_for: &dyn Fn(&Path) -> Library,
     options: &Options,
     progress: &Progress,
-) -> Result<Made, Vec<Diagnostic>> {
+) -> Result<GalleryReport, Vec<Diagnostic>> {
     check(list, folder, outputs)?;
     make_folder(folder)?;
     let one = |problem| vec![problem];
-    let mut made = Made::default();
+    let mut made = GalleryReport::default();
     let mut index = page::Index::new(list);
     let slugs = slugs(list);
     let mut order = slugs.iter().map(String::as_str);
@@ -149,7 +149,7 @@ pub async fn build(
 fn slugs(list: &List) -> Vec<String> {
     let mut taken: HashSet<String> = HashSet::from(["index".to_owned(), "style".to_owned()]);
     let all = list.sections.iter().flat_map(|section| &section.shown);
-    let slug = |shown: &Shown| {
+    let slug = |shown: &GalleryDocument| {
         let stem = shown
             .file
             .file_stem()

@@ -29,7 +29,7 @@ const STRIPES: &str = "example:hcbtf/stripes.hcbtf";
 
 /// How a kind is shown.
 #[derive(Default)]
-struct Showing {
+struct NodeSample {
     values: Values,
     /// Inputs, each with its source.
     feed: Vec<(String, String)>,
@@ -39,7 +39,7 @@ struct Showing {
 
 /// A look that shows the first output of a node of `kind`; `None` where there is nothing to see of
 /// it.
-fn look_of(kind: &Kind, catalog: &Catalog, showing: Showing) -> Option<Look> {
+fn look_of(kind: &Kind, catalog: &Catalog, showing: NodeSample) -> Option<Look> {
     let mut build = Build { look: Look::default(), catalog };
     let lights = [("key", [-0.5, 0.6, 0.62]), ("back", [0.8, -0.1, 0.2])];
     for (id, direction) in lights {
@@ -81,7 +81,7 @@ fn look_of(kind: &Kind, catalog: &Catalog, showing: Showing) -> Option<Look> {
     Some(build.look)
 }
 
-impl Showing {
+impl NodeSample {
     /// What the table says of a kind, with files and lights for inputs that name some.
     fn of(kind: &Kind) -> Option<Self> {
         let table: serde_json::Map<String, Json> = serde_json::from_str(VALUES).unwrap_or_default();
@@ -282,7 +282,7 @@ pub(super) async fn picture(
     renderer: &mut Renderer,
     (folder, side): (&Path, u32),
 ) -> Result<Option<Picture>, Vec<Diagnostic>> {
-    let Some(showing) = Showing::of(kind) else { return Ok(None) };
+    let Some(showing) = NodeSample::of(kind) else { return Ok(None) };
     let mesh = format!("{SHAPE_PREFIX}{}", showing.mesh);
     let Some(look) = look_of(kind, catalog, showing) else { return Ok(None) };
     let mut assets = Assets::default();
@@ -351,7 +351,7 @@ mod tests {
         let catalog = Catalog::new(library);
         let mut unseen = Vec::new();
         for kind in catalog.all().filter(|kind| kind.id != crate::catalog::CUSTOM_KIND) {
-            match Showing::of(kind).and_then(|showing| look_of(kind, &catalog, showing)) {
+            match NodeSample::of(kind).and_then(|showing| look_of(kind, &catalog, showing)) {
                 None => unseen.push(kind.id.clone()),
                 Some(look) => {
                     let compiled = crate::compile::compile(&look, library, &Default::default());

@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 
 use super::blocks::{Loss, loss};
-use super::fill::{Filled, NotFilled, Which};
+use super::fill::{Filled, NotFilled, SampleChoice};
 use super::layers::{LayerOptions, from_layers, stored};
 use super::{contact, folder, ktx2, read_bytes, sheet};
 use crate::diag::{Diagnostic, Warned};
@@ -122,7 +122,7 @@ pub fn import(
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Manner {
     /// Which of them; sheets and textures hold every sample, whatever this says.
-    pub which: Which,
+    pub which: SampleChoice,
     /// Texels between the tiles of a contact sheet.
     pub gap: u32,
     /// How a texture lies.
@@ -197,7 +197,7 @@ fn export_texture(
 /// none of those images are taken for those of this one.
 fn export_folder(
     filled: &Filled,
-    which: Which,
+    which: SampleChoice,
     path: &Path,
     progress: &Progress,
 ) -> Result<String, Vec<Diagnostic>> {

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::file::{idle_rules, read_bytes, tile};
-use super::fill::{Filled, Which};
+use super::fill::{Filled, SampleChoice};
 use super::listing::{self, Listing};
 use super::picture::encode;
 use super::report::Report;
@@ -305,7 +305,10 @@ fn placed<'a>(
 ///
 /// # Errors
 /// Where the rules cannot be written.
-pub fn listing(filled: &Filled, which: Which) -> Result<(&'static str, String), Box<Diagnostic>> {
+pub fn listing(
+    filled: &Filled,
+    which: SampleChoice,
+) -> Result<(&'static str, String), Box<Diagnostic>> {
     let text = listing::text(filled, which).map_err(|error| {
         let message = format!("`{}` cannot be written: {error}", listing::NAME);
         Box::new(Diagnostic::error("cannot-write", message))
@@ -327,7 +330,7 @@ pub(super) fn exported(folder: &Path) -> Vec<PathBuf> {
 /// The name and the PNG of each sample, made one at a time.
 pub fn export(
     filled: &Filled,
-    which: Which,
+    which: SampleChoice,
 ) -> impl Iterator<Item = Result<(String, Vec<u8>), Box<Diagnostic>>> {
     let taken = filled.iter().filter(move |(_, _, provenance)| which.has(provenance));
     taken.map(|(address, tile, _)| {
@@ -392,7 +395,7 @@ mod tests {
         assert!(notes.is_empty() && hcbtf.painted.len() == 6, "{notes:?}");
         let filled = fill(&hcbtf, &Progress::new()).unwrap();
         let written: Vec<(String, Vec<u8>)> =
-            export(&filled, Which::All).map(Result::unwrap).collect();
+            export(&filled, SampleChoice::All).map(Result::unwrap).collect();
         assert_eq!(written.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>(), names);
         let images: std::collections::HashMap<String, Vec<u8>> = written.into_iter().collect();
         let all = images.keys().cloned().collect();

@@ -9,7 +9,7 @@ use std::collections::HashMap;
 
 use serde_json::Value;
 
-use super::fill::{Filled, Which};
+use super::fill::{Filled, SampleChoice};
 use super::folder::file_name;
 use super::manifest;
 use super::report::Report;
@@ -43,10 +43,10 @@ impl Listing {
 }
 
 /// Its text, for these samples.
-pub(super) fn text(filled: &Filled, which: Which) -> Result<String, serde_json::Error> {
-    let taken = filled
-        .iter()
-        .filter(|(_, _, provenance)| which.has(provenance) && !Which::Painted.has(provenance));
+pub(super) fn text(filled: &Filled, which: SampleChoice) -> Result<String, serde_json::Error> {
+    let taken = filled.iter().filter(|(_, _, provenance)| {
+        which.has(provenance) && !SampleChoice::Painted.has(provenance)
+    });
     // Many samples share a tile.
     let digests: Vec<u64> = filled.tiles().iter().map(|tile| tile.digest()).collect();
     let lines: Vec<String> = taken
@@ -126,9 +126,9 @@ mod tests {
     fn what_was_exported_comes_back_and_what_was_changed_is_painted() {
         let hcbtf = painted();
         let filled = fill(&hcbtf, &Progress::new()).unwrap();
-        let (name, text) = folder::listing(&filled, Which::All).unwrap();
+        let (name, text) = folder::listing(&filled, SampleChoice::All).unwrap();
         let mut files: HashMap<String, Vec<u8>> =
-            folder::export(&filled, Which::All).map(Result::unwrap).collect();
+            folder::export(&filled, SampleChoice::All).map(Result::unwrap).collect();
         files.insert(name.to_owned(), text.into_bytes());
         let import = |files: &HashMap<String, Vec<u8>>| {
             let read = |name: &str| Ok(files[name].clone());
@@ -162,7 +162,7 @@ mod tests {
     #[test]
     fn what_lies_is_told() {
         let filled = fill(&painted(), &Progress::new()).unwrap();
-        let (_, text) = folder::listing(&filled, Which::All).unwrap();
+        let (_, text) = folder::listing(&filled, SampleChoice::All).unwrap();
         let told = |text: &str| {
             let mut report = Report::new("folder");
             let listing = parse(text.as_bytes(), &mut report);

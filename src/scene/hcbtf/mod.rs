@@ -44,7 +44,7 @@ use crate::document::{Grid, Hcbtf};
 pub use blocks::{Coding, Loss, loss};
 pub use cover::{Cover, cover};
 pub use file::{load, read, read_bytes, write};
-pub use fill::{Estimate, Filled, NotFilled, Provenance, Which, estimate, filled_at_most};
+pub use fill::{Estimate, Filled, NotFilled, Provenance, SampleChoice, estimate, filled_at_most};
 pub use layers::{
     LayerOptions, Layers, MAX_LAYERS_BYTES, check_layers, from_layers, layers, layers_bytes,
     layers_size, stored, stored_size,

@@ -64,7 +64,7 @@ pub fn export(filled: &Filled) -> Result<Picture, Box<Diagnostic>> {
 
 /// What a texel of the sheet holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Held {
+pub struct SheetTexel {
     /// The sample that it is of, as it is kept.
     pub address: Address,
     /// Which texel of that tile, from its upper left corner.
@@ -74,13 +74,13 @@ pub struct Held {
 }
 
 /// What the sheet of a grid holds at a place, in texels from its upper left corner; `None` outside.
-pub fn held(grid: &Grid, [x, y]: [u32; 2]) -> Option<Held> {
+pub fn held(grid: &Grid, [x, y]: [u32; 2]) -> Option<SheetTexel> {
     let [ix, theta_r, theta_i] = column(grid, x)?;
     let ([iy, phi_r, phi_i], is_padding) = row(grid, y)?;
     let direction = |theta, phi| Direction { theta, phi };
     let written = Address { view: direction(theta_r, phi_r), light: direction(theta_i, phi_i) };
     let address = written.canonical();
-    Some(Held { address, texel: [ix, iy], is_copy: is_padding || address != written })
+    Some(SheetTexel { address, texel: [ix, iy], is_copy: is_padding || address != written })
 }
 
 /// What a column of the sheet holds: the texel's column in the tile, the ring of the view, and that

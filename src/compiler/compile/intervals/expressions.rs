@@ -5,7 +5,9 @@ use naga::{
 };
 
 use super::layout::{part_of, parts_of, scalars_of, tops_of, zeros_of};
-use super::machine::{Frame, GiveUp, Known, Machine, Outcome, Ranges, State, joined_ranges};
+use super::machine::{
+    ExpressionValue, Frame, GiveUp, Machine, Outcome, Ranges, State, joined_ranges,
+};
 use super::range::{Bools, Floats, Ints, Range};
 
 impl<'m> Machine<'m> {
@@ -17,7 +19,7 @@ impl<'m> Machine<'m> {
         handle: Handle<Expression>,
     ) -> Outcome<Ranges> {
         match self.expression(frame, state, handle)? {
-            Known::Value(ranges) => Ok(ranges),
+            ExpressionValue::Value(ranges) => Ok(ranges),
             _ => Err(GiveUp),
         }
     }
@@ -28,7 +30,7 @@ impl<'m> Machine<'m> {
         frame: Frame<'_>,
         state: &mut State,
         handle: Handle<Expression>,
-    ) -> Outcome<Known> {
+    ) -> Outcome<ExpressionValue> {
         if let Some(known) = &state.known[handle.index()] {
             return Ok(known.clone());
         }
@@ -50,7 +52,7 @@ impl<'m> Machine<'m> {
         frame: Frame<'_>,
         state: &mut State,
         handle: Handle<Expression>,
-    ) -> Outcome<Known> {
+    ) -> Outcome<ExpressionValue> {
         let module = &self.valid.module;
         let ranges = match &frame.function.expressions[handle] {
             Expression::Literal(literal) => vec![literal_range(*literal)?],
@@ -77,9 +79,9 @@ impl<'m> Machine<'m> {
             }
             Expression::LocalVariable(local) => {
                 let count = state.locals[local.index()].len();
-                return Ok(Known::Pointer { local: *local, at: [0].into(), count });
+                return Ok(ExpressionValue::Pointer { local: *local, at: [0].into(), count });
             }
-            Expression::GlobalVariable(_) => return Ok(Known::Elsewhere),
+            Expression::GlobalVariable(_) => return Ok(ExpressionValue::Elsewhere),
             Expression::AccessIndex { base, index } => {
                 let index = *index as usize;
                 return self.access(frame, state, *base, index..index + 1);
@@ -129,7 +131,7 @@ impl<'m> Machine<'m> {
             Expression::FunctionArgument(_) | Expression::CallResult(_) => return Err(GiveUp),
             _ => self.tops(frame, handle)?,
         };
-        Ok(Known::Value(ranges.into()))
+        Ok(ExpressionValue::Value(ranges.into()))
     }
 
     fn scalars(&self, frame: Frame<'_>, handle: Handle<Expression>) -> Outcome<usize> {
@@ -191,7 +193,7 @@ impl<'m> Machine<'m> {
         state: &mut State,
         base: Handle<Expression>,
         which: std::ops::Range<usize>,
-    ) -> Outcome<Known> {
+    ) -> Outcome<ExpressionValue> {
         let known = self.expression(frame, state, base)?;
         let part = |index: usize| match self.inner(frame, base) {
             TypeInner::ValuePointer { .. } => Some((index, 1)),
@@ -200,7 +202,7 @@ impl<'m> Machine<'m> {
         let places = which.map(part).collect::<Option<Vec<_>>>().ok_or(GiveUp)?;
         let size = places.first().ok_or(GiveUp)?.1;
         match known {
-            Known::Value(ranges) => {
+            ExpressionValue::Value(ranges) => {
                 let mut all: Option<Vec<Range>> = None;
                 for (start, size) in places {
                     let one = ranges.get(start..start + size).ok_or(GiveUp)?;
@@ -209,17 +211,17 @@ impl<'m> Machine<'m> {
                         None => one.to_vec(),
                     });
                 }
-                Ok(Known::Value(all.ok_or(GiveUp)?.into()))
+                Ok(ExpressionValue::Value(all.ok_or(GiveUp)?.into()))
             }
-            Known::Pointer { local, at, .. } => {
+            ExpressionValue::Pointer { local, at, .. } => {
                 if at.len() * places.len() > 256 {
                     return Err(GiveUp);
                 }
                 let into =
                     at.iter().flat_map(|from| places.iter().map(move |(start, _)| from + start));
-                Ok(Known::Pointer { local, at: into.collect(), count: size })
+                Ok(ExpressionValue::Pointer { local, at: into.collect(), count: size })
             }
-            Known::Elsewhere => Ok(Known::Elsewhere),
+            ExpressionValue::Elsewhere => Ok(ExpressionValue::Elsewhere),
         }
     }
 
@@ -229,9 +231,9 @@ impl<'m> Machine<'m> {
         state: &mut State,
         handle: Handle<Expression>,
         pointer: Handle<Expression>,
-    ) -> Outcome<Known> {
+    ) -> Outcome<ExpressionValue> {
         match self.expression(frame, state, pointer)? {
-            Known::Pointer { local, at, count } => {
+            ExpressionValue::Pointer { local, at, count } => {
                 let scalars = &state.locals[local.index()];
                 let mut all: Option<Vec<Range>> = None;
                 for &start in at.iter() {
@@ -242,10 +244,12 @@ impl<'m> Machine<'m> {
                     });
                 }
                 state.loaded[handle.index()] = state.versions[local.index()];
-                Ok(Known::Value(all.ok_or(GiveUp)?.into()))
+                Ok(ExpressionValue::Value(all.ok_or(GiveUp)?.into()))
             }
-            Known::Elsewhere => Ok(Known::Value(self.tops(frame, handle)?.into())),
-            Known::Value(_) => Err(GiveUp),
+            ExpressionValue::Elsewhere => {
+                Ok(ExpressionValue::Value(self.tops(frame, handle)?.into()))
+            }
+            ExpressionValue::Value(_) => Err(GiveUp),
         }
     }
 

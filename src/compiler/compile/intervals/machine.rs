@@ -34,7 +34,7 @@ pub(super) type Outcome<T> = Result<T, GiveUp>;
 
 /// What an expression is.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Known {
+pub(super) enum ExpressionValue {
     Value(Ranges),
     /// Into a local variable: the scalars that it may point at begin at these places; so many from
     /// there.
@@ -50,7 +50,7 @@ pub(super) enum Known {
 /// One way through a function, up to here.
 #[derive(Clone, Debug)]
 pub(super) struct State {
-    pub(super) known: Vec<Option<Known>>,
+    pub(super) known: Vec<Option<ExpressionValue>>,
     pub(super) locals: Vec<Ranges>,
     /// Counts the stores into each local, so that what was loaded before one is not taken for what
     /// is there after it.
@@ -140,7 +140,7 @@ impl<'m> Machine<'m> {
         for (handle, expression) in function.expressions.iter() {
             if let Expression::FunctionArgument(index) = expression {
                 let given = frame.arguments.get(*index as usize).ok_or(GiveUp)?;
-                state.known[handle.index()] = Some(Known::Value(given.clone()));
+                state.known[handle.index()] = Some(ExpressionValue::Value(given.clone()));
             }
         }
         for (_, local) in function.local_variables.iter() {
@@ -251,7 +251,7 @@ impl<'m> Machine<'m> {
                     }
                     let value = self.call(*function, &given)?;
                     if let Some(result) = result {
-                        state.known[result.index()] = Some(Known::Value(value));
+                        state.known[result.index()] = Some(ExpressionValue::Value(value));
                     }
                 }
                 Ok(states)
@@ -402,7 +402,7 @@ impl<'m> Machine<'m> {
     ) -> Outcome<()> {
         let value = self.value(frame, state, value)?;
         match self.expression(frame, state, pointer)? {
-            Known::Pointer { local, at, count } if count == value.len() => {
+            ExpressionValue::Pointer { local, at, count } if count == value.len() => {
                 let mut scalars = state.locals[local.index()].to_vec();
                 for &start in at.iter() {
                     let slots = scalars.get_mut(start..start + count).ok_or(GiveUp)?;
@@ -419,7 +419,7 @@ impl<'m> Machine<'m> {
                 Ok(())
             }
             // What is not followed is read as anything.
-            Known::Elsewhere => Ok(()),
+            ExpressionValue::Elsewhere => Ok(()),
             _ => Err(GiveUp),
         }
     }
@@ -485,8 +485,8 @@ fn joined(states: Vec<State>) -> State {
     for state in states {
         for (known, other) in all.known.iter_mut().zip(&state.known) {
             *known = match (known.take(), other) {
-                (Some(Known::Value(a)), Some(Known::Value(b))) => {
-                    joined_ranges(&a, b).ok().map(|ranges| Known::Value(ranges.into()))
+                (Some(ExpressionValue::Value(a)), Some(ExpressionValue::Value(b))) => {
+                    joined_ranges(&a, b).ok().map(|ranges| ExpressionValue::Value(ranges.into()))
                 }
                 (Some(a), Some(b)) if a == *b => Some(a),
                 // Evaluated again where it is asked for.

@@ -9,7 +9,7 @@ use crate::library::{Bypass, BypassResult, Condition, Limit, Test};
 
 /// What shows that a condition holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Shown {
+enum Evidence {
     /// The values themselves.
     Constants,
     /// Ranges: the values are not known, but their bounds are.
@@ -41,8 +41,8 @@ impl Builder<'_> {
         };
         let reason = if bypass.reason.is_empty() { "it changes nothing" } else { &bypass.reason };
         Some(match shown {
-            Shown::Constants => (value, reason.to_owned(), proof_of(bypass)),
-            Shown::Ranges => (value, format!("{reason}, proved by ranges"), Proof::Ranges),
+            Evidence::Constants => (value, reason.to_owned(), proof_of(bypass)),
+            Evidence::Ranges => (value, format!("{reason}, proved by ranges"), Proof::Ranges),
         })
     }
 
@@ -66,9 +66,9 @@ impl Builder<'_> {
         node: &TypedNode,
         inputs: &[Option<ValueId>],
         conditions: &[Condition],
-    ) -> Option<Shown> {
+    ) -> Option<Evidence> {
         let each = conditions.iter().map(|condition| self.holds(node, inputs, condition));
-        each.into_iter().try_fold(Shown::Constants, |shown, one| Some(shown.max(one?)))
+        each.into_iter().try_fold(Evidence::Constants, |shown, one| Some(shown.max(one?)))
     }
 
     fn holds(
@@ -76,13 +76,13 @@ impl Builder<'_> {
         node: &TypedNode,
         inputs: &[Option<ValueId>],
         condition: &Condition,
-    ) -> Option<Shown> {
+    ) -> Option<Evidence> {
         if let Test::Word(words) = &condition.test {
             let word = node.choices.get(&condition.input)?;
-            return words.contains(word).then_some(Shown::Constants);
+            return words.contains(word).then_some(Evidence::Constants);
         }
         let id = inputs[condition.input]?;
-        let shown = if self.is_constant(id) { Shown::Constants } else { Shown::Ranges };
+        let shown = if self.is_constant(id) { Evidence::Constants } else { Evidence::Ranges };
         let all = |count: usize, low: f64, high: f64| {
             let Some(ranges) = &self.values[id].ranges else { return false };
             let is_within = |range: &crate::compile::intervals::Range| {
@@ -93,9 +93,9 @@ impl Builder<'_> {
         let holds = match &condition.test {
             Test::Is(wanted) => self.is_number(id, *wanted) || all(usize::MAX, *wanted, *wanted),
             Test::Black => all(3, 0.0, 0.0),
-            Test::Same(other) if inputs[*other] == Some(id) => return Some(Shown::Constants),
+            Test::Same(other) if inputs[*other] == Some(id) => return Some(Evidence::Constants),
             Test::Same(_) => false,
-            Test::Unit if self.values[id].unit => return Some(Shown::Constants),
+            Test::Unit if self.values[id].unit => return Some(Evidence::Constants),
             Test::Unit => all(usize::MAX, 0.0, 1.0),
             Test::AtMost(limit) => {
                 all(usize::MAX, f64::NEG_INFINITY, self.limit(inputs, limit, 0)?)

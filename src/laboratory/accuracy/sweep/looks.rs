@@ -7,7 +7,7 @@ use glam::DVec3;
 use serde::Serialize;
 
 use crate::accuracy::error::VISIBLE;
-use crate::accuracy::station::stations;
+use crate::accuracy::viewpoint::viewpoints;
 use crate::accuracy::{Colors, ErrorFigures, MeasureError, Variant, truth::Truth};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
@@ -168,7 +168,7 @@ impl LookEffort {
 
 /// What a look came to in a tier.
 #[derive(Clone, Debug, Serialize)]
-pub struct LookMeasured {
+pub struct LookFigures {
     /// The file's stem.
     pub look: String,
     /// The tier of all of its nodes.
@@ -185,7 +185,7 @@ pub struct LookMeasured {
     pub bound: LookBound,
 }
 
-impl LookMeasured {
+impl LookFigures {
     /// Whether it keeps what it is held to.
     pub fn holds(&self) -> bool {
         let (error, bound) = (&self.error, &self.bound);
@@ -262,7 +262,7 @@ pub async fn measure_look(
     precise: &mut Renderer,
     effort: &LookEffort,
     progress: &Progress,
-) -> Result<Vec<LookMeasured>, MeasureError> {
+) -> Result<Vec<LookFigures>, MeasureError> {
     let look = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let mut assets = Assets::default();
     let mut figures = vec![Vec::new(); effort.tiers.len()];
@@ -279,7 +279,7 @@ pub async fn measure_look(
         }
         let mut truths = Planner::for_truth(Assets::default());
         let mut planners: Vec<Planner> = effort.tiers.iter().map(|_| Planner::default()).collect();
-        for (index, station) in stations(&setup, effort.stations).iter().enumerate() {
+        for (index, station) in viewpoints(&setup, effort.stations).iter().enumerate() {
             let sides = if index == 0 {
                 effort.sides.clone()
             } else {
@@ -331,7 +331,7 @@ pub async fn measure_look(
     let measured = effort.tiers.iter().zip(bounds).zip(figures).zip(settled).zip(worst);
     let measured = measured.map(|((((&tier, bound), figures), settled), (_, worst_words))| {
         let error = ErrorFigures::join(&figures);
-        LookMeasured {
+        LookFigures {
             look: look.clone(),
             tier,
             pictures: figures.len(),

@@ -62,7 +62,7 @@ pub struct Finding {
 
 /// What a case came to.
 #[derive(Clone, Debug, Serialize)]
-pub struct Measured {
+pub struct CaseFigures {
     /// The case.
     pub case: Case,
     /// How many samples were compared.
@@ -86,7 +86,7 @@ pub struct Measured {
     pub worst_words: String,
 }
 
-impl Measured {
+impl CaseFigures {
     /// Whether it keeps what it is held to.
     pub fn holds(&self) -> bool {
         self.broken == 0 && self.max <= self.bound
@@ -244,7 +244,7 @@ impl<'a> Lab<'a> {
         &mut self,
         case: &Case,
         effort: &Effort,
-    ) -> Result<Measured, MeasureError> {
+    ) -> Result<CaseFigures, MeasureError> {
         let bench = self.bench(case)?;
         let samples = samples(&bench, effort);
         let findings = self.compare(&bench, &samples).await?;
@@ -376,9 +376,9 @@ impl<'a> Lab<'a> {
         Ok(())
     }
 
-    fn sum_up(&self, bench: &Bench, findings: Vec<Finding>) -> Measured {
+    fn sum_up(&self, bench: &Bench, findings: Vec<Finding>) -> CaseFigures {
         let bound = bound(&bench.case, &self.library);
-        let mut measured = Measured {
+        let mut measured = CaseFigures {
             case: bench.case.clone(),
             samples: findings.len(),
             rounded: 0,

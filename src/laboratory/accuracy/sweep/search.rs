@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::bounds::is_stated;
 use super::case::{Bench, Case};
-use super::measure::{Finding, Lab, Measured, told};
+use super::measure::{CaseFigures, Finding, Lab, told};
 use super::random::Random;
 use super::slot::{Numbers, relate};
 use crate::accuracy::MeasureError;
@@ -27,7 +27,7 @@ const CHILDREN: usize = 40;
 pub async fn climb(
     lab: &mut Lab<'_>,
     bench: &Bench,
-    measured: &mut Measured,
+    measured: &mut CaseFigures,
     rounds: usize,
 ) -> Result<(), MeasureError> {
     if bench.slots.is_empty() || measured.broken > 0 {

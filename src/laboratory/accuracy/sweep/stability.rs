@@ -68,7 +68,7 @@ impl Flicker {
 
 /// What a look on a mesh came to.
 #[derive(Clone, Debug, Serialize)]
-pub struct StabilityMeasured {
+pub struct StabilityFigures {
     /// The file's stem.
     pub look: String,
     /// The mesh.
@@ -84,7 +84,7 @@ pub struct StabilityMeasured {
     pub silhouettes: Flicker,
 }
 
-impl StabilityMeasured {
+impl StabilityFigures {
     /// Whether it keeps what it is held to.
     pub fn holds(&self) -> bool {
         // Either of two frames may have the pixel.
@@ -117,10 +117,10 @@ pub async fn measure_stability(
     precise: &mut Renderer,
     effort: &StabilityEffort,
     progress: &Progress,
-) -> Result<StabilityMeasured, MeasureError> {
+) -> Result<StabilityFigures, MeasureError> {
     let setup = open(path, Some(mesh), &mut Assets::default())?.value;
     let (mut planner, mut truths) = (Planner::default(), Planner::for_truth(Assets::default()));
-    let mut measured = StabilityMeasured {
+    let mut measured = StabilityFigures {
         look: path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default(),
         mesh: mesh.trim_start_matches("shape:").to_owned(),
         has_direction_keys: setup.looks.iter().any(|look| !look.look.direction_keys.is_empty()),
@@ -166,7 +166,7 @@ async fn frame(
     Ok(Frame { got: got.rgba.into_owned(), truth: colors, outlines })
 }
 
-fn compare(before: &Frame, after: &Frame, width: usize, measured: &mut StabilityMeasured) {
+fn compare(before: &Frame, after: &Frame, width: usize, measured: &mut StabilityFigures) {
     for index in 0..after.got.len() {
         let change = |pixels: [&[[f64; 4]]; 2], channel: usize| {
             pixels[1][index][channel] - pixels[0][index][channel]

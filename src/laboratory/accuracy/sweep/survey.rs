@@ -11,11 +11,11 @@ use std::sync::{Mutex, MutexGuard, mpsc};
 use std::thread;
 
 use super::case::Case;
-use super::looks::{LookEffort, LookMeasured, looks_in, measure_look};
-use super::measure::{Effort, Lab, Measured};
+use super::looks::{LookEffort, LookFigures, looks_in, measure_look};
+use super::measure::{CaseFigures, Effort, Lab};
 use super::report::AccuracyReport;
 use super::search::Worst;
-use super::stability::{MESHES, StabilityEffort, StabilityMeasured, measure_stability};
+use super::stability::{MESHES, StabilityEffort, StabilityFigures, measure_stability};
 use crate::accuracy::MeasureError;
 use crate::library::Library;
 use crate::progress::Progress;
@@ -45,7 +45,7 @@ const MOST_WORKERS: usize = 4;
 const KEPT_OF_A_CASE: usize = 2;
 
 /// What is measured in one go.
-enum Job {
+enum SurveyTask {
     Case(Case),
     Look(PathBuf),
     /// A look's largest pictures: only one worker makes such at a time, as two would take all
@@ -54,16 +54,16 @@ enum Job {
 }
 
 /// What a job came to.
-enum Found {
-    Case(Measured, Vec<Worst>),
-    Look(Vec<LookMeasured>, Vec<StabilityMeasured>),
-    Large(Vec<LookMeasured>),
+enum TaskResult {
+    Case(CaseFigures, Vec<Worst>),
+    Look(Vec<LookFigures>, Vec<StabilityFigures>),
+    Large(Vec<LookFigures>),
 }
 
 /// A message of a worker.
 enum WorkerMessage {
     /// The job of this number is done.
-    Found(usize, Found),
+    Finished(usize, TaskResult),
     /// The worker cannot go on.
     Failed(MeasureError),
 }
@@ -99,11 +99,12 @@ pub async fn survey(
     let progress = progress.part(steps);
     progress.begin(steps);
     let large = looks.iter().filter(|_| survey.large.is_some());
-    let large: Vec<Job> = large.map(|path| Job::Large(path.clone())).collect();
+    let large: Vec<SurveyTask> = large.map(|path| SurveyTask::Large(path.clone())).collect();
     // What takes longest comes first.
-    let small = looks.into_iter().map(Job::Look).chain(cases.into_iter().map(Job::Case));
+    let small =
+        looks.into_iter().map(SurveyTask::Look).chain(cases.into_iter().map(SurveyTask::Case));
     let first_small = large.len();
-    let jobs: Vec<Job> = large.into_iter().chain(small).collect();
+    let jobs: Vec<SurveyTask> = large.into_iter().chain(small).collect();
 
     let gpu = Gpu::headless().await?;
     let report = AccuracyReport {
@@ -139,7 +140,7 @@ struct Team<'a> {
     survey: &'a Survey,
     library: &'a Library,
     /// The large ones first.
-    jobs: &'a [Job],
+    jobs: &'a [SurveyTask],
     /// How many are large.
     first_small: usize,
     /// The number of the next large one; who makes one holds it.
@@ -168,16 +169,16 @@ impl Team<'_> {
         let mut lab = Lab::new(self.library, &mut renderer)?;
         while let Some((number, _alone)) = self.next_job() {
             let found = match &self.jobs[number] {
-                Job::Case(case) => self.measure_case(case, &mut lab).await,
+                SurveyTask::Case(case) => self.measure_case(case, &mut lab).await,
                 // What a look's shaders and textures take is given back after it.
-                Job::Look(path) => {
+                SurveyTask::Look(path) => {
                     self.measure_look(path, &mut Renderer::new(precise.with_own_store())).await
                 }
-                Job::Large(path) => {
+                SurveyTask::Large(path) => {
                     self.measure_large(path, &mut Renderer::new(precise.with_own_store())).await
                 }
             }?;
-            if tell.send(WorkerMessage::Found(number, found)).is_err() {
+            if tell.send(WorkerMessage::Finished(number, found)).is_err() {
                 break;
             }
         }
@@ -200,21 +201,25 @@ impl Team<'_> {
         (number < self.jobs.len()).then_some((number, None))
     }
 
-    async fn measure_case(&self, case: &Case, lab: &mut Lab<'_>) -> Result<Found, MeasureError> {
+    async fn measure_case(
+        &self,
+        case: &Case,
+        lab: &mut Lab<'_>,
+    ) -> Result<TaskResult, MeasureError> {
         let measured = lab.measure(case, &self.survey.effort).await?;
         let bench = lab.bench(case)?;
         let worst =
             measured.worst.iter().take(KEPT_OF_A_CASE).filter(|finding| finding.error > 0.0);
         let worst = worst.map(|finding| Worst::new(&bench, finding)).collect();
         self.progress.step()?;
-        Ok(Found::Case(measured, worst))
+        Ok(TaskResult::Case(measured, worst))
     }
 
     async fn measure_look(
         &self,
         path: &Path,
         precise: &mut Renderer,
-    ) -> Result<Found, MeasureError> {
+    ) -> Result<TaskResult, MeasureError> {
         let progress = &self.progress;
         let drawn =
             measure_look(path, self.library, precise, &self.survey.look_effort, progress).await?;
@@ -225,27 +230,30 @@ impl Team<'_> {
                 measure_stability(path, mesh, self.library, precise, effort, progress).await?,
             );
         }
-        Ok(Found::Look(drawn, stability))
+        Ok(TaskResult::Look(drawn, stability))
     }
 
     async fn measure_large(
         &self,
         path: &Path,
         precise: &mut Renderer,
-    ) -> Result<Found, MeasureError> {
+    ) -> Result<TaskResult, MeasureError> {
         let effort = self.survey.large.clone().unwrap_or_else(LookEffort::large);
         let drawn = measure_look(path, self.library, precise, &effort, &self.progress).await?;
-        Ok(Found::Large(drawn))
+        Ok(TaskResult::Large(drawn))
     }
 
     /// What all jobs came to, in their order. The first that fails stops them all.
-    fn gather(&self, told: &mpsc::Receiver<WorkerMessage>) -> Result<Vec<Found>, MeasureError> {
-        let mut found: Vec<Option<Found>> = self.jobs.iter().map(|_| None).collect();
+    fn gather(
+        &self,
+        told: &mpsc::Receiver<WorkerMessage>,
+    ) -> Result<Vec<TaskResult>, MeasureError> {
+        let mut found: Vec<Option<TaskResult>> = self.jobs.iter().map(|_| None).collect();
         let mut failed = None;
         // Until the last worker has left.
         for message in told {
             match message {
-                WorkerMessage::Found(number, of) => found[number] = Some(of),
+                WorkerMessage::Finished(number, of) => found[number] = Some(of),
                 WorkerMessage::Failed(why) => {
                     failed.get_or_insert(why);
                 }
@@ -257,18 +265,18 @@ impl Team<'_> {
 }
 
 impl AccuracyReport {
-    fn with(mut self, found: Vec<Found>) -> Self {
+    fn with(mut self, found: Vec<TaskResult>) -> Self {
         for found in found {
             match found {
-                Found::Case(measured, worst) => {
+                TaskResult::Case(measured, worst) => {
                     self.nodes.push(measured);
                     self.worst.extend(worst);
                 }
-                Found::Look(drawn, stability) => {
+                TaskResult::Look(drawn, stability) => {
                     self.looks.extend(drawn);
                     self.stability.extend(stability);
                 }
-                Found::Large(drawn) => self.large.extend(drawn),
+                TaskResult::Large(drawn) => self.large.extend(drawn),
             }
         }
         self

@@ -55,7 +55,7 @@ pub enum Provenance {
 
 /// Which samples are given to other programs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Which {
+pub enum SampleChoice {
     /// Every sample, with what the rules fill.
     #[default]
     All,
@@ -63,7 +63,7 @@ pub enum Which {
     Painted,
 }
 
-impl Which {
+impl SampleChoice {
     /// Whether a sample of this provenance is one of them.
     pub fn has(self, provenance: &Provenance) -> bool {
         match self {

@@ -172,7 +172,7 @@ fn every_place_of_the_sheet_tells_what_it_holds() {
     let [width, height] = size(&grid);
     let mut own = 0;
     for [x, y] in (0..height).flat_map(|y| (0..width).map(move |x| [x, y])) {
-        let Held { address, texel, is_copy } = held(&grid, [x, y]).unwrap();
+        let SheetTexel { address, texel, is_copy } = held(&grid, [x, y]).unwrap();
         assert_eq!(address, address.canonical());
         let is_own = place(&grid, address, texel.map(|n| n as usize)) == [x as usize, y as usize];
         assert_eq!(is_own, !is_copy, "{address} at {x}, {y}");
@@ -183,5 +183,8 @@ fn every_place_of_the_sheet_tells_what_it_holds() {
     // By hand from A.3: the third light ring of the second view ring, in the block of the texel to
     // the right; the row of padding above light step 0 of view step 1 is a copy of light step 3.
     let found = held(&grid, [6 + 3 + 2, 6]).unwrap();
-    assert_eq!(found, Held { address: Address::new([2, 3], [1, 1]), texel: [1, 0], is_copy: true });
+    assert_eq!(
+        found,
+        SheetTexel { address: Address::new([2, 3], [1, 1]), texel: [1, 0], is_copy: true }
+    );
 }
