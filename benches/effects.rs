@@ -7,9 +7,6 @@
 //! the picture is the same, and nothing is proved of it.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 
-#[path = "../tests/support/wait.rs"]
-mod wait;
-
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -21,9 +18,9 @@ use chiaro::frame::{
 use chiaro::geometry::{Mesh, shape};
 use chiaro::library::Library;
 use chiaro::render::{Gpu, Renderer};
+use chiaro_test_drawing::wait::block_on;
 use glam::{DMat4, DVec3};
 use serde_json::{Value as Json, json};
-use wait::block_on;
 
 const OPTIONS: PlanOptions = PlanOptions { size: [640, 480], samples: 1, time: 0.0 };
 const TURNS: usize = 15;

@@ -11,9 +11,6 @@
 
 #[path = "support/spirv.rs"]
 mod spirv;
-#[path = "../tests/support/wait.rs"]
-mod wait;
-
 use std::path::Path;
 
 use chiaro::accuracy::Variant;
@@ -23,16 +20,17 @@ use chiaro::compile::Live;
 use chiaro::document::{Look, Tier};
 use chiaro::export::spirv_words;
 use chiaro::frame::{
-    self, Assets, FramePlan, PassKind, PlanOptions, Planner, Setup, SetupLook, default_setup, open,
+    self, Assets, FramePlan, PlanOptions, Planner, ScreenModule, Setup, SetupLook, default_setup,
+    open,
 };
 use chiaro::library::Library;
 use chiaro::progress::Progress;
 use chiaro::reference::{self, Modules, execute};
 use chiaro::render::{Gpu, Renderer};
 use chiaro::wgsl;
+use chiaro_test_drawing::wait::block_on;
 use glam::{DMat4, DVec3};
 use serde_json::{Value as Json, json};
-use wait::block_on;
 
 /// The setting of the BADF paper.
 const PAPER: [u32; 2] = [1600, 1200];
@@ -168,15 +166,17 @@ fn instructions(valid: &wgsl::Valid) -> f64 {
 /// Instructions that a plan's passes run for a pixel that shows an object, as far as those of the
 /// first draw tell.
 fn instructions_of(plan: &FramePlan) -> f64 {
-    let of = |pass: &frame::Pass| match (pass.kind.shader(), &pass.kind) {
-        (Some(name), _) => {
-            let linked = wgsl::pass(name).expect("a pass that is shipped");
-            let valid = wgsl::parse(&linked.text).expect("a pass that is valid");
-            // Nearly all of it is the loop over rings of neighbours: three of them, or one.
-            if name == "curvature" { 3.0 * instructions(&valid) } else { instructions(&valid) }
+    let of = |pass: &frame::Pass| match pass.id.stage() {
+        Some(stage) => {
+            plan.draws[0].module(stage).map_or(0.0, |shader| instructions(&shader.valid))
         }
-        (None, PassKind::Look) => instructions(&plan.draws[0].look.valid),
-        (None, kind) => instructions(&plan.draws[0].normals[kind].valid),
+        None => {
+            let module = ScreenModule::of(pass.id).expect("a pass that is shipped");
+            let module = module.expect("a pass over the picture");
+            // Nearly all of it is the loop over rings of neighbours: three of them, or one.
+            let rounds = if pass.id.row().module() == "curvature" { 3.0 } else { 1.0 };
+            rounds * instructions(&module.valid)
+        }
     };
     plan.passes.iter().map(of).sum()
 }

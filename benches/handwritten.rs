@@ -10,22 +10,18 @@
 #![allow(missing_docs, reason = "a program")]
 #![allow(clippy::disallowed_methods, reason = "it asks another program to optimise")]
 
-#[path = "../tests/support/handwritten.rs"]
-mod handwritten;
 #[path = "support/spirv.rs"]
 mod spirv;
-#[path = "../tests/support/wait.rs"]
-mod wait;
-
 use chiaro::accuracy::Estimate;
 use chiaro::accuracy::cost::{Series, alternate};
 use chiaro::document::Tier;
 use chiaro::export::spirv_words;
-use chiaro::frame::{CompiledShader, FramePlan, PassKind};
+use chiaro::frame::{CompiledShader, FramePlan, PassId};
 use chiaro::progress::Progress;
 use chiaro::render::{Gpu, Renderer};
+use chiaro_test_drawing::handwritten;
+use chiaro_test_drawing::wait::block_on;
 use spirv::{instructions, optimised};
-use wait::block_on;
 
 const SIZE: [u32; 2] = [800, 600];
 const ROUNDS: usize = 41;
@@ -44,7 +40,7 @@ fn lines(shader: &CompiledShader) -> usize {
 
 /// The look pass alone.
 fn look_pass(series: &Series) -> &[f64] {
-    series.passes.iter().find(|(kind, _)| *kind == PassKind::Look).map_or(&[], |(_, times)| times)
+    series.passes.iter().find(|(pass, _)| *pass == PassId::LOOK).map_or(&[], |(_, times)| times)
 }
 
 fn main() {

@@ -5,9 +5,6 @@
 //! with `-- frames`, `-- baking` or `-- memory` a part; docs/performance.md holds the figures.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 
-#[path = "../tests/support/wait.rs"]
-mod wait;
-
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -28,9 +25,9 @@ use chiaro::hcbtf::{self, LayerOptions, needs, needs_at_most};
 use chiaro::library::Library;
 use chiaro::progress::Progress;
 use chiaro::render::{Gpu, Renderer};
+use chiaro_test_drawing::wait::block_on;
 use glam::{DMat4, DVec3};
 use serde_json::json;
-use wait::block_on;
 
 const SIZE: [u32; 2] = [1280, 720];
 const ROUNDS: usize = 5;

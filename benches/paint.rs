@@ -76,7 +76,7 @@ fn benchmark(criterion: &mut Criterion) {
     }
     let flood = Flood { tolerance: 1.0, edge: Flood::EDGE, wraps: true };
     group.bench_function("flood", |bencher| {
-        bencher.iter(|| fill(black_box(&base), [9, 9], [7; 4], flood))
+        bencher.iter(|| fill(black_box(&base), [9, 9], [7; 4], flood));
     });
     group.finish();
 }

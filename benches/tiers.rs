@@ -14,9 +14,6 @@
 
 #[path = "tiers/curvature.rs"]
 mod curvature;
-#[path = "../tests/support/wait.rs"]
-mod wait;
-
 use std::path::{Path, PathBuf};
 
 use chiaro::compile::Live;
@@ -25,7 +22,7 @@ use chiaro::frame::{Assets, FramePlan, PlanOptions, Planner, open};
 use chiaro::library::Library;
 use chiaro::render::{Gpu, Renderer};
 use chiaro::wgsl::{Declaration, DeclarationKind, Source, link, scan};
-use wait::block_on;
+use chiaro_test_drawing::wait::block_on;
 
 const SIZE: u32 = 256;
 const REPEATS: u32 = 32;

@@ -19,7 +19,7 @@ use chiaro::render::{Gpu, Renderer};
 use glam::{DMat4, DVec3, Vec3};
 use serde_json::{Value as Json, json};
 
-use super::wait::block_on;
+use chiaro_test_drawing::wait::block_on;
 
 const SIZES: [[u32; 2]; 2] = [[256, 256], [800, 600]];
 const MESHES: [&str; 3] = ["shape:sphere", "shape:torus", "shape:creature"];

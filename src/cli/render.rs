@@ -14,7 +14,7 @@ use crate::clock::Clock;
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::{Camera, OutputKind, Scene, Tier, parse_hex};
-use crate::frame::{self, Assets, FramePlan, PassKind, Picture, PlanOptions, Planner, open};
+use crate::frame::{self, Assets, FramePlan, PassId, Picture, PlanOptions, Planner, open};
 use crate::interp::Precision;
 use crate::milestones;
 use crate::reference::{self, Modules, execute};
@@ -193,7 +193,7 @@ fn usual_size(camera: &Camera) -> [u32; 2] {
 /// A picture, and who drew it.
 struct RenderedPicture {
     picture: Picture,
-    passes: Vec<PassKind>,
+    passes: Vec<PassId>,
     adapter: String,
     /// What the device could not do as it was asked to.
     warnings: Vec<Diagnostic>,
@@ -239,7 +239,7 @@ async fn draw(
     let options = reference::Options::default();
     let drawn = output.watch("drawing", |progress| execute(plan, &modules, &options, progress));
     let picture = drawn?.to_picture();
-    let passes = plan.passes.iter().map(|pass| pass.kind.clone()).collect();
+    let passes = plan.passes.iter().map(|pass| pass.id).collect();
     Ok(RenderedPicture {
         picture,
         passes,

@@ -12,65 +12,36 @@ use chiaro_render as render;
 use chiaro_scene::{directions, drawing, export, frame, geometry, hcbtf, threads};
 
 mod app;
-pub mod canvas;
-mod code;
-mod command;
-mod compiling;
-mod confirm;
-mod cost;
-mod curves;
-mod dialogs;
-mod dock;
-pub mod fitting;
-mod fixes;
-mod inspector;
-mod keying;
-mod lighting;
-mod look_export;
-mod orbit;
-pub mod painting;
+mod canvas;
+mod commands;
+mod fields;
+mod painter;
 mod panels;
-mod path_field;
-mod paths;
-mod picture;
-mod probe;
-mod reading;
-pub(crate) mod safety;
-pub mod session;
-pub mod settings;
-mod sheet;
-mod shortcuts;
-mod spots;
-pub mod stage;
-mod still;
-mod theme;
-mod tour;
+mod state;
+mod tools;
 mod viewport;
-mod wipe;
-mod wire;
-mod worker;
+mod widgets;
 
 use eframe::egui;
 use std::io::Write as _;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+pub use crate::painter::Painting;
+pub use crate::panels::cost::Cost;
+pub use crate::state::orbit::Orbit;
+pub use crate::state::safety::places::Places;
+pub use crate::state::session::Session;
+pub use crate::state::settings::{self, Settings};
+pub use crate::state::stage::Stage;
+pub use crate::tools::fitting::Fitting;
+pub use crate::tools::probe::Probe;
+pub use crate::tools::wipe::Wipe;
 pub use app::App;
 pub use canvas::Canvas;
-pub use cost::Cost;
-pub use fitting::Fitting;
-pub use orbit::Orbit;
-pub use painting::Painting;
-pub use probe::Probe;
-pub use safety::places::Places;
-pub use session::Session;
-pub use settings::Settings;
-pub use stage::Stage;
 pub use viewport::Viewport;
-pub use wipe::Wipe;
 
 use crate::catalog::values;
-use panels::problems;
 
 use crate::diag::Diagnostic;
 use crate::frame::{DEFAULT_MESH, SHAPE_PREFIX};
@@ -104,12 +75,12 @@ fn icon() -> egui::IconData {
 /// Begins what the first picture needs of the processor, beside the window's and the device's
 /// beginning: nodes are read, and an own shape is made, once for all who ask.
 fn warm_up(mesh: Option<&str>) {
-    drop(worker::start("library", || {
+    drop(state::worker::start("library", || {
         Library::built_in();
     }));
     let shape = mesh.unwrap_or(DEFAULT_MESH).strip_prefix(SHAPE_PREFIX).map(str::to_owned);
     if let Some(shape) = shape {
-        drop(worker::start("shape", move || drop(crate::geometry::shape(&shape))));
+        drop(state::worker::start("shape", move || drop(crate::geometry::shape(&shape))));
     }
 }
 

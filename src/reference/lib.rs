@@ -52,7 +52,7 @@ mod tiles;
 mod uniform;
 
 pub use eval::evaluate;
-pub use executor::{PassImages, Shaders, SurfaceImages, execute};
+pub use executor::{PassImages, Shaders, execute};
 pub use fullscreen::shade_all;
 pub use gather::{Gathered, Seen, Sheet};
 pub use geometry::Triangles;

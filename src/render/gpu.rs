@@ -100,7 +100,7 @@ impl Gpu {
         });
         let uncaught = problem.clone();
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
-            set(&uncaught, from_wgpu(error))
+            set(&uncaught, from_wgpu(error));
         }));
         Self { device, queue, info, picture: PICTURE, problem, store: Store::default() }
     }

@@ -5,9 +5,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::error::RenderError;
 use super::gpu::Gpu;
-use super::target::{DEPTH, NORMALS, NUMBER};
+use super::target::{DEPTH, format_of};
 use crate::compile::{Attribute, BindingKind, CompiledShader, Stage};
-use crate::frame::stack_of;
+use crate::frame::{PassId, stack_of};
 
 /// Any thread has this much stack to spare; the least of ours have 2 MiB.
 const SMALL_STACK: usize = 1 << 20;
@@ -44,8 +44,8 @@ pub(super) struct LookPipeline {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Pipelines(Arc<Mutex<PipelineTable>>);
 
-/// A pipeline that is made, or being made by whoever holds the lock: one module is compiled once,
-/// and nobody waits for another's compiling.
+/// A pipeline that is made, or being made by whoever holds the lock: a module is compiled once, and
+/// only those wait for it who draw with it.
 type Slot = Arc<Mutex<Option<LookPipeline>>>;
 
 #[derive(Debug, Default)]
@@ -170,7 +170,7 @@ fn make(gpu: &Gpu, shader: &CompiledShader, samples: u32, sides: Sides) -> LookP
             module: &module,
             entry_point: Some("fs_main"),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &targets(shader.stage, gpu.picture),
+            targets: &targets(shader.stage, gpu),
         }),
         multiview_mask: None,
         cache: None,
@@ -178,12 +178,11 @@ fn make(gpu: &Gpu, shader: &CompiledShader, samples: u32, sides: Sides) -> LookP
     LookPipeline { pipeline, layout, attributes }
 }
 
-fn targets(stage: Stage, picture: wgpu::TextureFormat) -> Vec<Option<wgpu::ColorTargetState>> {
+fn targets(stage: Stage, gpu: &Gpu) -> Vec<Option<wgpu::ColorTargetState>> {
     let plain = |format| {
         Some(wgpu::ColorTargetState { format, blend: None, write_mask: wgpu::ColorWrites::ALL })
     };
     match stage {
-        Stage::Normals | Stage::DetailNormals => vec![plain(NORMALS), plain(NUMBER)],
         Stage::Eval => vec![plain(wgpu::TextureFormat::Rgba32Float)],
         Stage::Draw => {
             // The shader gives straight color; the target is premultiplied, so that samples can be
@@ -198,10 +197,15 @@ fn targets(stage: Stage, picture: wgpu::TextureFormat) -> Vec<Option<wgpu::Color
                 alpha: over(wgpu::BlendFactor::One),
             };
             vec![Some(wgpu::ColorTargetState {
-                format: picture,
+                format: gpu.picture,
                 blend: Some(blend),
                 write_mask: wgpu::ColorWrites::ALL,
             })]
+        }
+        before => {
+            let pass = PassId::of_stage(before);
+            let writes = pass.iter().flat_map(|pass| pass.row().writes);
+            writes.map(|output| plain(format_of(gpu, output.format))).collect()
         }
     }
 }
@@ -258,11 +262,6 @@ fn binding_type(kind: &BindingKind) -> wgpu::BindingType {
         BindingKind::Image(_) => texture(true),
         BindingKind::Hcbtf(_) => texture_of(true, wgpu::TextureViewDimension::D2Array),
         BindingKind::Sampler(_) => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
-        BindingKind::Curvature
-        | BindingKind::CurvatureSparse
-        | BindingKind::CurvatureDetail
-        | BindingKind::CurvatureDetailSparse
-        | BindingKind::CurvatureTensor
-        | BindingKind::SmoothNormal(_) => texture(false),
+        BindingKind::Pass(_) => texture(false),
     }
 }

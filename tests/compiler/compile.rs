@@ -3,13 +3,15 @@
 
 use std::path::{Path, PathBuf};
 
-use chiaro::compile::{CompiledShader, Live, MAX_UNIFORM_BYTES, Options, Stage, compile};
-use chiaro::document::Look;
-use chiaro::library::Library;
+use chiaro_compiler::compile::{CompiledShader, Live, MAX_UNIFORM_BYTES, Options, Stage, compile};
+use chiaro_compiler::document::Look;
+use chiaro_compiler::library::Library;
+
+use crate::support;
 
 fn looks() -> Vec<PathBuf> {
-    let folders = ["looks", "images", "hcbtf"]
-        .map(|name| Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(name));
+    let folders =
+        ["looks", "images", "hcbtf"].map(|name| support::root().join("examples").join(name));
     let entries = folders.iter().flat_map(|folder| std::fs::read_dir(folder).unwrap());
     let mut files: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
     files.retain(|path| path.extension().is_some_and(|extension| extension == "json"));
@@ -70,7 +72,7 @@ fn a_byte_of_the_source_leads_to_its_node_and_back() {
     let look =
         load(&looks().into_iter().find(|path| path.ends_with("figure1-layers.json")).unwrap());
     let shader = compiled(&look, &Options::default());
-    let path = chiaro::ids::NodePath::parse("specular/tone");
+    let path = chiaro_language::ids::NodePath::parse("specular/tone");
     let spans: Vec<_> = shader.spans.spans_of(&path).collect();
     assert!(!spans.is_empty());
     for span in spans {

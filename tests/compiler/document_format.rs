@@ -1,15 +1,19 @@
-//! docs/format.md and the JSON Schemas say what the code does. `CHIARO_BLESS=1 cargo test --test
-//! document_format` writes what the code makes; the difference is then reviewed like any other.
+//! docs/format.md and the JSON Schemas say what the code does. `CHIARO_BLESS=1 cargo test
+//! -p chiaro-compiler --test compiler document_format` writes what the code makes; the difference is then reviewed like any other.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use chiaro::diag::has_errors;
-use chiaro::document::{Document, Look, Scene, Storage, field_tables, look_schema, scene_schema};
+use chiaro_compiler::document::{
+    Document, Look, Scene, Storage, field_tables, look_schema, scene_schema,
+};
+use chiaro_language::diag::has_errors;
 use serde_json::Value;
 
+use crate::support;
+
 fn docs(file: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("docs").join(file)
+    support::root().join("docs").join(file)
 }
 
 /// Compares a file with what the code makes, or writes it when blessing.
@@ -151,7 +155,7 @@ fn objects(schema: &Value) -> Vec<(Vec<String>, Vec<String>)> {
 /// the reader warns about any other.
 #[test]
 fn the_reader_knows_the_fields_of_the_schemas() {
-    type Reader = fn(&str) -> Vec<chiaro::diag::Diagnostic>;
+    type Reader = fn(&str) -> Vec<chiaro_language::diag::Diagnostic>;
     let read: [(Value, Reader); 2] = [
         (look_schema(), |text| Look::read(text, "").diagnostics),
         (scene_schema(), |text| Scene::read(text, "").diagnostics),

@@ -1,6 +1,6 @@
 //! Undo and redo as people meet them.
 
-use chiaro::document::{Edit, Endpoint, GraphId, History, Look, Value, Wire};
+use chiaro_compiler::document::{Edit, Endpoint, GraphId, History, Look, Value, Wire};
 
 fn history() -> History<Look> {
     let text = r#"{
@@ -56,7 +56,7 @@ fn a_drag_is_one_step() {
 fn a_gesture_of_different_edits_is_undone_in_order() {
     let mut history = history();
     let before = history.document().to_text();
-    let node = chiaro::document::Node { kind: "layer".to_owned(), ..Default::default() };
+    let node = chiaro_compiler::document::Node { kind: "layer".to_owned(), ..Default::default() };
     history
         .apply_in(1, Edit::AddNode { graph: GraphId::Look, id: "new".into(), node, index: Some(1) })
         .unwrap();
@@ -114,8 +114,9 @@ fn impossible_edits_are_refused() {
     let mut history = history();
     let before = history.document().clone();
     let (look, group) = (GraphId::Look, GraphId::Definition("group".into()));
-    let node = || chiaro::document::Node { kind: "x".to_owned(), ..Default::default() };
-    let light = |intensity: f64| chiaro::document::Light { intensity, ..Default::default() };
+    let node = || chiaro_compiler::document::Node { kind: "x".to_owned(), ..Default::default() };
+    let light =
+        |intensity: f64| chiaro_compiler::document::Light { intensity, ..Default::default() };
     let wire = |from: &str, to: &str| Edit::AddWire {
         graph: GraphId::Look,
         wire: Wire { from: Endpoint::parse(from), to: Endpoint::parse(to) },

@@ -22,6 +22,7 @@ use scan::Reference;
 /// a document, a drawing shows what the catalog knows, and a frame plan joins what the rest of the
 /// scene's rooms make.
 const CRATES: &[(&str, &[&[&str]])] = &[
+    ("embed", &[]),
     (
         "language",
         &[
@@ -194,7 +195,7 @@ fn check_manifest(krate: &str, manifest: &str) -> Vec<String> {
 /// The folder of the sources, and every `.rs` file in it with its path from there; links lead to
 /// what is no source.
 fn sources() -> (PathBuf, Vec<PathBuf>) {
-    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let src = support::root().join("src");
     let is_rust = |path: &PathBuf| path.extension().is_some_and(|name| name == "rs");
     let rust = support::files::below(&src).into_iter().filter(is_rust);
     let rust = rust.map(|path| path.strip_prefix(&src).expect("it was found there").to_path_buf());
@@ -239,6 +240,25 @@ fn every_room_stands_on_one_floor() {
         let named = floors.iter().map(|rooms| rooms.len()).sum::<usize>();
         assert_eq!(named, rooms.len(), "CRATES names rooms of `{krate}` that are not there");
     }
+}
+
+/// Cargo finds no test program by itself, for one is of another package: one that nobody names
+/// would never run.
+#[test]
+fn every_test_program_is_of_one_package() {
+    let manifests = ["Cargo.toml", "src/compiler/Cargo.toml"]
+        .map(|path| fs::read_to_string(support::root().join(path)).expect("a manifest"));
+    let mut count = 0;
+    for entry in fs::read_dir(support::root().join("tests")).expect("there are tests").flatten() {
+        if !entry.path().join("main.rs").is_file() {
+            continue;
+        }
+        let path = format!("tests/{}/main.rs\"", entry.file_name().display());
+        let times: usize = manifests.iter().map(|text| text.matches(&path).count()).sum();
+        assert_eq!(times, 1, "{path} is a target of {times} packages");
+        count += 1;
+    }
+    assert!((2..=8).contains(&count), "{count} test programs; at most 8 are linked in good time");
 }
 
 #[test]

@@ -3,16 +3,18 @@
 
 use std::path::{Path, PathBuf};
 
-use chiaro::compile::{Live, Options, Stage, compile};
-use chiaro::document::Look;
-use chiaro::interp::{
+use chiaro_compiler::compile::{Live, Options, Stage, compile};
+use chiaro_compiler::document::Look;
+use chiaro_compiler::library::Library;
+use chiaro_language::interp::{
     self, Bindings, LANES, Lanes, Level, Port, Precision, Program, ResourceKind, Sampler,
     ScalarKind, Shape, Texture, TextureDimension, Value,
 };
-use chiaro::library::Library;
+
+use crate::support;
 
 fn looks() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
+    let folder = support::root().join("examples/looks");
     let mut files: Vec<_> =
         std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     files.retain(|path| path.extension().is_some_and(|extension| extension == "json"));
@@ -238,7 +240,7 @@ fn measure() {
 fn measure_alone() {
     let source = "fn f(n: i32) -> f32 \
                   { var s = 0.0; for (var i = 1; i <= n; i++) { s += 1.0 / f32(i); } return s; }";
-    let module = chiaro::wgsl::parse(source).unwrap().module;
+    let module = chiaro_language::wgsl::parse(source).unwrap().module;
     let program = Program::compile(&module, "f", interp::Options::default()).unwrap();
     let mut machine = program.machine(Precision::F64);
     let start = std::time::Instant::now();

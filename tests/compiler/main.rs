@@ -1,5 +1,8 @@
 //! Documents, the compiler and the house itself: what needs no GPU.
 
+use chiaro_test_support as support;
+
+mod cases;
 mod compile;
 mod document_format;
 mod document_history;
@@ -8,7 +11,5 @@ mod document_read;
 mod floors;
 mod interp_lanes;
 mod math;
-#[path = "../support/mod.rs"]
-mod support;
 mod techniques;
 mod words;

@@ -5,12 +5,12 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use chiaro::library::Library;
+use chiaro_compiler::library::Library;
 
-use crate::support::files;
+use crate::support::{self, files};
 
 fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
+    support::root()
 }
 
 fn read(path: &Path) -> String {

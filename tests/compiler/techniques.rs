@@ -4,12 +4,14 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use chiaro::document::Value;
-use chiaro::library::{Fallback, Library};
+use chiaro_compiler::document::Value;
+use chiaro_compiler::library::{Fallback, Library};
 use serde_json::Value as Json;
 
+use crate::support;
+
 fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
+    support::root()
 }
 
 /// Where the links of a cell lead, from `docs/`.

@@ -7,9 +7,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::Path;
 
 use crate::support::files::below;
+use crate::support::root;
 
 /// Names that are no name of a thing.
 const RIDDLES: &[&str] = &[
@@ -42,7 +42,7 @@ fn declared(line: &str) -> Option<&str> {
 
 /// Every type that `src/` declares, with the files that declare it, by paths from `src/`.
 fn declarations() -> BTreeMap<String, BTreeSet<String>> {
-    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let src = root().join("src");
     let mut found: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     for path in below(&src) {
         if path.extension().is_none_or(|extension| extension != "rs") {
@@ -59,7 +59,7 @@ fn declarations() -> BTreeMap<String, BTreeSet<String>> {
 
 #[test]
 fn types_are_called_what_they_are() {
-    let list = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/compiler/words_to_rename.txt");
+    let list = root().join("tests/compiler/words_to_rename.txt");
     let text = fs::read_to_string(&list).unwrap();
     let allowed: BTreeSet<&str> = text.lines().collect();
     let declarations = declarations();
@@ -86,8 +86,7 @@ fn types_are_called_what_they_are() {
 /// Words of the glossary's last column: types, and modules by their paths from `src/`.
 #[test]
 fn the_glossary_names_what_there_is() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let text = fs::read_to_string(root.join("docs/glossary.md")).unwrap();
+    let text = fs::read_to_string(root().join("docs/glossary.md")).unwrap();
     let declarations = declarations();
     let mut words = 0;
     let mut last = String::new();
@@ -104,9 +103,9 @@ fn the_glossary_names_what_there_is() {
         for carrier in named {
             let is_there = match carrier.strip_suffix('/') {
                 Some(module) => {
-                    root.join("src").join(module).is_dir() || root.join(module).is_dir()
+                    root().join("src").join(module).is_dir() || root().join(module).is_dir()
                 }
-                None if carrier.ends_with(".rs") => root.join("src").join(carrier).is_file(),
+                None if carrier.ends_with(".rs") => root().join("src").join(carrier).is_file(),
                 None => declarations.contains_key(carrier),
             };
             assert!(is_there, "`{word}`: there is no `{carrier}`");

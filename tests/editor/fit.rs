@@ -280,7 +280,7 @@ fn a_fit_can_be_stopped_and_an_edit_ends_it() {
             hand.press("Discard");
         }
         None => {
-            assert!(told.contains("stopped") && hand.app().session().preview().is_none(), "{told}")
+            assert!(told.contains("stopped") && hand.app().session().preview().is_none(), "{told}");
         }
     }
 

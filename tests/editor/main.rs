@@ -1,6 +1,8 @@
 //! The window, driven as a person drives it.
 #![cfg(feature = "editor")]
 
+use chiaro_test_drawing as support;
+
 mod canvas;
 mod dock;
 mod editor_support;
@@ -25,7 +27,5 @@ mod shots;
 mod stack;
 mod stack_shots;
 mod start;
-#[path = "../support/mod.rs"]
-mod support;
 mod viewport;
 mod window;

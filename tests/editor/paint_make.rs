@@ -223,8 +223,8 @@ fn the_open_look_is_baked_into_a_file_as_the_command_line_bakes_it() {
     hand.app_mut().answer_dialog(&to);
     hand.press("Bake to...");
     let grid = Grid { size: [4, 4], light: FEW, view: Directions { theta: 1, phi: 1 } };
-    let (setup, _) =
-        chiaro::frame::open(&path, None, &mut chiaro::frame::Assets::default()).unwrap();
+    let setup =
+        chiaro::frame::open(&path, None, &mut chiaro::frame::Assets::default()).unwrap().value;
     let setup = &setup.looks[0];
     let light = chiaro::frame::moving_light(setup, None).unwrap();
     let (library, assets) =

@@ -188,14 +188,7 @@ fn shots() {
     hand.press("Paint");
     hand.press("Bake this look onto a tile...");
     save(&mut hand, "paint-11-bake");
-    hand.app_mut().answer_dialog(&folder.path().join("baked.hcbtf"));
-    let bake = hand.place("Bake to...").center();
-    hand.click(bake);
-    let image = hand.harness.render().unwrap();
-    let shots = std::env::var_os("CHIARO_SHOTS")
-        .map_or_else(|| PathBuf::from("target/shots"), PathBuf::from);
-    image.save(shots.join("paint-12-baking.png")).unwrap();
-    hand.press("Stop");
+    bake(&mut hand, &folder.path().join("baked.hcbtf"));
     hand.press("View");
     hand.press_a(Role::CheckBox, "Sheet");
     hand.key(Key::Escape);
@@ -213,4 +206,16 @@ fn shots() {
     save(&mut hand, "paint-6-light");
     hand.key_with(Modifiers::NONE, Key::F1);
     save(&mut hand, "paint-7-keys");
+}
+
+/// A bake while it goes on, which no settled picture shows.
+fn bake(hand: &mut Hand, path: &std::path::Path) {
+    hand.app_mut().answer_dialog(path);
+    let bake = hand.place("Bake to...").center();
+    hand.click(bake);
+    let image = hand.harness.render().unwrap();
+    let shots = std::env::var_os("CHIARO_SHOTS")
+        .map_or_else(|| PathBuf::from("target/shots"), PathBuf::from);
+    image.save(shots.join("paint-12-baking.png")).unwrap();
+    hand.press("Stop");
 }

@@ -533,7 +533,7 @@ fn meshes_and_images_are_loaded_again() {
     let (path, mesh, image) = (home.file("rim.json"), home.file("tri.obj"), home.file("skin.png"));
     fs::write(&mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
     let paint = |value: u8| {
-        image::RgbaImage::from_pixel(2, 2, image::Rgba([value, 0, 0, 255])).save(&image).unwrap()
+        image::RgbaImage::from_pixel(2, 2, image::Rgba([value, 0, 0, 255])).save(&image).unwrap();
     };
     paint(10);
     let text = r#"{"nodes": [{"id": "skin", "kind": "image", "values": {"image": "skin.png"}}, {"id": "output", "kind": "output"}],

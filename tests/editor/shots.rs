@@ -661,7 +661,7 @@ fn crash_shots() {
         let mut app = App::new(ctx, Some(gpu.clone())).without_dialogs();
         app.keep_in(places.clone(), ctx);
         app.change_settings(|settings| {
-            [&other, &file].into_iter().for_each(|path| settings.opened(path))
+            [&other, &file].into_iter().for_each(|path| settings.opened(path));
         });
         app.begin();
         app

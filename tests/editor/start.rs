@@ -187,7 +187,7 @@ fn what_was_open_is_offered_and_what_is_gone_is_forgotten() {
     fs::write(&odd, "not JSON at all").unwrap();
     let mut hand = home.window(None);
     hand.app_mut().change_settings(|settings| {
-        [&odd, &lost, &rim, &stage].into_iter().for_each(|path| settings.opened(path))
+        [&odd, &lost, &rim, &stage].into_iter().for_each(|path| settings.opened(path));
     });
     hand.settle();
     assert!(
@@ -882,7 +882,9 @@ fn an_example_of_an_hcbtf_brings_its_file_along_wherever_it_is_saved() {
     let saved = home.file("mine.json");
     assert!(hand.app_mut().save_as(&saved));
     let (setup, problems) =
-        chiaro::frame::open(&saved, None, &mut chiaro::frame::Assets::default()).unwrap();
+        chiaro::frame::open(&saved, None, &mut chiaro::frame::Assets::default())
+            .unwrap()
+            .into_parts();
     assert!(problems.is_empty() && setup.looks.len() == 1);
     let mut assets = chiaro::frame::Assets::default();
     assets.draft();
@@ -915,7 +917,7 @@ fn an_example_scene_opens_as_a_new_one_of_ones_own() {
         text.contains("\"arch.json\"") && text.contains("\"example:hcbtf/grass.json\""),
         "{text}"
     );
-    let (setup, _) =
-        chiaro::frame::open(&scene, None, &mut chiaro::frame::Assets::default()).unwrap();
+    let setup =
+        chiaro::frame::open(&scene, None, &mut chiaro::frame::Assets::default()).unwrap().value;
     assert_eq!((setup.objects.len(), setup.looks.len()), (10, 10));
 }

@@ -159,7 +159,7 @@ fn exporting_twice_gives_the_same_bytes() {
 /// Every kind of thing that a look can hold: exposed numbers, colors, a ramp, a choice and a
 /// light's field; a number that becomes a color; time; a directional and a spot light; an image in
 /// a node of its own; curvature, also of detail normals; an alpha cutoff.
-const RICH: &str = include_str!("../support/rich.json");
+const RICH: &str = include_str!("rich.json");
 
 fn rich() -> Look {
     read_look(RICH, "rich.json")

@@ -1,6 +1,6 @@
 //! Exported modules against golden files and outside validators.
 
+use chiaro_test_drawing as support;
+
 mod golden;
-#[path = "../support/mod.rs"]
-mod support;
 mod validators;

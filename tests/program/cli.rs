@@ -149,22 +149,24 @@ fn every_subcommand_has_help_with_examples_and_exit_codes_are_documented() {
     }
 }
 
-#[test]
-fn a_look_is_fitted_to_what_was_painted() {
-    let shop = Shop::new();
-    let look = |color: &str| {
-        let values =
-            r#""light": "key", "blend": "alpha", "offset": 0.3, "falloff": 0.8, "cutoff": 1.2"#;
-        format!(
-            r##"{{"chiaro": "look", "version": 1, "lights": {{"key": {{"direction": [-0.4, 0.5, 0.7]}}}},
+/// A look of one layer in `color`, over a dark base.
+fn lit_look(color: &str) -> String {
+    let values =
+        r#""light": "key", "blend": "alpha", "offset": 0.3, "falloff": 0.8, "cutoff": 1.2"#;
+    format!(
+        r##"{{"chiaro": "look", "version": 1, "lights": {{"key": {{"direction": [-0.4, 0.5, 0.7]}}}},
             "nodes": [{{"id": "base", "kind": "base", "values": {{"color": "#202030"}}}},
             {{"id": "lit", "kind": "light_layer", "values": {{{values}, "convex": "{color}"}}}},
             {{"id": "output", "kind": "output"}}],
             "wires": [{{"from": "base", "to": "lit.below"}}, {{"from": "lit.below", "to": "output.color"}}]}}"##
-        )
-    };
-    shop.write("wished.json", &look("#c08040"));
-    shop.write("look.json", &look("#808080"));
+    )
+}
+
+#[test]
+fn a_look_is_fitted_to_what_was_painted() {
+    let shop = Shop::new();
+    shop.write("wished.json", &lit_look("#c08040"));
+    shop.write("look.json", &lit_look("#808080"));
     let drawn =
         ["--backdrop", "none", "--samples", "1", "--size", "32x32", "--mesh", "shape:sphere"];
     shop.run(
@@ -192,7 +194,7 @@ fn a_look_is_fitted_to_what_was_painted() {
         );
     }
     assert_eq!(png_size(&shop.path("misses.png")), [32, 32]);
-    assert_eq!(fs::read_to_string(shop.path("look.json")).unwrap(), look("#808080"));
+    assert_eq!(fs::read_to_string(shop.path("look.json")).unwrap(), lit_look("#808080"));
     // Two dots tell too little, which is said; and another look is not replaced unasked.
     let told: Json =
         serde_json::from_str(&shop.run(&[&fit[..], &["--dry-run", "--json"]].concat()).ok().out)
@@ -333,7 +335,18 @@ fn hcbtfs_are_made_told_of_and_exchanged() {
     assert_eq!(info["samples"].as_array().map(Vec::len), Some(12));
     assert_eq!(info["samples"][1]["changed_by"], json!([1]));
 
-    // Out and in by each form: the same sheet comes of it.
+    exchange(&shop, grid);
+    shop.run(&["hcbtf", "import", "sheet.png", "-o", "x"])
+        .fails(1, &["sheet.png: error[hcbtf-sheet]", "1152 x 3840"]);
+    shop.run(&["hcbtf", "info", "none.hcbtf"]).fails(1, &["none.hcbtf", "cannot-read"]);
+    shop.run(&["hcbtf", "info", "sheet.png"]).fails(1, &["hcbtf-archive"]);
+    shop.run(&["hcbtf", "export", "grass.hcbtf", "--painted", "-o", "x.png"])
+        .fails(2, &["--to folder"]);
+    assert!(!shop.path("x.hcbtf").exists());
+}
+
+/// Out and in by each form: the same sheet comes of it.
+fn exchange(shop: &Shop, grid: &str) {
     shop.run(&["hcbtf", "export", "grass.hcbtf", "-o", "sheet.png"]).ok();
     assert_eq!(png_size(&shop.path("sheet.png")), [16, 30]);
     shop.run(&["hcbtf", "export", "grass.hcbtf", "--to", "folder", "-o", "all"]).ok();
@@ -391,14 +404,6 @@ fn hcbtfs_are_made_told_of_and_exchanged() {
         .run(&["hcbtf", "export", "grass.hcbtf", "--to", "folder", "--painted", "-o", "one"])
         .ok();
     assert!(told.err.contains("1 image, and hcbtf.json"), "{}", told.err);
-
-    shop.run(&["hcbtf", "import", "sheet.png", "-o", "x"])
-        .fails(1, &["sheet.png: error[hcbtf-sheet]", "1152 x 3840"]);
-    shop.run(&["hcbtf", "info", "none.hcbtf"]).fails(1, &["none.hcbtf", "cannot-read"]);
-    shop.run(&["hcbtf", "info", "sheet.png"]).fails(1, &["hcbtf-archive"]);
-    shop.run(&["hcbtf", "export", "grass.hcbtf", "--painted", "-o", "x.png"])
-        .fails(2, &["--to folder"]);
-    assert!(!shop.path("x.hcbtf").exists());
 }
 
 #[test]

@@ -2,25 +2,36 @@
 //! those of now.
 #![cfg(feature = "gpu")]
 
-use crate::support;
-use crate::support::wait::block_on;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+use crate::support;
+use crate::support::halved;
+use crate::support::ledger::{Key, Ledger, is_found_false};
+use crate::support::random::Random;
+use crate::support::wait::block_on;
 
 use chiaro::diag::{Diagnostic, has_errors};
 use chiaro::document::Outputs;
 use chiaro::gallery::nodes::{SIDE, draw_nodes, write_nodes};
-use chiaro::gallery::{GalleryReport, List, Options, build, list};
+use chiaro::gallery::{
+    GalleryDocument, GalleryReport, List, Options, Section, build, content, list,
+};
 use chiaro::library::Library;
 use chiaro::progress::Progress;
 use chiaro::render::Gpu;
+use rayon::prelude::*;
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
+/// The test program's device.
 fn gpu() -> Gpu {
-    block_on(Gpu::headless()).expect("there is no adapter, not even in software")
+    static GPU: OnceLock<Gpu> = OnceLock::new();
+    let make = || block_on(Gpu::headless()).expect("there is no adapter, not even in software");
+    GPU.get_or_init(make).clone()
 }
 
 fn options(side: u32, rounds: usize) -> Options {
@@ -34,16 +45,18 @@ fn options(side: u32, rounds: usize) -> Options {
 }
 
 fn make(list: &List, folder: &Path, options: &Options) -> Result<GalleryReport, Vec<Diagnostic>> {
-    let library = |_: &Path| Library::built_in().clone();
-    block_on(build(
-        list,
-        folder,
-        &mut Outputs::new(false),
-        &gpu(),
-        &library,
-        options,
-        &Progress::new(),
-    ))
+    make_with(Library::built_in(), list, folder, options)
+}
+
+fn make_with(
+    library: &Library,
+    list: &List,
+    folder: &Path,
+    options: &Options,
+) -> Result<GalleryReport, Vec<Diagnostic>> {
+    let library = |_: &Path| library.clone();
+    let mut outputs = Outputs::new(false);
+    block_on(build(list, folder, &mut outputs, &gpu(), &library, options, &Progress::new()))
 }
 
 /// What a page's attributes of a name lead to.
@@ -53,33 +66,130 @@ fn links(page: &str, attribute: &str) -> HashSet<String> {
 }
 
 /// Every file of the gallery that some page of it leads to.
-fn follow(folder: &Path) -> HashSet<String> {
+fn follow(folder: &Path) -> Result<HashSet<String>, String> {
     let mut found = HashSet::new();
     let mut open = vec!["index.html".to_owned()];
     while let Some(name) = open.pop() {
         let text = std::fs::read_to_string(folder.join(&name))
-            .unwrap_or_else(|error| panic!("{name}: {error}"));
-        assert_eq!(text.matches("<div").count(), text.matches("</div>").count(), "{name}");
+            .map_err(|error| format!("{name}: {error}"))?;
+        if text.matches("<div").count() != text.matches("</div>").count() {
+            return Err(format!("{name} closes other than it opens"));
+        }
         for link in links(&text, "href").into_iter().chain(links(&text, "src")) {
             if link.starts_with("..") {
-                assert!(link.starts_with("../nodes.md#"), "{name} leads to {link}");
+                if !link.starts_with("../nodes.md#") {
+                    return Err(format!("{name} leads to {link}"));
+                }
                 continue;
             }
-            assert!(folder.join(&link).is_file(), "{name} leads to {link}, which is not there");
+            if !folder.join(&link).is_file() {
+                return Err(format!("{name} leads to {link}, which is not there"));
+            }
             if found.insert(link.clone()) && link.ends_with(".html") {
                 open.push(link);
             }
         }
     }
-    found
+    Ok(found)
+}
+
+/// How many pages the index leads to.
+fn pages(found: &HashSet<String>) -> usize {
+    found.iter().filter(|name| name.ends_with(".html") && *name != "index.html").count()
+}
+
+/// What judges a page, besides what is made of a document.
+const JUDGES: &[&str] = &[
+    "src/compiler/catalog",
+    "src/laboratory/gallery",
+    "src/render",
+    "src/scene/drawing",
+    "src/scene/frame",
+    "tests/program/gallery.rs",
+];
+
+/// What the verdict on a document's page depends on.
+fn key(shown: &GalleryDocument, library: &Library) -> Key {
+    let mut key = Key::of_sources(JUDGES).with(gpu().info.driver_info.as_bytes());
+    content(shown, library, &options(SIDE_OF_PAGES, 0), &mut |bytes| key.add(bytes))
+        .unwrap_or_else(|problems| panic!("{}: {problems:?}", shown.file.display()));
+    key
+}
+
+/// Pixels of a side of what pages show here.
+const SIDE_OF_PAGES: u32 = 48;
+
+/// A number of a picture that no other picture has: the mean of its channels, each weighted in a
+/// way of its own.
+fn figure(picture: &[u8]) -> f64 {
+    let mut random = Random::new(48);
+    let (mut sum, mut weights) = (0.0, 0.0);
+    for channel in picture {
+        let weight = random.between(0.5, 1.5);
+        sum += weight * f64::from(*channel);
+        weights += weight;
+    }
+    sum / (255.0 * weights)
+}
+
+/// Makes a document's page, follows what it leads to, and gives its picture's number.
+fn page(shown: &GalleryDocument, library: &Library) -> Result<f64, String> {
+    let section = Section { shown: vec![shown.clone()], ..Section::default() };
+    let list = List { sections: vec![section], ..List::default() };
+    let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+    let made = make_with(library, &list, folder.path(), &options(SIDE_OF_PAGES, 0))
+        .map_err(|problems| format!("{problems:?}"))?;
+    if !made.problems.is_empty() || made.pages != 1 {
+        return Err(format!("{:?}", made.problems));
+    }
+    let found = follow(folder.path())?;
+    let pictures: Vec<&String> = found.iter().filter(|name| name.ends_with(".png")).collect();
+    let ([picture], 1) = (pictures.as_slice(), pages(&found)) else {
+        return Err(format!("the index leads to {found:?}"));
+    };
+    let picture =
+        image::open(folder.path().join(picture)).map_err(|error| error.to_string())?.to_rgba8();
+    let colors: HashSet<[u8; 4]> = picture.pixels().map(|pixel| pixel.0).collect();
+    if picture.dimensions() != (SIDE_OF_PAGES, SIDE_OF_PAGES) || colors.len() < 2 {
+        return Err(format!("{:?}, {} colors", picture.dimensions(), colors.len()));
+    }
+    Ok(figure(picture.as_raw()))
+}
+
+/// A look that draws one color.
+const SMALL: &str = r#"{"nodes": [{"kind": "base"}, {"kind": "output"}],
+    "wires": [{"from": "base", "to": "output.color"}]}"#;
+
+/// Makes the whole gallery with one small look in every document's place: the index leads to a page
+/// for each.
+fn gallery(list: &List) -> Result<f64, String> {
+    let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+    let mut list = list.clone();
+    let mut count = 0;
+    for shown in list.sections.iter_mut().flat_map(|section| &mut section.shown) {
+        let name = shown.file.strip_prefix(root()).map_err(|error| error.to_string())?;
+        let file = folder.path().join(name);
+        std::fs::create_dir_all(file.parent().unwrap_or(folder.path()))
+            .and_then(|()| std::fs::write(&file, SMALL))
+            .map_err(|error| error.to_string())?;
+        (shown.file, shown.mesh) = (file, Some("shape:plane".to_owned()));
+        count += 1;
+    }
+    let out = folder.path().join("out");
+    let made = make(&list, &out, &options(4, 0)).map_err(|problems| format!("{problems:?}"))?;
+    if !made.problems.is_empty() {
+        return Err(format!("{:?}", made.problems));
+    }
+    let found = follow(&out)?;
+    if made.pages == count && pages(&found) == count {
+        return Ok(count as f64);
+    }
+    Err(format!("{count} documents, {} pages, {} in the index", made.pages, pages(&found)))
 }
 
 #[test]
-fn every_example_has_a_page() {
+fn every_example_is_shown() {
     let list = list::list(&[root().join("examples")]).unwrap();
-    let folder = tempfile::tempdir().unwrap();
-    let made = make(&list, folder.path(), &options(48, 0)).unwrap();
-    assert!(made.problems.is_empty(), "{:?}", made.problems);
     let examples =
         ["looks", "hcbtf", "images", "scenes"].map(|name| root().join("examples").join(name));
     let files: Vec<PathBuf> =
@@ -99,21 +209,56 @@ fn every_example_has_a_page() {
     let missing: Vec<_> =
         documents.iter().filter(|path| !shown.contains(path) && !is_worn(path)).collect();
     assert!(missing.is_empty(), "examples/gallery.json does not show {missing:?}");
-    assert_eq!(made.pages, shown.len());
+}
 
-    let found = follow(folder.path());
-    let pages =
-        found.iter().filter(|name| name.ends_with(".html") && *name != "index.html").count();
-    assert_eq!(pages, shown.len(), "the index leads to every page");
-    let mut pictures = HashSet::new();
-    for name in found.iter().filter(|name| name.ends_with(".png")) {
-        let picture = image::open(folder.path().join(name)).unwrap().to_rgba8();
-        assert_eq!(picture.dimensions(), (48, 48), "{name}");
-        let colors: HashSet<[u8; 4]> = picture.pixels().map(|pixel| pixel.0).collect();
-        assert!(colors.len() > 1, "nothing is seen in {name}");
-        pictures.insert(picture.into_raw());
+#[test]
+fn every_example_has_a_page() {
+    let list = list::list(&[root().join("examples")]).unwrap();
+    let order: Vec<&GalleryDocument> =
+        list.sections.iter().flat_map(|section| &section.shown).collect();
+    let name = |shown: &GalleryDocument| {
+        let file = shown.file.strip_prefix(root()).expect("it lies here");
+        file.to_string_lossy().replace('\\', "/")
+    };
+    let mut ledger = Ledger::open("gallery");
+    let whole = format!("{list:?}").replace(&root().display().to_string(), "");
+    let whole = Key::of_sources(JUDGES).with(whole.as_bytes());
+    ledger.prove("the whole", &whole, || gallery(&list));
+    let library = Library::built_in();
+    let keys: Vec<Key> = order.par_iter().map(|shown| key(shown, library)).collect();
+    for (index, (shown, key)) in order.iter().zip(&keys).enumerate() {
+        // A document may be shown more than once, from elsewhere.
+        let before = order[..index].iter().filter(|other| other.file == shown.file).count();
+        let case =
+            if before == 0 { name(shown) } else { format!("{}, {}", name(shown), before + 1) };
+        ledger.prove(&case, key, || page(shown, library));
     }
-    assert_eq!(pictures.len(), pages, "the pictures differ");
+    let figures: HashSet<u64> = ledger
+        .figures()
+        .filter(|(case, _)| *case != "the whole")
+        .map(|(_, figure)| figure.to_bits())
+        .collect();
+    if ledger.complaints.is_empty() {
+        assert_eq!(figures.len(), order.len(), "the pictures differ");
+    }
+    ledger.close();
+}
+
+/// One digit of a shader is another, and a line of the ledger says what is not so.
+#[test]
+fn a_changed_shader_and_a_forged_line_are_found() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("half.json");
+    std::fs::write(&file, halved::text().to_string()).unwrap();
+    let shown = GalleryDocument { file, ..GalleryDocument::default() };
+    let (before, after) = (halved::library("0.5"), halved::library("0.5000001"));
+    let keys =
+        [&before, &halved::library("0.5"), &after].map(|library| key(&shown, library).text());
+    assert_eq!(keys[0], keys[1]);
+    assert_ne!(keys[0], keys[2]);
+    let (key, honest) = (key(&shown, &before), page(&shown, &before).unwrap());
+    assert!(is_found_false("half", &key, 3.0 * honest, || page(&shown, &before)), "a forged line");
+    assert!(!is_found_false("half", &key, honest, || page(&shown, &before)), "an honest line");
 }
 
 #[test]

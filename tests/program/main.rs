@@ -1,10 +1,10 @@
 //! The program from outside: its commands, what they write, and what they measure.
 
+use chiaro_test_drawing as support;
+
 mod bench;
 mod cli;
 mod desktop;
 mod fit;
 mod gallery;
 mod outputs;
-#[path = "../support/mod.rs"]
-mod support;

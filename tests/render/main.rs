@@ -1,5 +1,7 @@
 //! Pictures of the GPU: effects, pruning, muting, groups and surfaces that leave them as they were.
 
+use chiaro_test_drawing as support;
+
 mod effects;
 mod grouping;
 mod long_graphs;
@@ -9,6 +11,4 @@ mod probe;
 mod property_looks;
 mod prune;
 mod shared_store;
-#[path = "../support/mod.rs"]
-mod support;
 mod surfaces;

@@ -2,41 +2,27 @@
 //! against baked.
 #![cfg(feature = "gpu")]
 
-use std::path::Path;
-
-use crate::support::eval::{eval_with, look, options};
-use crate::support::files;
+use crate::support::eval::{content, eval_with, look, options, renderer};
+use crate::support::examples::{looks, samples};
+use crate::support::halved;
+use crate::support::ledger::{Key, Ledger, is_found_false};
 use crate::support::random::Random;
 use crate::support::report::Errors;
 use crate::support::stacks::idle_stack;
 use chiaro::compile::{Live, Options, compile};
-use chiaro::document::{Look, Value};
-use chiaro::frame::{EvalSample, SetupLook};
+use chiaro::document::Value;
+use chiaro::frame::SetupLook;
 use chiaro::library::{BypassResult, Fallback, Library, Limit, NodeDef, Test, Type};
-use glam::{DMat3, DVec2, DVec3};
+use glam::DVec3;
 use serde_json::{Map, Value as Json, json};
-
-fn samples(seed: u64, count: usize) -> Vec<EvalSample> {
-    let mut random = Random::new(seed);
-    (0..count)
-        .map(|_| EvalSample {
-            normal: random.direction(),
-            view: random.direction(),
-            position: random.direction() * random.unit(),
-            camera: DMat3::from_quat(random.rotation()),
-            frame: random.rotation(),
-            uv: DVec2::new(random.unit(), random.unit()),
-            kappa: random.between(-20.0, 20.0),
-            vertex_color: [(); 4].map(|()| random.unit()),
-            ..EvalSample::default()
-        })
-        .collect()
-}
 
 /// Holds one way of compiling a look against another.
 fn compare(errors: &mut Errors, look: &SetupLook, a: &Options, b: &Options) {
+    compare_in(Library::built_in(), errors, look, a, b);
+}
+
+fn compare_in(library: &Library, errors: &mut Errors, look: &SetupLook, a: &Options, b: &Options) {
     let samples = samples(3, 300);
-    let library = Library::built_in();
     let (left, right) =
         (eval_with(look, library, a, &samples), eval_with(look, library, b, &samples));
     for ((x, y), sample) in left.iter().zip(&right).zip(&samples) {
@@ -46,35 +32,64 @@ fn compare(errors: &mut Errors, look: &SetupLook, a: &Options, b: &Options) {
     }
 }
 
-fn examples() -> Vec<SetupLook> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
-    let paths: Vec<_> = files::below(&folder)
-        .into_iter()
-        .filter(|path| path.extension().is_some_and(|e| e == "json"))
-        .collect();
-    assert!(paths.len() >= 6, "{paths:?}");
-    let open = |path: std::path::PathBuf| {
-        let loaded = Look::load(&path);
-        SetupLook {
-            look: loaded.value.expect("an example opens"),
-            source: loaded.source.into(),
-            folder: folder.clone(),
-        }
-    };
-    paths.into_iter().map(open).collect()
+/// What judges a look that is compiled in two ways, besides what is made of it.
+const JUDGES: &[&str] =
+    &["src/scene/frame", "src/render", "tests/drawing/eval.rs", "tests/render/prune.rs"];
+
+/// A way of compiling that is held against baked code, and by how much they may differ.
+fn ways() -> [(&'static str, Options, f64); 2] {
+    [
+        ("unspecialized", Options { unspecialized: true, ..Options::default() }, 1.0 / 255.0),
+        ("live", Options { live: Live::All, ..Options::default() }, 1e-5),
+    ]
+}
+
+/// What the verdict on a look that is compiled in two ways depends on.
+fn key(library: &Library, look: &SetupLook, other: &Options, bound: f64) -> Key {
+    let mut key = Key::of_sources(JUDGES)
+        .with(renderer().gpu().info.driver_info.as_bytes())
+        .with(&bound.to_le_bytes());
+    for options in [&Options::default(), other] {
+        content(look, library, options, &samples(3, 300), &mut |bytes| key.add(bytes));
+    }
+    key
+}
+
+/// The largest difference between a look as it is baked and as it is compiled in another way.
+fn proof(library: &Library, look: &SetupLook, other: &Options, bound: f64) -> Result<f64, String> {
+    let mut errors = Errors::new("baked against another way", bound);
+    compare_in(library, &mut errors, look, &Options::default(), other);
+    errors.verdict()
 }
 
 #[test]
 fn examples_are_the_same_unspecialized_and_live() {
-    let baked = Options::default();
-    let mut pruned = Errors::new("examples: specialized against unspecialized", 1.0 / 255.0);
-    let mut live = Errors::new("examples: live against keyed", 1e-5);
-    for look in examples() {
-        compare(&mut pruned, &look, &baked, &Options { unspecialized: true, ..Options::default() });
-        compare(&mut live, &look, &baked, &Options { live: Live::All, ..Options::default() });
+    let library = Library::built_in();
+    let mut ledger = Ledger::open("pruned-gpu");
+    for (name, look) in looks() {
+        for (way, other, bound) in ways() {
+            let key = key(library, &look, &other, bound);
+            let case = format!("{name}, {way}");
+            ledger.prove(&case, &key, || proof(library, &look, &other, bound));
+        }
     }
-    pruned.finish();
-    live.finish();
+    ledger.close();
+}
+
+/// One digit of a shader is another, and a line of the ledger says what is not so.
+#[test]
+fn a_changed_shader_and_a_forged_line_are_found() {
+    let look = halved::look();
+    let (before, after) = (halved::library("0.5"), halved::library("0.5000001"));
+    let [(_, other, bound), _] = ways();
+    let keys = [&before, &halved::library("0.5"), &after]
+        .map(|library| key(library, &look, &other, bound).text());
+    assert_eq!(keys[0], keys[1]);
+    assert_ne!(keys[0], keys[2]);
+    let (key, proof) =
+        (key(&before, &look, &other, bound), || proof(&before, &look, &other, bound));
+    assert!(is_found_false("half", &key, 3e-3, proof), "a forged line");
+    assert!(!is_found_false("half", &key, 0.0, proof), "an honest line");
 }
 
 #[test]
@@ -167,7 +182,7 @@ fn bypassed(def: &NodeDef, index: usize, ty: &Type, random: &mut Random) -> Setu
                 let side = if matches!(condition.test, Test::AtMost(_)) { -1.0 } else { 1.0 };
                 match limit {
                     Limit::Number(number) => {
-                        drop(values.insert(name, constant(&type_of(input), number + 0.5 * side)))
+                        drop(values.insert(name, constant(&type_of(input), number + 0.5 * side)));
                     }
                     // Beyond whatever `ordinary` gives.
                     Limit::Input(other) => {

@@ -6,28 +6,28 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use glam::{DVec3, DVec4};
 
 /// What a number is once a GPU holds it.
-pub(crate) fn f32_of(x: f64) -> f64 {
+pub fn f32_of(x: f64) -> f64 {
     f64::from(x as f32)
 }
 
 /// A unit vector with its components rounded to f32.
-pub(crate) fn held(v: DVec3) -> DVec3 {
+pub fn held(v: DVec3) -> DVec3 {
     v.normalize().to_array().map(f32_of).into()
 }
 
 /// The angle between two vectors of any length.
-pub(crate) fn angle(a: DVec3, b: DVec3) -> f64 {
+pub fn angle(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
 }
 
 /// The mirrored view, BADF 3.1: r = 2 (n.v) n - v.
-pub(crate) fn mirrored(n: DVec3, v: DVec3) -> DVec3 {
+pub fn mirrored(n: DVec3, v: DVec3) -> DVec3 {
     let (n, v) = (n.normalize(), v.normalize());
     2.0 * n.dot(v) * n - v
 }
 
 /// Offset, fall-off and cut-off in order (D2).
-pub(crate) fn sanitised([tau, f, c]: [f64; 3]) -> [f64; 3] {
+pub fn sanitised([tau, f, c]: [f64; 3]) -> [f64; 3] {
     let tau = tau.clamp(0.0, PI);
     let c = c.clamp(tau, PI);
     [tau, f.clamp(tau, c), c]
@@ -35,7 +35,7 @@ pub(crate) fn sanitised([tau, f, c]: [f64; 3]) -> [f64; 3] {
 
 /// alpha of BADF eq. 5 with eq. 10 and 11 to the letter, offsets absolute (reading B), after a warp
 /// (D3).
-pub(crate) fn alpha_by_the_letter(u: f64, shift: f64, parameters: [f64; 3]) -> f64 {
+pub fn alpha_by_the_letter(u: f64, shift: f64, parameters: [f64; 3]) -> f64 {
     limits(u, shift, parameters, |x, f, c| {
         let beta = -c.cos() / (1.0 - c.cos());
         let gamma = (1.0 - c.cos() * f.cos()) / f.sin().powi(2);
@@ -45,7 +45,7 @@ pub(crate) fn alpha_by_the_letter(u: f64, shift: f64, parameters: [f64; 3]) -> f
 
 /// The same without cancellation: cos x - cos c by half-angles, 1 - cos c cos f by squares of
 /// half-angles, and the power by ln(1 + y).
-pub(crate) fn alpha(u: f64, shift: f64, parameters: [f64; 3]) -> f64 {
+pub fn alpha(u: f64, shift: f64, parameters: [f64; 3]) -> f64 {
     limits(u, shift, parameters, |x, f, c| {
         let q = (0.5 * x).sin() / (0.5 * c).sin();
         // 1 - cos c cos f = (1 - cos c) + cos c (1 - cos f), and near pi the same of what is left
@@ -76,31 +76,38 @@ fn limits(u: f64, shift: f64, parameters: [f64; 3], formula: impl Fn(f64, f64, f
 }
 
 /// lambda of BADF eq. 7, with kappa made finite (D6).
-pub(crate) fn lambda(kappa: f64, slope: f64) -> f64 {
+pub fn lambda(kappa: f64, slope: f64) -> f64 {
     let kappa = if kappa.is_nan() { 0.0 } else { kappa.clamp(-1e4, 1e4) };
     0.5 + 0.5 * (kappa * slope).tanh()
 }
 
 /// The warp T of BADF eq. 8.
-pub(crate) fn warp(lambda: f64, amount: f64) -> f64 {
+pub fn warp(lambda: f64, amount: f64) -> f64 {
     (2.0 * lambda - 1.0) * amount.clamp(-PI, PI)
 }
 
 /// The blends of BADF eq. 2 as D8 reads them, and the masked multiply `shade`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Mode {
+pub enum Mode {
+    /// The backdrop and the layer together.
     Add,
+    /// The backdrop times the layer.
     Multiply,
+    /// The backdrop less the layer.
     Subtract,
+    /// The layer over the backdrop.
     Alpha,
+    /// The backdrop times the layer where the layer is.
     Shade,
 }
 
 impl Mode {
-    pub(crate) const ALL: [Self; 5] =
+    /// Every blend.
+    pub const ALL: [Self; 5] =
         [Self::Add, Self::Multiply, Self::Subtract, Self::Alpha, Self::Shade];
 
-    pub(crate) fn word(self) -> &'static str {
+    /// The blend as documents say it.
+    pub fn word(self) -> &'static str {
         match self {
             Self::Add => "add",
             Self::Multiply => "multiply",
@@ -113,7 +120,7 @@ impl Mode {
 
 /// A straight layer color laid over a premultiplied backdrop. Shares count from 0 to 1: opacity,
 /// alpha, and the tone where it is a mask.
-pub(crate) fn blend(
+pub fn blend(
     mode: Mode,
     below: DVec4,
     color: DVec4,
@@ -140,12 +147,12 @@ pub(crate) fn blend(
 }
 
 /// Straight to premultiplied.
-pub(crate) fn premultiplied(c: DVec4) -> DVec4 {
+pub fn premultiplied(c: DVec4) -> DVec4 {
     let share = c.w.clamp(0.0, 1.0);
     (c.truncate() * share).extend(share)
 }
 
 /// Premultiplied to straight; light over nothing is kept.
-pub(crate) fn straight(c: DVec4) -> DVec4 {
+pub fn straight(c: DVec4) -> DVec4 {
     if c.w > 0.0 { (c.truncate() / c.w).extend(c.w) } else { c }
 }

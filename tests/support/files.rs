@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 /// Every file in `folder` and below, in order; none where there is no such folder. Panics where one
 /// cannot be read.
-pub(crate) fn below(folder: &Path) -> Vec<PathBuf> {
+pub fn below(folder: &Path) -> Vec<PathBuf> {
     let mut found = BTreeSet::new();
     let mut open: Vec<_> = folder.is_dir().then(|| folder.to_path_buf()).into_iter().collect();
     while let Some(next) = open.pop() {

@@ -21,7 +21,7 @@ use std::{env, fs};
 
 use siphasher::sip128::{Hasher128 as _, SipHasher13};
 
-use super::files;
+use crate::{files, root};
 
 /// One in so many lines is proved anew in each commit.
 const TURNS: u64 = 10;
@@ -33,17 +33,17 @@ const NOTHING: f64 = 4e-7;
 
 /// The hash of what a verdict depends on.
 #[derive(Clone)]
-pub(crate) struct Key(SipHasher13);
+pub struct Key(SipHasher13);
 
 impl Key {
     /// The key of what depends on the files under these folders of the project alone: Rust and
     /// WGSL, without comments.
-    pub(crate) fn of_sources(folders: &[&str]) -> Self {
-        Self::of_sources_in(Path::new(env!("CARGO_MANIFEST_DIR")), folders)
+    pub fn of_sources(folders: &[&str]) -> Self {
+        Self::of_sources_in(root(), folders)
     }
 
     /// The same below another root.
-    pub(crate) fn of_sources_in(root: &Path, folders: &[&str]) -> Self {
+    pub fn of_sources_in(root: &Path, folders: &[&str]) -> Self {
         let mut key = Self(SipHasher13::new());
         for folder in folders {
             key.add(&source_hash(&root.join(folder)).to_le_bytes());
@@ -52,20 +52,20 @@ impl Key {
     }
 
     /// Lets the verdict depend on more.
-    pub(crate) fn add(&mut self, bytes: &[u8]) {
+    pub fn add(&mut self, bytes: &[u8]) {
         self.0.write_usize(bytes.len());
         self.0.write(bytes);
     }
 
     /// The same with more.
-    pub(crate) fn with(&self, bytes: &[u8]) -> Self {
+    pub fn with(&self, bytes: &[u8]) -> Self {
         let mut key = self.clone();
         key.add(bytes);
         key
     }
 
     /// As it stands in a ledger.
-    pub(crate) fn text(&self) -> String {
+    pub fn text(&self) -> String {
         format!("{:032x}", self.0.finish128().as_u128())
     }
 }
@@ -74,7 +74,7 @@ impl Key {
 /// this project.
 fn source_hash(folder: &Path) -> u128 {
     static KNOWN: Mutex<Option<HashMap<PathBuf, u128>>> = Mutex::new(None);
-    let is_ours = folder.starts_with(env!("CARGO_MANIFEST_DIR"));
+    let is_ours = folder.starts_with(root());
     let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
     let known = known.get_or_insert_default();
     if let Some(hash) = known.get(folder).filter(|_| is_ours) {
@@ -119,7 +119,7 @@ struct Row {
 
 /// Which cases are proved anew.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Mode {
+pub enum Mode {
     /// Those with another key, and those whose turn it is.
     Turns,
     /// All of them.
@@ -129,7 +129,7 @@ pub(crate) enum Mode {
 }
 
 /// A ledger at work: what it knows, and what this run found.
-pub(crate) struct Ledger {
+pub struct Ledger {
     path: PathBuf,
     mode: Mode,
     /// The hash of the commit, which chooses whose turn it is.
@@ -139,13 +139,13 @@ pub(crate) struct Ledger {
     proved: usize,
     stand: usize,
     /// What is wrong with cases that were proved, and with lines.
-    pub(crate) complaints: Vec<String>,
+    pub complaints: Vec<String>,
 }
 
 impl Ledger {
     /// The project's ledger of a sweep.
-    pub(crate) fn open(name: &str) -> Self {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    pub fn open(name: &str) -> Self {
+        let root = root();
         let mode = match env::var("CHIARO_LEDGER").as_deref() {
             Ok("all") => Mode::All,
             Ok("write") => Mode::Write,
@@ -159,7 +159,7 @@ impl Ledger {
     }
 
     /// A ledger in a file, at work as it would be in a commit.
-    pub(crate) fn at(path: &Path, mode: Mode, commit: &str) -> Self {
+    pub fn at(path: &Path, mode: Mode, commit: &str) -> Self {
         let text = fs::read_to_string(path).unwrap_or_default();
         let row = |line: &str| {
             let mut parts = line.splitn(3, ' ');
@@ -183,7 +183,7 @@ impl Ledger {
     }
 
     /// Whether a case has to be proved; where it has not, its line stands.
-    pub(crate) fn is_due(&mut self, case: &str, key: &Key) -> bool {
+    pub fn is_due(&mut self, case: &str, key: &Key) -> bool {
         let Some(row) = self.known.get(case).filter(|row| row.key == key.text()) else {
             return true;
         };
@@ -208,7 +208,7 @@ impl Ledger {
     }
 
     /// What a proof of a case came to: its figure, or what is wrong.
-    pub(crate) fn note(&mut self, case: &str, key: &Key, proof: Result<f64, String>) {
+    pub fn note(&mut self, case: &str, key: &Key, proof: Result<f64, String>) {
         self.proved += 1;
         let figure = match proof {
             Ok(figure) => figure,
@@ -230,26 +230,26 @@ impl Ledger {
     }
 
     /// Proves a case where it is due.
-    pub(crate) fn prove(
-        &mut self,
-        case: &str,
-        key: &Key,
-        proof: impl FnOnce() -> Result<f64, String>,
-    ) {
+    pub fn prove(&mut self, case: &str, key: &Key, proof: impl FnOnce() -> Result<f64, String>) {
         if self.is_due(case, key) {
             let proof = proof();
             self.note(case, key, proof);
         }
     }
 
+    /// What each case of this run came to, in this run or as its line has it.
+    pub fn figures(&self) -> impl Iterator<Item = (&str, f64)> {
+        self.now.iter().map(|(case, row)| (case.as_str(), row.figure))
+    }
+
     /// How many cases were proved anew, and how many stand as they are in the ledger.
-    pub(crate) fn counts(&self) -> [usize; 2] {
+    pub fn counts(&self) -> [usize; 2] {
         [self.proved, self.stand]
     }
 
     /// Writes the ledger where that is asked for, and fails with everything that is wrong.
     #[allow(clippy::print_stdout, reason = "`--nocapture` shows what was proved")]
-    pub(crate) fn close(self) {
+    pub fn close(self) {
         let name = self.path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let [proved, stand] = self.counts();
         println!("{name}: {proved} proved, {stand} as the ledger has them");
@@ -266,6 +266,27 @@ impl Ledger {
         }
         assert!(self.complaints.is_empty(), "{name}:\n{}", self.complaints.join("\n"));
     }
+}
+
+/// Whether a ledger whose only line gives `figure` to a case complains of it in the first commit
+/// that proves the case anew.
+pub fn is_found_false(
+    case: &str,
+    key: &Key,
+    figure: f64,
+    proof: impl FnOnce() -> Result<f64, String>,
+) -> bool {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("forged.txt");
+    fs::write(&path, format!("{} {figure:e} {case}\n", key.text())).expect("it can be written");
+    let mut commits = (0..1000).map(|commit: u32| format!("{commit:040x}"));
+    let due = commits.find_map(|commit| {
+        let mut ledger = Ledger::at(&path, Mode::Turns, &commit);
+        ledger.is_due(case, key).then_some(ledger)
+    });
+    let mut ledger = due.expect("each case has its turn within some tens of commits");
+    ledger.note(case, key, proof());
+    ledger.complaints.iter().any(|complaint| complaint.contains("the line is false"))
 }
 
 /// Whether two figures can be of the same proof.

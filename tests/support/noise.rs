@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 /// PCG3D of Jarzynski and Olano 2020.
-pub(crate) fn pcg3d(v: [u32; 3]) -> [u32; 3] {
+pub fn pcg3d(v: [u32; 3]) -> [u32; 3] {
     let mut v = v.map(|x| x.wrapping_mul(1_664_525).wrapping_add(1_013_904_223));
     let mix = |v: &mut [u32; 3]| {
         v[0] = v[0].wrapping_add(v[1].wrapping_mul(v[2]));
@@ -17,13 +17,13 @@ pub(crate) fn pcg3d(v: [u32; 3]) -> [u32; 3] {
 }
 
 /// The hash of a lattice point.
-pub(crate) fn lattice(cell: [i64; 3], seed: u32) -> [u32; 3] {
+pub fn lattice(cell: [i64; 3], seed: u32) -> [u32; 3] {
     let salt = [0x9e37_79b9_u32, 0x85eb_ca6b, 0xc2b2_ae35];
     pcg3d(std::array::from_fn(|i| (cell[i] as u32).wrapping_add(seed.wrapping_mul(salt[i]))))
 }
 
 /// Its upper 24 bits as numbers in [0, 1).
-pub(crate) fn unit3(hash: [u32; 3]) -> DVec3 {
+pub fn unit3(hash: [u32; 3]) -> DVec3 {
     DVec3::from_array(hash.map(|h| f64::from(h >> 8) / f64::from(1 << 24)))
 }
 
@@ -39,7 +39,7 @@ fn gradient(hash: [u32; 3]) -> DVec3 {
 }
 
 /// One octave of a kind of noise.
-pub(crate) fn noise(kind: &str, p: DVec3, seed: u32) -> f64 {
+pub fn noise(kind: &str, p: DVec3, seed: u32) -> f64 {
     let corner = p.floor();
     let cell = corner.to_array().map(|x| x as i64);
     let d = p - corner;

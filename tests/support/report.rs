@@ -1,7 +1,7 @@
 //! Measured errors against their bounds.
 
 /// The largest error seen, and where.
-pub(crate) struct Errors {
+pub struct Errors {
     name: String,
     bound: f64,
     largest: f64,
@@ -10,12 +10,13 @@ pub(crate) struct Errors {
 }
 
 impl Errors {
-    pub(crate) fn new(name: impl Into<String>, bound: f64) -> Self {
+    /// No error yet, of what may be `bound` off.
+    pub fn new(name: impl Into<String>, bound: f64) -> Self {
         Self { name: name.into(), bound, largest: 0.0, place: String::new(), count: 0 }
     }
 
     /// Takes note of one error; anything that is no number counts as infinite.
-    pub(crate) fn note(&mut self, got: f64, wanted: f64, place: impl FnOnce() -> String) {
+    pub fn note(&mut self, got: f64, wanted: f64, place: impl FnOnce() -> String) {
         let error = (got - wanted).abs();
         let error = if error.is_finite() { error } else { f64::INFINITY };
         self.count += 1;
@@ -25,8 +26,26 @@ impl Errors {
         }
     }
 
-    pub(crate) fn has_any(&self) -> bool {
+    /// Whether any was noted.
+    pub fn has_any(&self) -> bool {
         self.count > 0
+    }
+
+    /// The largest error, where it keeps the bound, and what is wrong where not.
+    ///
+    /// # Errors
+    /// The error beyond the bound, and that nothing was measured.
+    pub fn verdict(&self) -> Result<f64, String> {
+        if self.count == 0 {
+            return Err(format!("{}: nothing was measured", self.name));
+        }
+        if self.largest > self.bound {
+            return Err(format!(
+                "{}: {:e} beyond {:e}: {}",
+                self.name, self.largest, self.bound, self.place
+            ));
+        }
+        Ok(self.largest)
     }
 
     /// Prints a row for the documentation, and fails beyond the bound.
@@ -34,16 +53,10 @@ impl Errors {
         clippy::print_stdout,
         reason = "the documentation's table is made of what `--nocapture` shows"
     )]
-    pub(crate) fn finish(self) {
+    pub fn finish(self) {
         println!("| {} | {} | {:.1e} | {:.0e} |", self.name, self.count, self.largest, self.bound);
-        assert!(self.count > 0, "{}: nothing was measured", self.name);
-        assert!(
-            self.largest <= self.bound,
-            "{}: {:e} beyond {:e}: {}",
-            self.name,
-            self.largest,
-            self.bound,
-            self.place
-        );
+        if let Err(wrong) = self.verdict() {
+            panic!("{wrong}");
+        }
     }
 }

@@ -9,9 +9,11 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::{env, fmt};
 
+use crate::root;
+
 /// A program that `scripts/setup` installs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Tool {
+pub enum Tool {
     /// GLSL: `glslangValidator` of Debian's glslang-tools.
     Glslang,
     /// SPIR-V: `spirv-val` of Debian's spirv-tools.
@@ -22,7 +24,7 @@ pub(crate) enum Tool {
 
 impl Tool {
     /// Whether it can be started here.
-    pub(crate) fn is_here(self) -> bool {
+    pub fn is_here(self) -> bool {
         let starts = |program: &str, argument: &str| {
             let quiet = Command::new(program)
                 .arg(argument)
@@ -62,7 +64,7 @@ impl fmt::Display for Tool {
 }
 
 /// Whether a missing tool is a failure.
-pub(crate) fn tools_are_required() -> bool {
+pub fn tools_are_required() -> bool {
     env::var("CHIARO_REQUIRE_TOOLS").is_ok_and(|value| value == "1")
 }
 
@@ -73,16 +75,19 @@ fn say(line: &str) {
 
 /// The stage that a GLSL source is for; GLSL does not say it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Stage {
+pub enum Stage {
+    /// `vert`.
     Vertex,
+    /// `frag`.
     Fragment,
+    /// `comp`.
     Compute,
 }
 
 /// Has glslang compile `source`. `flags` are its own, e.g. `["-V"]` for the rules of Vulkan;
 /// without them the source's `#version` decides. Gives what glslang says, with the source's lines
 /// numbered, where it refuses.
-pub(crate) fn glslang(source: &str, stage: Stage, flags: &[&str]) -> Result<(), String> {
+pub fn glslang(source: &str, stage: Stage, flags: &[&str]) -> Result<(), String> {
     if !Tool::Glslang.is_here() {
         return Tool::Glslang.missing();
     }
@@ -106,7 +111,7 @@ pub(crate) fn glslang(source: &str, stage: Stage, flags: &[&str]) -> Result<(), 
 /// Has glslang's front end for HLSL read the two entry points of `source`, with what it does not
 /// know said otherwise ([`for_glslang`]): a second opinion on every expression, type and
 /// declaration, but not that of a Direct3D compiler.
-pub(crate) fn glslang_hlsl(source: &str) -> Result<(), String> {
+pub fn glslang_hlsl(source: &str) -> Result<(), String> {
     let source = for_glslang(source);
     let vulkan = [
         "--target-env",
@@ -125,7 +130,7 @@ pub(crate) fn glslang_hlsl(source: &str) -> Result<(), String> {
 /// HLSL as glslang reads it: it takes a constant of the module that is made by a function for a
 /// recursion, and knows no zero that is cast to an array. Both become lists in braces, of the same
 /// values.
-pub(crate) fn for_glslang(source: &str) -> String {
+pub fn for_glslang(source: &str) -> String {
     let line = |line: &str| -> String {
         if line.starts_with("static const ") && line.contains(" = Construct") {
             return constructed_in_braces(line);
@@ -178,7 +183,7 @@ fn constructed_in_braces(line: &str) -> String {
 
 /// What glslang finds in the program that `files` of `folder` make together: names, offsets and
 /// types of its uniforms, a line each. `None` without glslang; panics where it cannot link them.
-pub(crate) fn glslang_reflection(folder: &Path, files: &[String]) -> Option<String> {
+pub fn glslang_reflection(folder: &Path, files: &[String]) -> Option<String> {
     if !Tool::Glslang.is_here() {
         Tool::Glslang.missing().expect("a required tool");
         return None;
@@ -192,7 +197,7 @@ pub(crate) fn glslang_reflection(folder: &Path, files: &[String]) -> Option<Stri
 
 /// Has spirv-val check a SPIR-V module, little-endian words as written to a `.spv` file, by the
 /// rules of `environment`, e.g. `vulkan1.1`.
-pub(crate) fn spirv_val(module: &[u8], environment: &str) -> Result<(), String> {
+pub fn spirv_val(module: &[u8], environment: &str) -> Result<(), String> {
     if !Tool::SpirvVal.is_here() {
         return Tool::SpirvVal.missing();
     }
@@ -204,12 +209,12 @@ pub(crate) fn spirv_val(module: &[u8], environment: &str) -> Result<(), String> 
 
 /// Has Tint compile WGSL files, all in one start of it. Gives `path:line:column: severity: message`
 /// for each message of each file that it refuses.
-pub(crate) fn tint<P: AsRef<Path>>(files: &[P]) -> Result<(), String> {
+pub fn tint<P: AsRef<Path>>(files: &[P]) -> Result<(), String> {
     if !Tool::Tint.is_here() {
         return Tool::Tint.missing();
     }
     let list: Vec<_> = files.iter().map(|file| file.as_ref().display().to_string()).collect();
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/tint/validate.mjs");
+    let script = root().join("tests/tint/validate.mjs");
     let mut command = Command::new("node");
     command.arg(script).env("CHIARO_TINT", tint_folder());
     let output = feed(&mut command, (list.join("\n") + "\n").as_bytes())?;
@@ -250,8 +255,7 @@ fn refusal(report: &serde_json::Value) -> String {
 
 /// Where `scripts/setup` puts Tint, or where `CHIARO_TINT` says it is.
 fn tint_folder() -> PathBuf {
-    env::var_os("CHIARO_TINT")
-        .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join(".tools/tint"), PathBuf::from)
+    env::var_os("CHIARO_TINT").map_or_else(|| root().join(".tools/tint"), PathBuf::from)
 }
 
 /// Runs a program with `input` on its standard input.

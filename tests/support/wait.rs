@@ -2,6 +2,6 @@
 
 /// Waits for a future on the thread that calls.
 #[expect(clippy::disallowed_methods, reason = "the one place where tests and benches wait")]
-pub(crate) fn block_on<T>(future: impl Future<Output = T>) -> T {
+pub fn block_on<T>(future: impl Future<Output = T>) -> T {
     pollster::block_on(future)
 }

@@ -1,5 +1,7 @@
 //! Meshes, painted surfaces and directions: what a scene is made of, without a GPU.
 
+use chiaro_test_drawing as support;
+
 mod blue_noise;
 mod directions_schemes;
 mod directions_weights;
@@ -8,7 +10,6 @@ mod geometry_models;
 mod geometry_shapes;
 mod geometry_tangents;
 mod hcbtf_bake;
+mod hcbtf_edits;
 mod hcbtf_examples;
 mod hcbtf_file;
-#[path = "../support/mod.rs"]
-mod support;

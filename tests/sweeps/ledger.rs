@@ -10,8 +10,8 @@ use chiaro::library::Library;
 
 use crate::nodes;
 use crate::support::eval::renderer;
-use crate::support::files;
 use crate::support::ledger::{Key, Ledger, Mode};
+use crate::support::{files, halved};
 
 fn written(folder: &Path, lines: &[(&str, &Key, f64)]) -> PathBuf {
     let path = folder.join("sweep.txt");
@@ -104,24 +104,14 @@ fn a_changed_interpreter_is_another_key() {
 /// other nodes does.
 #[test]
 fn a_changed_constant_in_a_shader_is_another_key() {
-    let with = |constant: &str| {
-        let text = format!(
-            "/// Half\n///\n/// @param x \"Value\" default=0 : A number.\nfn half_of(x: f32) -> \
-             f32 {{\n    return {constant} * x;\n}}\n"
-        );
-        let mut library = Library::built_in().clone();
-        library.add_file("nodes/math/half_of.wgsl", &text);
-        assert!(library.problems.is_empty(), "{:?}", library.problems);
-        library
-    };
     let key = |library: &Library, node: &str| {
         let mut renderer = renderer();
         let mut lab = Lab::new(library, &mut renderer).unwrap();
         let case = Case::of(&library.nodes[node]).remove(0);
         nodes::key(&mut lab, &case, &Effort { ordinary: 8, extreme: 8, rounds: 0 }).text()
     };
-    let (before, after) = (with("0.5"), with("0.5000001"));
-    assert_eq!(key(&before, "half_of"), key(&with("0.5"), "half_of"));
+    let (before, after) = (halved::library("0.5"), halved::library("0.5000001"));
+    assert_eq!(key(&before, "half_of"), key(&halved::library("0.5"), "half_of"));
     assert_ne!(key(&before, "half_of"), key(&after, "half_of"));
     assert_eq!(key(&before, "add"), key(&after, "add"));
 }

@@ -1,5 +1,7 @@
 //! What the shaders compute against independent formulas in f64, and the reference against itself.
 
+use chiaro_test_drawing as support;
+
 mod badf;
 mod closed_forms;
 mod family;
@@ -12,7 +14,5 @@ mod pruned;
 mod raster;
 mod shape_passes;
 mod single;
-#[path = "../support/mod.rs"]
-mod support;
 mod tiers;
 mod wire_keys;

@@ -10,36 +10,19 @@
 //!   where nothing is rounded, of any look; and not in f32, of looks whose values leave nothing to
 //!   round when they are folded.
 
-use std::path::{Path, PathBuf};
-
+use crate::support::eval::content;
+use crate::support::examples::{looks, samples};
+use crate::support::ledger::{Key, Ledger, is_found_false};
 use crate::support::random::Random;
 use crate::support::report::Errors;
-use crate::support::{files, stacks};
+use crate::support::{halved, stacks};
 use chiaro::compile::{Live, Options, compile};
 use chiaro::diag::Diagnostic;
-use chiaro::document::{Look, Node, Value};
-use chiaro::frame::{Assets, EvalSample, SetupLook, eval_batches};
+use chiaro::document::{Node, Value};
+use chiaro::frame::{Assets, SetupLook, eval_batches};
 use chiaro::interp::Precision;
 use chiaro::library::Library;
 use chiaro::reference;
-use glam::{DMat3, DVec2};
-
-fn samples(seed: u64, count: usize) -> Vec<EvalSample> {
-    let mut random = Random::new(seed);
-    (0..count)
-        .map(|_| EvalSample {
-            normal: random.direction(),
-            view: random.direction(),
-            position: random.direction() * random.unit(),
-            camera: DMat3::from_quat(random.rotation()),
-            frame: random.rotation(),
-            uv: DVec2::new(random.unit(), random.unit()),
-            kappa: random.between(-20.0, 20.0),
-            vertex_color: [(); 4].map(|()| random.unit()),
-            ..EvalSample::default()
-        })
-        .collect()
-}
 
 fn told(problems: &[Diagnostic]) -> String {
     problems.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
@@ -47,11 +30,12 @@ fn told(problems: &[Diagnostic]) -> String {
 
 fn evaluate(
     look: &SetupLook,
+    library: &Library,
     options: &Options,
-    samples: &[EvalSample],
     precision: Precision,
 ) -> Vec<[f64; 4]> {
-    let batches = eval_batches(look, Library::built_in(), samples, options, &mut Assets::default())
+    let samples = samples(5, 400);
+    let batches = eval_batches(look, library, &samples, options, &mut Assets::default())
         .unwrap_or_else(|problems| panic!("{}", told(&problems)));
     let mut values = vec![[f64::NAN; 4]; samples.len()];
     for batch in batches {
@@ -62,35 +46,48 @@ fn evaluate(
     values
 }
 
-/// Holds one way of compiling a look against another.
-fn compare(errors: &mut Errors, look: &SetupLook, ways: [&Options; 2], precision: Precision) {
-    let samples = samples(5, 400);
-    let [a, b] = ways.map(|options| evaluate(look, options, &samples, precision));
-    for (index, (a, b)) in a.iter().flatten().zip(b.iter().flatten()).enumerate() {
-        let place = || format!("{}, sample {}\n{}", look.look.name, index / 4, look.look.to_text());
-        // 0 and -0 are not the same bits.
-        let sign = if a == b && a.to_bits() != b.to_bits() { f64::MIN_POSITIVE } else { 0.0 };
-        errors.note(*a + sign, *b, place);
+/// Two ways of compiling a look that are held against one another, and by how much they may differ.
+struct Comparison {
+    name: &'static str,
+    ways: [Options; 2],
+    precision: Precision,
+    bound: f64,
+}
+
+impl Comparison {
+    /// The largest difference.
+    fn proof(&self, look: &SetupLook, library: &Library) -> Result<f64, String> {
+        let mut errors = Errors::new(self.name, self.bound);
+        let [a, b] = self.ways.each_ref().map(|way| evaluate(look, library, way, self.precision));
+        for (index, (a, b)) in a.iter().flatten().zip(b.iter().flatten()).enumerate() {
+            let place =
+                || format!("{}, sample {}\n{}", look.look.name, index / 4, look.look.to_text());
+            // 0 and -0 are not the same bits.
+            let sign = if a == b && a.to_bits() != b.to_bits() { f64::MIN_POSITIVE } else { 0.0 };
+            errors.note(*a + sign, *b, place);
+        }
+        errors.verdict()
+    }
+
+    /// What the verdict depends on.
+    fn key(&self, look: &SetupLook, library: &Library) -> Key {
+        let mut key = Key::of_sources(JUDGES)
+            .with(format!("{:?} {:e}", self.precision, self.bound).as_bytes());
+        for way in &self.ways {
+            content(look, library, way, &samples(5, 400), &mut |bytes| key.add(bytes));
+        }
+        key
+    }
+
+    fn prove(&self, ledger: &mut Ledger, case: &str, look: &SetupLook) {
+        let library = Library::built_in();
+        ledger.prove(case, &self.key(look, library), || self.proof(look, library));
     }
 }
 
-fn examples() -> Vec<SetupLook> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
-    let paths: Vec<PathBuf> = files::below(&folder)
-        .into_iter()
-        .filter(|path| path.extension().is_some_and(|e| e == "json"))
-        .collect();
-    assert!(paths.len() >= 6, "{paths:?}");
-    let open = |path: PathBuf| {
-        let loaded = Look::load(&path);
-        SetupLook {
-            look: loaded.value.expect("an example opens"),
-            source: loaded.source.into(),
-            folder: folder.clone(),
-        }
-    };
-    paths.into_iter().map(open).collect()
-}
+/// What judges, besides what is made of a look.
+const JUDGES: &[&str] =
+    &["src/language/interp", "src/scene/frame", "src/reference", "tests/truth/pruned.rs"];
 
 fn unspecialized(live: Live) -> Options {
     Options { live, unspecialized: true, ..Options::default() }
@@ -100,9 +97,11 @@ fn specialized(live: Live) -> Options {
     Options { live, ..Options::default() }
 }
 
-fn stacks(count: usize) -> Vec<SetupLook> {
+/// The example looks, and 40 random stacks.
+fn looks_and_stacks() -> Vec<(String, SetupLook)> {
     let mut random = Random::new(70);
-    (0..count).map(|_| stacks::idle_stack(&mut random)).collect()
+    let stacks = (0..40).map(|index| (format!("stack {index}"), stacks::idle_stack(&mut random)));
+    looks().into_iter().chain(stacks).collect()
 }
 
 /// The look with all numbers in 64ths: sums, halves and products of a few of them are exact in f32.
@@ -120,29 +119,42 @@ fn in_64ths(mut look: SetupLook) -> SetupLook {
 
 #[test]
 fn nothing_that_is_removed_changes_a_bit_in_f64() {
-    let mut errors = Errors::new("f64: specialized against as written", 0.0);
-    for look in examples().into_iter().chain(stacks(40)) {
-        compare(
-            &mut errors,
-            &look,
-            [&specialized(Live::All), &unspecialized(Live::All)],
-            Precision::F64,
-        );
+    let comparison = Comparison {
+        name: "f64: specialized against as written",
+        ways: [specialized(Live::All), unspecialized(Live::All)],
+        precision: Precision::F64,
+        bound: 0.0,
+    };
+    let mut ledger = Ledger::open("pruned-f64");
+    for (case, look) in looks_and_stacks() {
+        comparison.prove(&mut ledger, &case, &look);
     }
-    errors.finish();
+    ledger.close();
+}
+
+fn baked_against_live(bound: f64) -> Comparison {
+    Comparison {
+        name: "f32: baked against live",
+        ways: [specialized(Live::Keyed), specialized(Live::All)],
+        precision: Precision::F32,
+        bound,
+    }
 }
 
 #[test]
 fn nothing_that_is_folded_or_removed_changes_a_bit_in_f32() {
-    let mut errors = Errors::new("f32: baked against live", 0.0);
+    let comparison = baked_against_live(0.0);
+    let mut ledger = Ledger::open("pruned-f32");
     let mut removed = 0;
-    for look in examples().into_iter().chain(stacks(40)).map(in_64ths) {
-        let baked = specialized(Live::Keyed);
-        removed +=
-            compile(&look.look, Library::built_in(), &baked).expect("it compiles").removed.len();
-        compare(&mut errors, &look, [&baked, &specialized(Live::All)], Precision::F32);
+    for (case, look) in looks_and_stacks() {
+        let look = in_64ths(look);
+        removed += compile(&look.look, Library::built_in(), &comparison.ways[0])
+            .expect("it compiles")
+            .removed
+            .len();
+        comparison.prove(&mut ledger, &case, &look);
     }
-    errors.finish();
+    ledger.close();
     assert!(removed > 100, "hardly anything was removed: {removed}");
 }
 
@@ -150,16 +162,12 @@ fn nothing_that_is_folded_or_removed_changes_a_bit_in_f32() {
 /// rounds twice.
 #[test]
 fn what_is_folded_in_an_example_differs_by_no_more_than_one_rounding() {
-    let mut errors = Errors::new("f32: examples, baked against live", f64::from(f32::EPSILON));
-    for look in examples() {
-        compare(
-            &mut errors,
-            &look,
-            [&specialized(Live::Keyed), &specialized(Live::All)],
-            Precision::F32,
-        );
+    let comparison = baked_against_live(f64::from(f32::EPSILON));
+    let mut ledger = Ledger::open("pruned-folded");
+    for (case, look) in looks() {
+        comparison.prove(&mut ledger, &case, &look);
     }
-    errors.finish();
+    ledger.close();
 }
 
 /// How many times as large as a look's narrowest ramp its angles are.
@@ -178,19 +186,33 @@ fn narrowness(look: &SetupLook) -> f64 {
 /// What is computed once in f64 is closer to the truth than what is rounded at each step.
 #[test]
 fn rounding_once_is_within_a_few_steps_of_rounding_at_each_step() {
-    let ways = [&specialized(Live::Keyed), &unspecialized(Live::All)];
-    let mut errors = Errors::new("f32: baked against as written", 1e-6);
-    for look in examples().into_iter().chain(stacks(40)) {
+    let mut ledger = Ledger::open("pruned-rounding");
+    for (case, look) in looks_and_stacks() {
         // As it is written, the look's angles are rounded before they are subtracted: a few steps
         // of theirs are more steps of a ramp that is far narrower than its angles are large.
         let step = f64::from(f32::EPSILON) * narrowness(&look);
-        if step > 2e-6 {
-            let mut narrow = Errors::new("f32: the same with a narrow ramp", 2.0 * step);
-            compare(&mut narrow, &look, ways, Precision::F32);
-            narrow.finish();
-        } else {
-            compare(&mut errors, &look, ways, Precision::F32);
-        }
+        let comparison = Comparison {
+            name: "f32: baked against as written",
+            ways: [specialized(Live::Keyed), unspecialized(Live::All)],
+            precision: Precision::F32,
+            bound: if step > 2e-6 { 2.0 * step } else { 1e-6 },
+        };
+        comparison.prove(&mut ledger, &case, &look);
     }
-    errors.finish();
+    ledger.close();
+}
+
+/// One digit of a shader is another, and a line of the ledger says what is not so.
+#[test]
+fn a_changed_shader_and_a_forged_line_are_found() {
+    let look = halved::look();
+    let comparison = baked_against_live(0.0);
+    let (before, after) = (halved::library("0.5"), halved::library("0.5000001"));
+    let keys = [&before, &halved::library("0.5"), &after]
+        .map(|library| comparison.key(&look, library).text());
+    assert_eq!(keys[0], keys[1]);
+    assert_ne!(keys[0], keys[2]);
+    let (key, proof) = (comparison.key(&look, &before), || comparison.proof(&look, &before));
+    assert!(is_found_false("half", &key, 3e-3, proof), "a forged line");
+    assert!(!is_found_false("half", &key, 0.0, proof), "an honest line");
 }

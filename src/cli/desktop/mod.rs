@@ -151,7 +151,7 @@ fn tell_desktop(tool: &str, folder: &Path, output: &Output) {
     match Command::new(tool).arg(folder).output() {
         Ok(ran) if ran.status.success() => {}
         Ok(ran) => {
-            output.message(&format!("{tool}: {}", String::from_utf8_lossy(&ran.stderr).trim()))
+            output.message(&format!("{tool}: {}", String::from_utf8_lossy(&ran.stderr).trim()));
         }
         Err(_) => output.message(&format!(
             "{tool} is not installed: the desktop takes notice at the next login"

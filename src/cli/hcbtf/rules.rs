@@ -79,7 +79,7 @@ fn wrapped(text: &str, indent: usize) -> String {
         match lines.last_mut() {
             Some(line) if line.is_empty() => line.push_str(word),
             Some(line) if indent + line.len() + 1 + word.len() <= WIDTH => {
-                *line += &format!(" {word}")
+                *line += &format!(" {word}");
             }
             _ => lines.push(word.to_owned()),
         }

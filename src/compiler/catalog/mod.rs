@@ -1,4 +1,4 @@
-//! What people see of kinds of nodes: nodes of the library, groups and custom WGSL nodes, all
+//! The catalog of kinds of nodes: nodes of the library, groups and custom WGSL nodes, all
 //! alike.
 
 pub mod values;
@@ -14,7 +14,7 @@ use crate::library::{Fallback, Library, NodeDef, Preset, Special, Type, load_nod
 pub const CUSTOM_KIND: &str = "wgsl";
 /// The value that holds it.
 pub const CODE: &str = "code";
-/// What a new custom node begins with.
+/// The code of a new custom node.
 pub const CUSTOM_CODE: &str = "\
 /// My node
 ///
@@ -30,11 +30,11 @@ const MAX_DEPTH: usize = 16;
 /// A port as people see it.
 #[derive(Clone, Debug)]
 pub struct Port {
-    /// What wires and files call it.
+    /// The port's name in wires and files.
     pub name: PortName,
-    /// What people call it.
+    /// The label that people read.
     pub label: Arc<str>,
-    /// What it is for.
+    /// The help text: its purpose.
     pub help: String,
     /// The type of its socket or its setting.
     pub ty: Type,
@@ -63,7 +63,7 @@ impl Port {
         self.is_wirable() && self.accepts.iter().any(|to| from.convert_to(to).is_some())
     }
 
-    /// One of which only the name is known.
+    /// A kind of which only the name is known.
     pub fn named(name: &str) -> Self {
         Self {
             name: name.into(),
@@ -85,11 +85,11 @@ impl Port {
 pub struct Kind {
     /// The library's name of it, a group's id, or [`CUSTOM_KIND`].
     pub id: String,
-    /// What people call it.
+    /// The label that people read.
     pub label: Arc<str>,
     /// Where it lies in the palette; its title is colored by it.
     pub category: String,
-    /// What it is for.
+    /// The help text: its purpose.
     pub help: String,
     /// Papers.
     pub sources: Vec<String>,
@@ -255,7 +255,7 @@ impl Catalog {
         self.definitions.get(id).or_else(|| self.library.get(id))
     }
 
-    /// What can be added: the look's own groups first, then the library.
+    /// The kinds that can be added: the look's own groups first, then the library.
     pub fn all(&self) -> impl Iterator<Item = &Arc<Kind>> {
         self.definitions.values().chain(&self.order)
     }
@@ -278,7 +278,7 @@ impl Catalog {
         };
         let mut outputs = kind.outputs.clone();
         for port in &mut outputs {
-            // What an output takes is what comes out: anything, as wired first.
+            // An output takes the type that comes out: any type, as wired first.
             port.accepts = vec![port.ty.clone()];
         }
         Some([

@@ -47,18 +47,14 @@ pub fn words(name: &str) -> String {
     name.replace(['_', '.'], " ")
 }
 
-/// What the surface gives to an input, as people say it: the papers' kappa is a curvature.
+/// A context in people's words: the papers' kappa is a curvature.
 pub fn context_words(context: Context) -> String {
-    match context {
-        Context::KappaDetail | Context::KappaDetailSparse => "detail curvature".to_owned(),
-        context if context.is_curvature() => "curvature".to_owned(),
-        context => words(context.word()),
-    }
+    context.row().label.map_or_else(|| words(context.word()), str::to_owned)
 }
 
-/// What a node's row shows of an unwired input.
+/// The display of an unwired input in a node's row.
 #[derive(Clone, Debug, PartialEq)]
-pub enum InputDisplay {
+pub enum Shown {
     /// Only its name.
     Nothing,
     /// Where the value comes from, in quiet words.
@@ -69,25 +65,25 @@ pub enum InputDisplay {
     Color([f64; 4]),
 }
 
-/// What a node's row shows of an unwired input of `node` in `look`.
-pub fn shown(port: &Port, node: &Node, look: &Look) -> InputDisplay {
+/// The display of an unwired input of `node` in `look`.
+pub fn shown(port: &Port, node: &Node, look: &Look) -> Shown {
     let value = match (node.values.get(&port.name), &port.fallback) {
         (Some(value), _) | (None, Fallback::Value(value)) => value,
         (None, Fallback::Same(other)) => {
-            return InputDisplay::Source(format!("as {}", words(other.as_str())));
+            return Shown::Source(format!("as {}", words(other.as_str())));
         }
-        (None, Fallback::Context(context)) => return InputDisplay::Source(context_words(*context)),
-        (None, Fallback::Wire) => return InputDisplay::Nothing,
+        (None, Fallback::Context(context)) => return Shown::Source(context_words(*context)),
+        (None, Fallback::Wire) => return Shown::Nothing,
     };
     if matches!(port.ty, Type::Color | Type::Composite)
         && let Some(color) = value.color()
     {
-        return InputDisplay::Color(color);
+        return Shown::Color(color);
     }
     match (&port.ty, value) {
         (Type::LightName, Value::Text(id)) => {
             let light = look.lights.get(id.as_str());
-            InputDisplay::Text(
+            Shown::Text(
                 light
                     .map(|light| &light.name)
                     .filter(|name| !name.is_empty())
@@ -95,12 +91,12 @@ pub fn shown(port: &Port, node: &Node, look: &Look) -> InputDisplay {
                     .clone(),
             )
         }
-        (Type::Text, _) => InputDisplay::Nothing,
-        _ => InputDisplay::Text(short(port, value)),
+        (Type::Text, _) => Shown::Nothing,
+        _ => Shown::Text(short(port, value)),
     }
 }
 
-/// What an unwired input has: its own value, or its kind's.
+/// The value of an unwired input: its own, or its kind's.
 pub fn current<'a>(port: &'a Port, own: Option<&'a Value>) -> Option<&'a Value> {
     match (own, &port.fallback) {
         (Some(value), _) | (None, Fallback::Value(value)) => Some(value),

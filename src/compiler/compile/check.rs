@@ -26,22 +26,22 @@ pub struct TypedGraph {
     pub order: Vec<usize>,
     /// Every value that may be edited.
     pub params: Arc<[Param]>,
-    /// What is shown: a node and the index of its output.
+    /// The output that is drawn: a node and the index of its output.
     pub root: (usize, usize),
     /// The look's lights.
     pub lights: IndexMap<LightId, Light>,
-    /// What may be set by name.
+    /// The parameters that may be set by name.
     pub exposed: Vec<Exposed>,
-    /// What direction and time keys move.
+    /// The targets that direction and time keys move.
     pub keyed: Vec<Target>,
     /// The outputs that drive direction keys, each once.
     pub drivers: Vec<TypedDriver>,
     /// The sets of direction keys in the order in which they take effect.
     pub key_order: Vec<usize>,
-    /// What stands behind the outputs of groups, by their paths: a node and the index of its
+    /// The sources of groups' outputs, by the groups' paths: a node and the index of its
     /// output.
     pub group_outputs: GroupOutputs,
-    /// What the colors mean.
+    /// The color space of the look's colors.
     pub color_space: ColorSpace,
     /// The look's name.
     pub name: String,
@@ -52,9 +52,9 @@ pub struct TypedGraph {
 pub struct TypedNode {
     /// Through the groups it lies in.
     pub path: NodePath,
-    /// What the artist calls it.
+    /// The artist's name of the node.
     pub name: String,
-    /// What it is.
+    /// The node's definition.
     pub def: Arc<NodeDef>,
     /// Which of its functions, by index.
     pub variant: usize,
@@ -64,18 +64,18 @@ pub struct TypedNode {
     pub choices: HashMap<usize, String>,
     /// The light that it names.
     pub light: Option<LightId>,
-    /// What it is drawn within.
+    /// The region around the node.
     pub region: Option<Arc<str>>,
 }
 
-/// What an input is bound to, and as what type it is taken.
+/// The source that an input is bound to, and the type that the value is taken as.
 #[derive(Clone, Debug)]
 pub struct TypedInput {
     /// Where it comes from.
     pub source: TypedSource,
-    /// What the function takes.
+    /// The type that the function takes.
     pub ty: Type,
-    /// How the source becomes that.
+    /// The conversion from the source to that type.
     pub conversion: Conversion,
 }
 
@@ -222,8 +222,8 @@ fn concern_picture(problems: &[Diagnostic], flat: &FlatGraph, reached: &[bool]) 
     flat.nodes.iter().zip(reached).any(|(node, reached)| *reached && is_wrong(node.path.ids()))
 }
 
-/// What keeps a root from being typed where nothing else was reported: a wire from a node that
-/// there is not, which only a look that was not read from a file can have.
+/// The fault that keeps a root from being typed where nothing else was reported: a wire from a node
+/// that there is not, which only a look that was not read from a file can have.
 fn broken_wire(flat: &FlatGraph, reached: &[bool], root: usize) -> Diagnostic {
     let broken =
         flat.nodes.iter().zip(reached).filter(|(_, reached)| **reached).find_map(|(node, _)| {
@@ -527,7 +527,7 @@ impl<'a> Typer<'a> {
         }
     }
 
-    /// What the artist calls an input.
+    /// The artist's name of an input.
     fn port_name(&self, node: &FlatNode, input: &Input) -> PortName {
         self.place(node, input).1
     }
@@ -553,7 +553,7 @@ impl<'a> Typer<'a> {
         }
         let variant = self.variant(flat, &choices, light.as_ref())?;
         let mut inputs = vec![None; flat.def.inputs.len()];
-        // What feeds it may be broken, which was told where it is.
+        // The node that feeds the input may be broken, which was reported there.
         let mut is_whole = true;
         for (i, ty) in taken_inputs(&flat.def, variant) {
             inputs[i] = self.input(flat, i, ty);
@@ -688,8 +688,8 @@ impl<'a> Typer<'a> {
         chosen
     }
 
-    /// How badly the wired inputs fit a function: lossy conversions first, then conversions of any
-    /// kind.
+    /// The misfit of the wired inputs with a function: lossy conversions first, then conversions of
+    /// any kind.
     fn misfit(&self, flat: &FlatNode, variant: usize) -> (usize, usize, usize) {
         let (mut impossible, mut lossy, mut converted) = (0, 0, 0);
         for (i, ty) in taken_inputs(&flat.def, variant) {
@@ -733,7 +733,7 @@ impl<'a> Typer<'a> {
                 (TypedSource::Context(context), Type::from_wgsl(context.wgsl_type()))
             }
             FlatInput::Wire { node, output } => {
-                // What feeds it could not be typed, which was reported there.
+                // A source that could not be typed was reported there.
                 let from = self.source_type(flat, index)?;
                 (TypedSource::Wire { node: *node, output: *output }, from)
             }
@@ -827,8 +827,8 @@ impl<'a> Typer<'a> {
             };
         }
         if let Err(message) = typed_value(&value, ty) {
-            // What a muted node lets through may be of another type, and becomes this one as its
-            // wire would.
+            // The value that a muted node lets through may be of another type, and becomes this one
+            // as its wire would.
             let (path, port) = self.place(flat, input);
             let own = vector_type(&value).filter(|own| own.convert_to(ty).is_some());
             if let Some(own) = own.filter(|_| (&path, &port) != (&flat.path, &input.name)) {

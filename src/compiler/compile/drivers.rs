@@ -25,7 +25,7 @@ pub struct TypedDriver {
     pub node: usize,
     /// The output's index.
     pub output: usize,
-    /// How what it gives becomes a number.
+    /// The conversion of the wire's value to a number.
     pub conversion: Conversion,
 }
 
@@ -118,7 +118,7 @@ fn rate(node: &TypedNode, known: &[Rate]) -> Rate {
         TypedSource::Context(context) => context.rate(),
     };
     let rate = node.inputs.iter().flatten().map(of_input).max().unwrap_or(Rate::Constant);
-    // What the interpreter cannot run is known in the fragment alone.
+    // A function that the interpreter cannot run is known in the fragment alone.
     let runs = || node.def.module.program(&node.variant().function).is_ok();
     if rate <= Rate::Object && !runs() { Rate::Fragment } else { rate }
 }
@@ -213,7 +213,7 @@ impl TypedGraph {
     }
 }
 
-/// What a driver's wire depends on.
+/// The inputs that a driver's wire depends on.
 #[derive(Default)]
 struct Reads {
     params: HashSet<ParamId>,
@@ -281,7 +281,7 @@ pub(super) fn order(graph: &TypedGraph, look: &Look) -> (Vec<usize>, Vec<Diagnos
             all.lights.extend(lights);
         }
         for other in 0..sets.len() {
-            // What two sets move, the later one moves last.
+            // A value that two sets move is moved last by the later one.
             let lies_under = other < set && !targets[other].is_disjoint(&targets[set]);
             if lies_under || moves(other, &all) {
                 before.add_edge(NodeIndex::new(other), NodeIndex::new(set), ());

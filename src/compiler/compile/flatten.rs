@@ -47,14 +47,13 @@ pub struct Param {
     pub path: NodePath,
     /// Its input.
     pub port: PortName,
-    /// What the document says, or the port's default once the look is checked; `None` for something
-    /// of the surroundings.
+    /// The document's value, or the port's default once the look is checked; `None` for a context.
     pub value: Option<Value>,
-    /// What it has where the document says nothing, as `value` is resolved.
+    /// The value where the document has none, as `value` is resolved.
     pub default: Option<Value>,
 }
 
-/// What an input is bound to.
+/// The source that an input is bound to.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum FlatInput {
     /// An output of a node.
@@ -66,7 +65,7 @@ pub(super) enum FlatInput {
     },
     /// A value, or the port's fallback where the parameter has none.
     Param(ParamId),
-    /// What a muted node lets through of the surroundings, for its own input reads them.
+    /// The context that a muted node lets through, since its own input reads it.
     Context(Context),
     /// Something that was reported already.
     Broken,
@@ -77,15 +76,15 @@ pub(super) enum FlatInput {
 pub(super) struct FlatNode {
     /// Through the groups it lies in.
     pub path: NodePath,
-    /// What the artist calls it, with the names of the groups around it.
+    /// The artist's name, with the names of the groups around the node.
     pub name: String,
-    /// What it is.
+    /// The node's definition.
     pub def: Arc<NodeDef>,
     /// Which implementation is asked for.
     pub tier: Tier,
     /// In the order of the definition's inputs.
     pub inputs: Vec<FlatInput>,
-    /// What it is drawn within: the outermost group, else the frame; functions are split there.
+    /// The region around the node: the outermost group, else the frame; functions are split there.
     pub region: Option<Arc<str>>,
 }
 
@@ -98,7 +97,7 @@ pub(super) struct FlatGraph {
     pub params: Vec<Param>,
     /// By path.
     pub by_path: HashMap<NodePath, usize>,
-    /// What a group's outputs come from, by the group's path; the empty port is the first output.
+    /// The sources of a group's outputs, by the group's path; the empty port is the first output.
     pub group_outputs: GroupOutputs,
 }
 
@@ -109,7 +108,7 @@ impl FlatGraph {
     /// The node and the index of an output by path and name; the empty name is the first output.
     ///
     /// # Errors
-    /// That there is no such node or output, with near names.
+    /// A diagnostic that there is no such node or output, with near names.
     pub(super) fn output(
         &self,
         path: &NodePath,
@@ -155,7 +154,7 @@ struct Scope<'a> {
     path: Option<NodePath>,
     name: String,
     region: Option<Arc<str>>,
-    /// What nodes in it are asked for that do not say their own.
+    /// The tier of nodes in the scope that name none of their own.
     tier: Tier,
     parent: Option<(usize, &'a NodeId)>,
     slots: HashMap<&'a str, Slot>,
@@ -173,15 +172,15 @@ struct Flattener<'a> {
     groups: Groups<'a>,
     /// The ports of muted groups, which let their inputs through.
     group_ports: RefCell<HashMap<&'a str, Arc<GroupPorts>>>,
-    /// What lies behind inputs that lead on to others: those of reroutes and groups, and whatever
+    /// The ends behind inputs that lead on to others: those of reroutes and groups, and whatever
     /// they feed.
     ends: HashMap<InputKey<'a>, End<'a>>,
-    /// What is wrong with the files of kinds, by kind.
+    /// The faults of the files of kinds, by kind.
     broken_kinds: HashMap<&'a str, &'a Diagnostic>,
     problems: Vec<Diagnostic>,
-    /// How many problems have suggestions.
+    /// The number of problems that have suggestions.
     suggestions: Cell<usize>,
-    /// How many wires were followed.
+    /// The number of wires that were followed.
     #[cfg(test)]
     followed: Cell<usize>,
 }
@@ -189,7 +188,7 @@ struct Flattener<'a> {
 /// An input by its scope, node and port.
 type InputKey<'a> = (usize, &'a str, PortName);
 
-/// What lies behind an input.
+/// The end that lies behind an input.
 #[derive(Clone)]
 enum End<'a> {
     /// An output of a node.
@@ -204,7 +203,7 @@ enum End<'a> {
         scope: usize,
         id: &'a NodeId,
         port: PortName,
-        /// What it has without a value, where an interface on the way says so.
+        /// The fallback without a value, where an interface on the way has one.
         fallback: Option<Fallback>,
     },
     /// A zero, as if it were a value of a muted node's output.
@@ -229,7 +228,7 @@ pub(super) fn flatten(
     Some(flattener.flat)
 }
 
-/// What is wrong with a project's own files, by the kinds that they would be.
+/// The faults of a project's own files, by the kinds that they would be.
 fn broken_kinds(library: &Library) -> HashMap<&str, &Diagnostic> {
     let mut broken = HashMap::new();
     for problem in &library.problems {
@@ -619,7 +618,7 @@ impl<'a> Flattener<'a> {
         }
     }
 
-    /// What an input is bound to.
+    /// The source that an input is bound to.
     fn resolve(&mut self, scope: usize, id: &'a NodeId, port: &PortName) -> FlatInput {
         match self.end_of(scope, id, port) {
             End::Output { node, output } => FlatInput::Wire { node, output },
@@ -668,7 +667,7 @@ impl<'a> Flattener<'a> {
         };
         for (key, passed) in way.into_iter().rev() {
             if let End::Open { fallback, .. } = &mut end {
-                // What is said nearest to the open input holds.
+                // The fallback nearest to the open input holds.
                 *fallback = fallback.take().or(passed);
             }
             self.ends.insert(key, end.clone());
@@ -756,7 +755,7 @@ impl<'a> Flattener<'a> {
         }
     }
 
-    /// What stands for an output of a muted node: the input of the same name, else the first that
+    /// The stand-in for an output of a muted node: the input of the same name, else the first that
     /// could be its value, else a zero. Lights and angles have no zero, so the node that makes one
     /// stays.
     fn muted(
@@ -857,7 +856,8 @@ enum Source<'a> {
         scope: usize,
         id: &'a NodeId,
         port: PortName,
-        /// What it has while unwired and without a value, where that is not what it feeds has.
+        /// The fallback while unwired and without a value, where the input that it feeds has
+        /// another.
         fallback: Option<Fallback>,
     },
     /// A muted node with nothing to let through gives a zero, as if it were a value of its output.

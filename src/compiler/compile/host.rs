@@ -13,10 +13,12 @@ use super::layout::StructLayout;
 use super::specialize::Function;
 use super::value::typed_value;
 use crate::diag::Diagnostic;
-use crate::document::{Light, LightKind, LightSpace, OutputPort, Value};
+use crate::document::{
+    Light, LightField, LightInput, LightKind, LightQuantity, LightSpace, OutputPort, Value,
+};
 use crate::ids::LightId;
 use crate::interp::{self, Precision, Program};
-use crate::library::{Context, Conversion, LightField, Type};
+use crate::library::{Context, ContextSource, Conversion, HostSurroundings, Type};
 use crate::wgsl::{self, Source, Valid};
 
 /// Everything a host program reads: one object, in one view, at one time.
@@ -50,25 +52,16 @@ pub const MIN_LIGHT_DISTANCE: f64 = 1e-30;
 /// A light in world space, ready for the shader.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LightValues {
-    /// Unit, toward a directional light, world space.
-    pub direction: DVec3,
+    /// The fields of the light as shaders take them: directions of length 1 and places in world
+    /// space, intensities up to [`MAX_INTENSITY`], distances 0 or [`MIN_LIGHT_DISTANCE`] and more.
+    world: Light,
     /// Unit, toward a directional light, in its own frame.
     pub own_direction: DVec3,
-    /// World space.
-    pub position: DVec3,
-    /// Unit, from the light outward, world space.
-    pub aim: DVec3,
     /// Rotation from world space to the light's own frame.
     pub own_from_world: DMat3,
-    /// Straight RGB.
-    pub color: DVec3,
-    /// 0 to [`MAX_INTENSITY`].
-    pub intensity: f64,
     /// Cosines of the inner and outer half-angles.
     pub cone: [f64; 2],
-    /// Half distance and range: 0, or [`MIN_LIGHT_DISTANCE`] and more.
-    pub fading: [f64; 2],
-    /// What it is.
+    /// The kind of light.
     pub kind: LightKind,
 }
 
@@ -81,40 +74,100 @@ impl LightValues {
             LightSpace::World => DMat3::IDENTITY,
             LightSpace::Camera => camera_from_world.transpose(),
         };
-        let unit = |v: [f64; 3]| DVec3::from(v).try_normalize().unwrap_or(DVec3::Z);
-        let own_direction = unit(light.direction);
-        let outer = light.outer.clamp(0.0, std::f64::consts::PI);
-        // What is no number counts as 0.
-        let intensity =
-            if light.intensity.is_nan() { 0.0 } else { light.intensity.clamp(0.0, MAX_INTENSITY) };
+        let mut world = light.clone();
+        for field in LightField::ALL {
+            resolve(field.quantity(), field.numbers_mut(&mut world), world_from_own);
+        }
         Self {
-            direction: world_from_own * own_direction,
-            own_direction,
-            position: world_from_own * DVec3::from(light.position),
-            aim: world_from_own * unit(light.aim),
+            own_direction: unit(&light.direction),
             own_from_world: world_from_own.transpose(),
-            color: light.color.into(),
-            intensity,
-            cone: [light.inner.clamp(0.0, outer).cos(), outer.cos()],
-            fading: [light.half_distance, light.range].map(light_distance),
+            cone: [world.inner.clamp(0.0, world.outer).cos(), world.outer.cos()],
             kind: light.kind,
+            world,
         }
     }
 
-    fn field(&self, field: LightField) -> interp::Value {
-        match field {
-            LightField::Direction => interp::Value::vec(&self.direction.to_array()),
-            LightField::OwnDirection => interp::Value::vec(&self.own_direction.to_array()),
-            LightField::Position => interp::Value::vec(&self.position.to_array()),
-            LightField::Aim => interp::Value::vec(&self.aim.to_array()),
-            LightField::OwnFromWorld => {
+    /// Unit, toward a directional light, world space.
+    pub fn direction(&self) -> DVec3 {
+        self.world.direction.into()
+    }
+
+    /// World space.
+    pub fn position(&self) -> DVec3 {
+        self.world.position.into()
+    }
+
+    /// Unit, from the light outward, world space.
+    pub fn aim(&self) -> DVec3 {
+        self.world.aim.into()
+    }
+
+    /// Straight RGB.
+    pub fn color(&self) -> DVec3 {
+        self.world.color.into()
+    }
+
+    /// 0 to [`MAX_INTENSITY`].
+    pub fn intensity(&self) -> f64 {
+        self.world.intensity
+    }
+
+    /// The distance beyond which nothing of it is left: 0, or [`MIN_LIGHT_DISTANCE`] and more.
+    pub fn range(&self) -> f64 {
+        self.world.range
+    }
+
+    /// Lets it shine from a direction: unit, world space.
+    pub fn shine_from(&mut self, direction: DVec3) {
+        self.world.direction = direction.into();
+        self.own_direction = self.own_from_world * direction;
+    }
+
+    /// Puts it at a place, a spot light shining along `aim`: unit, world space.
+    pub fn stand_at(&mut self, position: DVec3, aim: DVec3) {
+        self.world.position = position.into();
+        if self.kind == LightKind::Spot {
+            self.world.aim = aim.into();
+        }
+    }
+
+    fn input(&self, input: LightInput) -> interp::Value {
+        match input {
+            LightInput::Field(field) => match field.numbers(&self.world) {
+                [number] => interp::Value::Float(*number),
+                numbers => interp::Value::vec(numbers),
+            },
+            LightInput::OwnDirection => interp::Value::vec(&self.own_direction.to_array()),
+            LightInput::OwnFromWorld => {
                 interp::Value::matrix(&self.own_from_world.to_cols_array_2d())
             }
-            LightField::Color => interp::Value::vec(&self.color.to_array()),
-            LightField::Intensity => interp::Value::Float(self.intensity),
-            LightField::Cone => interp::Value::vec(&self.cone),
-            LightField::Fading => interp::Value::vec(&self.fading),
+            LightInput::Cone => interp::Value::vec(&self.cone),
+            LightInput::Fading => interp::Value::vec(&[self.world.half_distance, self.world.range]),
         }
+    }
+}
+
+fn unit(direction: &[f64]) -> DVec3 {
+    DVec3::from_slice(direction).try_normalize().unwrap_or(DVec3::Z)
+}
+
+/// Brings the numbers of a light's field to what shaders take. What is no number counts as 0.
+fn resolve(quantity: LightQuantity, numbers: &mut [f64], world_from_own: DMat3) {
+    match quantity {
+        LightQuantity::Direction => {
+            (world_from_own * unit(numbers)).write_to_slice(numbers);
+        }
+        LightQuantity::Position => {
+            (world_from_own * DVec3::from_slice(numbers)).write_to_slice(numbers);
+        }
+        LightQuantity::Color => {}
+        LightQuantity::Factor => numbers.iter_mut().for_each(|x| {
+            *x = if x.is_nan() { 0.0 } else { x.clamp(0.0, MAX_INTENSITY) };
+        }),
+        LightQuantity::Angle => {
+            numbers.iter_mut().for_each(|x| *x = x.max(0.0).min(std::f64::consts::PI));
+        }
+        LightQuantity::Distance => numbers.iter_mut().for_each(|x| *x = light_distance(*x)),
     }
 }
 
@@ -124,7 +177,7 @@ fn light_distance(distance: f64) -> f64 {
     if distance > 0.0 { distance.clamp(MIN_LIGHT_DISTANCE, f64::from(f32::MAX)) } else { 0.0 }
 }
 
-/// One step; operands are indices of earlier steps.
+/// A step of a host program; operands are indices of earlier steps.
 #[derive(Clone, Debug)]
 pub(super) enum Step {
     Constant(interp::Value),
@@ -135,7 +188,7 @@ pub(super) enum Step {
 }
 
 impl Step {
-    /// What it gives, by the values of earlier steps.
+    /// The step's value, from the values of earlier steps.
     fn value<'v>(
         &self,
         inputs: &HostInputs<'_>,
@@ -164,7 +217,7 @@ impl Step {
     }
 }
 
-/// What a step calls, so that its source can be found again.
+/// The function that a step calls, so that its source can be found again.
 #[derive(Clone, Debug)]
 pub(super) enum Callee {
     Function(Function),
@@ -199,11 +252,11 @@ pub struct HostDriver {
 #[derive(Clone, Debug, Default)]
 pub struct HostProgram {
     pub(super) steps: Vec<Step>,
-    /// What drives keys by wires.
+    /// The wired values that drive keys.
     pub drivers: Vec<HostDriver>,
     /// The sets of direction keys in the order in which they take effect.
     pub key_order: Vec<usize>,
-    /// What the uniform holds, in order; empty where the module has no `Look` uniform.
+    /// The uniform's members, in order; empty where the module has no `Look` uniform.
     pub members: Vec<UniformMember>,
     /// The size of the uniform in bytes, a multiple of 16; 0 where there is none.
     pub size: u32,
@@ -226,7 +279,7 @@ impl HostProgram {
     /// The lights of which it reads anything.
     pub fn lights(&self) -> impl Iterator<Item = &LightId> {
         self.steps.iter().filter_map(|step| match step {
-            Step::Context(Context::Light(_), light) => light.as_ref(),
+            Step::Context(context, light) if context.light_input().is_some() => light.as_ref(),
             _ => None,
         })
     }
@@ -243,8 +296,8 @@ impl HostProgram {
         Ok(self.members.iter().map(|member| values[member.step].clone()).collect())
     }
 
-    /// What an output that drives keys gives, by the values and lights of that moment; what is no
-    /// number counts as 0.
+    /// The value of an output that drives keys, by the values and lights of a frame; NaN
+    /// counts as 0.
     ///
     /// # Errors
     /// As [`run`](Self::run).
@@ -336,23 +389,29 @@ pub fn push_numbers(value: &interp::Value, numbers: &mut Vec<f64>) {
 
 impl HostInputs<'_> {
     fn context(&self, context: Context, light: Option<&LightId>) -> interp::Value {
-        match context {
-            Context::CameraFromWorld => {
-                interp::Value::matrix(&self.camera_from_world.to_cols_array_2d())
-            }
-            Context::ObjectId => interp::Value::Float(self.object_id),
-            Context::Time => interp::Value::Float(self.time),
-            Context::Frame => interp::Value::Float(self.frame),
-            Context::Viewport => interp::Value::vec(&self.viewport),
-            Context::Light(field) => light.and_then(|id| self.lights.get(id)).map_or_else(
+        match context.row().source {
+            ContextSource::Host { value, .. } => value(&self.surroundings()),
+            ContextSource::Light(input) => light.and_then(|id| self.lights.get(id)).map_or_else(
                 || {
                     LightValues::new(&Light::default(), DQuat::IDENTITY, DMat3::IDENTITY)
-                        .field(field)
+                        .input(input)
                 },
-                |l| l.field(field),
+                |l| l.input(input),
             ),
             // Of fragment rate, and so never a step of the host.
-            _ => interp::Value::Float(0.0),
+            ContextSource::Fragment { .. } | ContextSource::Pass { .. } => {
+                interp::Value::Float(0.0)
+            }
+        }
+    }
+
+    fn surroundings(&self) -> HostSurroundings {
+        HostSurroundings {
+            camera_from_world: self.camera_from_world,
+            viewport: self.viewport,
+            time: self.time,
+            frame: self.frame,
+            object_id: self.object_id,
         }
     }
 }
@@ -394,12 +453,12 @@ static CONVERSIONS: LazyLock<Conversions> = LazyLock::new(|| {
     Conversions { valid, functions }
 });
 
-/// What runs a conversion on the CPU.
+/// The program that runs a conversion on the CPU.
 pub(super) fn conversion_program(from: &Type, to: &Type) -> Option<Arc<Program>> {
     CONVERSIONS.functions.get(&(from.clone(), to.clone())).map(|(_, program)| program.clone())
 }
 
-/// What a conversion may give.
+/// The range of a conversion's result.
 pub(super) fn conversion_ranges(from: &Type, to: &Type, ranges: &Ranges) -> Option<Ranges> {
     let Some((name, _)) = CONVERSIONS.functions.get(&(from.clone(), to.clone())) else {
         // Between two names of one type.
@@ -438,7 +497,8 @@ mod tests {
     fn distances_of_lights_mean_the_same_in_f32_and_f64() {
         let fading = |half_distance, range| {
             let light = Light { half_distance, range, ..Light::default() };
-            LightValues::new(&light, DQuat::IDENTITY, DMat3::IDENTITY).fading
+            let world = LightValues::new(&light, DQuat::IDENTITY, DMat3::IDENTITY).world;
+            [world.half_distance, world.range]
         };
         for tiny in [1e-300, f64::MIN_POSITIVE, 5e-324, 1e-40, f64::from(f32::MIN_POSITIVE)] {
             for distance in [fading(tiny, 0.0)[0], fading(0.0, tiny)[1]] {
@@ -446,8 +506,8 @@ mod tests {
                     (distance as f32).is_normal() && distance == MIN_LIGHT_DISTANCE,
                     "{tiny}: {distance}"
                 );
-                // What `light_fading` divides by it stays a number in f32, across all that a scene
-                // may hold.
+                // The quotient in `light_fading` stays a number in f32, across all distances that a
+                // scene may hold.
                 assert!((4e6_f32 / distance as f32).is_finite());
             }
         }

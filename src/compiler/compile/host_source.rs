@@ -5,14 +5,14 @@ use std::fmt::Write as _;
 
 use super::flatten::ParamId;
 use super::host::{Callee, HostProgram, Step};
-use super::items::{Collected, Items};
+use super::items::{CollectedItems, Items};
 use super::names::Names;
 use crate::ids::LightId;
 use crate::interp;
 use crate::library::{Context, Conversion, Library, Type};
 use crate::wgsl::{identifiers, rename_identifiers};
 
-/// What a [`HostProgram`] does, step by step.
+/// The steps of a [`HostProgram`], for exports that write them as code.
 #[derive(Clone, Debug)]
 pub struct HostSource {
     /// The functions that the steps call, with all that they use; empty where none is called. Valid
@@ -22,7 +22,7 @@ pub struct HostSource {
     pub steps: Vec<HostStep>,
 }
 
-/// One step; operands are indices of earlier steps.
+/// A step; operands are indices of earlier steps.
 #[derive(Clone, Debug, PartialEq)]
 pub enum HostStep {
     /// A value known when the look was compiled.
@@ -31,9 +31,9 @@ pub enum HostStep {
     Param {
         /// Index into [`CompiledShader::params`](super::CompiledShader::params).
         id: ParamId,
-        /// What it is taken as.
+        /// The type that the value is taken as.
         ty: Type,
-        /// What the document says.
+        /// The document's value.
         value: interp::Value,
     },
     /// Something of the surroundings, of this light if it is one of a light.
@@ -77,7 +77,7 @@ impl HostProgram {
 /// The functions of all steps, with the names that they go by in the text.
 struct Functions {
     text: String,
-    collected: Collected,
+    collected: CollectedItems,
     conversions: BTreeMap<(Type, Type), String>,
 }
 
@@ -89,7 +89,7 @@ impl Functions {
         for step in steps {
             match step {
                 Step::Call { callee: Callee::Function(function), .. } => {
-                    items.want_function(function)
+                    items.want_function(function);
                 }
                 Step::Call { callee: Callee::Conversion { from, to }, .. } => {
                     let Conversion::Template(template) =

@@ -22,7 +22,7 @@ pub(super) struct Items {
 
 /// The text of all items, and what functions and types are called in it.
 #[derive(Debug, Default)]
-pub(super) struct Collected {
+pub(super) struct CollectedItems {
     pub(super) text: String,
     names: HashMap<(usize, String), String>,
     modules: Vec<usize>,
@@ -45,7 +45,7 @@ impl Items {
     }
 
     /// Everything asked for with all that it uses, in file order; names are given out by `names`.
-    pub(super) fn collect(self, names: &mut Names) -> Collected {
+    pub(super) fn collect(self, names: &mut Names) -> CollectedItems {
         let mut used: HashSet<(usize, String)> = HashSet::new();
         let mut open: VecDeque<(usize, String)> = self.wanted.into_iter().collect();
         while let Some((module, name)) = open.pop_front() {
@@ -54,9 +54,9 @@ impl Items {
                 open.extend(declaration.uses.iter().map(|used| (module, used.clone())));
             }
         }
-        let mut collected = Collected {
+        let mut collected = CollectedItems {
             modules: self.modules.iter().map(|m| Arc::as_ptr(m) as usize).collect(),
-            ..Collected::default()
+            ..CollectedItems::default()
         };
         let mut by_text: HashMap<&str, String> = HashMap::new();
         let mut ordered: Vec<(usize, &Declaration)> = used
@@ -96,8 +96,8 @@ impl Items {
     }
 }
 
-impl Collected {
-    /// What a declaration is called in the collected text.
+impl CollectedItems {
+    /// The name of a declaration in the collected text.
     pub(super) fn name<'n>(&'n self, module: &Arc<NodeModule>, name: &'n str) -> &'n str {
         let index = self.modules.iter().position(|known| *known == Arc::as_ptr(module) as usize);
         index

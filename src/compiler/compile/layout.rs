@@ -1,11 +1,11 @@
-//! How values lie in buffers, read from naga's own layout of the generated types.
+//! The layout of values in buffers, read from naga's own layout of the generated types.
 
 use crate::interp::{Scalar, Value};
 
 /// Where the numbers of a value lie.
 #[derive(Clone, Debug)]
 pub enum Layout {
-    /// One number.
+    /// A single number.
     Scalar,
     /// Two to four numbers in a row.
     Vector,

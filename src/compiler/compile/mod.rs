@@ -22,11 +22,12 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
 use crate::diag::Diagnostic;
-use crate::document::{Look, Value};
+use crate::document::{LightField, Look, Value};
 use crate::ids::{LightId, NodePath, PortName};
-use crate::library::{Library, LightField, Special, Type};
+use crate::library::{Library, Special, Type};
 use crate::wgsl::{self, Valid};
 
+pub use crate::library::Stage;
 pub use check::{TypedGraph, TypedInput, TypedNode, TypedSource, check};
 pub use drivers::TypedDriver;
 pub use emit::{Attribute, Binding, BindingKind, ImageBinding, SAMPLES_PER_ROW, SpanMap};
@@ -58,35 +59,14 @@ pub enum Live {
     All,
 }
 
-/// What the module is for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Stage {
-    /// Draws meshes with the look.
-    #[default]
-    Draw,
-    /// Draws the surface's own normal, for the curvature pass.
-    Normals,
-    /// Draws the look's detail normal, for the curvature pass.
-    DetailNormals,
-    /// Evaluates the look at given surface samples.
-    Eval,
-}
-
-impl Stage {
-    /// Whether it draws normals.
-    pub fn is_normals(self) -> bool {
-        matches!(self, Self::Normals | Self::DetailNormals)
-    }
-}
-
-/// How a look is compiled.
+/// Options of a compilation.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Options {
     /// Which values stay uniforms.
     pub live: Live,
     /// Inputs that stay live where a look is too long for [`Live::All`].
     pub touched: HashSet<(NodePath, PortName)>,
-    /// What the module is for.
+    /// The purpose of the module.
     pub stage: Stage,
     /// The output to show in place of the look's own.
     pub root: Option<(NodePath, PortName)>,
@@ -109,13 +89,13 @@ pub struct CompiledShader {
     pub wgsl: String,
     /// naga's view of it.
     pub valid: Valid,
-    /// What the module is for.
+    /// The purpose of the module.
     pub stage: Stage,
-    /// What it asks of meshes and passes.
+    /// The contexts and images that the module asks of meshes and passes.
     pub needs: Needs,
     /// Its bindings, all in group 0.
     pub bindings: Vec<Binding>,
-    /// What computes the `Look` uniform's members.
+    /// The program that computes the `Look` uniform's members.
     pub host: HostProgram,
     /// The inputs whose values it reads from uniforms, in the order of [`HostInputs::params`].
     pub params: Arc<[Param]>,
@@ -123,14 +103,14 @@ pub struct CompiledShader {
     pub spans: SpanMap,
     /// The images that its nodes name, whether or not anything reads them.
     pub named_images: Vec<ImageUse>,
-    /// What was left out, and why.
+    /// The parts that were left out, each with its reason.
     pub removed: Vec<Removal>,
-    /// What is odd, and what is wrong with nodes that do not reach the output; it stopped nothing.
+    /// Oddities, and faults of nodes that do not reach the output; none stopped the compilation.
     pub warnings: Vec<Diagnostic>,
     /// Which values are really uniforms: less than was asked for where the uniform would grow past
     /// [`MAX_UNIFORM_BYTES`].
     pub live: Live,
-    /// What decides whether the look cuts parts of the surface away: what is behind is seen then.
+    /// The test whether the look cuts parts of the surface away, through which the back is seen.
     pub cutoff: AlphaCutoff,
     /// The type of what the module shows.
     pub root_type: crate::library::Type,
@@ -200,7 +180,7 @@ pub fn compile(
 /// benchmarks.
 ///
 /// # Errors
-/// What the interpreter refuses to fold.
+/// The diagnostics of constants that the interpreter refuses to fold.
 pub fn compile_source(typed: &TypedGraph, options: &Options) -> Result<String, Vec<Diagnostic>> {
     let specialized = specialize::specialize(typed, options)?;
     Ok(emit::emit(typed, &specialized, options).text)
@@ -209,7 +189,8 @@ pub fn compile_source(typed: &TypedGraph, options: &Options) -> Result<String, V
 /// Compiles a look that was checked.
 ///
 /// # Errors
-/// What the interpreter refuses to fold, or a mistake of our own that naga found.
+/// The diagnostics of constants that the interpreter refuses to fold, or a mistake of our own that
+/// naga found.
 pub fn compile_typed(
     typed: &TypedGraph,
     options: &Options,

@@ -1,30 +1,30 @@
-//! What was left out, and what proves that nothing is lost.
+//! Parts that are left out of a shader, each with the proof that nothing is lost.
 
 use crate::ids::NodePath;
 
-/// What proves that something can be left out.
+/// The proof that a part can be left out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Proof {
     /// Nothing that is seen depends on it.
     Unreachable,
-    /// What it adds is multiplied by 0.
+    /// The part's contribution is multiplied by 0.
     ZeroWeight,
     /// With these values it gives what it is given.
     NoEffect,
-    /// It is known before drawing.
+    /// The value is known before drawing.
     Constant,
-    /// It is the same as another.
+    /// The value equals another one, which serves for both.
     Equal,
     /// The bounds of what it can give.
     Ranges,
-    /// It lies outside of the picture.
+    /// The object lies outside of the picture.
     OffScreen,
-    /// It has no surface: a scale of 0, or a mesh without triangles.
+    /// The object has no surface: a scale of 0, or a mesh without triangles.
     NoSurface,
     /// No part of it wears a look.
     NoLook,
-    /// It lights nothing: it is out, black or too far from every object.
+    /// The light lights nothing: off, black or too far from every object.
     NoLight,
     /// Its inputs are what they were: what was made last time still stands.
     Unchanged,
@@ -72,7 +72,7 @@ pub struct Removal {
     pub path: NodePath,
     /// Why nothing is lost: the end of a sentence that begins with the node.
     pub reason: String,
-    /// What kind of reason it is.
+    /// The kind of proof.
     pub proof: Proof,
     /// Operations at each fragment that are saved, counted in the node's function.
     pub operations: u64,

@@ -20,10 +20,10 @@ use super::removal::{Proof, Removal};
 use super::value::typed_value;
 use super::{Live, Options, Stage};
 use crate::diag::Diagnostic;
-use crate::document::{ColorSpace, Storage, Target, Value};
+use crate::document::{ColorSpace, LightField, LightInput, Storage, Target, Value};
 use crate::ids::{LightId, NodePath, PortName};
 use crate::interp;
-use crate::library::{Context, Conversion, LightField, NodeModule, Parameter, Rate, Special, Type};
+use crate::library::{Context, Conversion, NodeModule, Parameter, Rate, Special, Type};
 
 /// An index into [`SpecializedGraph::values`].
 pub(super) type ValueId = usize;
@@ -43,7 +43,7 @@ pub(super) enum Argument {
     Sampler(usize),
 }
 
-/// How a value comes about.
+/// The operation that makes a value.
 #[derive(Clone, Debug)]
 pub(super) enum Operation {
     Constant(interp::Value),
@@ -54,7 +54,7 @@ pub(super) enum Operation {
     Convert { template: &'static str, value: ValueId },
 }
 
-/// One value.
+/// A value of the graph: an operation with its type, rate and origin.
 #[derive(Clone, Debug)]
 pub(super) struct Computed {
     pub(super) operation: Operation,
@@ -62,15 +62,15 @@ pub(super) struct Computed {
     pub(super) rate: Rate,
     /// The node that asked for it first.
     pub(super) node: usize,
-    /// What it is of that node, where that is not the node's result: a port, or `shape`.
+    /// The part of that node which the value is, where not the node's result: a port, or `shape`.
     pub(super) part: Option<String>,
     /// Whether all its numbers are known to lie in [0, 1].
     pub(super) unit: bool,
-    /// What each of its scalars may be; `None` where that is not followed.
+    /// The range of each scalar; `None` where ranges are not followed.
     pub(super) ranges: Option<Ranges>,
 }
 
-/// What kind of texture a file becomes.
+/// The kind of texture that a file becomes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum ImageShape {
     /// A picture: `texture_2d<f32>`.
@@ -80,7 +80,7 @@ pub enum ImageShape {
     Hcbtf {
         /// Whether smaller levels of its tile are read.
         has_levels: bool,
-        /// How it lies in the texture, which tells that itself.
+        /// The storage within the texture, which the texture itself states.
         storage: Storage,
     },
 }
@@ -100,7 +100,7 @@ impl ImageShape {
 pub struct ImageUse {
     /// The path, as in the document.
     pub path: String,
-    /// What kind of texture it becomes.
+    /// The kind of texture that the file becomes.
     pub shape: ImageShape,
     /// The choices of the node that begin with `wrap`, `filter` and `encoding`.
     pub wrap: String,
@@ -115,7 +115,7 @@ pub struct ImageUse {
     pub node: NodePath,
 }
 
-/// What a module asks of meshes and passes.
+/// The contexts and images that a module asks of meshes and passes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Needs {
     /// The surroundings that its fragments read.
@@ -141,7 +141,7 @@ pub(super) struct SpecializedGraph {
     /// The alpha below which a fragment is not drawn, if any can be.
     pub(super) cutoff: Option<ValueId>,
     pub(super) images: Vec<ImageUse>,
-    /// What each of the graph's drivers gives, as a number.
+    /// The value of each of the graph's drivers, as a number.
     pub(super) drivers: Vec<ValueId>,
     pub(super) removed: Vec<Removal>,
 }
@@ -279,8 +279,7 @@ impl<'a> Builder<'a> {
         let value = match &input.source {
             TypedSource::Wire { node, output } => *self.outputs[*node].get(*output)?,
             TypedSource::Context(context) => {
-                let light =
-                    matches!(context, Context::Light(_)).then(|| node.light.clone()).flatten();
+                let light = context.light_input().and_then(|_| node.light.clone());
                 self.context(index, *context, light)
             }
             TypedSource::Param(_, _) if input.ty.is_texture() => return None,
@@ -302,7 +301,7 @@ impl<'a> Builder<'a> {
 
     fn context(&mut self, index: usize, context: Context, light: Option<LightId>) -> ValueId {
         let ty = Type::from_wgsl(context.wgsl_type());
-        if let (Context::Light(field), Some(id)) = (context, &light)
+        if let (Some(LightInput::Field(field)), Some(id)) = (context.light_input(), &light)
             && self.options.dark.contains(&(id.clone(), field))
         {
             let zero = match ty.width() {
@@ -591,7 +590,7 @@ impl<'a> Builder<'a> {
                 Argument::Image(_) | Argument::Sampler(_) => Rate::Fragment,
             });
         }
-        // What the interpreter cannot run must run in the fragment.
+        // A function that the interpreter cannot run must run in the fragment.
         if rate < Rate::Fragment && module.program(function).is_err() {
             Rate::Fragment
         } else {
@@ -686,9 +685,9 @@ impl<'a> Builder<'a> {
         let is_own_root = self.graph.nodes[node].def.special == Special::Output;
         let root = match self.options.stage {
             Stage::Normals => {
-                let operation = Operation::Context(Context::Normal, None);
+                let operation = Operation::Context(Context::NORMAL, None);
                 Some(self.value(
-                    Key::Context(Context::Normal, None),
+                    Key::Context(Context::NORMAL, None),
                     node,
                     Type::Vec3,
                     Rate::Fragment,
@@ -721,7 +720,8 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// What drives keys, as numbers. Modules that draw normals leave keys to the look's own.
+    /// The values that drive keys, as numbers. Modules that draw normals leave keys to the look's
+    /// own.
     fn drivers(&mut self) -> Vec<ValueId> {
         if self.options.stage.is_normals() {
             return Vec::new();
@@ -753,7 +753,7 @@ impl<'a> Builder<'a> {
         let reason = format!(
             "its alpha cutoff cuts nothing, proved by ranges: alpha is {least} or more everywhere"
         );
-        // Of the Output only the comparison is saved.
+        // Removing the Output saves its comparison alone.
         let path = self.graph.nodes[self.graph.root.0].path.clone();
         self.removed.push(Removal { path, reason, proof: Proof::Ranges, operations: 1 });
         true
@@ -766,7 +766,7 @@ impl<'a> Builder<'a> {
             self.removed.iter().map(|removal| removal.path.clone()).collect();
         let mut seen: HashSet<usize> = HashSet::new();
         for (id, value) in self.values.iter().enumerate() {
-            // Of a node whose value is known nothing runs.
+            // A node whose value is known runs no code.
             if reached[id] && !matches!(value.operation, Operation::Constant(_)) {
                 seen.insert(value.node);
             }
@@ -854,7 +854,7 @@ fn live_params(graph: &TypedGraph, live: &Live) -> HashSet<ParamId> {
     match live {
         Live::Keyed | Live::Exposed => {}
         Live::Touched(touched) => {
-            ids.extend(touched.iter().filter_map(|(path, port)| by_place.get(&(path, port))))
+            ids.extend(touched.iter().filter_map(|(path, port)| by_place.get(&(path, port))));
         }
         Live::All => ids.extend(0..graph.params.len()),
     }

@@ -83,7 +83,7 @@ pub(super) fn expected(ty: &Type) -> String {
     }
 }
 
-/// What a value is, for messages.
+/// A value in words, for messages.
 pub(super) fn describe(value: &Value) -> String {
     match value {
         Value::Bool(b) => format!("{b}"),

@@ -1,57 +1,16 @@
-//! Documents as they lie in memory, for journals: also what no file says, such as the unknown
-//! fields of a part that is gone now and that undo may bring back. Files hold the canonical form
-//! instead.
+//! HCBTFs as they lie in memory, for journals. Looks and scenes have such an image by serde, from
+//! their descriptions: it holds also what no file says, such as the unknown fields of a part that is
+//! gone now and that undo may bring back.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use indexmap::IndexMap;
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::packed::Packed;
-use super::{
-    Address, Camera, ColorSpace, Definition, DirectionKeys, Exposed, Graph, Grid, Hcbtf, Light,
-    Look, Object, Rule, Scene, Tier, Tile, TimeKeys, TimeRange, Unknown,
-};
-use crate::ids::{DefinitionId, LightId, ObjectId};
-
-/// Every field of [`Look`], as the compiler sees to.
-#[derive(Serialize, Deserialize)]
-#[serde(remote = "Look")]
-pub(super) struct LookImage {
-    name: String,
-    // Journals of earlier versions do without.
-    #[serde(default)]
-    about: String,
-    color_space: ColorSpace,
-    tier: Tier,
-    tuned: String,
-    graph: Graph,
-    lights: IndexMap<LightId, Light>,
-    definitions: IndexMap<DefinitionId, Definition>,
-    exposed: Vec<Exposed>,
-    direction_keys: Vec<DirectionKeys>,
-    time_keys: Vec<TimeKeys>,
-    unknown: Unknown,
-}
-
-/// Every field of [`Scene`].
-#[derive(Serialize, Deserialize)]
-#[serde(remote = "Scene")]
-pub(super) struct SceneImage {
-    name: String,
-    #[serde(default)]
-    about: String,
-    objects: IndexMap<ObjectId, Object>,
-    lights: IndexMap<LightId, Light>,
-    illumination: [f64; 4],
-    camera: Camera,
-    backdrop: Option<[f64; 4]>,
-    time: TimeRange,
-    unknown: Unknown,
-}
+use super::{Address, Grid, Hcbtf, Rule, Tile};
 
 /// An HCBTF, each tile once however many samples are equal to it.
 pub(super) struct HcbtfImage;
@@ -110,38 +69,7 @@ impl HcbtfImage {
     }
 }
 
-pub(super) fn serialize<S: Serializer>(look: &Look, serializer: S) -> Result<S::Ok, S::Error> {
-    LookImage::serialize(look, serializer)
-}
-
-pub(super) fn deserialize<'de, D: Deserializer<'de>>(
-    deserializer: D,
-) -> Result<Box<Look>, D::Error> {
-    LookImage::deserialize(deserializer).map(Box::new)
-}
-
-/// The same for scenes.
-pub(super) mod of_scene {
-    use serde::{Deserializer, Serializer};
-
-    use super::SceneImage;
-    use crate::document::Scene;
-
-    pub(in crate::document) fn serialize<S: Serializer>(
-        scene: &Scene,
-        serializer: S,
-    ) -> Result<S::Ok, S::Error> {
-        SceneImage::serialize(scene, serializer)
-    }
-
-    pub(in crate::document) fn deserialize<'de, D: Deserializer<'de>>(
-        source: D,
-    ) -> Result<Box<Scene>, D::Error> {
-        SceneImage::deserialize(source).map(Box::new)
-    }
-}
-
-/// The same for HCBTFs.
+/// For edits.
 pub(super) mod of_hcbtf {
     use serde::{Deserializer, Serializer};
 

@@ -3,9 +3,15 @@
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
-use super::LightField;
+use super::described::described;
+use super::light::{Light, LightField};
+use super::shape::{Bounds, F32, FAR, FORMAT, Kind, LINE, LONG, MAX_NODES, MAX_WIRES};
 use super::value::{Interpolation, Value, Values};
+use super::word::Word as _;
 use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NodePath, NoteId, ObjectId, PortName};
+
+/// Places on the canvas.
+const CANVAS: Kind = Kind::Numbers(2, 2, Bounds::new(-1e9, 1e9));
 
 /// Fields that this version does not know. They survive a save, and loading warns about them.
 ///
@@ -14,33 +20,44 @@ use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NodePath, NoteId, Objec
 /// e.g. `{"lights": {"key": {"flare": 2}}}`.
 pub type Unknown = serde_json::Map<String, serde_json::Value>;
 
-/// One shading graph; compiles to one WGSL module.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Look {
-    /// What the artist calls it.
-    pub name: String,
-    /// What it shows and how it is built: a paragraph for who finds it.
-    pub about: String,
-    /// What the colors mean.
-    pub color_space: ColorSpace,
-    /// Which implementation is asked for of nodes that do not say their own.
-    pub tier: Tier,
-    /// What `chiaro tune` measured when it chose tiers; empty where it did not.
-    pub tuned: String,
-    /// Nodes, wires and frames.
-    pub graph: Graph,
-    /// The lights that Light nodes name.
-    pub lights: IndexMap<LightId, Light>,
-    /// Groups, used by nodes whose kind is the definition's id.
-    pub definitions: IndexMap<DefinitionId, Definition>,
-    /// The inputs that scenes, scripts and exported shaders may set.
-    pub exposed: Vec<Exposed>,
-    /// Values that change with the direction of a light or of the view.
-    pub direction_keys: Vec<DirectionKeys>,
-    /// Values that change with time.
-    pub time_keys: Vec<TimeKeys>,
-    /// Fields of later versions or of other programs.
-    pub unknown: Unknown,
+described! {
+    /// One shading graph with its lights, groups and keys.
+    #[serde(default)]
+    pub struct Look("look", Lines) {
+        /// What the document is.
+        "chiaro": Kind::Word(&[("look", "a look")]), words "what it is opened as";
+        /// The version of the format.
+        "version": Kind::Number(FORMAT), json "1";
+        /// A JSON Schema for text editors; kept, and not looked at.
+        "$schema": Kind::Text(LINE), words "none";
+        /// What the artist calls it.
+        name: String = String::new(), Kind::Text(LINE);
+        /// What it shows and how it is built: a paragraph for who finds it.
+        about: String = String::new(), Kind::Text(LONG);
+        /// What the numbers of colors mean.
+        color_space: ColorSpace = ColorSpace::Display, Kind::Word(ColorSpace::WORDS),
+            by DocumentSpace;
+        /// Which implementation is asked for of nodes that do not say their own.
+        tier: Tier = Tier::Exact, Kind::Word(Tier::WORDS);
+        /// What `chiaro tune` measured when it chose tiers.
+        tuned: String = String::new(), Kind::Text(LINE);
+        /// The lights that Light nodes name, by id.
+        lights: IndexMap<LightId, Light> = IndexMap::new(),
+            Kind::Map(&Kind::Object(Light::shape), 1000);
+        /// Nodes, wires and frames.
+        ..graph: Graph;
+        /// Groups by id; a node uses one as its kind.
+        definitions: IndexMap<DefinitionId, Definition> = IndexMap::new(),
+            Kind::Map(&Kind::Object(Definition::shape), 10_000);
+        /// Inputs that scenes, scripts and exported shaders may set.
+        exposed: Vec<Exposed> = Vec::new(), Kind::List(&Kind::Object(Exposed::shape), 10_000);
+        /// Values that change with a direction.
+        direction_keys: Vec<DirectionKeys> = Vec::new(),
+            Kind::List(&Kind::Object(DirectionKeys::shape), 1000);
+        /// Values that change with time.
+        time_keys: Vec<TimeKeys> = Vec::new(), Kind::List(&Kind::Object(TimeKeys::shape), 10_000);
+        unknown;
+    }
 }
 
 impl Look {
@@ -65,20 +82,24 @@ pub enum ColorSpace {
     Linear,
 }
 
-/// Nodes and the wires between them.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Graph {
-    /// In document order.
-    pub nodes: IndexMap<NodeId, Node>,
-    /// In document order.
-    pub wires: Vec<Wire>,
-    /// Titled frames on the canvas.
-    pub frames: IndexMap<FrameId, Frame>,
-    /// Texts on the canvas.
-    pub notes: IndexMap<NoteId, Note>,
-    /// Views of the canvas that a key brings back.
-    pub bookmarks: Vec<Bookmark>,
+described! {
+    /// Nodes and the wires between them.
+    #[serde(default)]
+    pub struct Graph("graph", Lines) {
+        /// The nodes of the graph.
+        nodes: IndexMap<NodeId, Node> = IndexMap::new(),
+            Kind::List(&Kind::Object(Node::shape), MAX_NODES), by Nodes;
+        /// The wires between them.
+        wires: Vec<Wire> = Vec::new(), Kind::List(&Kind::Object(Wire::shape), MAX_WIRES);
+        /// Titled frames on the canvas, by id.
+        frames: IndexMap<FrameId, Frame> = IndexMap::new(),
+            Kind::Map(&Kind::Object(Frame::shape), 10_000);
+        /// Texts on the canvas, by id.
+        notes: IndexMap<NoteId, Note> = IndexMap::new(),
+            Kind::Map(&Kind::Object(Note::shape), 10_000);
+        /// Views of the canvas that a key brings back.
+        bookmarks: Vec<Bookmark> = Vec::new(), Kind::List(&Kind::Object(Bookmark::shape), 9);
+    }
 }
 
 impl Graph {
@@ -88,28 +109,29 @@ impl Graph {
     }
 }
 
-/// One node of a graph.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Node {
-    /// A node of the library, or the id of a definition.
-    pub kind: String,
-    /// The artist's name, used in the generated source; empty for the kind's label.
-    pub name: String,
-    /// Where it lies on the canvas, in points, x right and y down.
-    pub position: [f64; 2],
-    /// The values of unwired inputs; what is left out has the node's default.
-    pub values: Values,
-    /// Which implementation is asked for; unset, as what the node lies in: its group's node, or
-    /// else the look.
-    pub tier: Option<Tier>,
-    /// Whether it is left out: what comes in goes out as it is.
-    pub muted: bool,
-    /// Whether the canvas shows no more of it than its title.
-    pub collapsed: bool,
-    /// Fields of later versions or of other programs.
-    #[serde(default, skip_serializing_if = "Unknown::is_empty")]
-    pub unknown: Unknown,
+described! {
+    /// A node of a graph.
+    #[serde(default)]
+    pub struct Node("node", Line) {
+        /// Its id within the graph; wires and keys name it.
+        "id": Kind::Slug, words "the kind, if no other node has that id";
+        /// A node of the library, or the id of a definition.
+        kind: String = String::new(), Kind::Text(64), required;
+        /// What the artist calls it; empty for the kind's label.
+        name: String = String::new(), Kind::Text(LINE);
+        /// Where it lies on the canvas, in points, x right and y down.
+        position as "at": [f64; 2] = [0.0; 2], CANVAS;
+        /// The values of unwired inputs, by port.
+        values: Values = Values::new(), Kind::Map(&Kind::Value, 1000);
+        /// Which implementation is asked for; of a group's node, for every node in it.
+        tier: Option<Tier> = None, Kind::Word(Tier::WORDS),
+            words "that of the group's node it lies in, or else the look's";
+        /// Whether it is left out: what comes in goes out as it is.
+        muted: bool = false, Kind::Bool;
+        /// Whether the canvas shows no more of it than its title.
+        collapsed: bool = false, Kind::Bool;
+        unknown;
+    }
 }
 
 /// One implementation of a node.
@@ -127,13 +149,15 @@ pub enum Tier {
     Fast,
 }
 
-/// A wire from an output to an input.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub struct Wire {
-    /// The output.
-    pub from: Endpoint,
-    /// The input.
-    pub to: Endpoint,
+described! {
+    /// A wire from an output to an input.
+    #[derive(Eq, Hash)]
+    pub struct Wire("wire", Line, by to) {
+        /// The output, `node.port`; `node` alone is its only or first output.
+        from: Endpoint, Kind::Output, required;
+        /// The input, `node.port`.
+        to: Endpoint, Kind::Input, required;
+    }
 }
 
 /// A port of a node; written `node.port`.
@@ -180,32 +204,34 @@ impl std::fmt::Display for Endpoint {
     }
 }
 
-/// A titled rectangle behind nodes. Long looks become functions at frames, named by their titles.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Frame {
-    /// What is written on it.
-    pub title: String,
-    /// Straight RGB; empty for the theme's own.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub color: Vec<f64>,
-    /// The nodes in it; the rectangle is drawn around them.
-    pub nodes: Vec<NodeId>,
+described! {
+    /// A titled rectangle behind nodes.
+    #[serde(default)]
+    pub struct Frame("frame", Line) {
+        /// What is written on it; names the function that its nodes become.
+        title: String = String::new(), Kind::Text(LINE);
+        /// Straight RGB, as shown.
+        color: Vec<f64> = Vec::new(), Kind::Color { alpha: false }, words "the theme's own",
+            by CanvasColor;
+        /// The ids of the nodes in it.
+        nodes: Vec<NodeId> = Vec::new(), Kind::List(&Kind::Slug, MAX_NODES);
+    }
 }
 
-/// A text on the canvas.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Note {
-    /// What it says; lines end where the text says so, or at the width.
-    pub text: String,
-    /// Where its corner lies, in points, x right and y down.
-    pub position: [f64; 2],
-    /// How wide it is, in points.
-    pub width: f64,
-    /// Straight RGB; empty for the theme's own.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub color: Vec<f64>,
+described! {
+    /// A text on the canvas.
+    #[serde(default)]
+    pub struct Note("note", Line) {
+        /// What it says.
+        text: String = String::new(), Kind::Text(LONG);
+        /// Where it lies on the canvas, in points, x right and y down.
+        position as "at": [f64; 2] = [0.0; 2], CANVAS;
+        /// How wide it is, in points.
+        width: f64 = Note::WIDTH, Kind::Number(Bounds::new(40.0, 1e4));
+        /// Straight RGB, as shown.
+        color: Vec<f64> = Vec::new(), Kind::Color { alpha: false }, words "the theme's own",
+            by CanvasColor;
+    }
 }
 
 impl Note {
@@ -213,150 +239,74 @@ impl Note {
     pub const WIDTH: f64 = 220.0;
 }
 
-impl Default for Note {
-    fn default() -> Self {
-        Self { text: String::new(), position: [0.0; 2], width: Self::WIDTH, color: Vec::new() }
+described! {
+    /// A view of the canvas that a key brings back.
+    #[derive(Copy)]
+    pub struct Bookmark("bookmark", Line, by key) {
+        /// The key.
+        key: u8, Kind::Number(Bounds::whole(1.0, 9.0)), required;
+        /// The point of the graph at the canvas's centre, x right and y down.
+        position as "at": [f64; 2] = [0.0; 2], CANVAS;
+        /// Points of the screen for each point of the graph.
+        zoom: f64 = 1.0, Kind::Number(Bounds::new(0.001, 1000.0));
     }
 }
 
-/// A view of the canvas that a key brings back.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Bookmark {
-    /// The key, 1 to 9.
-    pub key: u8,
-    /// The point of the graph at the canvas's centre.
-    pub position: [f64; 2],
-    /// Points of the screen for each point of the graph.
-    pub zoom: f64,
-}
-
-/// A group: a graph with an interface, opened and edited as a graph, used by any number of nodes.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Definition {
-    /// What a node of this group is called; empty for the id.
-    pub label: String,
-    /// What it does, for the library and the inspector.
-    pub help: String,
-    /// Its inputs, outputs of the pseudo node `inputs`.
-    pub inputs: Vec<InterfacePort>,
-    /// Its outputs, inputs of the pseudo node `outputs`.
-    pub outputs: Vec<InterfacePort>,
-    /// What is in it.
-    pub graph: Graph,
-    /// Fields of later versions or of other programs.
-    #[serde(default, skip_serializing_if = "Unknown::is_empty")]
-    pub unknown: Unknown,
-}
-
-/// A port of a group. Whatever is left out comes from the inner port that it is wired to first.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct InterfacePort {
-    /// The port's name.
-    pub name: PortName,
-    /// What is written beside the socket.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub label: Option<String>,
-    /// What is said about it.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub help: Option<String>,
-    /// Its value while unwired.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub default: Option<Value>,
-    /// The least value.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub min: Option<f64>,
-    /// The greatest value.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub max: Option<f64>,
-}
-
-/// A light. Turning the illumination frame turns every light in it together.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Light {
-    /// The artist's name; empty for the id.
-    #[serde(skip_serializing_if = "String::is_empty")]
-    pub name: String,
-    /// Directional, point or spot.
-    #[serde(rename = "type")]
-    pub kind: LightKind,
-    /// The frame that `direction`, `position` and `aim` are given in.
-    pub space: LightSpace,
-    /// Directional lights: toward the light; any length but 0.
-    pub direction: [f64; 3],
-    /// Point and spot lights: where the light is, in scene units.
-    pub position: [f64; 3],
-    /// Spot lights: the way the light shines, from the light outward; any length but 0.
-    pub aim: [f64; 3],
-    /// Spot lights: the half-angle of the full cone, in radians.
-    pub inner: f64,
-    /// Spot lights: the half-angle at which nothing is left, in radians.
-    pub outer: f64,
-    /// Straight RGB in the look's color space.
-    pub color: [f64; 3],
-    /// A factor, 0 or more.
-    pub intensity: f64,
-    /// Point and spot lights: the distance at which half the intensity is left; 0 for no fading.
-    pub half_distance: f64,
-    /// Point and spot lights: the distance beyond which nothing is left; 0 for no end.
-    pub range: f64,
-}
-
-impl Default for Light {
-    fn default() -> Self {
-        Self {
-            name: String::new(),
-            kind: LightKind::Directional,
-            space: LightSpace::Illumination,
-            direction: [0.0, 0.0, 1.0],
-            position: [0.0, 0.0, 3.0],
-            aim: [0.0, 0.0, -1.0],
-            inner: 0.35,
-            outer: 0.5,
-            color: [1.0; 3],
-            intensity: 1.0,
-            half_distance: 0.0,
-            range: 0.0,
-        }
+described! {
+    /// A group: a graph with inputs and outputs, used by nodes whose kind is its id.
+    #[serde(default)]
+    pub struct Definition("definition", Lines) {
+        /// What its nodes are called; empty for the id.
+        label: String = String::new(), Kind::Text(LINE);
+        /// What it does.
+        help: String = String::new(), Kind::Text(LONG);
+        /// Its inputs: inside, outputs of the node `inputs`.
+        inputs: Vec<InterfacePort> = Vec::new(),
+            Kind::List(&Kind::Object(InterfacePort::shape), 1000);
+        /// Its outputs: inside, inputs of the node `outputs`.
+        outputs: Vec<InterfacePort> = Vec::new(),
+            Kind::List(&Kind::Object(InterfacePort::shape), 1000);
+        /// What is in it.
+        ..graph: Graph;
+        unknown;
     }
 }
 
-/// What a light is.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum LightKind {
-    /// The same direction everywhere, as in the BADF paper.
-    #[default]
-    Directional,
-    /// At a position, shining everywhere.
-    Point,
-    /// At a position, shining into a cone.
-    Spot,
+described! {
+    /// An input or output of a group. What is left out comes from the inner port that it is wired
+    /// to first.
+    #[derive(Default)]
+    pub struct InterfacePort("interface port", Line, by name) {
+        /// Its name.
+        name: PortName, Kind::Slug, required;
+        /// What is written beside the socket.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        label: Option<String> = None, Kind::Text(LINE), words "the inner port's";
+        /// What is said about it.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        help: Option<String> = None, Kind::Text(LONG), words "the inner port's";
+        /// Its value while unwired.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        default: Option<Value> = None, Kind::Value, words "the inner port's";
+        /// The least value.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        min: Option<f64> = None, Kind::Number(F32), words "the inner port's";
+        /// The greatest value, not below `min`.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        max: Option<f64> = None, Kind::Number(F32), words "the inner port's";
+    }
 }
 
-/// The frame a light's vectors are given in.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum LightSpace {
-    /// The illumination frame: the BADF paper's L.
-    #[default]
-    Illumination,
-    /// The world.
-    World,
-    /// The camera: x right, y up, z toward the viewer.
-    Camera,
-}
-
-/// An input that scenes, scripts and exported shaders may set by name.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Exposed {
-    /// The parameter's name, a slug.
-    pub name: PortName,
-    /// The input that it sets.
-    pub target: Target,
-    /// What is written beside it; empty for the port's label.
-    pub label: String,
+described! {
+    /// An input that may be set from outside by name.
+    pub struct Exposed("exposed parameter", Line, by name) {
+        /// The parameter's name, used once.
+        name: PortName, Kind::Slug, required;
+        /// What it sets.
+        target: Target, Kind::Target, required;
+        /// What is written beside it; empty for the port's label.
+        label: String = String::new(), Kind::Text(LINE);
+    }
 }
 
 /// Something that a key or an exposed parameter sets: an unwired input of a node,
@@ -425,20 +375,19 @@ impl Target {
     }
 }
 
-/// Values pinned at directions and interpolated over the sphere between them (BADF 3.4).
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct DirectionKeys {
-    /// What the artist calls it.
-    pub name: String,
-    /// Which direction decides.
-    pub by: KeyDirection,
-    /// How weights are computed.
-    pub scheme: KeyScheme,
-    /// The keys; where a key leaves a target out, it has the look's own value there.
-    pub keys: Vec<DirectionKey>,
-    /// Fields of later versions or of other programs.
-    #[serde(default, skip_serializing_if = "Unknown::is_empty")]
-    pub unknown: Unknown,
+described! {
+    /// Values pinned at directions and interpolated over the sphere between them.
+    pub struct DirectionKeys("direction keys", Lines) {
+        /// What the artist calls it.
+        name: String = String::new(), Kind::Text(LINE);
+        /// Which direction decides, or which numbers: see [drivers](#drivers).
+        by: KeyDirection, Kind::KeyDirection, required, by DecidedBy;
+        /// How weights are computed.
+        scheme: KeyScheme = KeyScheme::Biharmonic, Kind::Word(KeyScheme::WORDS);
+        /// The keys.
+        keys: Vec<DirectionKey> = Vec::new(), Kind::List(&Kind::Object(DirectionKey::shape), 1000);
+        unknown;
+    }
 }
 
 /// Which direction decides between direction keys.
@@ -568,40 +517,41 @@ pub enum KeyScheme {
     Tessellated,
 }
 
-/// One key of [`DirectionKeys`].
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct DirectionKey {
-    /// Where; any length but 0. Of drivers: their values, with 0 for those that are not there.
-    pub direction: [f64; 3],
-    /// The values there.
-    pub values: IndexMap<Target, Value>,
-    /// Fields of later versions or of other programs.
-    #[serde(default, skip_serializing_if = "Unknown::is_empty")]
-    pub unknown: Unknown,
+described! {
+    /// Values at one direction.
+    pub struct DirectionKey("direction key", Line) {
+        /// Where, unless drivers decide; any length but 0. By a light: in camera axes (x right, y
+        /// up, z toward the viewer). By view: from the object's centre to the eye, in world space.
+        direction: [f64; 3], Kind::Direction, words "required, unless drivers decide",
+            by KeyPlace;
+        /// Where, if drivers decide: a number for each, in their order.
+        "at": Kind::Numbers(1, 3, FAR), words "required, if drivers decide";
+        /// The values there, by target; what is left out has the look's own value.
+        values: IndexMap<Target, Value> = IndexMap::new(), Kind::TargetValues, by TargetValues;
+        unknown;
+    }
 }
 
-/// The values of one target over time.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct TimeKeys {
-    /// What changes.
-    pub target: Target,
-    /// In increasing time.
-    pub keys: Vec<TimeKey>,
-    /// Fields of later versions or of other programs.
-    #[serde(default, skip_serializing_if = "Unknown::is_empty")]
-    pub unknown: Unknown,
+described! {
+    /// The values of one target over time.
+    pub struct TimeKeys("time keys", Lines) {
+        /// What changes.
+        target: Target, Kind::Target, required;
+        /// The keys, in increasing time.
+        keys: Vec<TimeKey> = Vec::new(), Kind::List(&Kind::Object(TimeKey::shape), 100_000);
+        unknown;
+    }
 }
 
-/// One key of [`TimeKeys`].
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct TimeKey {
-    /// In seconds.
-    pub time: f64,
-    /// The value then.
-    pub value: Value,
-    /// How it goes on to the next key.
-    pub interpolation: Interpolation,
-    /// Fields of later versions or of other programs.
-    #[serde(default, skip_serializing_if = "Unknown::is_empty")]
-    pub unknown: Unknown,
+described! {
+    /// A value at one time.
+    pub struct TimeKey("time key", Line) {
+        /// When, in seconds.
+        time: f64, Kind::Number(FAR), required;
+        /// The value then.
+        value: Value, Kind::Value, required;
+        /// How neighbours are joined; for a time key, how it goes on to the next.
+        interpolation: Interpolation = Interpolation::Linear, Kind::Word(Interpolation::WORDS);
+        unknown;
+    }
 }

@@ -7,13 +7,14 @@
 
 mod check;
 mod color;
+mod described;
 mod edit;
 pub mod grouping;
 mod hcbtf;
 mod image;
 pub mod journal;
 mod json;
-mod light_field;
+mod light;
 mod look;
 mod outputs;
 mod packed;
@@ -37,7 +38,7 @@ pub use hcbtf::{
     MAX_TILE_SIDE, Placement, Relief, Rule, RuleAbout, StrokeGround, StrokeHighlight, StrokeShadow,
     StrokeShape, StrokeTones, Strokes, Tile, relief,
 };
-pub use light_field::{LightField, LightQuantity};
+pub use light::{Light, LightField, LightInput, LightKind, LightQuantity, LightSpace};
 pub use look::*;
 pub use outputs::{FileSet, OutputKind, Outputs, remove_abandoned, remove_unfinished};
 pub use read::Document;

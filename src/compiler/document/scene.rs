@@ -3,123 +3,104 @@
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
-use super::look::{Light, Unknown};
+use super::described::described;
+use super::light::Light;
+use super::shape::{Bounds, FAR, FORMAT, Kind, LINE, LONG, MAX_PATH};
 use super::value::Values;
+use super::word::Word as _;
 use crate::ids::{LightId, ObjectId};
 
-/// Objects with looks, shared lights, the illumination frame, a camera, a backdrop and a time
-/// range.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Scene {
-    /// What the artist calls it.
-    pub name: String,
-    /// What it shows and how it is built: a paragraph for who finds it.
-    pub about: String,
-    /// In document order.
-    pub objects: IndexMap<ObjectId, Object>,
-    /// Lights that replace those of the same id in every look of the scene.
-    pub lights: IndexMap<LightId, Light>,
-    /// The rotation of the illumination frame, as a quaternion `[x, y, z, w]`: world from
-    /// illumination frame.
-    pub illumination: [f64; 4],
+described! {
+    /// Objects with looks, shared lights, the illumination frame, a camera, a backdrop and a time
+    /// range.
+    #[serde(default)]
+    pub struct Scene("scene", Lines) {
+        /// What the document is.
+        "chiaro": Kind::Word(&[("scene", "a scene")]), words "what it is opened as";
+        /// The version of the format.
+        "version": Kind::Number(FORMAT), json "1";
+        /// A JSON Schema for text editors; kept, and not looked at.
+        "$schema": Kind::Text(LINE), words "none";
+        /// What the artist calls it.
+        name: String = String::new(), Kind::Text(LINE);
+        /// What it shows and how it is built: a paragraph for who finds it.
+        about: String = String::new(), Kind::Text(LONG);
+        /// What is in the picture.
+        objects: IndexMap<ObjectId, Object> = IndexMap::new(),
+            Kind::List(&Kind::Object(Object::shape), 100_000), by Objects;
+        /// Lights that replace those of the same id in every look of the scene, by id.
+        lights: IndexMap<LightId, Light> = IndexMap::new(),
+            Kind::Map(&Kind::Object(Light::shape), 1000);
+        /// The rotation of the illumination frame: world from illumination frame.
+        illumination: [f64; 4] = [0.0, 0.0, 0.0, 1.0], Kind::Rotation;
+        /// Where the picture is taken from.
+        camera: Camera = Camera::default(), Kind::Object(Camera::shape);
+        /// Straight RGBA behind the objects, in display colors; null for transparent.
+        backdrop: Option<[f64; 4]> = Some([0.16, 0.165, 0.18, 1.0]), Kind::Backdrop, by Backdrop;
+        /// Which times there are.
+        time: TimeRange = TimeRange::default(), Kind::Object(TimeRange::shape);
+        unknown;
+    }
+}
+
+described! {
+    /// A mesh, where it stands and what it wears.
+    #[serde(default)]
+    pub struct Object("object", Lines) {
+        /// Its id within the scene.
+        "id": Kind::Slug, words "made from the mesh's name";
+        /// A path relative to the scene's file, or `shape:` and the name of an own shape.
+        mesh: String = "shape:sphere".to_owned(), Kind::Text(MAX_PATH), always;
+        /// Where it stands.
+        transform: Transform = Transform::default(), Kind::Object(Transform::shape);
+        /// A look's path, relative to the scene's file; or such paths by material name, where `*`
+        /// is for every other material.
+        looks: IndexMap<String, String> = IndexMap::new(), Kind::Looks, by Looks;
+        /// Values of exposed parameters, over those of the looks.
+        values: Values = Values::new(), Kind::Map(&Kind::Value, 10_000);
+        /// Whether it is drawn.
+        visible: bool = true, Kind::Bool;
+        unknown;
+    }
+}
+
+described! {
+    /// Fit, then scale, then turn, then move.
+    #[derive(Copy)]
+    #[serde(default)]
+    pub struct Transform("transform", Line) {
+        /// In scene units.
+        translate: [f64; 3] = [0.0; 3], Kind::Numbers(3, 3, FAR);
+        /// World from object.
+        rotate: [f64; 4] = [0.0, 0.0, 0.0, 1.0], Kind::Rotation;
+        /// Along each axis of the object; none of them 0.
+        scale: [f64; 3] = [1.0; 3], Kind::Numbers(3, 3, FAR), by Scale;
+        /// Whether the mesh is first centred and scaled to a bounding sphere of radius 1.
+        fit: bool = true, Kind::Bool;
+    }
+}
+
+described! {
     /// Where the picture is taken from.
-    pub camera: Camera,
-    /// Straight RGBA behind the objects, in display colors; `None` for transparent.
-    pub backdrop: Option<[f64; 4]>,
-    /// Which times there are.
-    pub time: TimeRange,
-    /// Fields of later versions or of other programs.
-    pub unknown: Unknown,
-}
-
-impl Default for Scene {
-    fn default() -> Self {
-        Self {
-            name: String::new(),
-            about: String::new(),
-            objects: IndexMap::new(),
-            lights: IndexMap::new(),
-            illumination: [0.0, 0.0, 0.0, 1.0],
-            camera: Camera::default(),
-            backdrop: Some([0.16, 0.165, 0.18, 1.0]),
-            time: TimeRange::default(),
-            unknown: Unknown::new(),
-        }
+    #[derive(Copy)]
+    #[serde(default)]
+    pub struct Camera("camera", Line) {
+        /// The eye, in scene units.
+        eye: [f64; 3] = [0.0, 0.0, 4.4], Kind::Numbers(3, 3, FAR);
+        /// What it looks at, in scene units; not the eye.
+        target: [f64; 3] = [0.0; 3], Kind::Numbers(3, 3, FAR);
+        /// What is up in the picture; any length but 0, and not along the view.
+        up: [f64; 3] = [0.0, 1.0, 0.0], Kind::Direction;
+        /// How depth becomes smaller.
+        projection: Projection = Projection::Perspective, Kind::Word(Projection::WORDS);
+        /// Perspective: the vertical field of view, in radians.
+        fov: f64 = 0.5, Kind::Number(Bounds::new(Camera::FOV[0], Camera::FOV[1]));
+        /// Orthographic: the height of the picture, in scene units.
+        height: f64 = 2.5, Kind::Number(Bounds::above(0.0, 1e6));
+        /// The width over the height of the picture that it was placed for: a narrower one shows as
+        /// much in width, and more above and below. 0 for any.
+        aspect: f64 = 0.0, Kind::Number(Bounds::new(0.0, 100.0));
     }
-}
-
-/// A mesh, where it stands and what it wears.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Object {
-    /// A path relative to the scene's file, or `shape:` and the name of an own shape.
-    pub mesh: String,
-    /// Where it stands.
-    pub transform: Transform,
-    /// Paths of looks, relative to the scene's file, by material name; `*` is for every other
-    /// material.
-    pub looks: IndexMap<String, String>,
-    /// Values of exposed parameters, over those of the looks.
-    pub values: Values,
-    /// Whether it is drawn.
-    pub visible: bool,
-    /// Fields of later versions or of other programs.
-    #[serde(default, skip_serializing_if = "Unknown::is_empty")]
-    pub unknown: Unknown,
-}
-
-impl Default for Object {
-    fn default() -> Self {
-        Self {
-            mesh: "shape:sphere".to_owned(),
-            transform: Transform::default(),
-            looks: IndexMap::new(),
-            values: Values::new(),
-            visible: true,
-            unknown: Unknown::new(),
-        }
-    }
-}
-
-/// Scale, then turn, then move.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Transform {
-    /// In scene units.
-    pub translate: [f64; 3],
-    /// A quaternion `[x, y, z, w]`.
-    pub rotate: [f64; 4],
-    /// Along each axis; not 0.
-    pub scale: [f64; 3],
-    /// Whether the mesh is first centred and scaled to a bounding sphere of radius 1.
-    pub fit: bool,
-}
-
-impl Default for Transform {
-    fn default() -> Self {
-        Self { translate: [0.0; 3], rotate: [0.0, 0.0, 0.0, 1.0], scale: [1.0; 3], fit: true }
-    }
-}
-
-/// Where the picture is taken from.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Camera {
-    /// The eye, in scene units.
-    pub eye: [f64; 3],
-    /// What it looks at, in scene units.
-    pub target: [f64; 3],
-    /// What is up in the picture.
-    pub up: [f64; 3],
-    /// How depth becomes smaller.
-    pub projection: Projection,
-    /// Perspective: the vertical field of view, in radians.
-    pub fov: f64,
-    /// Orthographic: the height of the picture, in scene units.
-    pub height: f64,
-    /// The width over the height of the picture that it was placed for: a narrower one shows as
-    /// much in width, and more above and below. 0 for any.
-    pub aspect: f64,
 }
 
 impl Camera {
@@ -138,20 +119,6 @@ impl Camera {
     }
 }
 
-impl Default for Camera {
-    fn default() -> Self {
-        Self {
-            eye: [0.0, 0.0, 4.4],
-            target: [0.0; 3],
-            up: [0.0, 1.0, 0.0],
-            projection: Projection::Perspective,
-            fov: 0.5,
-            height: 2.5,
-            aspect: 0.0,
-        }
-    }
-}
-
 /// How depth becomes smaller.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -163,20 +130,16 @@ pub enum Projection {
     Orthographic,
 }
 
-/// Which times there are, in seconds.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct TimeRange {
-    /// The first time.
-    pub start: f64,
-    /// The last time.
-    pub end: f64,
-    /// Frames a second.
-    pub fps: f64,
-}
-
-impl Default for TimeRange {
-    fn default() -> Self {
-        Self { start: 0.0, end: 0.0, fps: 24.0 }
+described! {
+    /// Which times there are.
+    #[derive(Copy)]
+    #[serde(default)]
+    pub struct TimeRange("time range", Line) {
+        /// The first time, in seconds.
+        start: f64 = 0.0, Kind::Number(FAR);
+        /// The last time, in seconds; not before `start`.
+        end: f64 = 0.0, Kind::Number(FAR);
+        /// Frames a second.
+        fps: f64 = 24.0, Kind::Number(Bounds::above(0.0, 1000.0));
     }
 }

@@ -3,6 +3,9 @@
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
+use super::described::described;
+use super::shape::{F32, Kind};
+use super::word::Word as _;
 use crate::ids::PortName;
 
 /// The value of an unwired input. What an input takes is the node's business: `chiaro nodes` lists
@@ -28,15 +31,16 @@ pub enum Value {
 /// The values of a node's unwired inputs by port name; what is left out has the node's default.
 pub type Values = IndexMap<PortName, Value>;
 
-/// A function of one number, drawn through points.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Curve {
-    /// `[x, y]` pairs in increasing x; at most [`Curve::MAX_POINTS`]. Outside the first and last x
-    /// the curve is flat.
-    pub points: Vec<[f64; 2]>,
-    /// How neighbouring points are joined.
-    #[serde(default)]
-    pub interpolation: Interpolation,
+described! {
+    /// A function of one number, drawn through points and flat outside them.
+    pub struct Curve("curve", Inline) {
+        /// `[x, y]` pairs in increasing x; at least one.
+        points: Vec<[f64; 2]> = Vec::new(),
+            Kind::List(&Kind::Numbers(2, 2, F32), Curve::MAX_POINTS), required;
+        /// How neighbours are joined; for a time key, how it goes on to the next.
+        #[serde(default)]
+        interpolation: Interpolation = Interpolation::Linear, Kind::Word(Interpolation::WORDS);
+    }
 }
 
 impl Curve {
@@ -44,14 +48,16 @@ impl Curve {
     pub const MAX_POINTS: usize = 16;
 }
 
-/// A color that changes along one number.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Ramp {
-    /// In increasing `at`; at most [`Ramp::MAX_STOPS`].
-    pub stops: Vec<RampStop>,
-    /// How neighbouring stops are joined.
-    #[serde(default)]
-    pub interpolation: Interpolation,
+described! {
+    /// A color that changes along one number.
+    pub struct Ramp("ramp", Inline) {
+        /// In increasing `at`; at least one.
+        stops: Vec<RampStop> = Vec::new(),
+            Kind::List(&Kind::Object(RampStop::shape), Ramp::MAX_STOPS), required;
+        /// How neighbours are joined; for a time key, how it goes on to the next.
+        #[serde(default)]
+        interpolation: Interpolation = Interpolation::Linear, Kind::Word(Interpolation::WORDS);
+    }
 }
 
 impl Ramp {
@@ -59,13 +65,14 @@ impl Ramp {
     pub const MAX_STOPS: usize = 16;
 }
 
-/// One color of a ramp.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct RampStop {
-    /// Where along the ramp.
-    pub at: f64,
-    /// Straight RGB or RGBA.
-    pub color: Vec<f64>,
+described! {
+    /// One color of a ramp.
+    pub struct RampStop("ramp stop", Inline) {
+        /// Where along the ramp.
+        at: f64, Kind::Number(F32), required;
+        /// Straight RGB or RGBA in the look's color space.
+        color: Vec<f64>, Kind::Color { alpha: true }, required, by Color;
+    }
 }
 
 /// How neighbouring points of a curve, a ramp or a time track are joined.

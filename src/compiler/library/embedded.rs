@@ -1,3 +1,3 @@
-//! The node files that the crate carries, listed by `build.rs`.
+//! The node files that the crate carries, found by `build.rs`.
 
-include!(concat!(env!("OUT_DIR"), "/embedded.rs"));
+include!(concat!(env!("OUT_DIR"), "/nodes.rs"));

@@ -7,35 +7,60 @@ use eframe::egui::{self, Ui};
 
 use super::App;
 use super::files::{self, Pending};
+use crate::app::look_export::stem_of;
 use crate::canvas::edits;
-use crate::command::Command;
+use crate::commands::{
+    Command, FilePurpose, FitCommand, PaintCommand, PanelId, PictureExport, ViewCommand, keyboard,
+};
 use crate::diag::Diagnostic;
-use crate::dialogs::Purpose;
-use crate::dock;
-use crate::document::{Edit, Storage};
-use crate::fitting;
-use crate::hcbtf::exchange::Form;
-use crate::look_export::stem_of;
-use crate::painting;
-use crate::safety::Wish;
-use crate::safety::crashes::DocumentOrigin;
-use crate::session::Session;
-use crate::shortcuts::{self, Action};
-use crate::stage::Stage;
-use crate::viewport::Export;
+use crate::document::{Edit, Projection};
+use crate::state::painting::look;
+use crate::state::session::Session;
+use crate::state::stage::Stage;
+
+/// Whether what was told last stays told while a command is carried out.
+fn keeps_message(command: &Command) -> bool {
+    use PaintCommand as P;
+    match command {
+        Command::Select(_)
+        | Command::Reveal(_)
+        | Command::Show(_)
+        | Command::OpenGraph(_)
+        | Command::OpenPalette
+        | Command::OpenShortcuts
+        | Command::CopyShader(..)
+        | Command::Graph(_)
+        | Command::Sketch(_)
+        | Command::Fit(FitCommand::TakeBrush(_) | FitCommand::ResizeBrush { .. }) => true,
+        Command::View(command) => !matches!(command, ViewCommand::TurnTo(_)),
+        Command::Paint(command) => matches!(
+            command,
+            P::TakeTool(_)
+                | P::ResizeBrush { .. }
+                | P::SwapColors
+                | P::ToggleTilt
+                | P::ToggleCopies
+                | P::ToggleArrows
+                | P::FitTile
+                | P::StepView(_)
+                | P::StepLight(_)
+                | P::ShowStroke(_)
+        ),
+        _ => false,
+    }
+}
 
 impl App {
+    /// Does what is asked for, and lets go of what was told before.
     pub(super) fn apply(&mut self, ui: &Ui, command: Command) {
-        if !matches!(
-            command,
-            Command::Act(_)
-                | Command::Select(_)
-                | Command::Reveal(_)
-                | Command::Show(_)
-                | Command::OpenGraph(_)
-        ) {
+        if !keeps_message(&command) {
             self.message = None;
         }
+        self.carry_out(ui, command);
+    }
+
+    /// Does what is asked for.
+    pub(super) fn carry_out(&mut self, ui: &Ui, command: Command) {
         match command {
             Command::Edit(edit) => self.tell(|session| session.apply(edit, None)),
             Command::EditHeld(widget, edit) => {
@@ -45,14 +70,14 @@ impl App {
             Command::Select(ids) => self.session.select(ids),
             Command::Reveal(id) => {
                 self.session.select(vec![id.clone()]);
-                self.canvas.reveal(id);
+                self.bench.canvas.reveal(id);
             }
             Command::Show(path) => {
                 let ids = path.ids();
                 self.session.open_graph(&ids[..ids.len().saturating_sub(1)]);
                 if let Some(id) = self.session.step_here(&path).cloned() {
                     self.session.select(vec![id.clone()]);
-                    self.canvas.reveal(id);
+                    self.bench.canvas.reveal(id);
                 }
             }
             Command::OpenGraph(path) => self.session.open_graph(&path),
@@ -63,12 +88,14 @@ impl App {
                 self.do_or_ask(Pending::OpenPainting { path, keeps_look: false });
             }
             Command::Open(Some(path)) => self.do_or_ask(Pending::Open(path)),
-            Command::Open(None) => self.dialogs.ask(Purpose::Open, self.session.path()),
+            Command::Open(None) => self.dialogs.ask(FilePurpose::Open, self.session.path()),
             Command::OpenPath => self.open_path_field(),
             Command::Forget(path) => self.safety.change_settings(|settings| settings.forget(&path)),
             Command::ShowStart(true) => self.show_start_page(),
             Command::ShowStart(false) => self.start = None,
             Command::StartTour => self.do_or_ask(Pending::Tour),
+            Command::OpenPalette => self.sheet.open_palette(),
+            Command::OpenShortcuts => self.sheet.open_shortcuts(),
             Command::Save => self.save(),
             Command::SaveAs => self.ask_where_to_save(),
             Command::SaveTo(path) => {
@@ -79,43 +106,52 @@ impl App {
             Command::ShowOn(Some(path)) => self.show_on(&path.to_string_lossy()),
             Command::StandUp(z_is_up) => self.stand_up(z_is_up),
             Command::ShowOn(None) => {
-                self.dialogs.ask(Purpose::Mesh, Some(Path::new(&self.session.view.mesh)))
+                self.dialogs.ask(FilePurpose::Mesh, Some(Path::new(&self.session.view.mesh)))
             }
-            Command::Probe(on) => {
-                self.probe.turn(on);
+            Command::Probe(switch) => {
+                let on = switch.turned(self.bench.tools.probe.is_on());
+                self.bench.tools.probe.turn(on);
                 if on {
-                    self.turn_fitting(false);
-                    self.dock.open(dock::Panel::Probe);
+                    self.turn_fitting(ui, false);
+                    self.dock.open(PanelId::PROBE);
                 }
             }
             Command::ShowWire(wire) => self.session.show_wire(wire),
             Command::Export(export, Some(path)) => {
-                self.viewport.export(&self.session, export, path)
+                self.bench.viewport.export(&self.session, export, path)
             }
             Command::Export(export, None) => {
-                self.dialogs.ask(Purpose::Export(export), self.session.path())
+                self.dialogs.ask(FilePurpose::Export(export), self.session.path())
+            }
+            Command::ExportPicture => {
+                let size = self.bench.viewport.size_in_pixels(ui.pixels_per_point());
+                let purpose = FilePurpose::Export(PictureExport::Picture(size));
+                self.dialogs.ask(purpose, self.session.path());
+            }
+            Command::CopyShader(language, ending) => {
+                self.look_exports.copy(&self.session, language, ending);
             }
             Command::ExportLook(language, Some(folder)) => {
-                self.look_exports.write(&self.session, language, folder)
+                self.look_exports.write(&self.session, language, folder);
             }
             Command::ExportLook(language, None) => {
                 let near = self.look_exports.suggested(&self.session);
-                self.dialogs.ask(Purpose::Shaders(language), Some(&near));
+                self.dialogs.ask(FilePurpose::Shaders(language), Some(&near));
             }
             Command::CopyPicture => {
                 // The panel of the picture takes what was drawn to the clipboard.
                 self.start = None;
-                self.dock.open(dock::Panel::Picture);
-                self.viewport.copy(&self.session, ui.pixels_per_point());
+                self.dock.open(PanelId::PICTURE);
+                self.bench.viewport.copy(&self.session, ui.pixels_per_point());
             }
             Command::CopyWgsl => self.copy_wgsl(ui),
-            Command::ShowReference(Some(path)) => self.viewport.show_reference(path),
+            Command::ShowReference(Some(path)) => self.bench.viewport.show_reference(path),
             Command::ShowReference(None) => {
-                self.dialogs.ask(Purpose::Reference, self.session.path())
+                self.dialogs.ask(FilePurpose::Reference, self.session.path())
             }
-            Command::LeaveProbe => self.probe.escape(),
+            Command::LeaveProbe => self.bench.tools.probe.escape(),
             Command::Solo(solo) => self.session.set_solo(solo),
-            Command::ShowPanel(dock::Panel::Paint) if painting::look::shows(&self.session) => {
+            Command::ShowPanel(PanelId::PAINT) if look::shows(&self.session) => {
                 self.show_painting_panels();
             }
             Command::ShowPanel(panel) => {
@@ -129,30 +165,40 @@ impl App {
             Command::Copy(text) => ui.ctx().copy_text(text),
             Command::SelectKey(key) => self.session.key = key,
             Command::SetTime(time) => self.session.time = time,
-            Command::TurnTo(view) => self.session.view = *view,
-            Command::Stage(wish) => self.apply_to_stage(ui, wish),
-            Command::Paint(wish) => self.apply_to_painting(ui, wish),
-            Command::Fit(wish) => self.apply_to_fitting(wish),
-            Command::Safety(wish) => self.apply_to_safety(wish),
+            Command::View(command) => self.apply_to_view(command),
+            Command::Graph(command) => {
+                self.start = None;
+                self.bench.canvas.ask(command);
+            }
+            Command::Scene(command) => self.apply_to_stage(ui, command),
+            Command::Paint(command) => self.apply_to_painting(ui, command),
+            Command::Fit(command) => self.apply_to_fitting(ui, command),
+            Command::Sketch(command) => self.apply_to_sketch(command),
+            Command::Recovery(command) => self.apply_to_recovery(command),
             Command::Tell(text) => self.message = Some(text),
-            Command::Act(action) => self.act(ui, action),
         }
     }
 
-    fn apply_to_safety(&mut self, wish: Wish) {
-        if wish == Wish::OpenAnother {
-            self.dialogs.ask(Purpose::Open, self.session.path());
+    fn apply_to_view(&mut self, command: ViewCommand) {
+        let aspect = self.bench.viewport.aspect();
+        match command {
+            ViewCommand::TurnTo(view) => self.session.view = *view,
+            ViewCommand::Reset => self.session.reset_view(),
+            ViewCommand::FrameObject => {
+                let selected = self.session.stage().and_then(Stage::selected);
+                let selected = selected.map(|(id, _)| id.clone());
+                self.session.frame(selected.as_ref(), aspect);
+            }
+            ViewCommand::FrameAll => self.session.frame(None, aspect),
+            ViewCommand::SwitchProjection => {
+                self.session.view.projection = match self.session.view.projection {
+                    Projection::Perspective => Projection::Orthographic,
+                    Projection::Orthographic => Projection::Perspective,
+                };
+            }
+            ViewCommand::ToggleTurntable => self.bench.viewport.toggle_turntable(),
+            ViewCommand::ToggleHandles => self.bench.viewport.toggle_handles(),
         }
-        if wish == Wish::ReadAgain
-            && let Some(path) = self.safety.interrupted()
-        {
-            self.session.crashes.trust(&DocumentOrigin::of_file(&path));
-            return self.open(&path);
-        }
-        let painting = self.painting_number();
-        self.message = self.safety.apply(wish, &mut self.session);
-        self.open_lacking_look();
-        self.show_painting_taken_back(painting);
     }
 
     /// What edits: a widget, for as long as it is held or has the keyboard.
@@ -163,82 +209,11 @@ impl App {
         hasher.finish()
     }
 
-    /// Does what the command palette chose.
-    fn act(&mut self, ui: &Ui, action: Action) {
-        let command = match action {
-            Action::New => Command::New,
-            Action::Open => Command::Open(None),
-            Action::Save => Command::Save,
-            Action::SaveAs => Command::SaveAs,
-            Action::Undo => Command::Undo,
-            Action::Redo => Command::Redo,
-            Action::Probe => Command::Probe(!self.probe.is_on()),
-            Action::PaintLight => Command::Fit(fitting::Wish::Turn(!self.fitting.is_on())),
-            Action::FitLook => Command::Fit(fitting::Wish::Fit(fitting::What::ThisLook)),
-            Action::LightTool(_) | Action::LightBrush { .. } => return self.fitting.act(action),
-            Action::OpenPath => Command::OpenPath,
-            Action::Start => Command::ShowStart(true),
-            Action::Tour => Command::StartTour,
-            Action::CopyPicture => Command::CopyPicture,
-            Action::CopyWgsl => Command::CopyWgsl,
-            Action::CopyShader(language, ending) => {
-                return self.look_exports.copy(&self.session, language, ending);
-            }
-            Action::Export(language) => Command::ExportLook(language, None),
-            Action::ExportPicture => {
-                let size = self.viewport.size_in_pixels(ui.pixels_per_point());
-                Command::Export(Export::Picture(size), None)
-            }
-            Action::Paint => Command::ShowPanel(dock::Panel::Paint),
-            Action::PaintShown => Command::Paint(painting::Wish::PaintShown),
-            Action::NewHcbtf(preset) => {
-                Command::Paint(painting::Wish::New { grid: preset.grid(), keeps_look: false })
-            }
-            Action::NewHcbtfOf => Command::Paint(painting::Wish::AskGrid { changes: false }),
-            Action::GridOfHcbtf => Command::Paint(painting::Wish::AskGrid { changes: true }),
-            Action::TileOfHcbtf => Command::Paint(painting::Wish::AskSynthesis),
-            Action::BakeLook => Command::Paint(painting::Wish::AskBake),
-            Action::SaveHcbtf => Command::Paint(painting::Wish::Save),
-            Action::SaveHcbtfAs => Command::Paint(painting::Wish::SaveAs),
-            Action::CloseHcbtf => Command::Paint(painting::Wish::Close),
-            Action::ImportHcbtf => Command::Paint(painting::Wish::AskImport),
-            Action::ExportHcbtf(Form::Ktx2) => Command::Paint(painting::Wish::AskTexture),
-            Action::ExportHcbtf(form) => Command::Paint(painting::Wish::Export {
-                form,
-                storage: Storage::default(),
-                to: None,
-            }),
-            Action::Tool(_)
-            | Action::Brush { .. }
-            | Action::SwapColors
-            | Action::Flat
-            | Action::Copies
-            | Action::Arrows
-            | Action::FitTile
-            | Action::StepView(_)
-            | Action::StepLight(_) => return self.painting.act(action, &mut self.session),
-            Action::Commands | Action::Shortcuts => return self.sheet.open(action),
-            Action::ResetView
-            | Action::FrameObject
-            | Action::FrameAll
-            | Action::Projection
-            | Action::Turntable
-            | Action::Handles => {
-                return self.viewport.act(action, &mut self.session);
-            }
-            action => {
-                self.start = None;
-                return self.canvas.ask(action);
-            }
-        };
-        self.apply(ui, command);
-    }
-
     fn add_node(&mut self, kind: &str, at: Option<egui::Pos2>) {
         let Some(kind) = self.session.catalog.all().find(|known| known.id == kind).cloned() else {
             return;
         };
-        let at = self.canvas.place_for(at);
+        let at = self.bench.canvas.place_for(at);
         let (id, edits) = edits::add(&self.session, &kind, at);
         self.tell(|session| session.apply(Edit::Group { edits }, None));
         self.session.select(vec![id]);
@@ -247,7 +222,7 @@ impl App {
     fn ask_where_to_save(&mut self) {
         let by_name = || PathBuf::from(format!("{}.json", stem_of(&self.session.look().name)));
         let near = self.session.path().map_or_else(by_name, Path::to_path_buf);
-        self.dialogs.ask(Purpose::Save, Some(&near));
+        self.dialogs.ask(FilePurpose::Save, Some(&near));
     }
 
     /// Copies the shader as it is exported: with values folded into it.
@@ -266,12 +241,22 @@ impl App {
     /// Esc gives up a drag on the picture, before it does anything else: what was changed is as it
     /// was.
     pub(super) fn give_up_drag(&mut self, ui: &Ui) {
-        if self.viewport.is_dragging()
-            && shortcuts::take(ui, (egui::Modifiers::NONE, egui::Key::Escape))
-            && self.viewport.give_up(&mut self.session)
+        if self.bench.viewport.is_dragging()
+            && keyboard::take(ui, (egui::Modifiers::NONE, egui::Key::Escape))
+            && self.give_up_view()
         {
             self.session.undo();
         }
+    }
+
+    /// Puts camera and lights back to where they were when the drag began. Returns whether the last
+    /// step of the look is the drag's, and is to be taken back too.
+    fn give_up_view(&mut self) -> bool {
+        let Some((view, is_edited)) = self.bench.viewport.give_up(&self.session) else {
+            return false;
+        };
+        self.session.view = view;
+        is_edited
     }
 
     pub(super) fn tell(&mut self, edit: impl FnOnce(&mut Session) -> Result<(), Box<Diagnostic>>) {

@@ -3,14 +3,17 @@
 use eframe::egui::{self, RichText, Role, Ui, ViewportCommand, WidgetInfo};
 
 use super::App;
-use crate::command::Command;
-use crate::painting::{Shown, Wish, Work, look, shown};
-use crate::panels::problems;
-use crate::session::Session;
-use crate::shortcuts::{self, Action};
-use crate::spots::{self, Spot};
-use crate::stage::Stage;
-use crate::{dock, theme};
+use crate::app::dock;
+use crate::commands::table::{self, CommandRow, Menu};
+use crate::commands::{Command, PaintCommand, PanelId};
+use crate::painter::{Shown, shown};
+use crate::panels::{PANELS, problems};
+use crate::state::painting::look;
+use crate::state::painting::work::Work;
+use crate::state::session::Session;
+use crate::state::stage::Stage;
+use crate::widgets::spots::{self, Spot};
+use crate::widgets::theme;
 
 /// Below this width, in points, the name of what is open is not told in the bar: the window's title
 /// has it too.
@@ -30,30 +33,15 @@ impl App {
                     }
                     response.rect
                 };
-            button(ui, "New", "A new look (Ctrl+N)", true, Command::New);
-            button(
-                ui,
-                "Open",
-                "Opens a look, a scene or an HCBTF (Ctrl+O)",
-                true,
-                Command::Open(None),
-            );
+            let mut named = |ui: &mut Ui, label: &str, command: Command| {
+                button(ui, label, &table::help_of(&command), true, command)
+            };
+            named(ui, "New", Command::New);
+            named(ui, "Open", Command::Open(None));
             let recent = self.safety.recent_menu(ui);
-            let save = button(
-                ui,
-                "Save",
-                "Saves the look, its scene and what is painted (Ctrl+S)",
-                true,
-                Command::Save,
-            );
+            let save = named(ui, "Save", Command::Save);
             spots::note(ui, Spot::Save, save);
-            button(
-                ui,
-                "Save as",
-                "Saves the look under another name (Ctrl+Shift+S)",
-                true,
-                Command::SaveAs,
-            );
+            named(ui, "Save as", Command::SaveAs);
             ui.separator();
             let step = |label: Option<&str>, otherwise: &str| {
                 label.map_or(otherwise.to_owned(), str::to_owned)
@@ -68,57 +56,25 @@ impl App {
             ui.menu_button("View", |ui| self.view_menu(ui))
                 .response
                 .on_hover_text("Panels, theme and scale");
-            let news = of_kind(|action| {
-                use Action::{
-                    BakeLook, CloseHcbtf, ExportHcbtf, GridOfHcbtf, ImportHcbtf, NewHcbtf,
-                    NewHcbtfOf, SaveHcbtf, SaveHcbtfAs, TileOfHcbtf,
-                };
-                let is_light = action == Action::PaintLight;
-                let is_new = matches!(
-                    action,
-                    NewHcbtf(_) | NewHcbtfOf | ImportHcbtf | TileOfHcbtf | BakeLook
-                );
-                let is_of_open = matches!(
-                    action,
-                    GridOfHcbtf | SaveHcbtf | SaveHcbtfAs | CloseHcbtf | ExportHcbtf(_)
-                );
-                is_light || is_new || is_of_open
-            });
             let is_open = self.session.painting().is_some();
-            let why = |action| (!is_open && works_on_painting(action)).then_some(NOTHING_PAINTED);
+            let why =
+                |row: &CommandRow| (!is_open && row.needs_painting).then_some(NOTHING_PAINTED);
             let help = "Light on the picture; surfaces that change with the light and the eye, \
                         painted by hand";
             menu_with(
                 ui,
-                "Paint",
-                help,
-                &news,
+                ("Paint", help),
+                Menu::Paint,
                 why,
                 |ui, commands| paint_shown(ui, &self.session, commands),
                 commands,
             );
-            let exports =
-                of_kind(|action| matches!(action, Action::Export(_) | Action::ExportPicture));
-            menu(
-                ui,
-                "Export",
-                "The look as shaders for other programs, or the picture, as files",
-                &exports,
-                commands,
-            );
-            let shaders = of_kind(|action| matches!(action, Action::CopyShader(..)));
-            let copies =
-                [&[Action::CopyPicture, Action::Copy, Action::CopyWgsl], shaders.as_slice()]
-                    .concat();
-            menu(
-                ui,
-                "Copy as",
-                "The picture, the selected nodes or the shader, to the clipboard",
-                &copies,
-                commands,
-            );
-            let helps = [Action::Start, Action::Tour, Action::Commands, Action::Shortcuts];
-            menu(ui, "Help", "The start page, the tour, all commands and keys", &helps, commands);
+            let help = "The look as shaders for other programs, or the picture, as files";
+            menu(ui, ("Export", help), Menu::Export, commands);
+            let help = "The picture, the selected nodes or the shader, to the clipboard";
+            menu(ui, ("Copy as", help), Menu::CopyAs, commands);
+            let help = "The start page, the tour, all commands and keys";
+            menu(ui, ("Help", help), Menu::Help, commands);
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 // A narrow window has room for the buttons alone.
                 if ui.available_width() > LEAST_NAME {
@@ -129,11 +85,11 @@ impl App {
     }
 
     fn view_menu(&mut self, ui: &mut Ui) {
-        for panel in dock::Panel::ALL {
-            let mut is_there = self.dock.has(panel);
-            if ui.checkbox(&mut is_there, panel.label()).on_hover_text(panel.help()).changed() {
+        for panel in PANELS {
+            let mut is_there = self.dock.has(panel.id);
+            if ui.checkbox(&mut is_there, panel.label).on_hover_text(panel.help).changed() {
                 self.start = None;
-                if is_there { self.dock.open(panel) } else { self.dock.close(panel) }
+                if is_there { self.dock.open(panel.id) } else { self.dock.close(panel.id) }
             }
         }
         if ui
@@ -180,8 +136,8 @@ impl App {
     }
 
     pub(super) fn status(&self, ui: &mut Ui) -> Option<Command> {
-        let of_graph = if self.dock.shows(dock::Panel::Graph) { self.canvas.hint() } else { "" };
-        let hints = [self.painting.hint(), self.viewport.hint(), of_graph];
+        let of_graph = if self.dock.shows(PanelId::GRAPH) { self.bench.canvas.hint() } else { "" };
+        let hints = [self.bench.painting.hint(), self.bench.viewport.hint(), of_graph];
         let hint = hints
             .into_iter()
             .find(|hint| !hint.is_empty() && self.start.is_none())
@@ -228,7 +184,7 @@ impl App {
         let (colors, font) = (theme::of(ui), egui::TextStyle::Body.resolve(ui.style()));
         let mut job = egui::text::LayoutJob::default();
         let mut add = |text: &str, color| {
-            job.append(text, 0.0, egui::TextFormat::simple(font.clone(), color))
+            job.append(text, 0.0, egui::TextFormat::simple(font.clone(), color));
         };
         let mut help: Vec<String> =
             self.session.path().map(|path| path.display().to_string()).into_iter().collect();
@@ -261,39 +217,24 @@ impl App {
     }
 }
 
-/// All actions of a kind, as the table of shortcuts orders them.
-fn of_kind(is_it: impl Fn(Action) -> bool) -> Vec<Action> {
-    shortcuts::ALL.iter().map(|row| row.action).filter(|action| is_it(*action)).collect()
-}
-
-/// Whether an action is about the painting that is open.
-fn works_on_painting(action: Action) -> bool {
-    use Action::{CloseHcbtf, ExportHcbtf, GridOfHcbtf, SaveHcbtf, SaveHcbtfAs, TileOfHcbtf};
-    matches!(
-        action,
-        GridOfHcbtf | TileOfHcbtf | SaveHcbtf | SaveHcbtfAs | CloseHcbtf | ExportHcbtf(_)
-    )
-}
-
-/// A menu of what the table of shortcuts has, with its keys.
-fn menu(ui: &mut Ui, label: &str, help: &str, actions: &[Action], commands: &mut Vec<Command>) {
-    menu_with(ui, label, help, actions, |_| None, |_, _| (), commands);
+/// A menu of what the table of commands has for it, with its keys.
+fn menu(ui: &mut Ui, named: (&str, &str), menu: Menu, commands: &mut Vec<Command>) {
+    menu_with(ui, named, menu, |_| None, |_, _| (), commands);
 }
 
 /// The same after `first`, but for what `why` says why it cannot be done.
 fn menu_with(
     ui: &mut Ui,
-    label: &str,
-    help: &str,
-    actions: &[Action],
-    why: impl Fn(Action) -> Option<&'static str>,
+    (label, help): (&str, &str),
+    menu: Menu,
+    why: impl Fn(&CommandRow) -> Option<&'static str>,
     first: impl FnOnce(&mut Ui, &mut Vec<Command>),
     commands: &mut Vec<Command>,
 ) {
     let menu = ui.menu_button(label, |ui| {
         first(ui, commands);
-        for row in actions.iter().filter_map(|action| shortcuts::of(*action)) {
-            let why = why(row.action);
+        for row in table::rows().filter(|row| row.menu == Some(menu)) {
+            let why = why(row);
             let button = ui.add_enabled(
                 why.is_none(),
                 egui::Button::new(&*row.label).shortcut_text(row.text()),
@@ -302,7 +243,7 @@ fn menu_with(
                 egui::WidgetInfo::labeled(egui::Role::MenuItem, why.is_none(), &*row.label)
             });
             if button.on_disabled_hover_text(why.unwrap_or_default()).clicked() {
-                commands.push(Command::Act(row.action));
+                commands.push(row.command.clone());
                 ui.close();
             }
         }
@@ -327,9 +268,9 @@ fn paint_shown(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
         let label =
             format!("{} {}", if is_shown { "Go on painting" } else { "Back to" }, work.name());
         let command = if is_shown {
-            Command::ShowPanel(dock::Panel::Paint)
+            Command::ShowPanel(PanelId::PAINT)
         } else {
-            Command::Paint(Wish::GoBack)
+            Command::Paint(PaintCommand::GoBack)
         };
         entry(ui, &label, "Shows what is open to be painted, where it was painted", Some(command));
     }
@@ -337,7 +278,12 @@ fn paint_shown(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
         entry(ui, "Paint what the look shows", "The open look shows nothing that is painted", None);
     }
     for Shown { label, help, path, .. } in all {
-        entry(ui, &label, help, Some(Command::Paint(Wish::Open { path, keeps_look: true })));
+        entry(
+            ui,
+            &label,
+            help,
+            Some(Command::Paint(PaintCommand::Open { path, keeps_look: true })),
+        );
     }
     ui.separator();
 }

@@ -6,18 +6,18 @@ use std::sync::Arc;
 use eframe::egui::{self, RichText, Ui, ViewportCommand};
 
 use super::App;
-use crate::command::Command;
-use crate::confirm;
+use crate::commands::{Command, PAINTING, PanelId, PictureImport};
 use crate::diag::Diagnostic;
-use crate::dialogs::PAINTING;
-use crate::dock::Panel;
 use crate::document::{Grid, Hcbtf};
 use crate::examples;
 use crate::frame::UNSAVED_HCBTF;
-use crate::painting::{Import, Work, look};
-use crate::panels::{library, problems};
-use crate::safety::crashes::{CrashMark, DocumentOrigin, Step};
-use crate::stage::{Stage, Wanted};
+use crate::panels::library;
+use crate::state::painting::look;
+use crate::state::painting::work::Work;
+use crate::state::problem_text::sentence;
+use crate::state::safety::crashes::{CrashMark, DocumentOrigin, Step};
+use crate::state::stage::{Stage, Wanted};
+use crate::widgets::confirm;
 
 /// What would lose unsaved changes.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,7 +41,7 @@ pub(super) enum Pending {
     /// Makes an HCBTF of pictures.
     ImportPainting {
         path: PathBuf,
-        import: Import,
+        import: PictureImport,
     },
     /// Paints on what was made of other things.
     BeginPainting {
@@ -63,7 +63,7 @@ impl App {
         self.open_lacking_look();
         if self.session.stage().is_some_and(|stage| stage.path() == Some(path)) {
             self.lay_out();
-            self.dock.open(Panel::Objects);
+            self.dock.open(PanelId::OBJECTS);
             // The scene was asked for, and the look came with it.
             self.safety.opened(path);
         }
@@ -123,7 +123,7 @@ impl App {
                 true
             }
             Err(problem) => {
-                self.message = Some(problems::sentence(&problem).replace('\n', ": "));
+                self.message = Some(sentence(&problem).replace('\n', ": "));
                 if problem.code == "changed-on-disk" {
                     self.safety.look_at_files(&mut self.session);
                 }
@@ -236,7 +236,7 @@ impl App {
             }
             Some(Pending::NewPainting { grid, keeps_look }) => self.new_painting(grid, keeps_look),
             Some(Pending::OpenPainting { path, keeps_look }) => {
-                self.open_painting(&path, keeps_look)
+                self.open_painting(&path, keeps_look);
             }
             Some(Pending::ImportPainting { path, import }) => self.import_painting(path, import),
             Some(Pending::BeginPainting { hcbtf }) => self.begin_made(&hcbtf),
@@ -253,7 +253,7 @@ impl App {
             library::Content::Scene(scene) => {
                 self.session.start_scene(scene, example.stem);
                 self.lay_out();
-                self.dock.open(Panel::Objects);
+                self.dock.open(PanelId::OBJECTS);
             }
             library::Content::Look(_) => {
                 let text = examples::text(&example.path).unwrap_or_default();

@@ -1,38 +1,66 @@
 //! What is asked for of painting light on the picture.
 
+use eframe::egui::Ui;
+
 use super::App;
-use crate::dock::Panel;
-use crate::fitting::{Fitting, Wish};
+use crate::commands::{FitCommand, PanelId, SketchCommand};
 
 impl App {
-    pub(super) fn apply_to_fitting(&mut self, wish: Wish) {
-        match wish {
-            Wish::Turn(on) => self.turn_fitting(on),
-            Wish::Leave => self.fitting.leave(&mut self.session),
-            Wish::Fit(what) => self.fitting.fit(what, &self.session),
-            Wish::Stop => self.fitting.stop(),
-            Wish::Apply => {
-                if let Some(edit) = self.fitting.apply(&mut self.session) {
-                    self.tell(|session| session.apply(edit, None));
-                    self.fitting.is_taken_on(&self.session);
-                }
+    pub(super) fn apply_to_fitting(&mut self, ui: &Ui, command: FitCommand) {
+        let Self { bench, session, .. } = self;
+        let fitting = &mut bench.tools.fitting;
+        let commands = match command {
+            FitCommand::Turn(switch) => {
+                let on = switch.turned(fitting.is_on());
+                return self.turn_fitting(ui, on);
             }
-            Wish::Discard => self.fitting.discard(&mut self.session),
-            Wish::Clear => self.fitting.clear(&mut self.session),
-            Wish::Back => Fitting::go_back(&mut self.session),
-        }
+            FitCommand::Leave => fitting.leave(session),
+            FitCommand::Discard => fitting.discard(),
+            FitCommand::Clear => fitting.clear(session),
+            FitCommand::Apply => return self.apply_fit(),
+            FitCommand::Fit(goal) => return fitting.fit(goal, session),
+            FitCommand::Stop => return fitting.stop(),
+            FitCommand::TakeBrush(brush) => return fitting.take_brush(brush),
+            FitCommand::ResizeBrush { is_larger } => return fitting.resize_brush(is_larger),
+            FitCommand::Back => {
+                if let Some(standpoint) = session.sketch().standpoint() {
+                    (session.view, session.time) = standpoint.back(&session.view);
+                }
+                return;
+            }
+        };
+        commands.into_iter().for_each(|command| self.carry_out(ui, command));
+    }
+
+    /// Takes on what was fitted, as one step.
+    fn apply_fit(&mut self) {
+        let Some(edit) = self.bench.tools.fitting.take_on(&self.session) else { return };
+        self.session.set_preview(None);
+        self.tell(|session| session.apply(edit, None));
+        self.bench.tools.fitting.is_taken_on(&self.session);
     }
 
     /// Begins or ends painting on the picture, which a probe and a turntable would be in the way
     /// of.
-    pub(super) fn turn_fitting(&mut self, on: bool) {
-        self.fitting.turn(on, &mut self.session);
+    pub(super) fn turn_fitting(&mut self, ui: &Ui, on: bool) {
+        let commands = self.bench.tools.fitting.turn(on, &self.session);
+        commands.into_iter().for_each(|command| self.carry_out(ui, command));
         if on {
-            self.probe.turn(false);
-            self.viewport.stop_turning();
+            self.bench.tools.probe.turn(false);
+            self.bench.viewport.stop_turning();
             self.start = None;
-            self.dock.open(Panel::Picture);
-            self.dock.open(Panel::Fit);
+            self.dock.open(PanelId::PICTURE);
+            self.dock.open(PanelId::FIT);
+        }
+    }
+
+    pub(super) fn apply_to_sketch(&mut self, command: SketchCommand) {
+        match command {
+            SketchCommand::Open(is_open) => self.session.open_sketch(is_open),
+            SketchCommand::Paint { label, from, tile } => {
+                self.session.paint_sketch(label, from, tile);
+            }
+            SketchCommand::Preview(look) => self.session.set_preview(look),
         }
     }
 }

@@ -1,11 +1,20 @@
 //! The window: panels around the canvas. What they ask for is applied in one place, `apply`.
 
+mod appearance;
 mod apply;
 mod bar;
+pub(crate) mod dialogs;
+pub(crate) mod dock;
 mod files;
 mod fitting;
+pub(crate) mod look_export;
 mod painting;
+pub(crate) mod path_field;
+mod recovery;
+pub(crate) mod safety_bar;
+pub(crate) mod sheet;
 mod stage;
+pub(crate) mod tour;
 mod welcome;
 
 use std::path::Path;
@@ -14,39 +23,35 @@ use std::time::Duration;
 
 use eframe::egui::{self, Key, Modifiers, Panel, Ui};
 
-use super::canvas::Canvas;
-use super::code::Code;
-use super::command::Command;
-use super::cost::Cost;
-use super::curves::keys::Keys;
-use super::curves::profile::Profile;
-use super::curves::timeline::Timeline;
-use super::dialogs::{Dialogs, IMAGES, MESHES, Purpose, Way};
-use super::dock::effects::Effects;
-use super::dock::{Dock, Workspace};
-use super::fitting::{Fitting, Wish as FitWish};
-use super::look_export::{self, LookExports};
-use super::painting::Painting;
-use super::painting::before::ViewBefore;
-use super::panels::{Panels, library, solo};
-use super::path_field::PathField;
-use super::picture::{Awaited, Picture};
-use super::probe::{Probe, picture_size};
-use super::safety::Safety;
-use super::safety::places::Places;
-use super::session::Session;
-use super::settings::Settings;
-use super::sheet::Sheet;
-use super::shortcuts::{self, Action, Place, Shortcut};
-use super::stage::Wish;
-use super::tour::Tour;
-use super::viewport::{Export, Viewport};
-use super::wipe::Wipe;
-use super::{dock, inspector, spots, theme};
+use crate::app::dialogs::{Dialogs, Way};
+use crate::app::dock::{Dock, Workspace};
+use crate::app::look_export::LookExports;
+use crate::app::path_field::PathField;
+use crate::app::sheet::Sheet;
+use crate::app::tour::Tour;
+use crate::canvas::Canvas;
+use crate::commands::table::{self, CommandRow, Place};
+use crate::commands::{
+    Command, FilePurpose, FitCommand, IMAGES, MESHES, PanelId, PictureExport, SceneCommand,
+    keyboard,
+};
 use crate::diag::has_errors;
-use crate::hcbtf::Device;
 use crate::library::Library;
 use crate::milestones;
+use crate::painter::Painting;
+use crate::painter::before::ViewBefore;
+use crate::panels::cost::Cost;
+use crate::panels::{PANELS, PanelContext, PanelRow, Presence, Workbench};
+use crate::state::safety::Safety;
+use crate::state::safety::places::Places;
+use crate::state::session::Session;
+use crate::state::settings::Settings;
+use crate::tools::fitting::Fitting;
+use crate::tools::probe::Probe;
+use crate::tools::wipe::Wipe;
+use crate::viewport::Viewport;
+use crate::viewport::picture::{Awaited, Picture};
+use crate::widgets::{spots, theme};
 use files::Pending;
 use welcome::StartPage;
 
@@ -58,22 +63,9 @@ const STATUS: f32 = 38.0;
 /// The window's state.
 pub struct App {
     session: Session,
-    canvas: Canvas,
-    viewport: Viewport,
-    code: Code,
-    picture: Option<Picture>,
+    bench: Workbench,
     dialogs: Dialogs,
     dock: Dock,
-    effects: Effects,
-    probe: Probe,
-    wipe: Wipe,
-    fitting: Fitting,
-    cost: Cost,
-    profile: Profile,
-    keys: Keys,
-    timeline: Timeline,
-    panels: Panels,
-    painting: Painting,
     look_exports: LookExports,
     safety: Safety,
     sheet: Sheet,
@@ -90,8 +82,6 @@ pub struct App {
     closes: bool,
     /// Whether the last frame was the first one with a picture, where that is to be told.
     shows_first_picture: bool,
-    /// Where the panel of objects is, while it is seen.
-    objects: Option<egui::Rect>,
     /// The look and the painting that the panels were laid out for last.
     laid_out_for: Option<(u64, Option<u64>)>,
     /// What was looked at before a painting's flat square.
@@ -111,32 +101,12 @@ impl App {
         let session = Session::new(library, waker());
         let crashes = || session.crashes.clone();
         let picture = render_state.map(|state| Picture::new(state, crashes(), waker()));
-        let wipe = Wipe::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
-        let viewport =
-            Viewport::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
-        let cost = Cost::new(picture.as_ref().map(|picture| picture.gpu().clone()), waker());
-        let device =
-            picture.as_ref().map_or_else(Device::guaranteed, |picture| picture.gpu().holds());
-        let gpu = picture.as_ref().map(|picture| picture.gpu().clone());
-        let panels = Panels::new(gpu, crashes(), waker());
+        let bench = Workbench::new(picture, crashes(), waker());
         Self {
             session,
-            canvas: Canvas::default(),
-            viewport,
-            code: Code::default(),
-            picture,
+            bench,
             dialogs: Dialogs::new(waker()),
             dock: Dock::default(),
-            effects: Effects::default(),
-            probe: Probe::new(waker()),
-            wipe,
-            fitting: Fitting::new(waker()),
-            cost,
-            profile: Profile::default(),
-            keys: Keys::default(),
-            timeline: Timeline::default(),
-            panels,
-            painting: Painting::new(device, waker()),
             look_exports: LookExports::new(waker()),
             safety: Safety::new(waker()),
             sheet: Sheet::default(),
@@ -148,7 +118,6 @@ impl App {
             presses: 0,
             closes: false,
             shows_first_picture: false,
-            objects: None,
             laid_out_for: None,
             view_before_painting: ViewBefore::default(),
         }
@@ -175,7 +144,7 @@ impl App {
     pub fn keep_in(&mut self, places: Places, ctx: &egui::Context) {
         let waker = ctx.clone();
         self.safety.keep_in(places, &mut self.session, move || waker.request_repaint());
-        self.safety.settings.apply(ctx);
+        appearance::apply(&self.safety.settings, ctx);
         if let Some(layout) = self.safety.settings.layout.clone() {
             self.dock.restore(&layout);
         }
@@ -234,7 +203,7 @@ impl App {
     /// Waits so long for the picture of a drag before a frame is shown without it. A software GPU
     /// takes long on a busy machine.
     pub fn wait_for_pictures(&mut self, time: Duration) {
-        if let Some(picture) = &mut self.picture {
+        if let Some(picture) = &mut self.bench.picture {
             picture.patience = time;
         }
     }
@@ -242,18 +211,18 @@ impl App {
     /// Writes the picture, in so many pixels, to a PNG file; what becomes of it is told in the
     /// status bar.
     pub fn save_picture(&mut self, size: [u32; 2], path: &Path) {
-        self.viewport.export(&self.session, Export::Picture(size), path.to_owned());
+        self.bench.viewport.export(&self.session, PictureExport::Picture(size), path.to_owned());
     }
 
     /// Writes the look on a ball, so many pixels wide, to a PNG file, as an image for a LitSphere
     /// node.
     pub fn bake_litsphere(&mut self, side: u32, path: &Path) {
-        self.viewport.export(&self.session, Export::LitSphere(side), path.to_owned());
+        self.bench.viewport.export(&self.session, PictureExport::LitSphere(side), path.to_owned());
     }
 
     /// Shows an image beside the picture, to work from.
     pub fn show_reference(&mut self, path: &Path) {
-        self.viewport.show_reference(path.to_owned());
+        self.bench.viewport.show_reference(path.to_owned());
     }
 
     /// The open look.
@@ -268,47 +237,47 @@ impl App {
 
     /// The canvas.
     pub fn canvas(&self) -> &Canvas {
-        &self.canvas
+        &self.bench.canvas
     }
 
     /// The canvas, for programs that drive the window.
     pub fn canvas_mut(&mut self) -> &mut Canvas {
-        &mut self.canvas
+        &mut self.bench.canvas
     }
 
     /// The viewport.
     pub fn viewport(&self) -> &Viewport {
-        &self.viewport
+        &self.bench.viewport
     }
 
     /// The probe.
     pub fn probe(&self) -> &Probe {
-        &self.probe
+        &self.bench.tools.probe
     }
 
     /// The painting workspace.
     pub fn painting(&self) -> &Painting {
-        &self.painting
+        &self.bench.painting
     }
 
     /// The comparison with a tier or the truth.
     pub fn wipe(&self) -> &Wipe {
-        &self.wipe
+        &self.bench.tools.wipe
     }
 
     /// Painted light.
     pub fn fitting(&self) -> &Fitting {
-        &self.fitting
+        &self.bench.tools.fitting
     }
 
     /// Painted light, for programs that drive the window.
     pub fn fitting_mut(&mut self) -> &mut Fitting {
-        &mut self.fitting
+        &mut self.bench.tools.fitting
     }
 
     /// What was measured.
     pub fn cost(&self) -> &Cost {
-        &self.cost
+        &self.bench.cost
     }
 
     /// How the panels share the window, where that changed since it was asked for last: to be
@@ -326,31 +295,17 @@ impl App {
     /// Whether shaders, pictures or values are being made.
     pub fn is_busy(&self) -> bool {
         self.is_drawing()
-            || self.viewport.is_busy()
             || self.session.is_compiling()
-            || self.canvas.is_busy()
-            || self.probe.is_busy()
-            || self.wipe.is_busy()
-            || self.fitting.is_busy()
-            || self.cost.is_busy()
-            || self.panels.is_busy()
-            || self.painting.is_busy()
+            || self.bench.is_busy()
             || self.look_exports.is_busy()
     }
 
     /// Waits for them; for tests.
     pub fn wait(&self) {
         self.session.wait();
-        self.canvas.wait();
-        self.probe.wait();
-        self.viewport.wait();
-        self.wipe.wait();
-        self.fitting.wait();
-        self.cost.wait();
-        self.panels.wait();
-        self.painting.wait();
+        self.bench.wait();
         self.look_exports.wait();
-        if let Some(picture) = &self.picture {
+        if let Some(picture) = &self.bench.picture {
             picture.wait();
         }
     }
@@ -358,33 +313,34 @@ impl App {
     /// Whether the first picture of what is open is being made, while there is one of something
     /// else.
     pub fn is_preparing(&self) -> bool {
-        let awaited = self.picture.as_ref().and_then(|picture| picture.awaited(&self.session));
+        let awaited =
+            self.bench.picture.as_ref().and_then(|picture| picture.awaited(&self.session));
         matches!(awaited, Some(Awaited::Shader | Awaited::Picture))
     }
 
     /// Whether a picture was asked for that is not handed to the GPU yet.
     pub fn is_drawing(&self) -> bool {
-        self.picture.as_ref().is_some_and(Picture::is_busy)
+        self.bench.picture.as_ref().is_some_and(Picture::is_busy)
     }
 
     /// How many pictures were asked for.
     pub fn pictures(&self) -> u64 {
-        self.picture.as_ref().map_or(0, |picture| picture.wishes)
+        self.bench.picture.as_ref().map_or(0, |picture| picture.wishes)
     }
 
     /// How many times coarser than the screen the picture is; 1 at rest.
     pub fn coarseness(&self) -> u32 {
-        self.picture.as_ref().map_or(1, Picture::coarseness)
+        self.bench.picture.as_ref().map_or(1, Picture::coarseness)
     }
 
     /// How many small pictures of layers and looks there are.
     pub fn small_pictures(&self) -> usize {
-        self.panels.pictures()
+        self.bench.thumbs.count()
     }
 
     /// Shows the window for one frame.
     pub fn show(&mut self, ui: &mut Ui) {
-        shortcuts::begin_frame(ui.ctx());
+        keyboard::begin_frame(ui.ctx());
         if ui.input(|input| input.pointer.any_pressed()) {
             self.presses += 1;
         }
@@ -393,11 +349,11 @@ impl App {
         self.give_up_drag(ui);
         let mut commands = Vec::new();
         if self.start.is_none() {
-            self.canvas.claim_tab(ui);
+            self.bench.canvas.claim_tab(ui);
         }
         self.shortcuts(ui, &mut commands);
         self.take_look_exports(ui);
-        self.message = self.painting.exported().or(self.message.take());
+        self.message = self.bench.painting.exported().or(self.message.take());
         self.take_made();
         let dropped =
             ui.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_path_buf()));
@@ -410,7 +366,7 @@ impl App {
                 .to_lowercase();
             match ending.as_str() {
                 mesh if MESHES.contains(&mesh) && adds => {
-                    Command::Stage(Wish::Chosen(Purpose::AddMesh, path))
+                    Command::Scene(SceneCommand::Chosen(FilePurpose::AddMesh, path))
                 }
                 mesh if MESHES.contains(&mesh) => Command::ShowOn(Some(path)),
                 image if IMAGES.contains(&image) => Command::ShowReference(Some(path)),
@@ -421,23 +377,24 @@ impl App {
         if let Some(again) = self.session.tick(ui.input(|input| input.time)) {
             ui.ctx().request_repaint_after(again);
         }
-        if self.dock.has(dock::Panel::Timeline) {
-            self.timeline.tick(ui, &mut self.session);
-        } else {
-            self.timeline.stop();
-        }
+        self.session.awaits_first_picture = self.awaits_first_picture();
+        self.begin_panels(ui);
         self.session.refresh_keys();
         self.session.follow_keys(ui.input(|input| input.pointer.any_down()));
-        self.painting.tick(&mut self.session);
-        self.fitting.tick(ui, &mut self.session);
-        let (told, again) = self.safety.tick(ui, &mut self.session);
+        self.tick_painting();
+        let fitted = self.bench.tools.fitting.tick(ui, &self.session);
+        fitted.into_iter().for_each(|command| self.carry_out(ui, command));
+        let (now, has_come_back) = ui
+            .input(|input| (input.time, input.events.contains(&egui::Event::WindowFocused(true))));
+        let (told, again) = self.safety.tick(now, has_come_back, &mut self.session);
         self.message = told.or(self.message.take());
         if let Some(again) = again {
             ui.ctx().request_repaint_after(again);
         }
+        self.session.refresh_shown_look();
         self.panels(ui, &mut commands);
         self.ask_about_changes(ui, &mut commands);
-        commands.extend(self.painting.ask(ui, &self.session));
+        commands.extend(self.bench.painting.ask(ui, &self.session));
         commands.extend(self.sheet.show(ui, &self.session));
         self.show_tour(ui, &mut commands);
         for command in commands {
@@ -451,9 +408,10 @@ impl App {
         // A panel is resized in many steps; where it ends is remembered.
         if !is_held {
             let layout = self.safety.remembers().then(|| self.dock.changed()).flatten();
-            self.safety.remember(ui.ctx(), layout);
-        } else if let Some(picture) = &mut self.picture {
-            picture.hurry(&mut self.session);
+            self.safety.remember(appearance::current(ui.ctx()), layout);
+        } else if let Some(picture) = &mut self.bench.picture {
+            self.session.refresh_shown_look();
+            picture.hurry(&self.session);
         }
         self.close_or_stay(ui.ctx());
         self.set_title(ui.ctx());
@@ -465,10 +423,12 @@ impl App {
         let open = (self.session.document_number(), self.painting_number());
         if self.laid_out_for != Some(open) {
             self.laid_out_for = Some(open);
-            let is_painted = super::painting::look::shows(&self.session);
+            let is_painted = crate::state::painting::look::shows(&self.session);
             self.dock.enter(if is_painted { Workspace::Painting } else { Workspace::Look });
             if !is_painted {
-                self.view_before_painting.give_back(&mut self.session);
+                if let Some(view) = self.view_before_painting.given_back(&self.session) {
+                    self.session.view = view;
+                }
             }
         }
     }
@@ -478,8 +438,9 @@ impl App {
             .frame(theme::panel(ui))
             .resizable(false)
             .show(ui, |ui| self.bar(ui, commands));
-        commands.extend(self.safety.show(ui, &self.session).into_iter().map(Command::Safety));
-        if let Some(picture) = &self.picture {
+        self.safety.forget_old_notes(&self.session);
+        commands.extend(self.safety.show(ui, &self.session).into_iter().map(Command::Recovery));
+        if let Some(picture) = &self.bench.picture {
             self.session.set_picture_problems(&picture.problems);
         }
         // Of one height, whatever it says, so that nothing above moves under a hand.
@@ -488,17 +449,8 @@ impl App {
         status.show(ui, |ui| {
             commands.extend(self.status(ui));
         });
-        self.session.awaits_first_picture = self.awaits_first_picture();
-        self.panels.update(ui, &self.session);
-        if self.picture.as_ref().is_some_and(Picture::is_unfinished) {
+        if self.bench.picture.as_ref().is_some_and(Picture::is_unfinished) {
             ui.ctx().request_repaint_after(UNFINISHED);
-        }
-        if let Some(picture) = &mut self.picture {
-            picture.tells_effects = self.dock.shows(dock::Panel::Effects);
-        }
-        self.objects = None;
-        if self.start.is_some() || !self.dock.shows(dock::Panel::Paint) {
-            self.painting.rest();
         }
         if self.start.is_some() {
             return self.start_page(ui, commands);
@@ -511,69 +463,58 @@ impl App {
         self.dock = dock;
     }
 
-    fn panel(&mut self, ui: &mut Ui, panel: dock::Panel, commands: &mut Vec<Command>) {
-        spots::note(ui, spots::Spot::Panel(panel), ui.max_rect());
-        commands.extend(match panel {
-            dock::Panel::Picture => {
-                let Self { viewport, session, picture, probe, wipe, fitting, .. } = self;
-                viewport.show(ui, session, picture.as_mut(), probe, wipe, fitting)
-            }
-            dock::Panel::Graph => {
-                let rect = ui.max_rect();
-                let mut commands = self.canvas.show(ui, &self.session);
-                let dropped = library::dropped(ui, rect);
-                commands.extend(dropped.map(|(kind, at)| Command::AddNode { kind, at: Some(at) }));
-                commands
-            }
-            dock::Panel::Inspector => inspector::show(ui, &self.session),
-            dock::Panel::Code => {
-                let is_alone = !self.session.solo().layers.is_empty();
-                let bar = is_alone.then(|| solo::bar(ui, &self.session)).flatten();
-                self.code.show(ui, &self.session).into_iter().chain(bar).collect()
-            }
-            dock::Panel::Effects => {
-                self.effects.show(ui, self.picture.as_ref().map(|picture| &picture.effects))
-            }
-            dock::Panel::Cost => {
-                let size = self
-                    .viewport
-                    .rect()
-                    .map_or([0, 0], |rect| picture_size(rect, ui.pixels_per_point()));
-                self.cost.show(ui, &self.session, size)
-            }
-            dock::Panel::Probe => self.probe.show(ui, &self.session),
-            dock::Panel::Fit => self.fitting.show(ui, &self.session),
-            dock::Panel::Profile => self.profile.show(ui, &self.session),
-            dock::Panel::Keys => self.keys.show(ui, &self.session),
-            dock::Panel::Timeline => self.timeline.show(ui, &self.session),
-            dock::Panel::Paint
-            | dock::Panel::Samples
-            | dock::Panel::Sheet
-            | dock::Panel::Directions
-            | dock::Panel::Rules => self.painting.show(ui, panel, &mut self.session),
-            other => {
-                if other == dock::Panel::Objects {
-                    self.objects = Some(ui.max_rect());
+    /// Does what is due for panels once a frame, before anything is drawn.
+    fn begin_panels(&mut self, ui: &Ui) {
+        for row in PANELS {
+            let Some(each_frame) = row.each_frame else { continue };
+            let presence = match self.dock.has(row.id) {
+                true if self.start.is_none() && self.dock.shows(row.id) => Presence::Seen,
+                true => Presence::Hidden,
+                false => Presence::Absent,
+            };
+            let commands = each_frame(&mut self.bench, ui, &self.session, presence);
+            commands.into_iter().for_each(|command| self.carry_out(ui, command));
+        }
+    }
+
+    /// Draws a panel. What the pointer does there to the view and to strokes is drawn already.
+    fn panel(&mut self, ui: &mut Ui, panel: &PanelRow, commands: &mut Vec<Command>) {
+        spots::note(ui, spots::Spot::Panel(panel.id), ui.max_rect());
+        if let Some(interact) = panel.interact {
+            let context = PanelContext { session: &self.session, safety: &self.safety };
+            for command in interact(&mut self.bench, ui, context) {
+                match command.is_drawn_at_once() {
+                    true => self.carry_out(ui, command),
+                    false => commands.push(command),
                 }
-                if other == dock::Panel::Library {
-                    self.panels.know_recent(self.safety.recent(), &self.session.crashes);
-                }
-                self.panels.show(ui, other, &self.session)
             }
-        });
+        }
+        let context = PanelContext { session: &self.session, safety: &self.safety };
+        commands.extend((panel.draw)(&mut self.bench, ui, context));
+    }
+
+    /// What painting needs once a frame: whether what is painted is seen, and what rules filled.
+    fn tick_painting(&mut self) {
+        let update = self.bench.painting.tick(&self.session);
+        self.session.update_painting(update);
+        if let Some(work) = self.session.painting_mut()
+            && self.bench.painting.fill(work)
+        {
+            self.session.painting_changed();
+        }
     }
 
     /// Whether the first picture is on its way. Behind the start page none is asked for.
     fn awaits_first_picture(&self) -> bool {
         let is_awaited = |picture: &Picture| !picture.is_there() && picture.problems.is_empty();
         self.start.is_none()
-            && self.dock.shows(dock::Panel::Picture)
-            && self.picture.as_ref().is_some_and(is_awaited)
+            && self.dock.shows(PanelId::PICTURE)
+            && self.bench.picture.as_ref().is_some_and(is_awaited)
             && !has_errors(self.session.problems())
     }
 
     fn has_picture(&self) -> bool {
-        self.picture.as_ref().is_some_and(Picture::is_there)
+        self.bench.picture.as_ref().is_some_and(Picture::is_there)
     }
 
     /// Takes what left the window as a shader.
@@ -589,40 +530,44 @@ impl App {
     }
 
     fn shortcuts(&self, ui: &Ui, commands: &mut Vec<Command>) {
-        let is_typing = shortcuts::is_keyboard_taken(ui.ctx());
+        let is_typing = keyboard::is_keyboard_taken(ui.ctx());
         // A field that is being typed in has an undo of its own, and question marks.
-        let is_text = |action| matches!(action, Action::Undo | Action::Redo | Action::Shortcuts);
-        // The other keys of the picture work over it alone, where it takes them itself.
-        let is_here = |row: &&Shortcut| {
-            row.place == Place::Window || matches!(row.action, Action::Probe | Action::PaintLight)
+        let is_text = |command: &Command| {
+            matches!(command, Command::Undo | Command::Redo | Command::OpenShortcuts)
         };
-        for row in shortcuts::ALL.iter().filter(is_here) {
-            if shortcuts::is_dialog_open(ui.ctx())
+        // The other keys of the picture work over it alone, where it takes them itself.
+        let is_here = |row: &&CommandRow| {
+            let turns_tool =
+                matches!(row.command, Command::Probe(_) | Command::Fit(FitCommand::Turn(_)));
+            row.place == Place::Window || turns_tool
+        };
+        for row in table::rows().filter(is_here) {
+            if keyboard::is_dialog_open(ui.ctx())
                 || row.place == Place::Picture
-                    && (is_typing || self.start.is_some() || self.painting.has_pointer())
-                || is_typing && is_text(row.action)
+                    && (is_typing || self.start.is_some() || self.bench.painting.has_pointer())
+                || is_typing && is_text(&row.command)
             {
                 continue;
             }
-            if row.keys.iter().any(|&key| shortcuts::take(ui, key)) {
-                commands.push(Command::Act(row.action));
+            if row.keys.iter().any(|&key| keyboard::take(ui, key)) {
+                commands.push(row.command.clone());
             }
         }
         let escape = (Modifiers::NONE, Key::Escape);
         let is_free = self.path_field.is_none()
             && self.pending.is_none()
             && !egui::Popup::is_any_open(ui.ctx());
-        if self.start.is_some() && is_free && shortcuts::take(ui, escape) {
+        if self.start.is_some() && is_free && keyboard::take(ui, escape) {
             commands.push(Command::ShowStart(false));
         }
         // A picker or a menu that is open takes the key first: it would stay open else.
         let is_open = egui::Popup::is_any_open(ui.ctx());
-        if self.probe.is_on() && !is_typing && !is_open && shortcuts::take(ui, escape) {
+        if self.bench.tools.probe.is_on() && !is_typing && !is_open && keyboard::take(ui, escape) {
             commands.push(Command::LeaveProbe);
         }
-        let paints = self.fitting.is_on() && self.start.is_none();
-        if paints && is_free && !is_typing && !is_open && shortcuts::take(ui, escape) {
-            commands.push(Command::Fit(FitWish::Leave));
+        let paints = self.bench.tools.fitting.is_on() && self.start.is_none();
+        if paints && is_free && !is_typing && !is_open && keyboard::take(ui, escape) {
+            commands.push(Command::Fit(FitCommand::Leave));
         }
     }
 }

@@ -6,35 +6,40 @@ use eframe::egui::Ui;
 
 use super::App;
 use super::files::Pending;
+use crate::app::dock::Workspace;
+use crate::commands::{FilePurpose, Heading, PaintCommand, PanelId, PictureImport};
 use crate::diag::{Diagnostic, Warned};
-use crate::dialogs::Purpose;
-use crate::dock::{Panel, Workspace};
 use crate::document::{Edit, Grid, Hcbtf, HcbtfEdit, Storage};
 use crate::frame::UNSAVED_HCBTF;
 use crate::hcbtf::exchange::Form;
-use crate::painting::{Home, Import, Made, Wish, Work, counted, look, shown};
-use crate::panels::problems::sentence;
+use crate::painter::{Made, counted, shown, stepped};
+use crate::state::painting::home::Home;
+use crate::state::painting::look;
+use crate::state::painting::work::Work;
+use crate::state::problem_text::sentence;
 
 impl App {
-    pub(super) fn apply_to_painting(&mut self, ui: &Ui, wish: Wish) {
-        match wish {
-            Wish::Edit(change) => self.tell(|session| session.apply_to_painting(change, None)),
-            Wish::EditHeld(widget, change) => {
+    pub(super) fn apply_to_painting(&mut self, ui: &Ui, command: PaintCommand) {
+        match command {
+            PaintCommand::Edit(change) => {
+                self.tell(|session| session.apply_to_painting(change, None))
+            }
+            PaintCommand::EditHeld(widget, change) => {
                 let hand = self.hand(ui, widget);
                 self.tell(|session| session.apply_to_painting(change, Some(hand)));
             }
-            Wish::GoTo(address) => {
+            PaintCommand::GoTo(address) => {
                 if let Some(work) = self.session.painting_mut() {
                     work.go_to(address);
                 }
             }
-            Wish::New { grid, keeps_look } => {
+            PaintCommand::New { grid, keeps_look } => {
                 self.do_or_ask(Pending::NewPainting { grid, keeps_look })
             }
-            Wish::Open { path, keeps_look } => {
+            PaintCommand::Open { path, keeps_look } => {
                 self.do_or_ask(Pending::OpenPainting { path, keeps_look })
             }
-            Wish::Divide { grid, lost } => {
+            PaintCommand::Divide { grid, lost } => {
                 self.tell(|session| session.apply_to_painting(HcbtfEdit::SetGrid { grid }, None));
                 if lost > 0 && self.message.is_none() {
                     let text = format!(
@@ -44,60 +49,88 @@ impl App {
                     self.message = Some(text);
                 }
             }
-            Wish::GoBack => self.do_or_ask(Pending::ShowPainting),
-            Wish::PaintShown => self.paint_shown(),
-            Wish::AskGrid { changes } => self.painting.ask_grid(&self.session, changes),
-            Wish::AskSynthesis if self.session.painting().is_some() => {
-                self.painting.ask_synthesis(&self.session)
+            PaintCommand::GoBack => self.do_or_ask(Pending::ShowPainting),
+            PaintCommand::PaintShown => self.paint_shown(),
+            PaintCommand::AskGrid { changes } => {
+                self.bench.painting.ask_grid(&self.session, changes)
             }
-            Wish::AskSynthesis => {
+            PaintCommand::AskSynthesis if self.session.painting().is_some() => {
+                self.bench.painting.ask_synthesis(&self.session)
+            }
+            PaintCommand::AskSynthesis => {
                 self.message =
                     Some("Nothing is open to be painted that a tile could be made of".to_owned());
             }
-            Wish::AskBake => self.painting.ask_bake(),
-            Wish::Bake { to: None } => {
-                self.painting.hold_bake();
+            PaintCommand::AskBake => self.bench.painting.ask_bake(),
+            PaintCommand::Bake { to: None } => {
+                self.bench.painting.hold_bake();
                 let near = self.session.path().map(|path| path.with_extension("hcbtf"));
                 self.dialogs.ask(
-                    Purpose::BakeLook,
+                    FilePurpose::BakeLook,
                     Some(&near.unwrap_or_else(|| PathBuf::from("baked.hcbtf"))),
                 );
             }
-            Wish::Bake { to: Some(path) }
+            PaintCommand::Bake { to: Some(path) }
                 if self.session.painting().and_then(Work::path) == Some(path.as_path()) =>
             {
                 self.message =
                     Some(format!("{} is open to be painted: bake to another file", path.display()));
             }
-            Wish::Bake { to: Some(path) } => {
-                self.message = self.painting.bake(&self.session, path).err();
+            PaintCommand::Bake { to: Some(path) } => {
+                self.message = self.bench.painting.bake(&self.session, path).err();
             }
-            Wish::Begin { hcbtf } => self.do_or_ask(Pending::BeginPainting { hcbtf }),
-            Wish::AskImport => self.painting.ask_import(),
-            Wish::Import { import, from: None } => {
-                self.dialogs.ask(Purpose::ImportPainting(import), self.session.path());
+            PaintCommand::Begin { hcbtf } => self.do_or_ask(Pending::BeginPainting { hcbtf }),
+            PaintCommand::AskImport => self.bench.painting.ask_import(),
+            PaintCommand::Import { import, from: None } => {
+                self.dialogs.ask(FilePurpose::ImportPainting(import), self.session.path());
             }
-            Wish::Import { import, from: Some(path) } => {
+            PaintCommand::Import { import, from: Some(path) } => {
                 self.do_or_ask(Pending::ImportPainting { path, import })
             }
-            Wish::AskTexture if self.session.painting().is_some() => self.painting.ask_texture(),
-            Wish::AskTexture => self.tell_nothing_to_export(),
-            Wish::Export { form, storage, to } => self.export_painting(form, storage, to),
-            Wish::Save => {
+            PaintCommand::AskTexture if self.session.painting().is_some() => {
+                self.bench.painting.ask_texture()
+            }
+            PaintCommand::AskTexture => self.tell_nothing_to_export(),
+            PaintCommand::Export { form, storage, to } => self.export_painting(form, storage, to),
+            PaintCommand::Save => {
                 match self.session.painting().map(|work| work.path().map(Path::to_path_buf)) {
                     Some(Some(path)) => drop(self.save_painting_as(&path)),
                     Some(None) => self.ask_where_to_save_painting(),
                     None => {}
                 }
             }
-            Wish::SaveAs if self.session.painting().is_some() => self.ask_where_to_save_painting(),
-            Wish::SaveAs => {}
-            Wish::SaveTo(path) => {
+            PaintCommand::SaveAs if self.session.painting().is_some() => {
+                self.ask_where_to_save_painting()
+            }
+            PaintCommand::SaveAs => {}
+            PaintCommand::SaveTo(path) => {
                 if self.save_painting_as(&path) {
                     self.go_on_if_safe();
                 }
             }
-            Wish::Close => self.do_or_ask(Pending::ClosePainting),
+            PaintCommand::StepView(heading) => self.step_painting(heading, true),
+            PaintCommand::StepLight(heading) => self.step_painting(heading, false),
+            PaintCommand::ShowStroke(stroke) => {
+                if let Some(work) = self.session.painting_mut() {
+                    work.set_live(stroke);
+                    self.session.painting_changed();
+                }
+            }
+            PaintCommand::Close => self.do_or_ask(Pending::ClosePainting),
+            PaintCommand::TakeTool(_)
+            | PaintCommand::ResizeBrush { .. }
+            | PaintCommand::SwapColors
+            | PaintCommand::ToggleTilt
+            | PaintCommand::ToggleCopies
+            | PaintCommand::ToggleArrows
+            | PaintCommand::FitTile => self.bench.painting.apply(command),
+        }
+    }
+
+    /// Works at the sample that is one step from the one at work.
+    fn step_painting(&mut self, heading: Heading, is_view: bool) {
+        if let Some(work) = self.session.painting_mut() {
+            work.go_to(stepped(work, heading, is_view));
         }
     }
 
@@ -163,14 +196,14 @@ impl App {
         let mut shown = shown(&self.session);
         match (shown.pop(), shown.is_empty()) {
             (Some(only), true) => {
-                self.do_or_ask(Pending::OpenPainting { path: only.path, keeps_look: true })
+                self.do_or_ask(Pending::OpenPainting { path: only.path, keeps_look: true });
             }
             (Some(_), false) => {
                 self.start = None;
-                self.dock.open(Panel::Paint);
+                self.dock.open(PanelId::PAINT);
             }
             (None, _) => {
-                self.message = Some("The open look shows nothing that is painted".to_owned())
+                self.message = Some("The open look shows nothing that is painted".to_owned());
             }
         }
     }
@@ -205,13 +238,13 @@ impl App {
     }
 
     /// Begins to make an HCBTF of pictures of other programs.
-    pub(super) fn import_painting(&mut self, path: PathBuf, import: Import) {
-        self.painting.import(import, path);
+    pub(super) fn import_painting(&mut self, path: PathBuf, import: PictureImport) {
+        self.bench.painting.import(import, path);
     }
 
     /// Takes what was made on another thread; tells where that failed.
     pub(super) fn take_made(&mut self) {
-        match self.painting.made() {
+        match self.bench.painting.made() {
             Some(Made::Imported { from, made }) => self.take_import(&from, made),
             Some(Made::Baked { to, made: Ok(count) }) => {
                 let told = format!("Baked {}: {count} samples", to.display());
@@ -278,15 +311,15 @@ impl App {
             };
             return self
                 .dialogs
-                .ask(Purpose::ExportPainting(form, storage), Some(&own.with_file_name(name)));
+                .ask(FilePurpose::ExportPainting(form, storage), Some(&own.with_file_name(name)));
         };
-        self.painting.export(&self.session, form, storage, to);
+        self.bench.painting.export(&self.session, form, storage, to);
     }
 
     /// Begins to paint, where the device can hold it; tells why not otherwise.
     /// Returns whether it did.
     fn begin_painting(&mut self, work: Work, keeps_look: bool) -> bool {
-        if let Err(problem) = self.painting.check(work.grid()) {
+        if let Err(problem) = self.bench.painting.check(work.grid()) {
             let why = sentence(&problem).replace('\n', ": ");
             self.message = Some(format!("{} cannot be painted here: {why}", work.name()));
             return false;
@@ -318,7 +351,7 @@ impl App {
         self.start = None;
         self.dock.enter(Workspace::Painting);
         self.laid_out_for = Some((self.session.document_number(), self.painting_number()));
-        self.dock.open(Panel::Paint);
+        self.dock.open(PanelId::PAINT);
     }
 
     /// After work was taken back: shows what was painted, if that came back. Where nothing else is
@@ -346,7 +379,7 @@ impl App {
             return self.show_painting_panels();
         }
         self.start = None;
-        self.dock.open(Panel::Paint);
+        self.dock.open(PanelId::PAINT);
     }
 
     /// Tells what is painted from what was before.
@@ -365,7 +398,7 @@ impl App {
         let (own, name) = (work.path().map(Path::to_path_buf), work.suggested());
         let near = || self.session.path().map(|path| path.with_file_name(&name));
         let near = own.or_else(near).unwrap_or_else(|| PathBuf::from(&name));
-        self.dialogs.ask(Purpose::SavePainting, Some(&near));
+        self.dialogs.ask(FilePurpose::SavePainting, Some(&near));
     }
 
     /// Saves what is painted to a file, which is its own from then on, and tells where that fails.

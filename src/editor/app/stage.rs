@@ -6,42 +6,53 @@ use eframe::egui::Ui;
 
 use super::App;
 use super::files::Pending;
-use crate::dialogs::Purpose;
-use crate::dock::Panel;
+use crate::commands::{FilePurpose, PanelId, SceneCommand};
 use crate::document::SceneEdit;
 use crate::examples;
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX, look_of};
 use crate::ids::ObjectId;
-use crate::stage::{OPEN_LOOK, Stage, Wish};
+use crate::state::stage::{OPEN_LOOK, Stage};
+use crate::widgets::spots::{self, Spot};
 
 impl App {
-    pub(super) fn apply_to_stage(&mut self, ui: &Ui, wish: Wish) {
-        match wish {
-            Wish::Edit(edit) => self.tell(|session| session.apply_to_scene(edit, None)),
-            Wish::EditHeld(widget, edit) => {
+    pub(super) fn apply_to_stage(&mut self, ui: &Ui, command: SceneCommand) {
+        match command {
+            SceneCommand::Edit(edit) => self.tell(|session| session.apply_to_scene(edit, None)),
+            SceneCommand::EditHeld(widget, edit) => {
                 let hand = self.hand(ui, widget);
                 self.tell(|session| session.apply_to_scene(edit, Some(hand)));
             }
-            Wish::Make(id, edit) => self.make(id, edit),
-            Wish::Pick(id, material) => self.pick(id, material.as_deref()),
-            Wish::Unselect => self.session.select_object(None),
-            Wish::Add(Some(mesh)) => self.add_object(&mesh),
-            Wish::Add(None) => self.dialogs.ask(Purpose::AddMesh, self.near_stage().as_deref()),
-            Wish::Ask(purpose, id, material) => {
+            SceneCommand::Make(id, edit) => self.make(id, edit),
+            SceneCommand::Pick(id, material) => self.pick(id, material.as_deref()),
+            SceneCommand::Unselect => self.session.select_object(None),
+            SceneCommand::Add(Some(mesh)) => self.add_object(&mesh),
+            SceneCommand::Add(None) => {
+                self.dialogs.ask(FilePurpose::AddMesh, self.near_stage().as_deref())
+            }
+            SceneCommand::Ask(purpose, id, material) => {
                 if let Some(stage) = self.session.stage_mut() {
                     stage.asked = Some((id, material));
                 }
                 self.dialogs.ask(purpose, self.near_stage().as_deref());
             }
-            Wish::Chosen(purpose, path) => self.chosen(purpose, &path),
-            Wish::Frame(only) => self.session.frame(only.as_ref(), self.viewport.aspect()),
-            Wish::KeepView => {
+            SceneCommand::Chosen(purpose, path) => self.chosen(purpose, &path),
+            SceneCommand::Frame(only) => {
+                self.session.frame(only.as_ref(), self.bench.viewport.aspect())
+            }
+            SceneCommand::Locate(placed) => {
+                if let Some(stage) = self.session.stage_mut() {
+                    stage.placed = placed;
+                }
+            }
+            SceneCommand::KeepView => {
                 let edit = self.session.view_as_edit();
                 self.tell(|session| session.apply_to_scene(edit, None));
             }
-            Wish::Save => self.save_scene(),
-            Wish::SaveAs => self.dialogs.ask(Purpose::SaveScene, self.near_stage().as_deref()),
-            Wish::Close => self.do_or_ask(Pending::LeaveScene),
+            SceneCommand::Save => self.save_scene(),
+            SceneCommand::SaveAs => {
+                self.dialogs.ask(FilePurpose::SaveScene, self.near_stage().as_deref())
+            }
+            SceneCommand::Close => self.do_or_ask(Pending::LeaveScene),
         }
     }
 
@@ -52,18 +63,18 @@ impl App {
             .or_else(|| Some(self.session.path()?.with_file_name("scene.json")))
     }
 
-    fn chosen(&mut self, purpose: Purpose, path: &Path) {
+    fn chosen(&mut self, purpose: FilePurpose, path: &Path) {
         let asked = self.session.stage_mut().and_then(|stage| stage.asked.take());
         match (purpose, asked) {
-            (Purpose::SaveScene, _) => self.save_scene_and_go_on(path),
-            (Purpose::AddMesh, _) => self.add_object(&path.to_string_lossy()),
-            (Purpose::ObjectMesh, Some((id, _))) => self.change_object(&id, |stage, object| {
+            (FilePurpose::SaveScene, _) => self.save_scene_and_go_on(path),
+            (FilePurpose::AddMesh, _) => self.add_object(&path.to_string_lossy()),
+            (FilePurpose::ObjectMesh, Some((id, _))) => self.change_object(&id, |stage, object| {
                 object.mesh = stage.name_of(path);
             }),
-            (Purpose::ObjectLook, Some((id, material))) => {
+            (FilePurpose::ObjectLook, Some((id, material))) => {
                 self.change_object(&id, |stage, object| {
                     object.looks.insert(material, stage.name_of(path));
-                })
+                });
             }
             _ => {}
         }
@@ -92,8 +103,8 @@ impl App {
         };
         let (id, edit) = stage.add(&name);
         self.make(id, edit);
-        self.session.frame(None, self.viewport.aspect());
-        self.dock.open(Panel::Objects);
+        self.session.frame(None, self.bench.viewport.aspect());
+        self.dock.open(PanelId::OBJECTS);
     }
 
     fn make(&mut self, id: ObjectId, edit: SceneEdit) {
@@ -154,7 +165,7 @@ impl App {
         let Some(stage) = self.session.stage() else { return };
         let objects = &stage.scene().objects;
         let worn = || objects.iter().find(|(_, object)| stage.wears_open(object)).map(|(id, _)| id);
-        let under = self.viewport.hovered().filter(|id| objects.contains_key(*id));
+        let under = self.bench.viewport.hovered().filter(|id| objects.contains_key(*id));
         let Some(id) = under.or(stage.selected().map(|(id, _)| id)).or_else(worn).cloned() else {
             self.message = Some(
                 "Select the object that is to have this mesh, or hold Shift to add one".to_owned(),
@@ -171,7 +182,8 @@ impl App {
     /// Whether a mesh that is dropped now is one more object.
     pub(super) fn adds_what_is_dropped(&self, ui: &Ui) -> bool {
         let at = ui.input(|input| input.pointer.latest_pos());
-        let is_on_panel = self.objects.is_some_and(|panel| at.is_some_and(|at| panel.contains(at)));
+        let panel = spots::find(ui.ctx(), &Spot::Panel(PanelId::OBJECTS));
+        let is_on_panel = panel.is_some_and(|panel| at.is_some_and(|at| panel.contains(at)));
         is_on_panel || ui.input(|input| input.modifiers.shift)
     }
 
@@ -179,7 +191,7 @@ impl App {
     pub(super) fn save_scene(&mut self) {
         match self.session.stage().map(|stage| stage.path().map(Path::to_path_buf)) {
             Some(Some(path)) => self.save_scene_and_go_on(&path),
-            Some(None) => self.dialogs.ask(Purpose::SaveScene, self.near_stage().as_deref()),
+            Some(None) => self.dialogs.ask(FilePurpose::SaveScene, self.near_stage().as_deref()),
             None => {}
         }
     }

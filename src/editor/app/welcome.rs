@@ -6,14 +6,14 @@ use std::path::Path;
 use eframe::egui::{self, Ui};
 
 use super::App;
-use crate::command::Command;
-use crate::dialogs::{Answer, Purpose, Way};
-use crate::painting;
-use crate::path_field::PathField;
-use crate::session::Session;
-use crate::stage::Wish;
-use crate::theme;
-use crate::tour::{NOTHING, Tour};
+use crate::app::dialogs::{Answer, Way};
+use crate::app::path_field::PathField;
+use crate::app::tour::{NOTHING, Tour};
+use crate::commands::{Command, FilePurpose, PaintCommand, SceneCommand};
+use crate::panels::PanelContext;
+use crate::panels::start::{self, Start};
+use crate::state::session::Session;
+use crate::widgets::theme;
 
 /// What was open when the start page came: it leaves with that.
 #[derive(Debug, PartialEq)]
@@ -72,14 +72,15 @@ impl App {
             self.start = None;
         }
         if self.start.is_none() {
-            self.panels.end_start();
+            self.bench.memory.of::<Start>().rest();
         }
     }
 
     pub(super) fn start_page(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
         let frame = egui::Frame::new().fill(theme::of(ui).panel);
         egui::CentralPanel::default().frame(frame).show(ui, |ui| {
-            commands.extend(self.panels.show_start(ui, &self.session, self.safety.recent()));
+            let context = PanelContext { session: &self.session, safety: &self.safety };
+            commands.extend(start::show(&mut self.bench, ui, context));
         });
     }
 
@@ -110,7 +111,7 @@ impl App {
         } else {
             folder
         };
-        self.path_field = Some(PathField::new(Purpose::Open, &folder.join(""), false));
+        self.path_field = Some(PathField::new(FilePurpose::Open, &folder.join(""), false));
     }
 
     /// Files that were chosen, in a dialog of the system or by their path.
@@ -120,7 +121,7 @@ impl App {
             match answer {
                 Answer::File(purpose, path) => chosen.push((purpose, path)),
                 Answer::NoDialog(purpose, path) => {
-                    self.path_field = Some(PathField::new(purpose, &path, true))
+                    self.path_field = Some(PathField::new(purpose, &path, true));
                 }
             }
         }
@@ -131,23 +132,24 @@ impl App {
             self.path_field = None;
         }
         let command = |(purpose, path)| match purpose {
-            Purpose::Open => Command::Open(Some(path)),
-            Purpose::Save => Command::SaveTo(path),
-            Purpose::Mesh => Command::ShowOn(Some(path)),
-            Purpose::AddMesh | Purpose::ObjectMesh | Purpose::ObjectLook | Purpose::SaveScene => {
-                Command::Stage(Wish::Chosen(purpose, path))
+            FilePurpose::Open => Command::Open(Some(path)),
+            FilePurpose::Save => Command::SaveTo(path),
+            FilePurpose::Mesh => Command::ShowOn(Some(path)),
+            FilePurpose::AddMesh
+            | FilePurpose::ObjectMesh
+            | FilePurpose::ObjectLook
+            | FilePurpose::SaveScene => Command::Scene(SceneCommand::Chosen(purpose, path)),
+            FilePurpose::SavePainting => Command::Paint(PaintCommand::SaveTo(path)),
+            FilePurpose::ImportPainting(import) => {
+                Command::Paint(PaintCommand::Import { import, from: Some(path) })
             }
-            Purpose::SavePainting => Command::Paint(painting::Wish::SaveTo(path)),
-            Purpose::ImportPainting(import) => {
-                Command::Paint(painting::Wish::Import { import, from: Some(path) })
+            FilePurpose::BakeLook => Command::Paint(PaintCommand::Bake { to: Some(path) }),
+            FilePurpose::ExportPainting(form, storage) => {
+                Command::Paint(PaintCommand::Export { form, storage, to: Some(path) })
             }
-            Purpose::BakeLook => Command::Paint(painting::Wish::Bake { to: Some(path) }),
-            Purpose::ExportPainting(form, storage) => {
-                Command::Paint(painting::Wish::Export { form, storage, to: Some(path) })
-            }
-            Purpose::Shaders(language) => Command::ExportLook(language, Some(path)),
-            Purpose::Export(export) => Command::Export(export, Some(path)),
-            Purpose::Reference => Command::ShowReference(Some(path)),
+            FilePurpose::Shaders(language) => Command::ExportLook(language, Some(path)),
+            FilePurpose::Export(export) => Command::Export(export, Some(path)),
+            FilePurpose::Reference => Command::ShowReference(Some(path)),
         };
         chosen.into_iter().map(command).collect()
     }

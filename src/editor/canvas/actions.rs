@@ -3,15 +3,15 @@
 use eframe::egui;
 use eframe::egui::{Event, Id, Pos2, Rect, Ui, Vec2, pos2};
 
-use super::super::command::Command;
-use super::super::session::Session;
-use super::super::shortcuts::{self, Action, Place, Way};
 use super::arrange::{self, Link, Side};
 use super::inplace::Item;
 use super::palette::Palette;
 use super::{Canvas, edits};
+use crate::commands::table::{self, Place};
+use crate::commands::{Command, GraphCommand, Heading, keyboard};
 use crate::document::{Bookmark, Edit, grouping};
 use crate::ids::NodeId;
+use crate::state::session::Session;
 
 /// How far arrow keys move.
 const STEP: f32 = 12.0;
@@ -25,24 +25,29 @@ impl Canvas {
         session: &Session,
         out: &mut Vec<Command>,
     ) {
-        let mut actions: Vec<Action> = self.asked.take().into_iter().collect();
+        let mut commands: Vec<GraphCommand> = self.asked.take().into_iter().collect();
         if self.palette.is_some() || self.editing.is_some() {
             return;
         }
-        let is_typing = shortcuts::is_keyboard_taken(ui.ctx());
+        let is_typing = keyboard::is_keyboard_taken(ui.ctx());
         if !is_typing {
             // What is open over the window, such as a color's picker, is closed by this key before
             // anything else is.
             let is_free = !egui::Popup::is_any_open(ui.ctx());
-            if is_free && shortcuts::take(ui, (egui::Modifiers::NONE, egui::Key::Escape)) {
+            if is_free && keyboard::take(ui, (egui::Modifiers::NONE, egui::Key::Escape)) {
                 self.cancel();
             }
-            actions.extend(std::mem::take(&mut self.wants_search).then_some(Action::AddNode));
-            actions.extend(shortcuts::pressed(ui, Place::Graph));
+            commands
+                .extend(std::mem::take(&mut self.wants_search).then_some(GraphCommand::AddNode));
+            let pressed = table::pressed(ui, Place::Graph).into_iter();
+            commands.extend(pressed.filter_map(|command| match command {
+                Command::Graph(command) => Some(command),
+                _ => None,
+            }));
             self.clipboard(ui, pointer, session, out);
         }
-        for action in actions {
-            self.run(action, pointer, session, out);
+        for command in commands {
+            self.run(command, pointer, session, out);
         }
     }
 
@@ -62,8 +67,8 @@ impl Canvas {
         });
         for event in events {
             match event {
-                Event::Copy => self.run(Action::Copy, pointer, session, out),
-                Event::Cut => self.run(Action::Cut, pointer, session, out),
+                Event::Copy => self.run(GraphCommand::Copy, pointer, session, out),
+                Event::Cut => self.run(GraphCommand::Cut, pointer, session, out),
                 Event::Paste(text) => self.paste(&text, pointer, session, out),
                 _ => {}
             }
@@ -91,7 +96,7 @@ impl Canvas {
                 out.extend([Command::Edit(pasted.edit), Command::Select(pasted.nodes)]);
             }
             Err(problem) => out.push(Command::Tell(
-                super::super::problems::sentence(&problem).replace('\n', ": "),
+                crate::state::problem_text::sentence(&problem).replace('\n', ": "),
             )),
         }
     }
@@ -112,12 +117,12 @@ impl Canvas {
     /// Does what was asked for.
     pub(super) fn run(
         &mut self,
-        action: Action,
+        command: GraphCommand,
         pointer: Option<Pos2>,
         session: &Session,
         out: &mut Vec<Command>,
     ) {
-        if session.is_read_only() && changes(action) {
+        if session.is_read_only() && changes(command) {
             out.push(Command::Tell(
                 "This group is of the library: make it the look's own to change it".to_owned(),
             ));
@@ -125,52 +130,52 @@ impl Canvas {
         }
         let chosen = Self::chosen(session);
         let at = pointer.unwrap_or(self.view.screen.center());
-        match action {
-            Action::AddNode => self.palette = Some(Palette::new(at, None)),
-            Action::Swap => {
+        match command {
+            GraphCommand::AddNode => self.palette = Some(Palette::new(at, None)),
+            GraphCommand::Swap => {
                 let kind = |id| session.catalog.of(session.graph().nodes.get(id)?).cloned();
                 self.palette = chosen.last().map(|id| Palette::swapping(at, id.clone(), kind(id)));
             }
-            Action::Note => {
+            GraphCommand::Note => {
                 let (id, edit) = edits::note(session, self.view.to_graph(at));
                 out.push(Command::Edit(edit));
                 self.edit_when_there = Some(Item::Note(id));
             }
-            Action::ShowAll => self.fit(),
-            Action::ShowSelected => self.fit_selected(session),
-            Action::SnapGrid => {
+            GraphCommand::ShowAll => self.fit(),
+            GraphCommand::ShowSelected => self.fit_selected(session),
+            GraphCommand::SnapGrid => {
                 self.snaps_to_grid = !self.snaps_to_grid;
                 let what =
                     if self.snaps_to_grid { "Nodes snap to the grid" } else { "Nodes move freely" };
                 out.push(Command::Tell(what.to_owned()));
             }
-            Action::Minimap => self.hides_minimap = !self.hides_minimap,
-            Action::GoTo(key) => self.go_to(session, key),
-            Action::Remember(key) => out.push(Command::Edit(self.remember(session, key))),
-            Action::LeaveGroup => {
+            GraphCommand::Minimap => self.hides_minimap = !self.hides_minimap,
+            GraphCommand::GoTo(key) => self.go_to(session, key),
+            GraphCommand::Remember(key) => out.push(Command::Edit(self.remember(session, key))),
+            GraphCommand::LeaveGroup => {
                 let path = session.open_groups();
                 if let Some((_, outer)) = path.split_last() {
                     out.push(Command::OpenGraph(outer.to_vec()));
                 }
             }
-            Action::Nudge(way) => self.nudge(way, &chosen, session, out),
-            Action::SelectNext(way) => self.select_next(way, session, out),
-            Action::SelectAll => {
+            GraphCommand::Nudge(way) => self.nudge(way, &chosen, session, out),
+            GraphCommand::SelectNext(way) => self.select_next(way, session, out),
+            GraphCommand::SelectAll => {
                 out.push(Command::Select(session.graph().nodes.keys().cloned().collect()));
             }
-            Action::SelectNone => out.push(Command::Select(Vec::new())),
-            Action::Invert => {
+            GraphCommand::SelectNone => out.push(Command::Select(Vec::new())),
+            GraphCommand::Invert => {
                 let others =
                     session.graph().nodes.keys().filter(|id| !session.selection.contains(*id));
                 out.push(Command::Select(others.cloned().collect()));
             }
-            Action::Delete if self.item.is_some() => self.delete_item(session, out),
-            Action::Rename if self.item.is_some() || chosen.is_empty() => {
+            GraphCommand::Delete if self.item.is_some() => self.delete_item(session, out),
+            GraphCommand::Rename if self.item.is_some() || chosen.is_empty() => {
                 self.edit_when_there = self.item.clone();
             }
-            _ if !chosen.is_empty() => self.run_on(action, &chosen, session, out),
-            Action::Connect => self.fit(),
-            Action::Layout => self.lay_out(&chosen, session, out),
+            _ if !chosen.is_empty() => self.run_on(command, &chosen, session, out),
+            GraphCommand::Connect => self.fit(),
+            GraphCommand::Layout => self.lay_out(&chosen, session, out),
             _ => {}
         }
     }
@@ -178,39 +183,45 @@ impl Canvas {
     /// What needs selected nodes.
     fn run_on(
         &mut self,
-        action: Action,
+        command: GraphCommand,
         chosen: &[NodeId],
         session: &Session,
         out: &mut Vec<Command>,
     ) {
         let graph = session.graph_id();
         let of = session.graph();
-        match action {
-            Action::Delete => {
+        match command {
+            GraphCommand::Delete => {
                 out.extend(edits::delete(session, chosen.iter().cloned()).map(Command::Edit))
             }
-            Action::Dissolve => out.extend(edits::dissolve(session, chosen).map(Command::Edit)),
-            Action::Duplicate => {
+            GraphCommand::Dissolve => {
+                out.extend(edits::dissolve(session, chosen).map(Command::Edit))
+            }
+            GraphCommand::Duplicate => {
                 let (ids, edit) = edits::duplicate(session, chosen);
                 out.extend([Command::Edit(edit), Command::Select(ids)]);
             }
-            Action::Copy | Action::Cut => {
+            GraphCommand::Copy | GraphCommand::Cut => {
                 let text = grouping::copy_text(session.look(), of, chosen, &[]);
                 out.push(Command::Copy(text));
-                if action == Action::Cut {
+                if command == GraphCommand::Cut {
                     out.extend(edits::delete(session, chosen.iter().cloned()).map(Command::Edit));
                 }
             }
-            Action::Upstream => out.push(Command::Select(edits::stream(session, chosen, true))),
-            Action::Downstream => out.push(Command::Select(edits::stream(session, chosen, false))),
-            Action::Rename => self.edit_when_there = chosen.last().cloned().map(Item::Node),
-            Action::Mute => {
+            GraphCommand::Upstream => {
+                out.push(Command::Select(edits::stream(session, chosen, true)))
+            }
+            GraphCommand::Downstream => {
+                out.push(Command::Select(edits::stream(session, chosen, false)))
+            }
+            GraphCommand::Rename => self.edit_when_there = chosen.last().cloned().map(Item::Node),
+            GraphCommand::Mute => {
                 let muted = chosen.iter().any(|id| !of.nodes[id].muted);
                 let mute =
                     |id: &NodeId| Edit::SetMuted { graph: graph.clone(), id: id.clone(), muted };
                 out.push(Command::Edit(Edit::Group { edits: chosen.iter().map(mute).collect() }));
             }
-            Action::Collapse => {
+            GraphCommand::Collapse => {
                 let collapsed = chosen.iter().any(|id| !of.nodes[id].collapsed);
                 let collapse = |id: &NodeId| Edit::SetCollapsed {
                     graph: graph.clone(),
@@ -221,18 +232,20 @@ impl Canvas {
                     edits: chosen.iter().map(collapse).collect(),
                 }));
             }
-            Action::Group => {
+            GraphCommand::Group => {
                 if let Some((id, edit)) = edits::group(session, chosen) {
                     out.extend([Command::Edit(edit), Command::Select(vec![id])]);
                 }
             }
-            Action::Ungroup => match edits::ungroup(session, chosen) {
+            GraphCommand::Ungroup => match edits::ungroup(session, chosen) {
                 Ok(Some((ids, edit))) => out.extend([Command::Edit(edit), Command::Select(ids)]),
                 Ok(None) => out.push(Command::Tell("No group is selected".to_owned())),
                 Err(problem) => out.push(Command::Tell(problem)),
             },
-            Action::OpenGroup => out.extend(chosen.last().and_then(|id| self.open(session, id))),
-            Action::ShareGroup => {
+            GraphCommand::OpenGroup => {
+                out.extend(chosen.last().and_then(|id| self.open(session, id)))
+            }
+            GraphCommand::ShareGroup => {
                 let kind =
                     chosen.last().and_then(|id| of.nodes.get(id)).map(|node| node.kind.as_str());
                 out.extend(
@@ -240,19 +253,19 @@ impl Canvas {
                         .map(|kind| Command::ShareGroup(kind.into())),
                 );
             }
-            Action::Frame => {
+            GraphCommand::Frame => {
                 if let Some((id, edit)) = edits::frame(session, chosen) {
                     out.push(Command::Edit(edit));
                     self.edit_when_there = Some(Item::Frame(id));
                 }
             }
-            Action::Unframe => {
+            GraphCommand::Unframe => {
                 let edits = edits::leave_frames(session, chosen);
                 out.extend((!edits.is_empty()).then_some(Command::Edit(Edit::Group { edits })));
             }
-            Action::Connect => self.connect_chosen(chosen, session, out),
-            Action::Layout => self.lay_out(chosen, session, out),
-            _ => self.arrange(action, chosen, session, out),
+            GraphCommand::Connect => self.connect_chosen(chosen, session, out),
+            GraphCommand::Layout => self.lay_out(chosen, session, out),
+            _ => self.arrange(command, chosen, session, out),
         }
     }
 
@@ -292,20 +305,20 @@ impl Canvas {
 
     fn arrange(
         &mut self,
-        action: Action,
+        command: GraphCommand,
         chosen: &[NodeId],
         session: &Session,
         out: &mut Vec<Command>,
     ) {
         let indices: Vec<usize> = chosen.iter().filter_map(|id| self.table.index_of(id)).collect();
         let rects: Vec<Rect> = indices.iter().map(|&index| self.table.nodes[index].rect).collect();
-        let places = match action {
-            Action::AlignLeft => arrange::align(&rects, Side::Left),
-            Action::AlignRight => arrange::align(&rects, Side::Right),
-            Action::AlignTop => arrange::align(&rects, Side::Top),
-            Action::AlignBottom => arrange::align(&rects, Side::Bottom),
-            Action::DistributeAcross => arrange::distribute(&rects, true),
-            Action::DistributeDown => arrange::distribute(&rects, false),
+        let places = match command {
+            GraphCommand::AlignLeft => arrange::align(&rects, Side::Left),
+            GraphCommand::AlignRight => arrange::align(&rects, Side::Right),
+            GraphCommand::AlignTop => arrange::align(&rects, Side::Top),
+            GraphCommand::AlignBottom => arrange::align(&rects, Side::Bottom),
+            GraphCommand::DistributeAcross => arrange::distribute(&rects, true),
+            GraphCommand::DistributeDown => arrange::distribute(&rects, false),
             _ => return,
         };
         let ids = indices.iter().map(|&index| self.table.nodes[index].id.clone());
@@ -336,7 +349,7 @@ impl Canvas {
     }
 
     /// Arrow keys move what is selected; with nothing selected they select the node in the middle.
-    fn nudge(&self, way: Way, chosen: &[NodeId], session: &Session, out: &mut Vec<Command>) {
+    fn nudge(&self, way: Heading, chosen: &[NodeId], session: &Session, out: &mut Vec<Command>) {
         if chosen.is_empty() {
             return self.select_next(way, session, out);
         }
@@ -345,7 +358,7 @@ impl Canvas {
     }
 
     /// Goes on to the nearest node in a direction.
-    fn select_next(&self, way: Way, session: &Session, out: &mut Vec<Command>) {
+    fn select_next(&self, way: Heading, session: &Session, out: &mut Vec<Command>) {
         let current = session.selection.last().and_then(|id| self.table.index_of(id));
         let step = way.step();
         let from = current.map_or(self.view.center, |index| self.table.nodes[index].rect.center());
@@ -401,24 +414,24 @@ impl Canvas {
     }
 }
 
-/// Whether an action changes the document.
-fn changes(action: Action) -> bool {
+/// Whether a command changes the document.
+fn changes(command: GraphCommand) -> bool {
     !matches!(
-        action,
-        Action::Copy
-            | Action::SelectAll
-            | Action::SelectNone
-            | Action::Invert
-            | Action::Upstream
-            | Action::Downstream
-            | Action::OpenGroup
-            | Action::LeaveGroup
-            | Action::Connect
-            | Action::ShowAll
-            | Action::ShowSelected
-            | Action::SnapGrid
-            | Action::Minimap
-            | Action::GoTo(_)
-            | Action::SelectNext(_)
+        command,
+        GraphCommand::Copy
+            | GraphCommand::SelectAll
+            | GraphCommand::SelectNone
+            | GraphCommand::Invert
+            | GraphCommand::Upstream
+            | GraphCommand::Downstream
+            | GraphCommand::OpenGroup
+            | GraphCommand::LeaveGroup
+            | GraphCommand::Connect
+            | GraphCommand::ShowAll
+            | GraphCommand::ShowSelected
+            | GraphCommand::SnapGrid
+            | GraphCommand::Minimap
+            | GraphCommand::GoTo(_)
+            | GraphCommand::SelectNext(_)
     )
 }

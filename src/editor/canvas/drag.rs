@@ -4,16 +4,16 @@ use std::collections::HashSet;
 
 use eframe::egui::{Pos2, Rect, Ui, Vec2, vec2};
 
-use super::super::catalog::Kind;
-use super::super::command::Command;
-use super::super::inspector;
-use super::super::session::Session;
 use super::gesture::{Gesture, Move, WireDrag};
 use super::palette::Palette;
 use super::table::{Hit, Socket, point_at};
 use super::{Canvas, arrange, edits};
+use crate::catalog::Kind;
+use crate::commands::Command;
 use crate::document::{Edit, Endpoint, GraphId, InterfacePort};
 use crate::ids::{GROUP_INPUTS, NodeId};
+use crate::state::interface;
+use crate::state::session::Session;
 
 /// The grid that nodes snap to.
 const GRID: f32 = 24.0;
@@ -340,12 +340,12 @@ impl Canvas {
             return None;
         }
         let fixed = self.endpoint(drag.fixed);
-        let name = inspector::free_port(definition, is_output, fixed.port.as_str());
+        let name = interface::free_port(definition, is_output, fixed.port.as_str());
         // An input begins with what the node inside has there, so that the picture stays.
         let own = session.graph().nodes.get(&fixed.node).filter(|_| !is_output);
         let default = own.and_then(|node| node.values.get(&fixed.port)).cloned();
         let port = InterfacePort { name: name.clone(), default, ..InterfacePort::default() };
-        let interface = inspector::set_interface(id, definition, |changed| {
+        let interface = interface::set(id, definition, |changed| {
             if is_output { changed.outputs.push(port) } else { changed.inputs.push(port) }
         });
         let end = Endpoint { node: row.id.clone(), port: name };

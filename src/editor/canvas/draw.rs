@@ -10,14 +10,15 @@ use std::sync::Arc;
 use eframe::egui::epaint::Mesh;
 use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Ui, pos2, vec2};
 
-use super::super::session::Session;
-use super::super::theme::{self, Colors, ROW_HEIGHT, TITLE_HEIGHT};
 use super::mesh::{glyphs, plain, ribbon, rounded, socket};
 use super::table::{Hit, Socket, curve_between};
 use super::text::lay_out;
 use super::{Canvas, Gesture};
 use crate::diag::Severity;
 use crate::document::Node;
+use crate::drawing::{ROW_HEIGHT, TITLE_HEIGHT};
+use crate::state::session::Session;
+use crate::widgets::theme::{self, Colors};
 
 pub(super) const ALL_TEXT: f32 = 0.4;
 pub(super) const SOCKETS: f32 = 0.25;

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use eframe::egui::epaint::Mesh;
 use eframe::egui::{Color32, FontId, Galley, Painter, Pos2, Rect, Ui, pos2, vec2};
 
-use super::super::theme::{self, TEXT_SIZE};
 use super::draw::{Pen, SOCKETS, mixed};
 use super::inplace::Item;
 use super::mesh::{glyphs, plain, ribbon, rounded, socket};
@@ -13,7 +12,9 @@ use super::overlay::color;
 use super::table::{curve_between, point_at};
 use super::{Canvas, Gesture};
 use crate::drawing::FRAME_TITLE;
+use crate::drawing::TEXT_SIZE;
 use crate::library::Type;
+use crate::widgets::theme;
 
 /// Between a note's edge and its text.
 const PADDING: f32 = 9.0;
@@ -170,7 +171,7 @@ impl Canvas {
                 }
             }
             (Gesture::Cut { path }, _) => {
-                path.windows(2).for_each(|piece| line(piece[0], piece[1], pen.colors.error))
+                path.windows(2).for_each(|piece| line(piece[0], piece[1], pen.colors.error));
             }
             (Gesture::Move(drag), _) => {
                 for &(is_upright, at, [from, to]) in &drag.guides {

@@ -6,13 +6,13 @@ use std::collections::{HashMap, HashSet};
 use eframe::egui::{Pos2, Rect};
 use indexmap::IndexMap;
 
-use super::super::catalog::{CODE, CUSTOM_CODE, CUSTOM_KIND, Kind};
-use super::super::session::Session;
+use crate::catalog::{CODE, CUSTOM_CODE, CUSTOM_KIND, Kind};
 use crate::document::{Edit, Endpoint, Frame, Light, Node, Note, Value, Wire, grouping};
 use crate::ids::{
     FrameId, GROUP_INPUTS, GROUP_OUTPUTS, LightId, NodeId, NoteId, PortName, make_slug,
 };
 use crate::library::Type;
+use crate::state::session::Session;
 
 /// How far a copy lies from what it was made of.
 const COPY_OFFSET: f64 = 32.0;
@@ -150,7 +150,7 @@ pub(crate) fn ungroup(
         let Some(node) = session.graph().nodes.get(id) else { continue };
         let Some(definition) = session.definition_of(&node.kind).cloned() else { continue };
         let dissolved = grouping::dissolve(&trial, session.graph_id(), id, &definition)
-            .map_err(|problem| super::super::problems::sentence(&problem))?;
+            .map_err(|problem| crate::state::problem_text::sentence(&problem))?;
         // The next one finds the look as this one leaves it.
         trial.apply(dissolved.edit.clone()).map_err(|problem| problem.message)?;
         all.extend(dissolved.nodes);

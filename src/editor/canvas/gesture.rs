@@ -5,16 +5,15 @@ use std::collections::HashSet;
 
 use eframe::egui::{Key, Modifiers, PointerButton, Pos2, Response, Ui, Vec2};
 
-use super::super::command::Command;
-use super::super::session::Session;
-use super::super::shortcuts;
-use super::super::theme::{NODE_WIDTH, ROW_HEIGHT, TITLE_HEIGHT};
 use super::inplace::Item;
 use super::palette::{Loose, Outcome, Palette};
 use super::table::{Hit, Socket};
 use super::{Canvas, edits};
+use crate::commands::{Command, keyboard};
 use crate::document::{Edit, Endpoint};
+use crate::drawing::{NODE_WIDTH, ROW_HEIGHT, TITLE_HEIGHT};
 use crate::ids::{FrameId, NodeId, NoteId};
+use crate::state::session::Session;
 
 /// A drag that is going on.
 #[derive(Default)]
@@ -160,7 +159,7 @@ impl Canvas {
                 match self.open(session, &row.id) {
                     Some(open) => out.push(open),
                     None if is_title && !row.is_end => {
-                        self.edit_when_there = Some(Item::Node(row.id.clone()))
+                        self.edit_when_there = Some(Item::Node(row.id.clone()));
                     }
                     None => {}
                 }
@@ -285,7 +284,7 @@ impl Canvas {
             .is_some_and(|at| self.view.screen.contains(at));
         self.wants_search = is_here
             && self.palette.is_none()
-            && !shortcuts::is_keyboard_taken(ui.ctx())
+            && !keyboard::is_keyboard_taken(ui.ctx())
             && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Tab));
         if self.wants_search {
             ui.memory_mut(|memory| memory.move_focus(egui::FocusDirection::None));

@@ -3,11 +3,11 @@
 use eframe::egui;
 use eframe::egui::{Area, Id, Key, Modifiers, Order, Rect, TextEdit, Ui, WidgetInfo, vec2};
 
-use super::super::command::Command;
-use super::super::session::Session;
-use super::super::theme::{NODE_WIDTH, TEXT_SIZE, TITLE_HEIGHT};
 use super::{Canvas, edits};
+use crate::commands::Command;
+use crate::drawing::{NODE_WIDTH, TEXT_SIZE, TITLE_HEIGHT};
 use crate::ids::{FrameId, NodeId, NoteId};
+use crate::state::session::Session;
 
 /// Something on the canvas that has a text.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,11 +3,11 @@
 
 use std::collections::HashMap;
 
-use super::super::fixes::{self, Fix};
-use super::super::session::Session;
 use crate::compile::{Proof, Removal};
 use crate::diag::Severity;
 use crate::ids::NodeId;
+use crate::state::fixes::{self, Fix};
+use crate::state::session::Session;
 
 /// What is wrong with a node.
 pub(super) struct Mark {
@@ -29,7 +29,7 @@ pub(super) fn marks(session: &Session) -> HashMap<NodeId, Mark> {
     for problem in session.all_problems().filter(|problem| problem.severity > Severity::Note) {
         let Some(path) = &problem.place.node else { continue };
         let Some(id) = session.step_here(path) else { continue };
-        let text = super::super::problems::sentence(problem);
+        let text = crate::state::problem_text::sentence(problem);
         let fixes = if path.last() == Some(id) { fixes::of(session, problem) } else { Vec::new() };
         match marks.get_mut(id) {
             // A group that is used more than once has the same problem as often.
@@ -41,7 +41,7 @@ pub(super) fn marks(session: &Session) -> HashMap<NodeId, Mark> {
                 mark.fixes.extend(fixes);
             }
             None => {
-                drop(marks.insert(id.clone(), Mark { severity: problem.severity, text, fixes }))
+                drop(marks.insert(id.clone(), Mark { severity: problem.severity, text, fixes }));
             }
         }
     }

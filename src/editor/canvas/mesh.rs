@@ -3,8 +3,8 @@
 use eframe::egui::epaint::{Mesh, Vertex};
 use eframe::egui::{Color32, Galley, Pos2, Rect, Vec2, pos2, vec2};
 
-use super::super::theme::SocketShape;
 use super::table::point_at;
+use crate::drawing::SocketShape;
 
 /// How many straight pieces keep a curve within `tolerance` of itself.
 fn pieces(c: &[Pos2; 4], tolerance: f32) -> usize {

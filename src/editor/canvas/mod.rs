@@ -29,13 +29,12 @@ use eframe::egui;
 use eframe::egui::epaint::Mesh;
 use eframe::egui::{Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo};
 
-use super::command::Command;
-use super::session::Session;
-use super::shortcuts::Action;
-use super::theme;
+use crate::commands::{Command, GraphCommand};
 use crate::diag::Severity;
 use crate::document::GraphId;
 use crate::ids::NodeId;
+use crate::state::session::Session;
+use crate::widgets::theme;
 use gesture::Gesture;
 use inplace::{Editing, Item};
 use marks::{Idle, Mark};
@@ -80,7 +79,7 @@ pub struct Canvas {
     menu_hit: Option<Hit>,
     previews: preview::Previews,
     /// What the command palette asked for.
-    asked: Option<Action>,
+    asked: Option<GraphCommand>,
     snaps_to_grid: bool,
     hides_minimap: bool,
     reveal: Option<NodeId>,
@@ -400,9 +399,9 @@ impl Canvas {
         &self.hint
     }
 
-    /// Does what the command palette chose, in the next frame.
-    pub(crate) fn ask(&mut self, action: Action) {
-        self.asked = Some(action);
+    /// Does what is asked for, in the next frame.
+    pub(crate) fn ask(&mut self, command: GraphCommand) {
+        self.asked = Some(command);
     }
 
     /// What a node's first output gives, where it is the same everywhere; for tests.

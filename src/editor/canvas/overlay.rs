@@ -7,17 +7,16 @@ use eframe::egui::{
     Color32, Pos2, Rect, Response, RichText, Sense, Shape, Ui, UiBuilder, WidgetInfo, vec2,
 };
 
-use super::super::command::Command;
-use super::super::session::Session;
-use super::super::shortcuts::{self, Action};
-use super::super::theme;
 use super::inplace::Item;
 use super::mesh::{plain, rounded};
 use super::table::{Hit, Socket};
 use super::{Canvas, edits};
+use crate::commands::{Command, GraphCommand, table};
 use crate::document::GraphId;
 use crate::ids::NodeId;
 use crate::library::Library;
+use crate::state::session::Session;
+use crate::widgets::theme;
 
 /// The map's size, on the screen.
 const MAP: egui::Vec2 = vec2(168.0, 112.0);
@@ -156,7 +155,7 @@ impl Canvas {
                 Some(Hit::Wire(index)) => self.wire_menu(ui, index, session, out),
                 Some(Hit::Frame(_) | Hit::Note(_)) => self.item_menu(ui, session, out),
                 _ => {
-                    use Action as A;
+                    use GraphCommand as A;
                     const ROWS: [&[A]; 3] = [
                         &[A::AddNode, A::Note, A::Paste],
                         &[A::SelectAll, A::Layout],
@@ -169,7 +168,7 @@ impl Canvas {
                 }
             }
         });
-        if chosen == Some(Action::Paste) {
+        if chosen == Some(GraphCommand::Paste) {
             ui.ctx().send_viewport_cmd(egui::ViewportCommand::RequestPaste);
         } else if let Some(action) = chosen {
             self.run(action, self.menu_at, session, out);
@@ -182,8 +181,8 @@ impl Canvas {
         index: usize,
         session: &Session,
         out: &mut Vec<Command>,
-    ) -> Option<Action> {
-        use Action as A;
+    ) -> Option<GraphCommand> {
+        use GraphCommand as A;
         let row = &self.table.nodes[index];
         let fixes = self.marks.get(&row.id).map_or(&[][..], |mark| &mark.fixes);
         for fix in fixes {
@@ -317,18 +316,21 @@ pub(super) fn color(rgb: [f64; 3]) -> Color32 {
 }
 
 /// Menu entries in blocks; the one that was chosen.
-fn rows(ui: &mut Ui, blocks: &[&[Action]]) -> Option<Action> {
+fn rows(ui: &mut Ui, blocks: &[&[GraphCommand]]) -> Option<GraphCommand> {
     let mut chosen = None;
     for (index, block) in blocks.iter().enumerate() {
         if index > 0 {
             ui.separator();
         }
-        for row in block.iter().filter_map(|action| shortcuts::of(*action)) {
+        let found = block
+            .iter()
+            .filter_map(|command| Some((*command, table::row_of(&Command::Graph(*command))?)));
+        for (command, row) in found {
             let button = egui::Button::new(&*row.label).shortcut_text(row.text());
             let response = ui.add(button);
             response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, &*row.label));
             if response.clicked() {
-                chosen = Some(row.action);
+                chosen = Some(command);
                 ui.close();
             }
         }

@@ -7,11 +7,11 @@ use eframe::egui::{
     Align2, Area, Id, Key, Modifiers, Order, Pos2, RichText, ScrollArea, TextEdit, Ui, pos2, vec2,
 };
 
-use super::super::catalog::{Catalog, Kind, Port};
-use super::super::theme;
+use crate::catalog::{Catalog, Kind, Port};
 use crate::document::Endpoint;
 use crate::ids::NodeId;
 use crate::library::Type;
+use crate::widgets::theme;
 
 const WIDTH: f32 = 300.0;
 const ROW: f32 = 24.0;

@@ -14,21 +14,21 @@ use eframe::egui::{
     Color32, ColorImage, Context, Pos2, Rect, TextureHandle, TextureOptions, Ui, pos2, vec2,
 };
 
-use super::super::safety::crashes::{DocumentOrigin, Step};
-use super::super::session::Session;
-use super::super::theme::{NODE_WIDTH, TITLE_HEIGHT};
-use super::super::values::number_text;
-use super::super::worker::Worker;
 use super::Canvas;
 use super::draw::ALL_TEXT;
 use super::table::NodeRow;
 use crate::compile::Options;
 use crate::document::{Look, SourceMap};
+use crate::drawing::{NODE_WIDTH, TITLE_HEIGHT};
 use crate::frame::{Assets, EvalSample, SetupLook, eval_batches};
 use crate::ids::{NodeId, NodePath, PortName};
 use crate::interp::Precision;
 use crate::library::{Library, Type};
 use crate::reference;
+use crate::state::safety::crashes::{DocumentOrigin, Step};
+use crate::state::session::Session;
+use crate::state::worker::{BackgroundJobs, Worker};
+use crate::values::number_text;
 
 /// Points across the ball.
 const SIZE: usize = 48;
@@ -175,6 +175,10 @@ impl Previews {
     }
 }
 
+/// Contexts that do not follow from the surface.
+const PIXEL: crate::library::Context = crate::library::Context::named("pixel");
+const MAGNIFICATION: crate::library::Context = crate::library::Context::named("magnification");
+
 /// Points of a ball as the camera sees it, row by row; those of the corners lie on its rim and are
 /// not shown.
 fn ball() -> Vec<EvalSample> {
@@ -192,8 +196,7 @@ fn ball() -> Vec<EvalSample> {
             position: normal,
             uv,
             kappa: 2.0,
-            pixel,
-            magnification: 0.5,
+            contexts: [(PIXEL, pixel.to_array().to_vec()), (MAGNIFICATION, vec![0.5])].into(),
             ..EvalSample::default()
         }
     };
@@ -323,14 +326,14 @@ impl Canvas {
             _ => None,
         }
     }
+}
 
-    /// Whether values of nodes are being evaluated.
-    pub(crate) fn is_busy(&self) -> bool {
+impl BackgroundJobs for Canvas {
+    fn is_busy(&self) -> bool {
         self.previews.is_busy()
     }
 
-    /// Waits for them; for tests.
-    pub(crate) fn wait(&self) {
+    fn wait(&self) {
         self.previews.wait();
     }
 }

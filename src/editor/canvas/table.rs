@@ -9,8 +9,8 @@ use std::sync::Arc;
 
 use eframe::egui::{Galley, Pos2, Rect, Vec2, pos2, vec2};
 
-use super::super::catalog::{Catalog, Kind};
 use super::text::NodeText;
+use crate::catalog::{Catalog, Kind};
 use crate::document::Graph;
 use crate::drawing::{
     FRAME_MARGIN, FRAME_TITLE, NODE_WIDTH, TITLE_HEIGHT, node_height, row_center, wire_reach,

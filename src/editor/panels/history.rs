@@ -5,11 +5,20 @@ use eframe::egui::{
     EventFilter, FontId, Key, Modifiers, Role, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2,
 };
 
-use super::super::command::Command;
-use super::super::dock::cell;
-use super::super::session::Session;
-use super::super::theme;
-use super::widgets::{leave_with_pointer, row_ground, undo_keys};
+use crate::commands::{Command, PanelId};
+use crate::panels::table::{PanelPlace, PanelRow};
+use crate::state::session::Session;
+use crate::widgets::rows::{leave_with_pointer, row_ground, undo_keys};
+use crate::widgets::text::cell;
+use crate::widgets::theme;
+
+pub(super) const PANEL: PanelRow = PanelRow::new(
+    PanelId::HISTORY,
+    "History",
+    "Everything that was done; a click goes there and back",
+    PanelPlace::WITH_DOCUMENT,
+    |bench, ui, context| bench.memory.of::<History>().show(ui, context.session),
+);
 
 const ROW: f32 = 22.0;
 

@@ -1,110 +1,73 @@
-//! The panels beside the picture and the graph: layers, lights, problems, history and the library.
+//! The panels of the window. Each is a value: a [`PanelRow`] that says what it is called, what it is
+//! for, where it lies, what it draws and which threads work for it. A new panel is a file with a
+//! row, and a line in [`PANELS`].
 
+pub(crate) mod code;
+pub(crate) mod cost;
+pub(crate) mod curves;
+mod effects;
+mod fit;
+mod graph;
 mod history;
+pub(crate) mod inspector;
 pub(crate) mod layers;
 pub(crate) mod library;
 pub(crate) mod lights;
 mod objects;
+mod painting;
+mod picture;
+mod probe;
 pub(crate) mod problems;
-pub(crate) mod solo;
-pub(crate) mod stack;
-mod start;
+pub(crate) mod start;
+mod table;
 mod thumbs;
-pub(crate) mod widgets;
+mod workbench;
 
-use eframe::egui::Ui;
+use crate::commands::PanelId;
+pub(crate) use table::{PanelContext, PanelRow, Presence, Stack};
+pub(crate) use workbench::Workbench;
 
-use super::command::Command;
-use super::dock::Panel;
-use super::safety::crashes::CrashLog;
-use super::session::Session;
-use crate::render::Gpu;
-use thumbs::Thumbs;
+/// All panels, in the order of menus and of tabs.
+pub(crate) static PANELS: &[PanelRow] = &[
+    picture::PANEL,
+    graph::PANEL,
+    painting::PAINT,
+    painting::SAMPLES,
+    painting::SHEET,
+    painting::DIRECTIONS,
+    painting::RULES,
+    layers::PANEL,
+    lights::PANEL,
+    objects::PANEL,
+    library::PANEL,
+    history::PANEL,
+    inspector::PANEL,
+    curves::profile::PANEL,
+    curves::keys::PANEL,
+    curves::timeline::PANEL,
+    code::PANEL,
+    problems::PANEL,
+    effects::PANEL,
+    cost::PANEL,
+    probe::PANEL,
+    fit::PANEL,
+];
 
-/// The panels, and what they remember.
-pub(crate) struct Panels {
-    layers: layers::Layers,
-    lights: lights::Lights,
-    objects: objects::Objects,
-    history: history::History,
-    library: library::Library,
-    start: start::Start,
-    thumbs: Thumbs,
+/// The row of a panel.
+pub(crate) fn row_of(id: PanelId) -> Option<&'static PanelRow> {
+    PANELS.iter().find(|row| row.id == id)
 }
 
-impl Panels {
-    /// `wake` is called from another thread when there is a new small picture; what goes on is
-    /// noted in `crashes`.
-    pub(crate) fn new(
-        gpu: Option<Gpu>,
-        crashes: CrashLog,
-        wake: impl Fn() + Send + 'static,
-    ) -> Self {
-        Self {
-            layers: layers::Layers::default(),
-            lights: lights::Lights::default(),
-            objects: objects::Objects::default(),
-            history: history::History::default(),
-            library: library::Library::default(),
-            start: start::Start::default(),
-            thumbs: Thumbs::new(gpu, crashes, wake),
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn panels_have_names_of_their_own_and_come_back_beside_others() {
+        for (index, row) in PANELS.iter().enumerate() {
+            assert!(PANELS[..index].iter().all(|other| other.id != row.id), "{:?}", row.id);
+            assert!(row.place.beside.iter().all(|id| row_of(*id).is_some()), "{:?}", row.id);
+            assert!(!row.label.is_empty() && !row.help.is_empty(), "{:?}", row.id);
         }
-    }
-
-    /// Shows one of them; nothing for a panel that is none of them.
-    pub(crate) fn show(&mut self, ui: &mut Ui, panel: Panel, session: &Session) -> Vec<Command> {
-        match panel {
-            Panel::Layers => self.layers.show(ui, session, &self.thumbs),
-            Panel::Lights => self.lights.show(ui, session),
-            Panel::Objects => self.objects.show(ui, session),
-            Panel::Problems => problems::show(ui, session),
-            Panel::History => self.history.show(ui, session),
-            Panel::Library => self.library.show(ui, session, &self.thumbs),
-            _ => Vec::new(),
-        }
-    }
-
-    /// Shows the start page in their place. `recent` are the files opened before, with whether each
-    /// is still there.
-    pub(crate) fn show_start<'p>(
-        &mut self,
-        ui: &mut Ui,
-        session: &Session,
-        recent: impl Iterator<Item = (&'p std::path::PathBuf, bool)>,
-    ) -> Vec<Command> {
-        self.start.know_recent(recent, &session.crashes);
-        self.start.show(ui, session, &self.thumbs)
-    }
-
-    /// The start page is not shown any more.
-    pub(crate) fn end_start(&mut self) {
-        self.start.rest();
-    }
-
-    /// Learns which files were opened before, with whether each is still there.
-    pub(crate) fn know_recent<'p>(
-        &mut self,
-        files: impl Iterator<Item = (&'p std::path::PathBuf, bool)>,
-        crashes: &CrashLog,
-    ) {
-        self.library.know_recent(files, crashes);
-    }
-
-    /// What is due once a frame, whichever are seen.
-    pub(crate) fn update(&mut self, ui: &Ui, session: &Session) {
-        self.thumbs.update(ui, session);
-    }
-
-    /// How many small pictures there are.
-    pub(crate) fn pictures(&self) -> usize {
-        self.thumbs.count()
-    }
-
-    pub(crate) fn is_busy(&self) -> bool {
-        self.thumbs.is_busy()
-    }
-
-    pub(crate) fn wait(&self) {
-        self.thumbs.wait();
     }
 }

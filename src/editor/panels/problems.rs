@@ -7,27 +7,26 @@ use eframe::egui::{
     vec2,
 };
 
-use super::super::command::Command;
-use super::super::dock::{self, hint};
-use super::super::fixes;
-use super::super::session::Session;
-use super::super::theme::{self, Colors};
+use crate::commands::{Command, PanelId};
 use crate::diag::{Diagnostic, Severity};
+use crate::panels::table::{PanelPlace, PanelRow};
+use crate::state::fixes;
+use crate::state::session::Session;
+use crate::widgets::text::hint;
+use crate::widgets::theme::{self, Colors};
+
+pub(super) const PANEL: PanelRow = PanelRow::new(
+    PanelId::PROBLEMS,
+    "Problems",
+    "What is wrong, where, and what mends it",
+    PanelPlace::BELOW_PICTURE,
+    |_, ui, context| show(ui, context.session),
+);
 
 /// As many problems are listed; mending those shows the others.
 const MAX_LISTED: usize = 100;
 /// Worst first.
 const SEVERITIES: [Severity; 3] = [Severity::Error, Severity::Warning, Severity::Note];
-
-/// A problem with what to do about it, for people.
-pub(crate) fn sentence(problem: &Diagnostic) -> String {
-    let mut text = problem.message.clone();
-    for hint in &problem.hints {
-        text += "\n";
-        text += hint;
-    }
-    text
-}
 
 /// Lists everything that is wrong.
 pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
@@ -214,5 +213,5 @@ pub(crate) fn status(ui: &mut Ui, session: &Session) -> Option<Command> {
     response
         .on_hover_cursor(egui::CursorIcon::PointingHand)
         .on_hover_text("Lists all problems, with what mends them");
-    clicked.then_some(Command::ShowPanel(dock::Panel::Problems))
+    clicked.then_some(Command::ShowPanel(PanelId::PROBLEMS))
 }

@@ -10,14 +10,15 @@ use eframe::egui::{
     StrokeKind, TextureHandle, Ui, WidgetInfo, pos2, vec2,
 };
 
-use super::super::command::Command;
-use super::super::safety::crashes::CrashLog;
-use super::super::session::Session;
-use super::super::shortcuts::{self, Action};
-use super::super::theme;
 use super::library::cards::{self, Card};
 use super::thumbs::Thumbs;
-use super::widgets::whole;
+use crate::commands::table::{self, CommandRow};
+use crate::commands::{Command, PanelId};
+use crate::panels::{PanelContext, Workbench};
+use crate::state::safety::crashes::CrashLog;
+use crate::state::session::Session;
+use crate::widgets::rows::whole;
+use crate::widgets::theme;
 
 /// Around everything, in points; less in a narrow window.
 const MARGIN: f32 = 36.0;
@@ -39,7 +40,7 @@ const MOST_RECENT: usize = 12;
 
 /// The page, and what it knows of looks.
 #[derive(Default)]
-pub(super) struct Start {
+pub(crate) struct Start {
     examples: Vec<Card>,
     recent: Vec<Recent>,
     /// How often what is held back of them had changed when they were read.
@@ -60,41 +61,52 @@ struct Recent {
 struct Tile {
     title: &'static str,
     text: &'static str,
-    action: Action,
+    command: Command,
     /// Whether it is what a newcomer is led to.
     is_first: bool,
 }
 
-const TILES: [Tile; 4] = [
+static TILES: [Tile; 4] = [
     Tile {
         title: "Take the tour",
         text: "Your first look, from nothing, in two minutes",
-        action: Action::Tour,
+        command: Command::StartTour,
         is_first: true,
     },
     Tile {
         title: "New look",
         text: "A base and one light to begin with",
-        action: Action::New,
+        command: Command::New,
         is_first: false,
     },
     Tile {
         title: "Paint a surface",
         text: "A tile for every light and every side, by hand",
-        action: Action::Paint,
+        command: Command::ShowPanel(PanelId::PAINT),
         is_first: false,
     },
     Tile {
         title: "Open a file",
         text: "A look, a scene or a painting, yours or others'",
-        action: Action::Open,
+        command: Command::Open(None),
         is_first: false,
     },
 ];
 
+/// Shows the start page in place of the panels.
+pub(crate) fn show(
+    bench: &mut Workbench,
+    ui: &mut Ui,
+    PanelContext { session, safety }: PanelContext<'_>,
+) -> Vec<Command> {
+    let start = bench.memory.of::<Start>();
+    start.know_recent(safety.recent(), &session.crashes);
+    start.show(ui, session, &bench.thumbs)
+}
+
 impl Start {
     /// Learns what was opened before. Files are read when that changes.
-    pub(super) fn know_recent<'p>(
+    fn know_recent<'p>(
         &mut self,
         files: impl Iterator<Item = (&'p PathBuf, bool)>,
         crashes: &CrashLog,
@@ -115,13 +127,13 @@ impl Start {
     }
 
     /// Forgets what files held, so that they are read anew when the page is shown the next time.
-    pub(super) fn rest(&mut self) {
+    pub(crate) fn rest(&mut self) {
         self.recent.clear();
         self.is_seen = false;
     }
 
     /// Shows the page.
-    pub(super) fn show(&mut self, ui: &mut Ui, session: &Session, thumbs: &Thumbs) -> Vec<Command> {
+    fn show(&mut self, ui: &mut Ui, session: &Session, thumbs: &Thumbs) -> Vec<Command> {
         if self.examples.is_empty() {
             self.examples = Card::examples(SIDE);
         }
@@ -183,7 +195,7 @@ impl Start {
 
     fn title(&mut self, ui: &mut Ui) {
         let logo = self.logo.get_or_insert_with(|| {
-            let image = egui::ColorImage::from(super::super::icon());
+            let image = egui::ColorImage::from(crate::icon());
             ui.ctx().load_texture("logo", image, egui::TextureOptions::LINEAR)
         });
         let (rect, _) = ui.allocate_exact_size(vec2(LOGO, LOGO), Sense::hover());
@@ -249,7 +261,7 @@ fn tiles_in(
         in_row(ui, row, |ui, tile| {
             let response = tile.show(ui, size);
             if response.clicked() {
-                out.push(Command::Act(tile.action));
+                out.push(tile.command.clone());
             }
             first.get_or_insert(response);
         });
@@ -283,7 +295,7 @@ impl Tile {
         let painter = ui.painter().with_clip_rect(rect);
         let title =
             painter.layout_no_wrap(self.title.to_owned(), FontId::proportional(15.0), colors.text);
-        let keys = shortcuts::of(self.action).map(shortcuts::Shortcut::text).unwrap_or_default();
+        let keys = table::row_of(&self.command).map(CommandRow::text).unwrap_or_default();
         let small = FontId::proportional(theme::SMALL_TEXT);
         let keys = painter.layout_no_wrap(keys, small.clone(), dim);
         let text = painter.layout(self.text.to_owned(), small, dim, inner.width());

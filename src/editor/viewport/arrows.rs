@@ -8,13 +8,13 @@
 use eframe::egui::{Color32, Pos2, Rect, Stroke, Ui};
 use glam::DVec3;
 
-use super::super::session::Session;
-use super::super::theme;
 use super::lights::resolved;
 use super::surface::Surface;
 use super::{place_in, project};
 use crate::compile::LightValues;
 use crate::document::LightKind;
+use crate::state::session::Session;
+use crate::widgets::theme;
 
 /// How far sparse places are from one another, in points.
 const APART: f32 = 72.0;
@@ -70,7 +70,8 @@ pub(super) fn of(
         let trace = |toward: DVec3| toward - normal * normal.dot(toward);
         push(trace(surface.toward_viewer(pixel).as_dvec3()), true, None);
         for ((light, color), is_directional) in lights.iter().zip(&directional) {
-            let toward = if *is_directional { light.direction } else { light.position - position };
+            let toward =
+                if *is_directional { light.direction() } else { light.position() - position };
             let toward = toward.normalize_or_zero();
             // From below the surface no light comes.
             if toward.dot(normal) > 0.0 {

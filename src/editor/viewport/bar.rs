@@ -5,34 +5,32 @@ use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{PopupCloseBehavior, Rect, Role, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2};
 use std::path::Path;
 
-use super::super::command::Command;
-use super::super::dock::Panel;
-use super::super::fitting::Fitting;
-use super::super::inspector::color;
-use super::super::panels::solo;
-use super::super::probe::{Probe, wire_name};
-use super::super::session::Session;
-use super::super::theme;
-use super::super::wipe::Wipe;
-use super::super::wire::node_at;
 use super::Viewport;
-use super::export::Export;
 use super::show::{self, Place};
+use super::solo_bar;
+use crate::commands::{Command, PanelId, PictureExport, Switch, ViewCommand, table};
 use crate::document::{Projection, Scene};
 use crate::frame::SHAPE_PREFIX;
 use crate::geometry::SHAPES;
+use crate::state::orbit::Orbit;
+use crate::state::session::Session;
+use crate::state::wire::node_at;
+use crate::tools::PictureTools;
+use crate::tools::probe::wire_name;
+use crate::widgets::color;
+use crate::widgets::theme;
 
 impl Viewport {
     /// The mesh that the look is seen on, and how it stands.
     pub(super) fn bar(
         &mut self,
         ui: &mut Ui,
-        session: &mut Session,
-        probe: &Probe,
-        wipe: &mut Wipe,
-        fitting: &Fitting,
+        session: &Session,
+        view: &mut Orbit,
+        tools: &mut PictureTools,
         out: &mut Vec<Command>,
     ) {
+        let PictureTools { probe, wipe, fitting } = tools;
         ui.horizontal(|ui| {
             match session.stage() {
                 None => mesh_choice(ui, session, out),
@@ -43,7 +41,7 @@ impl Viewport {
                     };
                     let label = ui.link(format!("{}, {text}", stage.name()));
                     if label.on_hover_text("Shows the objects of the scene").clicked() {
-                        out.push(Command::ShowPanel(Panel::Objects));
+                        out.push(Command::ShowPanel(PanelId::OBJECTS));
                     }
                 }
             }
@@ -52,14 +50,14 @@ impl Viewport {
                     MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
                 let (menu, _) = MenuButton::new("Options")
                     .config(stays)
-                    .ui(ui, |ui| self.options(ui, session, out));
+                    .ui(ui, |ui| self.options(ui, session, view, out));
                 menu.on_hover_text(
                     "Turntable, projection, backdrop, exposure, reference image, saving",
                 );
                 let mut is_on = probe.is_on();
-                let help = "Reads the value on every wire at a pixel, f32 beside f64 (I)";
+                let help = table::help_of(&Command::Probe(Switch::Toggle));
                 if ui.toggle_value(&mut is_on, "Probe pixel").on_hover_text(help).changed() {
-                    out.push(Command::Probe(is_on));
+                    out.push(Command::Probe(is_on.into()));
                 }
                 fitting.toggle(ui, out);
                 // Pictures beside it would be in the way of strokes.
@@ -73,16 +71,23 @@ impl Viewport {
         });
     }
 
-    fn options(&mut self, ui: &mut Ui, session: &mut Session, out: &mut Vec<Command>) {
+    fn options(
+        &mut self,
+        ui: &mut Ui,
+        session: &Session,
+        view: &mut Orbit,
+        out: &mut Vec<Command>,
+    ) {
+        let help_of = |command| table::help_of(&Command::View(command));
         ui.checkbox(&mut self.handles, "Handles on the object")
-            .on_hover_text("Lines and handles of the selected layer and its light (H)");
+            .on_hover_text(help_of(ViewCommand::ToggleHandles));
         let help = "Where eye and lights stand at a place, as an HCBTF looks them up: blue lies \
                     toward the eye, the \
                     others toward lights, each with its trace on the surface; larger under the \
                     pointer";
         ui.checkbox(&mut self.has_arrows, "Arrows toward eye and lights").on_hover_text(help);
-        let help = "Turns the object before the camera, until it is switched off again (T)";
-        ui.checkbox(&mut self.turns, "Turntable").on_hover_text(help);
+        ui.checkbox(&mut self.turns, "Turntable")
+            .on_hover_text(help_of(ViewCommand::ToggleTurntable));
         if session.stage().is_none() && !session.view.mesh.starts_with(SHAPE_PREFIX) {
             let help = "Stands up a mesh that lies on its back: one whose z axis points up, as in \
                         many scans";
@@ -100,42 +105,39 @@ impl Viewport {
                 "All is as large at any distance, as in a technical drawing (P)",
             ),
         ] {
-            ui.radio_value(&mut session.view.projection, projection, label).on_hover_text(help);
+            ui.radio_value(&mut view.projection, projection, label).on_hover_text(help);
         }
-        let selected = session.stage().and_then(|stage| stage.selected()).map(|(id, _)| id.clone());
-        let help = "Brings the whole object into view; of a scene the one that is selected (F)";
-        if ui.button("Frame the object").on_hover_text(help).clicked() {
-            session.frame(selected.as_ref(), self.aspect());
+        let mut button = |ui: &mut Ui, label: &str, command: ViewCommand| {
+            let command = Command::View(command);
+            if ui.button(label).on_hover_text(table::help_of(&command)).clicked() {
+                out.push(command);
+            }
+        };
+        button(ui, "Frame the object", ViewCommand::FrameObject);
+        if session.stage().is_some() {
+            button(ui, "Frame all", ViewCommand::FrameAll);
         }
-        if session.stage().is_some()
-            && ui.button("Frame all").on_hover_text("Brings every object into view (A)").clicked()
-        {
-            session.frame(None, self.aspect());
-        }
-        let help = "Turns both back; in a scene to where the scene has them (R)";
-        if ui.button("Reset camera and lights").on_hover_text(help).clicked() {
-            session.reset_view();
-        }
+        button(ui, "Reset camera and lights", ViewCommand::Reset);
         ui.separator();
-        self.display(ui, session);
+        self.display(ui, view);
         self.reference_image(ui, out);
         ui.separator();
         self.exports(ui, out);
     }
 
     /// What changes how the picture is shown, in this window only.
-    fn display(&mut self, ui: &mut Ui, session: &mut Session) {
+    fn display(&mut self, ui: &mut Ui, view: &mut Orbit) {
         let backdrop = Scene::default().backdrop.unwrap_or([0.0, 0.0, 0.0, 1.0]);
         ui.horizontal(|ui| {
-            let mut is_own = session.view.backdrop.is_some();
+            let mut is_own = view.backdrop.is_some();
             let help = "What is behind the object; for this window only";
             let label = ui.checkbox(&mut is_own, "Backdrop").on_hover_text(help);
             if label.changed() {
-                session.view.backdrop = is_own.then_some(backdrop);
+                view.backdrop = is_own.then_some(backdrop);
             }
         });
         // Here and not behind a swatch: a menu is closed by what opens over it.
-        if let Some(color) = &mut session.view.backdrop
+        if let Some(color) = &mut view.backdrop
             && let Some([r, g, b, _]) = color::pick(ui, *color)
         {
             *color = [r, g, b, 1.0];
@@ -199,7 +201,7 @@ impl Viewport {
                     WidgetInfo::labeled(Role::Button, true, format!("Save picture {label}"))
                 });
                 if button.clicked() {
-                    out.push(Command::Export(Export::Picture(size), None));
+                    out.push(Command::Export(PictureExport::Picture(size), None));
                     ui.close();
                 }
             }
@@ -209,7 +211,7 @@ impl Viewport {
                         LitSphere node and for \
                         other programs (a matcap). Curvature is then the ball's.";
             if ui.button("Bake to LitSphere...").on_hover_text(help).clicked() {
-                out.push(Command::Export(Export::LitSphere(self.bake_side), None));
+                out.push(Command::Export(PictureExport::LitSphere(self.bake_side), None));
                 ui.close();
             }
             for side in [256, 512, 1024, 2048] {
@@ -234,7 +236,7 @@ const MESHES: f32 = 420.0;
 /// The largest picture that is saved, in pixels along a side.
 const MOST_SIDE: u32 = 8192;
 
-fn mesh_choice(ui: &mut Ui, session: &mut Session, out: &mut Vec<Command>) {
+fn mesh_choice(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     let label = ui.label("On");
     let mesh = session.view.mesh.clone();
     let shape = SHAPES.iter().find(|shape| mesh.strip_prefix("shape:") == Some(shape.name));
@@ -283,7 +285,7 @@ pub(super) fn over_top(ui: &mut Ui, rect: Rect, session: &Session, out: &mut Vec
     let shown =
         ui.scope_builder(UiBuilder::new().id_salt("over the picture").max_rect(room), |ui| {
             wire_bar(ui, session, out);
-            out.extend(solo::bar(ui, session));
+            out.extend(solo_bar::show(ui, session));
         });
     ui.data_mut(|data| data.insert_temp(id, shown.response.rect.height()));
 }

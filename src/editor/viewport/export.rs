@@ -7,14 +7,15 @@ use std::sync::Arc;
 use eframe::egui::ColorImage;
 use glam::DVec3;
 
-use super::super::orbit::Orbit;
-use super::super::still::Still;
-use super::super::worker::Worker;
+use crate::commands::PictureExport;
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::{OutputKind, Outputs, Projection};
 use crate::frame::{Assets, Picture, PlanOptions, Planner};
 use crate::render::{Gpu, Renderer};
+use crate::state::orbit::Orbit;
+use crate::state::still::Still;
+use crate::state::worker::Worker;
 
 /// A baked ball's radius over the image's width: what a LitSphere node takes where nothing else is
 /// said.
@@ -25,15 +26,6 @@ const RIM: f64 = 1.25;
 /// Reference images are shown with at most so many pixels along a side.
 const MOST_SHOWN: u32 = 4096;
 
-/// A picture that leaves the window.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Export {
-    /// The picture as it is, in so many pixels.
-    Picture([u32; 2]),
-    /// The look on a ball, so many pixels wide.
-    LitSphere(u32),
-}
-
 /// Where it goes.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Destination {
@@ -42,7 +34,7 @@ pub(crate) enum Destination {
 }
 
 enum Job {
-    Draw { export: Export, still: Box<Still>, to: Destination },
+    Draw { export: PictureExport, still: Box<Still>, to: Destination },
     Read(PathBuf),
 }
 
@@ -76,7 +68,7 @@ impl Exports {
     }
 
     /// Draws and saves or copies.
-    pub(super) fn draw(&self, export: Export, still: Still, to: Destination) {
+    pub(super) fn draw(&self, export: PictureExport, still: Still, to: Destination) {
         self.add(Job::Draw { export, still: Box::new(still), to });
     }
 
@@ -153,10 +145,14 @@ struct Drawer {
 }
 
 impl Drawer {
-    async fn draw(&mut self, export: Export, mut still: Still) -> Result<Picture, Diagnostic> {
+    async fn draw(
+        &mut self,
+        export: PictureExport,
+        mut still: Still,
+    ) -> Result<Picture, Diagnostic> {
         let size = match export {
-            Export::Picture(size) => size,
-            Export::LitSphere(side) => {
+            PictureExport::Picture(size) => size,
+            PictureExport::LitSphere(side) => {
                 still.orbit = before_a_ball(&still.orbit);
                 still.stage = None;
                 [side; 2]
@@ -173,18 +169,18 @@ impl Drawer {
                 problems.remove(0)
             }
         })?;
-        Ok(if matches!(export, Export::LitSphere(_)) { filled(picture) } else { picture })
+        Ok(if matches!(export, PictureExport::LitSphere(_)) { filled(picture) } else { picture })
     }
 
     async fn try_draw(
         &mut self,
         planner: &mut Planner,
         still: &Still,
-        export: Export,
+        export: PictureExport,
         size: [u32; 2],
     ) -> Result<Picture, Vec<Diagnostic>> {
         let mut setup = still.setup(&mut planner.assets)?.value;
-        if matches!(export, Export::LitSphere(_)) {
+        if matches!(export, PictureExport::LitSphere(_)) {
             setup.scene.backdrop = None;
         }
         let options = PlanOptions { size, samples: 4, time: still.time };

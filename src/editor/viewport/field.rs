@@ -49,8 +49,8 @@ impl Field {
         light: &LightValues,
     ) -> (Self, Option<(usize, f32)>) {
         let toward = match light.kind {
-            LightKind::Directional => Toward::Far(light.direction.as_vec3()),
-            LightKind::Point | LightKind::Spot => Toward::Near(light.position.as_vec3()),
+            LightKind::Directional => Toward::Far(light.direction().as_vec3()),
+            LightKind::Point | LightKind::Spot => Toward::Near(light.position().as_vec3()),
         };
         let rotation = surface.camera_from_world().as_mat3();
         let own = light.own_from_world.as_mat3();

@@ -12,14 +12,15 @@ use eframe::egui::{
     Align2, Color32, FontId, Id, Painter, Pos2, Rect, Shape, Stroke, Ui, pos2, vec2,
 };
 
-use super::super::command::Command;
-use super::super::session::Session;
-use super::super::{theme, values};
 use super::field::{Field, Line, light_values};
 use super::layer::{Curve, Layer};
 use super::surface::Surface;
+use crate::commands::Command;
 use crate::compile::LightValues;
 use crate::document::Value;
+use crate::state::session::Session;
+use crate::values;
+use crate::widgets::theme;
 
 /// So near to a line, in points, the hand is on it.
 const REACH: f32 = 7.0;

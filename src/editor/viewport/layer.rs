@@ -3,12 +3,12 @@
 
 use std::f64::consts::PI;
 
-use super::super::catalog::Kind;
-use super::super::session::Session;
-use super::super::values;
+use crate::catalog::Kind;
 use crate::document::{Graph, Node, Target, Value};
 use crate::ids::{LightId, NodeId};
 use crate::library::Type;
+use crate::state::session::Session;
+use crate::values;
 
 /// How many reroutes a wire is followed through.
 const MOST_REROUTES: usize = 64;

@@ -9,17 +9,17 @@ use eframe::egui;
 use eframe::egui::{Color32, Id, Pos2, Rect, Stroke, Ui, vec2};
 use glam::{DMat3, DVec3};
 
-use super::super::command::Command;
-use super::super::orbit::Orbit;
-use super::super::session::Session;
-use super::super::theme;
 use super::field::direction_at;
 use super::layer::ShadingType;
 use super::project;
 use super::surface::Surface;
+use crate::commands::Command;
 use crate::compile::LightValues;
 use crate::document::{Light, LightKind, Projection, Value};
 use crate::ids::LightId;
+use crate::state::orbit::Orbit;
+use crate::state::session::Session;
+use crate::widgets::theme;
 
 /// Where needles begin and end, in radii of the object.
 const NEEDLE: [f64; 2] = [1.06, 1.25];
@@ -92,7 +92,7 @@ pub(super) fn hit(session: &Session, rect: Rect, at: Pos2) -> Option<Held> {
     let lights = session.shining().filter(|(_, light)| light.kind == LightKind::Directional);
     let (center, radius) = session.ball();
     let ends = lights.filter_map(|(id, light)| {
-        let toward = resolved(light, &session.view).direction;
+        let toward = resolved(light, &session.view).direction();
         let distance = project(center + toward * NEEDLE[1] * radius, rect, session)?.distance(at);
         let is_behind = toward.dot(session.view.direction()) < 0.0;
         Some((distance, is_behind, id))
@@ -130,7 +130,7 @@ pub(super) fn drag(
             ("direction", light.direction, short(values.own_from_world * toward))
         }
         LightKind::Point | LightKind::Spot => {
-            let distance = values.position.distance(place);
+            let distance = values.position().distance(place);
             ("position", light.position, short(values.own_from_world * (place + toward * distance)))
         }
     };
@@ -214,7 +214,7 @@ pub(super) fn paint_needles(
     let painter = ui.painter_at(rect);
     let (center, radius) = session.ball();
     for (id, light) in session.shining().filter(|(_, light)| light.kind == LightKind::Directional) {
-        let toward = resolved(light, &session.view).direction;
+        let toward = resolved(light, &session.view).direction();
         let ends = NEEDLE.map(|far| project(center + toward * far * radius, rect, session));
         let [Some(from), Some(to)] = ends else { continue };
         let color = light.color.map(|c| (c.clamp(0.0, 1.0) * 255.0) as u8);

@@ -13,8 +13,10 @@ mod isocurves;
 mod layer;
 mod lights;
 mod objects;
+pub(crate) mod picture;
 mod preparing;
 mod show;
+pub(crate) mod solo_bar;
 mod strip;
 mod surface;
 
@@ -26,24 +28,24 @@ use glam::DVec3;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::command::Command;
-use super::fitting::Fitting;
-use super::orbit::Orbit;
-use super::picture::Picture;
-use super::probe::{Probe, picture_size};
-use super::session::Session;
-use super::shortcuts::{self, Action};
-use super::spots::{self, Spot};
-use super::theme;
-use super::wipe::Wipe;
+use crate::commands::table::{self, Place};
+use crate::commands::{Command, PictureExport, SceneCommand, ViewCommand, keyboard};
 use crate::document::Projection;
 use crate::ids::ObjectId;
 use crate::render::Gpu;
-pub(crate) use export::Export;
+use crate::state::orbit::Orbit;
+use crate::state::session::Session;
+use crate::state::worker::BackgroundJobs;
+use crate::tools::PictureTools;
+use crate::tools::fitting::Fitting;
+use crate::tools::probe::{Probe, picture_size};
+use crate::viewport::picture::Picture;
+use crate::widgets::spots::{self, Spot};
+use crate::widgets::theme;
 use export::{Destination, Done, Exports};
 use isocurves::Isocurves;
 use layer::{Curve, Layer};
-use show::{Place, Reference};
+use show::{Place as ReferencePlace, Reference};
 use surface::{Key as SurfaceKey, Surface, Surfaces};
 
 /// How fast the turntable turns, in turns of the picture's height a second.
@@ -72,6 +74,8 @@ pub struct Viewport {
     /// How everything was when the drag began.
     before: Option<Before>,
     rect: Option<Rect>,
+    /// What was taken in of this frame, until it is drawn.
+    scene: Option<ViewportScene>,
     hint: String,
     /// The object of a scene under the pointer.
     hovered: Option<ObjectId>,
@@ -92,6 +96,17 @@ pub struct Viewport {
     bake_side: u32,
 }
 
+/// What one frame draws: where the picture is, and what is under the pointer.
+struct ViewportScene {
+    rect: Rect,
+    /// The room of a reference image beside the picture.
+    beside: Option<Rect>,
+    response: Response,
+    pointer: Option<Pos2>,
+    handles: Handles,
+    hovered: Option<objects::Seen>,
+}
+
 /// What is shown on the object this time.
 struct Handles {
     surface: Option<Arc<Surface>>,
@@ -105,6 +120,7 @@ impl Viewport {
             drag: None,
             before: None,
             rect: None,
+            scene: None,
             hint: String::new(),
             hovered: None,
             surfaces: Surfaces::new(wake.clone()),
@@ -121,21 +137,19 @@ impl Viewport {
         }
     }
 
-    /// Shows the picture in all the room there is. The camera and the lights belong to the window,
-    /// not to the look, so they are changed here and now.
-    pub(crate) fn show(
+    /// Shows the bars, and takes in what the pointer and the keys do over the picture, which has all
+    /// the room there is. The camera and the lights belong to the window, not to the look.
+    pub(crate) fn interact(
         &mut self,
         ui: &mut Ui,
-        session: &mut Session,
-        picture: Option<&mut Picture>,
-        probe: &mut Probe,
-        wipe: &mut Wipe,
-        fitting: &mut Fitting,
+        session: &Session,
+        tools: &mut PictureTools,
     ) -> Vec<Command> {
         let mut out = Vec::new();
-        self.bar(ui, session, probe, wipe, fitting, &mut out);
-        wipe.bar(ui, session);
-        fitting.bar(ui);
+        let mut view = session.view.clone();
+        self.bar(ui, session, &mut view, tools, &mut out);
+        tools.wipe.bar(ui, session);
+        tools.fitting.bar(ui);
         self.take_exports(ui, &mut out);
         let (room, _) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
         let (rect, beside) =
@@ -145,33 +159,59 @@ impl Viewport {
         self.rect = Some(rect);
         // By the pixels that are drawn, so that it is the picture that others draw of the scene.
         let [width, height] = picture_size(rect, ui.pixels_per_point()).map(f64::from);
-        session.view.fit_into(width / height);
+        view.fit_into(width / height);
         spots::note(ui, Spot::Picture, rect);
         let pointer = response
             .contains_pointer()
             .then(|| ui.input(|input| input.pointer.hover_pos()))
             .flatten();
+        let PictureTools { probe, fitting, .. } = tools;
         let is_free = !probe.is_on() && !fitting.is_on();
-        let handles = self.handles(rect, session, is_free);
-        let seen = objects::seen(
+        let handles = self.handles(rect, session, is_free, &mut out);
+        let hovered = objects::seen(
             session,
             handles.surface.as_deref(),
             rect,
             pointer.filter(|_| self.drag.is_none()),
         );
-        self.hovered = seen.as_ref().map(|seen| seen.object().clone());
+        self.hovered = hovered.as_ref().map(|hovered| hovered.object().clone());
         if response.clicked() && is_free {
-            out.extend(objects::pick(session, handles.surface.as_deref(), seen.as_ref()));
+            out.extend(objects::pick(session, handles.surface.as_deref(), hovered.as_ref()));
         }
         // Where the hand paints, only what else turns the camera turns it.
         let is_alt = ui.input(|input| input.modifiers.alt);
         let is_stroke =
             self.drag.is_none() && response.dragged_by(PointerButton::Primary) && !is_alt;
         if !(fitting.is_on() && is_stroke) {
-            self.drags(ui, &response, rect, session, &handles, &mut out);
+            self.drags(ui, &response, rect, session, &mut view, &handles, &mut out);
         }
-        self.wheel_and_keys(ui, pointer, session, fitting, &mut out);
-        self.turn(ui, session);
+        self.wheel_and_keys(ui, pointer, session, &mut view, fitting, &mut out);
+        self.turn(ui, &mut view);
+        out.extend(fitting.interact(ui, &response, rect, session));
+        if view != session.view {
+            // What is asked for by name, as to turn all back, comes after.
+            out.insert(0, Command::View(ViewCommand::TurnTo(Box::new(view))));
+        }
+        self.scene = Some(ViewportScene { rect, beside, response, pointer, handles, hovered });
+        out
+    }
+
+    /// Draws the picture, and what is over it.
+    pub(crate) fn show(
+        &mut self,
+        ui: &mut Ui,
+        session: &Session,
+        picture: Option<&mut Picture>,
+        tools: &mut PictureTools,
+    ) -> Vec<Command> {
+        let mut out = Vec::new();
+        let Some(ViewportScene { rect, beside, response, pointer, handles, hovered: seen }) =
+            self.scene.take()
+        else {
+            return out;
+        };
+        let PictureTools { probe, wipe, fitting } = tools;
+        let is_free = !probe.is_on() && !fitting.is_on();
         match picture {
             Some(picture) => {
                 show_picture(ui, rect, session, picture, self.turns, self.exposure);
@@ -240,7 +280,13 @@ impl Viewport {
     }
 
     /// Finds out what is handled, and brings its lines up to date.
-    fn handles(&mut self, rect: Rect, session: &mut Session, is_free: bool) -> Handles {
+    fn handles(
+        &mut self,
+        rect: Rect,
+        session: &Session,
+        is_free: bool,
+        out: &mut Vec<Command>,
+    ) -> Handles {
         let layer = layer::selected(session).filter(|_| self.handles && is_free);
         let wants_lines =
             self.handles && (layer.is_some() || layer::selected_light(session).is_some());
@@ -255,10 +301,10 @@ impl Viewport {
             .and_then(|layer| layer.warp)
             .is_some_and(|(slope, amount)| slope * amount != 0.0);
         let surface = self.surfaces.update(&key, with_kappa, || session.still());
-        if let (Some(surface), Some(stage)) = (&surface, session.stage_mut())
+        if let (Some(surface), Some(stage)) = (&surface, session.stage())
             && stage.placed != surface.pieces.placed
         {
-            stage.placed.clone_from(&surface.pieces.placed);
+            out.push(Command::Scene(SceneCommand::Locate(surface.pieces.placed.clone())));
         }
         match (&surface, &layer) {
             (Some(surface), Some(layer)) => self.isocurves.update(session, surface, layer),
@@ -333,10 +379,10 @@ impl Viewport {
         }
     }
 
-    fn turn(&mut self, ui: &Ui, session: &mut Session) {
+    fn turn(&self, ui: &Ui, view: &mut Orbit) {
         if self.turns {
             let seconds = ui.input(|input| f64::from(input.stable_dt.min(0.1)));
-            session.view.orbit(TURNTABLE * seconds, 0.0);
+            view.orbit(TURNTABLE * seconds, 0.0);
             ui.ctx().request_repaint();
         }
     }
@@ -346,7 +392,8 @@ impl Viewport {
         ui: &Ui,
         response: &Response,
         rect: Rect,
-        session: &mut Session,
+        session: &Session,
+        view: &mut Orbit,
         handles: &Handles,
         out: &mut Vec<Command>,
     ) {
@@ -373,12 +420,12 @@ impl Viewport {
             let (dx, dy) = (f64::from(delta.x), f64::from(delta.y));
             match drag {
                 _ if delta == egui::Vec2::ZERO => {}
-                Drag::Camera => session.view.orbit(dx, dy),
-                Drag::Lights => session.view.turn_lights(dx, dy),
-                Drag::Pan => session.view.pan(dx, dy),
+                Drag::Camera => view.orbit(dx, dy),
+                Drag::Lights => view.turn_lights(dx, dy),
+                Drag::Pan => view.pan(dx, dy),
                 Drag::Curve(held) => out.extend(self.isocurves.drag(held, session, rect, at)),
                 Drag::Light(held) => {
-                    out.extend(lights::drag(held, session, handles.surface.as_deref(), rect, at))
+                    out.extend(lights::drag(held, session, handles.surface.as_deref(), rect, at));
                 }
             }
         }
@@ -391,8 +438,9 @@ impl Viewport {
         &mut self,
         ui: &Ui,
         pointer: Option<Pos2>,
-        session: &mut Session,
-        fitting: &mut Fitting,
+        session: &Session,
+        view: &mut Orbit,
+        fitting: &Fitting,
         out: &mut Vec<Command>,
     ) {
         if pointer.is_none() {
@@ -403,42 +451,25 @@ impl Viewport {
         // Strokes belong to the view that they were painted in, which a wheel leaves too easily.
         let is_held = fitting.is_on() && !session.sketch().is_empty();
         if factor != 1.0 && !is_held {
-            session.view.dolly(factor);
+            view.dolly(factor);
         }
-        if shortcuts::is_keyboard_taken(ui.ctx()) {
+        if keyboard::is_keyboard_taken(ui.ctx()) {
             return;
         }
         if fitting.is_on() {
-            for action in shortcuts::pressed(ui, shortcuts::Place::Light) {
-                out.push(Command::Act(action));
-            }
+            out.extend(table::pressed(ui, Place::Light));
         }
-        for action in shortcuts::pressed(ui, shortcuts::Place::Picture) {
-            self.act(action, session);
-        }
+        out.extend(table::pressed(ui, Place::Picture));
     }
 
-    /// Does what a key over the picture or the command palette asks for.
-    pub(crate) fn act(&mut self, action: Action, session: &mut Session) {
-        let aspect = objects::aspect(self.rect);
-        match action {
-            Action::ResetView => session.reset_view(),
-            Action::FrameObject => {
-                let selected =
-                    session.stage().and_then(|stage| stage.selected()).map(|(id, _)| id.clone());
-                session.frame(selected.as_ref(), aspect);
-            }
-            Action::FrameAll => session.frame(None, aspect),
-            Action::Turntable => self.turns = !self.turns,
-            Action::Handles => self.handles = !self.handles,
-            Action::Projection => {
-                session.view.projection = match session.view.projection {
-                    Projection::Perspective => Projection::Orthographic,
-                    Projection::Orthographic => Projection::Perspective,
-                };
-            }
-            _ => {}
-        }
+    /// Starts or stops the turntable.
+    pub(crate) fn toggle_turntable(&mut self) {
+        self.turns = !self.turns;
+    }
+
+    /// Shows or hides handles on the object.
+    pub(crate) fn toggle_handles(&mut self) {
+        self.handles = !self.handles;
     }
 
     /// Stops the turntable.
@@ -451,13 +482,12 @@ impl Viewport {
         self.drag.is_some()
     }
 
-    /// Gives a drag up: camera and lights are where they were when it began. Returns whether the
-    /// last step of the look is the drag's, and is to be taken back too.
-    pub(crate) fn give_up(&mut self, session: &mut Session) -> bool {
+    /// Gives a drag up. Returns where camera and lights were when it began, and whether the last
+    /// step of the look is the drag's, and is to be taken back too.
+    pub(crate) fn give_up(&mut self, session: &Session) -> Option<(Orbit, bool)> {
         self.drag = None;
-        let Some(before) = self.before.take() else { return false };
-        session.view = before.view;
-        session.place() == before.place + 1
+        let before = self.before.take()?;
+        Some((before.view, session.place() == before.place + 1))
     }
 
     fn hint_at(
@@ -543,7 +573,7 @@ impl Viewport {
     }
 
     /// Writes a picture of what is shown.
-    pub(crate) fn export(&mut self, session: &Session, export: Export, path: PathBuf) {
+    pub(crate) fn export(&mut self, session: &Session, export: PictureExport, path: PathBuf) {
         self.exports.draw(export, session.still(), Destination::File(path));
     }
 
@@ -551,7 +581,7 @@ impl Viewport {
     /// where it never was there.
     pub(crate) fn copy(&mut self, session: &Session, scale: f32) {
         self.exports.draw(
-            Export::Picture(self.size_in_pixels(scale)),
+            PictureExport::Picture(self.size_in_pixels(scale)),
             session.still(),
             Destination::Clipboard,
         );
@@ -582,7 +612,7 @@ impl Viewport {
                     let (place, opacity) = self
                         .reference
                         .as_ref()
-                        .map_or((Place::Beside, 0.5), |old| (old.place, old.opacity));
+                        .map_or((ReferencePlace::Beside, 0.5), |old| (old.place, old.opacity));
                     let message =
                         format!("{name} is shown with the picture; Options takes it away");
                     self.reference = Some(Reference { name, texture, place, opacity });
@@ -592,12 +622,14 @@ impl Viewport {
             }));
         }
     }
+}
 
-    pub(crate) fn is_busy(&self) -> bool {
+impl BackgroundJobs for Viewport {
+    fn is_busy(&self) -> bool {
         self.surfaces.is_busy() || self.exports.is_busy()
     }
 
-    pub(crate) fn wait(&self) {
+    fn wait(&self) {
         self.surfaces.wait();
         self.exports.wait();
     }
@@ -620,7 +652,7 @@ fn probe_hint(probe: &Probe) -> &'static str {
 fn show_picture(
     ui: &Ui,
     rect: Rect,
-    session: &mut Session,
+    session: &Session,
     picture: &mut Picture,
     turns: bool,
     stops: f32,

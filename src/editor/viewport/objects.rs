@@ -4,14 +4,14 @@
 use eframe::egui;
 use eframe::egui::{Align2, FontId, Pos2, Rect, Stroke, Ui, pos2, vec2};
 
-use super::super::command::Command;
-use super::super::session::Session;
-use super::super::stage::{Wish, file_label};
-use super::super::theme;
 use super::place_in;
 use super::surface::{Piece, Surface};
+use crate::commands::{Command, SceneCommand};
 use crate::frame::look_of;
 use crate::ids::ObjectId;
+use crate::state::session::Session;
+use crate::state::stage::file_label;
+use crate::widgets::theme;
 
 /// How long a corner's lines are, in points.
 const CORNER: f32 = 10.0;
@@ -65,9 +65,11 @@ pub(super) fn pick(
     seen: Option<&Seen>,
 ) -> Option<Command> {
     session.stage().filter(|_| surface.is_some())?;
-    Some(Command::Stage(match seen {
-        Some(Seen { piece, .. }) => Wish::Pick(piece.object.clone(), Some(piece.material.clone())),
-        None => Wish::Unselect,
+    Some(Command::Scene(match seen {
+        Some(Seen { piece, .. }) => {
+            SceneCommand::Pick(piece.object.clone(), Some(piece.material.clone()))
+        }
+        None => SceneCommand::Unselect,
     }))
 }
 

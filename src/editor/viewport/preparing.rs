@@ -5,9 +5,9 @@ use std::time::Duration;
 
 use eframe::egui::{self, Align2, FontId, Rect, Role, Sense, Spinner, Ui, Vec2, WidgetInfo, vec2};
 
-use crate::picture::{Awaited, Picture};
-use crate::session::Session;
-use crate::theme;
+use crate::state::session::Session;
+use crate::viewport::picture::{Awaited, Picture};
+use crate::widgets::theme;
 
 /// What takes no longer, in seconds, has no sign.
 const CALM: f64 = 0.35;
@@ -50,7 +50,7 @@ impl Preparing {
         match awaited {
             Some(Awaited::Shader) => sign(ui, rect, strength, true, &text, "building its shader"),
             Some(Awaited::Picture) => {
-                sign(ui, rect, strength, true, &text, "reading meshes and paintings, drawing")
+                sign(ui, rect, strength, true, &text, "reading meshes and paintings, drawing");
             }
             Some(Awaited::Mended) if session.held().is_some() => {
                 sign(ui, rect, 1.0, false, "Not drawn", "until you press Try again above");

@@ -4,7 +4,7 @@
 use eframe::egui;
 use eframe::egui::{Color32, Rect, TextureHandle, TextureId, Ui, Vec2, pos2, vec2};
 
-use super::super::theme;
+use crate::widgets::theme;
 
 /// What a display's brightness is of the light: about this power.
 const DISPLAY_GAMMA: f32 = 2.2;

@@ -7,12 +7,12 @@ use eframe::egui::{
     Align2, DragValue, Frame, Id, Margin, Rect, Response, RichText, Ui, UiBuilder, Vec2, pos2, vec2,
 };
 
-use super::super::command::Command;
-use super::super::inspector::color;
-use super::super::session::Session;
-use super::super::theme;
 use super::layer::{Curve, Layer, Setting};
+use crate::commands::Command;
 use crate::document::Value;
+use crate::state::session::Session;
+use crate::widgets::color;
+use crate::widgets::theme;
 
 /// Pictures lower than this, in points, have no room for it.
 const LEAST_HEIGHT: f32 = 200.0;

@@ -8,20 +8,20 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3, Vec3};
 
-use super::super::session::Session;
-use super::super::stage::Placed;
-use super::super::still::Still;
-use super::super::worker::Worker;
 use crate::diag::Diagnostic;
 use crate::document::Camera;
-use crate::frame::{Assets, FramePlan, Pass, PassKind, Setup, SetupObject, View};
+use crate::frame::{Assets, FramePlan, Pass, PassId, Setup, SetupObject, View};
 use crate::ids::ObjectId;
 use crate::interp::Precision;
 use crate::progress::Progress;
 use crate::reference::{
-    FragmentStage, Interpolation, Modules, Options, QuadBatch, Shaded, Shader, Shaders, Sides,
-    Target, Texels, Triangles, Varying, VertexStage, rasterise, shade_all,
+    FragmentStage, Interpolation, Modules, Options, PassImages, QuadBatch, Shaded, Shader, Shaders,
+    Sides, Target, Texels, Triangles, Varying, VertexStage, rasterise, shade_all,
 };
+use crate::state::session::Session;
+use crate::state::stage::Placed;
+use crate::state::still::Still;
+use crate::state::worker::Worker;
 
 /// As many pixels are looked at, or a few more: half of those of 500 by 500 along each side.
 const MOST: f32 = 62_500.0;
@@ -375,18 +375,25 @@ fn with_kappa(surface: &Surface) -> Surface {
     }
 }
 
+/// The pass that draws normals, and the one that measures their curvature.
+const NORMALS: PassId = PassId::named("normals");
+const CURVATURE: PassId = PassId::named("curvature");
+
 fn kappa(surface: &Surface) -> Result<Vec<f32>, Diagnostic> {
     let (size, view) = (surface.key.size, surface.view);
-    let (mut normals, mut depths) = (Texels::new(size, 4), Texels::new(size, 1));
+    // Normal, object number and depth, as the pass that draws normals makes them.
+    let mut drawn = Texels::new(size, 5);
     let rotation = view.rotation();
     for (pixel, (normal, position)) in surface.normals.iter().zip(&surface.positions).enumerate() {
         if *normal != Vec3::ZERO {
             let n = rotation * normal.as_dvec3();
-            normals.values[4 * pixel..][..4].copy_from_slice(&[n.x, n.y, n.z, 1.0]);
-            depths.values[pixel] = view.backward.dot(view.eye - position.as_dvec3());
+            let depth = view.backward.dot(view.eye - position.as_dvec3());
+            drawn.values[5 * pixel..][..5].copy_from_slice(&[n.x, n.y, n.z, 1.0, depth]);
         }
     }
-    let pass = Pass { kind: PassKind::Curvature, reason: String::new(), input_hash: 0 };
+    let mut images = PassImages::default();
+    images.insert(NORMALS, &drawn);
+    let pass = Pass { id: CURVATURE, reason: String::new(), input_hash: 0 };
     let plan = FramePlan {
         size,
         samples: 1,
@@ -397,7 +404,7 @@ fn kappa(surface: &Surface) -> Result<Vec<f32>, Diagnostic> {
         dropped: Vec::new(),
     };
     let modules = Modules::new(&plan, Precision::F64)?;
-    let shader = modules.curvature(&plan, &PassKind::Curvature, &normals, &depths)?;
+    let shader = modules.screen(&plan, CURVATURE, &images)?;
     let texels = shade_all(size, 1, shader.as_ref(), &Options::default(), &Progress::new())?;
     Ok(texels.values.iter().map(|&x| x as f32).collect())
 }

@@ -43,7 +43,7 @@ impl Variant {
         match self {
             Self::Asked | Self::Looks(_) => {}
             Self::Node { look, node, tier } => {
-                edit(&mut setup, *look, node, |node| node.tier = Some(*tier))
+                edit(&mut setup, *look, node, |node| node.tier = Some(*tier));
             }
             Self::Without { look, node } => edit(&mut setup, *look, node, |node| node.muted = true),
         }
@@ -92,10 +92,10 @@ pub fn tiers_of(look: &Look, library: &Library, kind: &str) -> Vec<Tier> {
             .or_else(|| library.groups.get(kind).map(|group| &group.definition));
         match definition {
             Some(definition) => {
-                open.extend(definition.graph.nodes.values().map(|node| node.kind.as_str()))
+                open.extend(definition.graph.nodes.values().map(|node| node.kind.as_str()));
             }
             None => {
-                tiers.extend(library.nodes.get(kind).into_iter().flat_map(|def| own_tiers(def)))
+                tiers.extend(library.nodes.get(kind).into_iter().flat_map(|def| own_tiers(def)));
             }
         }
     }

@@ -9,7 +9,7 @@ use crate::accuracy::{BenchOptions, MeasuredNodes, Report, bench};
 use crate::compile::Live;
 use crate::diag::{Diagnostic, Warned};
 use crate::document::Look;
-use crate::frame::{Assets, Pass, PlanOptions, Planner, Setup, open};
+use crate::frame::{Assets, FramePlan, Pass, PlanOptions, Planner, Setup, open};
 use crate::library::Library;
 use crate::progress::Progress;
 use crate::render::Renderer;
@@ -37,6 +37,49 @@ pub(super) struct Entry {
     pub(super) triangles: usize,
 }
 
+/// A document as it is shown, with the plan of its picture.
+struct DocumentPlan {
+    setup: Setup,
+    options: PlanOptions,
+    plan: FramePlan,
+    warnings: Vec<Diagnostic>,
+}
+
+impl DocumentPlan {
+    fn new(
+        shown: &GalleryDocument,
+        library: &Library,
+        options: &Options,
+    ) -> Result<Self, Vec<Diagnostic>> {
+        let mut assets = Assets::default();
+        let mesh = options.mesh.as_deref().or(shown.mesh.as_deref());
+        let (mut setup, mut warnings) = open(&shown.file, mesh, &mut assets)?.into_parts();
+        setup.scene.backdrop = shown.backdrop.or(setup.scene.backdrop);
+        shown.place(&mut setup.scene).map_err(|problem| vec![problem])?;
+        let time = shown.time.unwrap_or(setup.scene.time.start);
+        let options = PlanOptions { size: options.size, samples: options.samples, time };
+        let mut planner = Planner::new(assets);
+        let plan = planner.plan(&setup, library, &Live::Keyed, &options)?;
+        warnings.append(&mut planner.warnings);
+        Ok(Self { setup, options, plan, warnings })
+    }
+}
+
+/// Hands over what a page is made of: what is drawn, and what the page says of it.
+pub(super) fn content(
+    shown: &GalleryDocument,
+    library: &Library,
+    options: &Options,
+    sink: &mut dyn FnMut(&[u8]),
+) -> Result<(), Vec<Diagnostic>> {
+    let document = DocumentPlan::new(shown, library, options)?;
+    document.plan.content(sink);
+    let (name, about) = told(shown, &document.setup);
+    sink(format!("{name}\n{about}\n{options:?}").as_bytes());
+    document.setup.looks.iter().for_each(|worn| sink(worn.look.to_text().as_bytes()));
+    Ok(())
+}
+
 impl Entry {
     /// Draws and measures a document.
     pub(super) async fn make(
@@ -45,16 +88,8 @@ impl Entry {
         renderer: &mut Renderer,
         options: &Options,
     ) -> Result<Warned<Self>, Vec<Diagnostic>> {
-        let mut assets = Assets::default();
-        let mesh = options.mesh.as_deref().or(shown.mesh.as_deref());
-        let (mut setup, mut warnings) = open(&shown.file, mesh, &mut assets)?.into_parts();
-        setup.scene.backdrop = shown.backdrop.or(setup.scene.backdrop);
-        shown.place(&mut setup.scene).map_err(|problem| vec![problem])?;
-        let time = shown.time.unwrap_or(setup.scene.time.start);
-        let plan_options = PlanOptions { size: options.size, samples: options.samples, time };
-        let mut planner = Planner::new(assets);
-        let plan = planner.plan(&setup, library, &Live::Keyed, &plan_options)?;
-        warnings.append(&mut planner.warnings);
+        let DocumentPlan { setup, options: plan_options, plan, warnings } =
+            DocumentPlan::new(shown, library, options)?;
         let picture = renderer.picture(&plan).await.map_err(|error| vec![error.into()])?;
         let png = picture.to_png().map_err(|problem| vec![problem])?;
         let mut seen = HashSet::new();

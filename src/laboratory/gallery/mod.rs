@@ -144,6 +144,20 @@ pub async fn build(
     Ok(made)
 }
 
+/// Hands over everything that decides on a document's page, but for times and errors and for the
+/// code that draws and writes: for those who keep what was shown by a hash of it.
+///
+/// # Errors
+/// What is wrong with the document.
+pub fn content(
+    shown: &GalleryDocument,
+    library: &Library,
+    options: &Options,
+    sink: &mut dyn FnMut(&[u8]),
+) -> Result<(), Vec<Diagnostic>> {
+    entry::content(shown, library, options, sink)
+}
+
 /// A page's name for each document in order, each used once: `index` and the like are taken by the
 /// gallery itself.
 fn slugs(list: &List) -> Vec<String> {

@@ -198,7 +198,7 @@ pub(super) fn int_unary(op: IntUnary, each: impl Unary<u32, u32>) {
         IntUnary::CountOneBits => each.with(u32::count_ones),
         IntUnary::ReverseBits => each.with(u32::reverse_bits),
         IntUnary::FirstTrailingBit => {
-            each.with(|x| if x == 0 { u32::MAX } else { x.trailing_zeros() })
+            each.with(|x| if x == 0 { u32::MAX } else { x.trailing_zeros() });
         }
         // The topmost bit that differs from the sign; none gives 31 - 32, all ones.
         IntUnary::FirstLeadingBitSigned => each.with(|x| {

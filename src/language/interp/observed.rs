@@ -65,7 +65,7 @@ pub(super) fn kinds(shape: &Shape, kinds_so_far: &mut Vec<ScalarKind>) {
         }
         Shape::Array { element, count } => (0..*count).for_each(|_| kinds(element, kinds_so_far)),
         Shape::Struct { members, .. } => {
-            members.iter().for_each(|(_, member)| kinds(member, kinds_so_far))
+            members.iter().for_each(|(_, member)| kinds(member, kinds_so_far));
         }
     }
 }

@@ -105,10 +105,10 @@ pub(super) fn step<R: Rounding, const W: usize>(
         }
         Instruction::Clear { to, count } => memory.clear(to, count, mask),
         Instruction::FloatUnary { op, to, a } => {
-            math::float_unary(op, Floats(lanes1(to, a), rounded))
+            math::float_unary(op, Floats(lanes1(to, a), rounded));
         }
         Instruction::FloatBinary { op, to, a, b } => {
-            math::float_binary(op, Floats(lanes2(to, a, b), rounded))
+            math::float_binary(op, Floats(lanes2(to, a, b), rounded));
         }
         Instruction::FloatCompare { op, to, a, b } => math::float_compare(op, lanes2(to, a, b)),
         Instruction::IntUnary { op, to, a } => math::int_unary(op, lanes1(to, a)),
@@ -194,7 +194,7 @@ fn rare<R: Rounding, const W: usize>(
             for lane in mask.lanes(W) {
                 let from = memory.bits(pointer, lane) + u64::from(offset);
                 (0..count).for_each(|i| {
-                    memory.set(to + i, lane, world.load(buffer, from + u64::from(i)))
+                    memory.set(to + i, lane, world.load(buffer, from + u64::from(i)));
                 });
             }
         }

@@ -104,7 +104,7 @@ impl Walk<'_> {
                     self.block(reject, frame);
                 }
                 Statement::Switch { cases, .. } => {
-                    cases.iter().for_each(|case| self.block(&case.body, frame))
+                    cases.iter().for_each(|case| self.block(&case.body, frame));
                 }
                 Statement::Loop { body, continuing, .. } => {
                     self.block(body, frame);
@@ -115,7 +115,7 @@ impl Walk<'_> {
                     self.store(*pointer, depth, frame);
                 }
                 Statement::Call { function, arguments, result } => {
-                    self.call(*function, arguments, *result, frame)
+                    self.call(*function, arguments, *result, frame);
                 }
                 Statement::Return { value: Some(value) } => {
                     let depth = self.value(*value, frame);

@@ -1,6 +1,7 @@
-//! The files that the crate carries, listed by `build.rs`.
+//! The files that the crate carries, found by `build.rs`.
 
-include!(concat!(env!("OUT_DIR"), "/embedded.rs"));
+include!(concat!(env!("OUT_DIR"), "/shader_library.rs"));
+include!(concat!(env!("OUT_DIR"), "/passes.rs"));
 
 /// The nodes that Chiaro ships, which a crate above this one carries: their paths and texts.
 #[cfg(test)]

@@ -262,7 +262,7 @@ fn barrier(body: &Block) -> Option<naga::Span> {
                 Statement::If { accept, reject, .. } => blocks.extend([accept, reject]),
                 Statement::Loop { body, continuing, .. } => blocks.extend([body, continuing]),
                 Statement::Switch { cases, .. } => {
-                    blocks.extend(cases.iter().map(|case| &case.body))
+                    blocks.extend(cases.iter().map(|case| &case.body));
                 }
                 _ => {}
             }

@@ -10,7 +10,7 @@ use super::{
     FRAME_MARGIN, FRAME_TITLE, NODE_WIDTH, NOTE_PADDING, ROW_HEIGHT, SOCKET, SocketShape,
     TEXT_SIZE, TITLE_HEIGHT, node_height, row_center, wire_reach,
 };
-use crate::catalog::values::{InputDisplay, shown};
+use crate::catalog::values::{Shown, shown};
 use crate::catalog::{Catalog, Kind};
 use crate::document::{Graph, Look, Node};
 use crate::ids::NodeId;
@@ -296,18 +296,18 @@ impl<'a> Drawing<'a> {
             let middle = y + row_center(row.kind.outputs.len() + index);
             let is_wired = row.wired[index];
             let mut room = w - 24.0;
-            match if is_wired { InputDisplay::Nothing } else { shown(port, &row.node, self.look) } {
-                InputDisplay::Nothing => {}
-                InputDisplay::Color(color) => {
+            match if is_wired { Shown::Nothing } else { shown(port, &row.node, self.look) } {
+                Shown::Nothing => {}
+                Shown::Color(color) => {
                     swatch(body, (x + w - 40.0, middle - ROW_HEIGHT / 2.0 + 3.5), color);
                     room -= 34.0;
                 }
-                InputDisplay::Source(value) => {
+                Shown::Source(value) => {
                     let value = fitted(&value, TEXT_SIZE, w * 0.5);
                     room -= width(&value, TEXT_SIZE) + 8.0;
                     text(body, "s", (x + w - 12.0, middle), &value, "end");
                 }
-                InputDisplay::Text(value) => {
+                Shown::Text(value) => {
                     let value = fitted(&value, TEXT_SIZE, w * 0.5);
                     room -= width(&value, TEXT_SIZE) + 8.0;
                     text(body, "x", (x + w - 12.0, middle), &value, "end");

@@ -127,7 +127,7 @@ fn own_samplers(text: &str) -> Result<String, String> {
         });
         match sampler {
             Some((name, register)) => {
-                result.push_str(&format!("SamplerState {name} : register(s{register});"))
+                result.push_str(&format!("SamplerState {name} : register(s{register});"));
             }
             None => result.push_str(line),
         }

@@ -12,7 +12,7 @@ use crate::compile::{HostInputs, HostStep, LightValues, ParamId};
 use crate::document::Light;
 use crate::ids::LightId;
 use crate::interp;
-use crate::library::{Context, LightField};
+use crate::library::{Context, ContextSource};
 
 /// What computes the members of a module's `Look` uniform: run the steps in order, each from the
 /// values of earlier ones, then write each member's step into the uniform at the member's offset.
@@ -282,31 +282,10 @@ fn rounded(value: Value) -> Value {
 
 /// What a surrounding is.
 fn meaning(context: Context) -> &'static str {
-    match context {
-        Context::CameraFromWorld => {
-            "rotation from world to camera axes: x right, y up, z toward the viewer"
-        }
-        Context::ObjectId => "counts objects from 0",
-        Context::Time => "seconds",
-        Context::Frame => "frames since the start of the time range",
-        Context::Viewport => "width and height in pixels",
-        Context::Light(LightField::Direction) => "unit, toward a directional light, world space",
-        Context::Light(LightField::OwnDirection) => {
-            "unit, toward a directional light, in the light's own frame"
-        }
-        Context::Light(LightField::Position) => "world space",
-        Context::Light(LightField::Aim) => "unit, the way a spot light shines, world space",
-        Context::Light(LightField::OwnFromWorld) => {
-            "rotation from world space to the light's own frame"
-        }
-        Context::Light(LightField::Color) => "straight RGB in the look's color space",
-        Context::Light(LightField::Intensity) => "0 or more",
-        Context::Light(LightField::Cone) => {
-            "cosines of a spot light's inner and outer half-angles; the inner at most the outer \
-             angle"
-        }
-        Context::Light(LightField::Fading) => "half distance and range; 0 for none",
+    match context.row().source {
+        ContextSource::Host { meaning, .. } => meaning,
+        ContextSource::Light(input) => input.help(),
         // Of fragment rate, and so never asked for by a step.
-        _ => "",
+        ContextSource::Fragment { .. } | ContextSource::Pass { .. } => "",
     }
 }

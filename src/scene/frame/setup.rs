@@ -44,6 +44,11 @@ pub struct SetupObject {
 }
 
 impl SetupObject {
+    /// The looks that its parts wear, one for each part that wears any.
+    pub fn worn_looks(&self) -> impl Iterator<Item = usize> {
+        self.mesh.parts.iter().zip(&self.looks).filter_map(|(_, look)| *look)
+    }
+
     /// The middle of the mesh, world space.
     pub fn center(&self) -> DVec3 {
         self.world_from_object.transform_point3(self.mesh.bounds().center())

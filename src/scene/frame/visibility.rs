@@ -12,10 +12,9 @@ use glam::{DMat3, DMat4, DQuat, DVec3, DVec4};
 use super::camera::View;
 use super::setup::{Setup, SetupObject};
 use crate::compile::{LightValues, Proof};
-use crate::document::{LightKind, Look, Target};
+use crate::document::{LightField, LightKind, Look, Target};
 use crate::geometry::{Bounds, Mesh};
 use crate::ids::LightId;
-use crate::library::LightField;
 
 /// What a planner may leave out because it is not seen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -128,7 +127,7 @@ pub(super) fn dark_lights(
     for (id, own) in look.lights.iter().filter(|(id, _)| !moved.contains(id)) {
         let light = setup.scene.lights.get(id).unwrap_or(own);
         let values = LightValues::new(light, illumination, view.rotation());
-        if values.color == DVec3::ZERO {
+        if values.color() == DVec3::ZERO {
             dark.push(((id.clone(), LightField::Color), "it is black"));
         }
         if let Some(reason) = why_dark(&values, placed) {
@@ -153,22 +152,22 @@ fn moved_lights(look: &Look) -> HashSet<&LightId> {
 }
 
 fn why_dark(light: &LightValues, placed: &Placed) -> Option<&'static str> {
-    if light.intensity == 0.0 {
+    if light.intensity() == 0.0 {
         return Some("its intensity is 0");
     }
-    if light.kind == LightKind::Directional || !light.intensity.is_finite() {
+    if light.kind == LightKind::Directional || !light.intensity().is_finite() {
         return None;
     }
-    let offset = placed.center - light.position;
+    let offset = placed.center - light.position();
     let distance = offset.length();
-    let [_, range] = light.fading;
+    let range = light.range();
     // A little farther, because the shader measures in f32.
-    if range > 0.0 && distance - placed.radius > range * 1.0001 + 1e-5 * light.position.length() {
+    if range > 0.0 && distance - placed.radius > range * 1.0001 + 1e-5 * light.position().length() {
         return Some("everything that wears the look is beyond its range");
     }
     let is_around = distance <= placed.radius * 1.0001;
     if light.kind == LightKind::Spot && !is_around {
-        let off_axis = light.aim.angle_between(offset);
+        let off_axis = light.aim().angle_between(offset);
         let spread = (placed.radius / distance).clamp(0.0, 1.0).asin();
         let outer = light.cone[1].clamp(-1.0, 1.0).acos();
         if off_axis - spread > outer + 1e-3 {

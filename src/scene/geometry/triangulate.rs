@@ -18,9 +18,9 @@ pub(super) fn triangulate(points: &[DVec3], triangles: &mut Vec<[u32; 3]>) {
         _ => {
             let flat = flatten(points);
             if points.len() == 4 {
-                quad(points, &flat, triangles)
+                quad(points, &flat, triangles);
             } else {
-                polygon(&flat, triangles)
+                polygon(&flat, triangles);
             }
         }
     }

@@ -1,8 +1,8 @@
 //! Every edit can be undone and redone, and keeps a good document good.
 
-use chiaro::diag::Diagnostic;
-use chiaro::document::{Edit, Editable, GraphId, History, Look, SceneEdit};
-use chiaro::ids::NodeId;
+use chiaro_compiler::document::{Edit, Editable, GraphId, History, Look, SceneEdit};
+use chiaro_language::diag::Diagnostic;
+use chiaro_language::ids::NodeId;
 use proptest::prelude::*;
 
 use super::random::Random;

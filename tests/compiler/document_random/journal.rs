@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-use chiaro::document::journal::{About, Journal, Op, Slot, left_behind, recover};
-use chiaro::document::{Edit, History, Look};
+use chiaro_compiler::document::journal::{About, Journal, Op, Slot, left_behind, recover};
+use chiaro_compiler::document::{Edit, History, Look};
 use proptest::prelude::*;
 
 use super::random::Random;
@@ -240,11 +240,11 @@ fn what_is_no_journal_is_told() {
         &slot,
         &About::default(),
         None,
-        &History::new(chiaro::document::Scene::default()),
+        &History::new(chiaro_compiler::document::Scene::default()),
     )
     .unwrap();
     assert_eq!(recover::<Look>(slot.path()).unwrap_err().code, "damaged-journal");
-    assert!(recover::<chiaro::document::Scene>(slot.path()).is_ok());
+    assert!(recover::<chiaro_compiler::document::Scene>(slot.path()).is_ok());
 }
 
 /// What the journal costs, printed: `cargo test --test document_random -- --ignored --nocapture
@@ -253,8 +253,8 @@ fn what_is_no_journal_is_told() {
 #[ignore = "measures"]
 #[allow(clippy::print_stdout, reason = "figures for those who ask with `--nocapture`")]
 fn what_a_journal_costs() {
-    use chiaro::clock::Clock;
-    use chiaro::document::{GraphId, Node, Value};
+    use chiaro_compiler::document::{GraphId, Node, Value};
+    use chiaro_language::clock::Clock;
     let timed = |what: &str, count: u32, mut work: Box<dyn FnMut(u32) + '_>| {
         let mut each: Vec<f64> = (0..count)
             .map(|index| {
@@ -295,7 +295,7 @@ fn what_a_journal_costs() {
             "append a value",
             1000,
             Box::new(|index| {
-                journal.append(&[Op::Edit { gesture: None, edit: value(index) }]).unwrap()
+                journal.append(&[Op::Edit { gesture: None, edit: value(index) }]).unwrap();
             }),
         );
         for index in 0..1000 {
@@ -321,7 +321,7 @@ fn what_a_journal_costs() {
             "append a move of all nodes",
             20,
             Box::new(|_| {
-                journal.append(&[Op::Edit { gesture: None, edit: edit.clone() }]).unwrap()
+                journal.append(&[Op::Edit { gesture: None, edit: edit.clone() }]).unwrap();
             }),
         );
     }

@@ -2,7 +2,6 @@
 //! panic.
 
 mod edits;
-mod hcbtf;
 mod journal;
 mod random;
 mod round_trips;

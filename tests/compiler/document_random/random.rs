@@ -1,34 +1,33 @@
 //! Random documents and edits from a seed; small sizes make small ones.
 
-use chiaro::document::{
+use chiaro_compiler::document::{
     Bookmark, Camera, ColorSpace, Curve, Definition, DirectionKey, DirectionKeys, Endpoint,
     Exposed, Frame, Graph, InterfacePort, Interpolation, KeyDirection, KeyScheme, Light,
     LightField, LightKind, LightSpace, Look, Node, Note, Object, Projection, Ramp, RampStop, Scene,
     Target, Tier, TimeKey, TimeKeys, TimeRange, Transform, Unknown, Value, Values, Wire,
 };
-use chiaro::ids::{LightId, NodeId, NodePath, PortName};
+use chiaro_language::ids::{LightId, NodeId, NodePath, PortName};
 use serde_json::json;
 
-/// SplitMix64, and how large things get.
+use crate::support;
+
+/// Random numbers, and how large things get.
 pub(crate) struct Random {
-    state: u64,
+    numbers: support::random::Random,
     size: usize,
 }
 
 impl Random {
     pub(crate) fn new(seed: u64, size: usize) -> Self {
-        Self { state: seed, size }
+        Self { numbers: support::random::Random::new(seed), size }
     }
 
     pub(crate) fn bits(&mut self) -> u64 {
-        self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let z = (self.state ^ (self.state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
+        self.numbers.bits()
     }
 
     pub(crate) fn below(&mut self, count: usize) -> usize {
-        (self.bits() % count.max(1) as u64) as usize
+        self.numbers.index(count)
     }
 
     pub(crate) fn chance(&mut self, in_ten: usize) -> bool {

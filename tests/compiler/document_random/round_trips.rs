@@ -1,7 +1,7 @@
 //! Writing and reading loses nothing, and the schemas agree.
 
-use chiaro::diag::has_errors;
-use chiaro::document::{Document, Look, Scene};
+use chiaro_compiler::document::{Document, Look, Scene};
+use chiaro_language::diag::has_errors;
 use proptest::prelude::*;
 
 use super::random::Random;
@@ -54,8 +54,8 @@ proptest! {
     fn random_documents_fit_the_schemas(seed: u64, size in 0..6usize) {
         let mut random = Random::new(seed, size);
         for (text, schema) in [
-            (random.look().to_text(), chiaro::document::look_schema()),
-            (random.scene().to_text(), chiaro::document::scene_schema()),
+            (random.look().to_text(), chiaro_compiler::document::look_schema()),
+            (random.scene().to_text(), chiaro_compiler::document::scene_schema()),
         ] {
             let validator = jsonschema::draft202012::new(&schema).unwrap();
             let json: serde_json::Value = serde_json::from_str(&text).unwrap();

@@ -1,7 +1,7 @@
 //! Whatever the text, there are diagnostics and no panic.
 
-use chiaro::diag::has_errors;
-use chiaro::document::{Document, Look, Scene};
+use chiaro_compiler::document::{Document, Look, Scene};
+use chiaro_language::diag::has_errors;
 use proptest::prelude::*;
 
 use super::random::Random;

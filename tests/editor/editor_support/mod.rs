@@ -4,19 +4,17 @@
 pub(crate) mod home;
 pub(crate) mod painting;
 mod verbs;
-#[path = "../../support/wait.rs"]
-mod wait;
 
 use chiaro::document::Look;
 use chiaro::editor::App;
 use chiaro::render::Gpu;
+use chiaro_test_drawing::wait::block_on;
 use eframe::egui::{
     self, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect, Vec2, ViewportId, vec2,
 };
 use egui_kittest::kittest::Queryable as _;
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
 use egui_kittest::{Harness, HarnessBuilder};
-use wait::block_on;
 
 /// A window without display and GPU, and a hand in it.
 pub(crate) struct Hand {
@@ -65,7 +63,7 @@ impl Hand {
         make: impl Fn(&egui::Context) -> App + 'static,
     ) -> Self {
         let show = move |ui: &mut egui::Ui, app: &mut Option<App>| {
-            app.get_or_insert_with(|| make(ui.ctx())).show(ui)
+            app.get_or_insert_with(|| make(ui.ctx())).show(ui);
         };
         let builder = builder.with_size(vec2(1500.0, 900.0)).with_max_steps(20);
         let mut hand = Self { harness: builder.build_ui_state(show, None) };

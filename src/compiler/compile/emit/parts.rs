@@ -112,7 +112,7 @@ impl Emitter<'_> {
             match &value.operation {
                 Operation::Context(..) if value.rate == Rate::Fragment => return true,
                 Operation::Member { value, .. } | Operation::Convert { value, .. } => {
-                    open.push(*value)
+                    open.push(*value);
                 }
                 _ => {}
             }

@@ -33,19 +33,19 @@ pub(super) struct Group<'a> {
     extent: Extent,
 }
 
-/// How much a graph becomes when its groups are inlined.
+/// The extent of a graph once its groups are inlined.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct Extent {
     /// Nodes, with the nodes of groups and all in them.
     nodes: u64,
     /// Ids in the paths of all of them, from this graph on.
     path_ids: u64,
-    /// How many groups lie in each other.
+    /// The depth of groups within groups.
     depth: u64,
 }
 
 impl Extent {
-    /// Of a node that is a group with this in it, or that is none.
+    /// The extent of a node: of the group that it opens, or of a plain node.
     fn of_node(group: Option<Self>) -> Self {
         let inner = group.unwrap_or_default();
         Self {
@@ -63,7 +63,7 @@ impl Extent {
         }
     }
 
-    /// What is too large in a graph of this extent.
+    /// The diagnostic of a graph that is too large.
     fn problem(self) -> Option<Diagnostic> {
         let problem =
             |code, message: String, hint: &str| Some(Diagnostic::error(code, message).hint(hint));

@@ -39,7 +39,7 @@ fn group(level: usize, nodes: &str, wires: &str) -> String {
     )
 }
 
-/// What flattening gives, with how many wires were followed for it.
+/// The flattened graph, with the number of wires that were followed for it.
 fn flattened(look: &Look) -> (FlatGraph, usize, Vec<Diagnostic>) {
     let mut problems = Vec::new();
     let groups = Groups::of(look, Library::built_in()).unwrap();

@@ -1,13 +1,11 @@
-//! What expressions may be.
+//! The ranges of expressions.
 
 use naga::{
     BinaryOperator as Op, Expression, Handle, Literal, ScalarKind, TypeInner, UnaryOperator,
 };
 
 use super::layout::{part_of, parts_of, scalars_of, tops_of, zeros_of};
-use super::machine::{
-    ExpressionValue, Frame, GiveUp, Machine, Outcome, Ranges, State, joined_ranges,
-};
+use super::machine::{Frame, GiveUp, Knowledge, Machine, Outcome, Ranges, State, joined_ranges};
 use super::range::{Bools, Floats, Ints, Range};
 
 impl<'m> Machine<'m> {
@@ -19,18 +17,18 @@ impl<'m> Machine<'m> {
         handle: Handle<Expression>,
     ) -> Outcome<Ranges> {
         match self.expression(frame, state, handle)? {
-            ExpressionValue::Value(ranges) => Ok(ranges),
+            Knowledge::Value(ranges) => Ok(ranges),
             _ => Err(GiveUp),
         }
     }
 
-    /// What an expression is, evaluated once for a state.
+    /// The knowledge of an expression, evaluated once for a state.
     pub(super) fn expression(
         &mut self,
         frame: Frame<'_>,
         state: &mut State,
         handle: Handle<Expression>,
-    ) -> Outcome<ExpressionValue> {
+    ) -> Outcome<Knowledge> {
         if let Some(known) = &state.known[handle.index()] {
             return Ok(known.clone());
         }
@@ -52,7 +50,7 @@ impl<'m> Machine<'m> {
         frame: Frame<'_>,
         state: &mut State,
         handle: Handle<Expression>,
-    ) -> Outcome<ExpressionValue> {
+    ) -> Outcome<Knowledge> {
         let module = &self.valid.module;
         let ranges = match &frame.function.expressions[handle] {
             Expression::Literal(literal) => vec![literal_range(*literal)?],
@@ -79,9 +77,9 @@ impl<'m> Machine<'m> {
             }
             Expression::LocalVariable(local) => {
                 let count = state.locals[local.index()].len();
-                return Ok(ExpressionValue::Pointer { local: *local, at: [0].into(), count });
+                return Ok(Knowledge::Pointer { local: *local, at: [0].into(), count });
             }
-            Expression::GlobalVariable(_) => return Ok(ExpressionValue::Elsewhere),
+            Expression::GlobalVariable(_) => return Ok(Knowledge::Elsewhere),
             Expression::AccessIndex { base, index } => {
                 let index = *index as usize;
                 return self.access(frame, state, *base, index..index + 1);
@@ -131,7 +129,7 @@ impl<'m> Machine<'m> {
             Expression::FunctionArgument(_) | Expression::CallResult(_) => return Err(GiveUp),
             _ => self.tops(frame, handle)?,
         };
-        Ok(ExpressionValue::Value(ranges.into()))
+        Ok(Knowledge::Value(ranges.into()))
     }
 
     fn scalars(&self, frame: Frame<'_>, handle: Handle<Expression>) -> Outcome<usize> {
@@ -186,14 +184,14 @@ impl<'m> Machine<'m> {
         }
     }
 
-    /// One of the parts `which` of a value, or a pointer to it.
+    /// The parts `which` of a value, joined, or a pointer to them.
     fn access(
         &mut self,
         frame: Frame<'_>,
         state: &mut State,
         base: Handle<Expression>,
         which: std::ops::Range<usize>,
-    ) -> Outcome<ExpressionValue> {
+    ) -> Outcome<Knowledge> {
         let known = self.expression(frame, state, base)?;
         let part = |index: usize| match self.inner(frame, base) {
             TypeInner::ValuePointer { .. } => Some((index, 1)),
@@ -202,7 +200,7 @@ impl<'m> Machine<'m> {
         let places = which.map(part).collect::<Option<Vec<_>>>().ok_or(GiveUp)?;
         let size = places.first().ok_or(GiveUp)?.1;
         match known {
-            ExpressionValue::Value(ranges) => {
+            Knowledge::Value(ranges) => {
                 let mut all: Option<Vec<Range>> = None;
                 for (start, size) in places {
                     let one = ranges.get(start..start + size).ok_or(GiveUp)?;
@@ -211,17 +209,17 @@ impl<'m> Machine<'m> {
                         None => one.to_vec(),
                     });
                 }
-                Ok(ExpressionValue::Value(all.ok_or(GiveUp)?.into()))
+                Ok(Knowledge::Value(all.ok_or(GiveUp)?.into()))
             }
-            ExpressionValue::Pointer { local, at, .. } => {
+            Knowledge::Pointer { local, at, .. } => {
                 if at.len() * places.len() > 256 {
                     return Err(GiveUp);
                 }
                 let into =
                     at.iter().flat_map(|from| places.iter().map(move |(start, _)| from + start));
-                Ok(ExpressionValue::Pointer { local, at: into.collect(), count: size })
+                Ok(Knowledge::Pointer { local, at: into.collect(), count: size })
             }
-            ExpressionValue::Elsewhere => Ok(ExpressionValue::Elsewhere),
+            Knowledge::Elsewhere => Ok(Knowledge::Elsewhere),
         }
     }
 
@@ -231,9 +229,9 @@ impl<'m> Machine<'m> {
         state: &mut State,
         handle: Handle<Expression>,
         pointer: Handle<Expression>,
-    ) -> Outcome<ExpressionValue> {
+    ) -> Outcome<Knowledge> {
         match self.expression(frame, state, pointer)? {
-            ExpressionValue::Pointer { local, at, count } => {
+            Knowledge::Pointer { local, at, count } => {
                 let scalars = &state.locals[local.index()];
                 let mut all: Option<Vec<Range>> = None;
                 for &start in at.iter() {
@@ -244,12 +242,10 @@ impl<'m> Machine<'m> {
                     });
                 }
                 state.loaded[handle.index()] = state.versions[local.index()];
-                Ok(ExpressionValue::Value(all.ok_or(GiveUp)?.into()))
+                Ok(Knowledge::Value(all.ok_or(GiveUp)?.into()))
             }
-            ExpressionValue::Elsewhere => {
-                Ok(ExpressionValue::Value(self.tops(frame, handle)?.into()))
-            }
-            ExpressionValue::Value(_) => Err(GiveUp),
+            Knowledge::Elsewhere => Ok(Knowledge::Value(self.tops(frame, handle)?.into())),
+            Knowledge::Value(_) => Err(GiveUp),
         }
     }
 
@@ -349,8 +345,8 @@ pub(super) fn zip(
     }
 }
 
-/// What two operands tell that hang together: a square is no less than 0, and a number differs
-/// little from its own whole part.
+/// The range of two operands that depend on each other: a square is no less than 0, and a number
+/// differs little from its own whole part.
 fn related(
     frame: Frame<'_>,
     op: Op,
@@ -430,8 +426,8 @@ fn matrix_product(
     Ok(Some(product))
 }
 
-/// What may have been written where naga read `x`: at f64 a constant is anything that rounds to it.
-/// Numbers of so few digits that their last bits are 0 are what they say.
+/// The numbers that may have been written where naga read `x`: at f64 a constant is any number that
+/// rounds to `x`. Numbers of so few digits that their last bits are 0 are what they say.
 fn written(x: f32) -> Floats {
     const PLAIN: u32 = 8;
     if !x.is_normal() || x.to_bits().trailing_zeros() >= PLAIN {
@@ -622,7 +618,7 @@ fn masked(x: Ints, mask: i64, all: Ints) -> Ints {
     Ints::between(0, most)
 }
 
-/// How a value may differ from pixel to pixel: by no more than its range is wide.
+/// The range of a derivative: a value differs between pixels by no more than its range is wide.
 fn derivative(x: Range) -> Outcome<Range> {
     let Range::Float(x) = x else { return Err(GiveUp) };
     if x.point().is_some() {

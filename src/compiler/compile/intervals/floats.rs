@@ -238,7 +238,7 @@ fn none(nan: bool) -> Floats {
 }
 
 fn from_corners(corners: &[(f64, bool); 4], steps: u32) -> Floats {
-    // Of equal corners the inexact one decides.
+    // The inexact one of equal corners decides.
     let pick = |better: fn(f64, f64) -> bool| {
         let mut best = corners[0];
         for &corner in &corners[1..] {
@@ -253,7 +253,7 @@ fn from_corners(corners: &[(f64, bool); 4], steps: u32) -> Floats {
     outward(pick(|a, b| a < b), pick(|a, b| a > b), steps)
 }
 
-/// What a division by something that may be 0 may give: the sign is all that is known.
+/// The range of a division by a number that may be 0: the sign is all that is known.
 fn quotient_by_zero(a: Floats, b: Floats, nan: bool) -> Floats {
     let is_known = b.is_positive() && (a.low >= 0.0 || a.high <= 0.0);
     let mut result = Floats { nan, ..Floats::ALL };

@@ -1,4 +1,4 @@
-//! How naga's types lie in lists of scalars: every composite is its parts in order.
+//! The layout of naga's types in lists of scalars: every composite is its parts in order.
 
 use naga::{ArraySize, Module, ScalarKind, TypeInner};
 
@@ -7,7 +7,7 @@ use super::range::{Bools, Floats, Ints, Range};
 /// As many scalars as a value may have.
 const MOST_SCALARS: usize = 1024;
 
-/// How many scalars a type has; `None` for what is no plain value.
+/// The number of scalars of a type; `None` for a type that is no plain value.
 pub(super) fn scalars_of(module: &Module, inner: &TypeInner) -> Option<usize> {
     let count = match inner {
         TypeInner::Scalar(_) => 1,
@@ -84,7 +84,7 @@ pub(super) fn part_of(module: &Module, inner: &TypeInner, index: usize) -> Optio
     }
 }
 
-/// How many equal parts a type has, and how many scalars each.
+/// The number of equal parts of a type, and of the scalars in each.
 pub(super) fn parts_of(module: &Module, inner: &TypeInner) -> Option<(usize, usize)> {
     match inner {
         TypeInner::Vector { size, .. } => Some((*size as usize, 1)),

@@ -6,7 +6,7 @@
 use super::machine::Ranges;
 use super::range::{ALMOST_INFINITE as LARGEST, Bools, Floats, Range};
 
-/// What the library's polynomials, and the roundings of a unit vector, may be off.
+/// The error bound of the library's polynomials, and of the roundings of a unit vector.
 const SLACK: f64 = 2e-6;
 
 /// A quarter turn, with its rounding.
@@ -28,7 +28,7 @@ pub(super) const NAMES: &[&str] = &[
     "atan2_positive",
 ];
 
-/// What a function of the library gives; `None` for one that is not known here.
+/// The ranges of a library function's result; `None` for a function that is not known here.
 pub(super) fn result(name: &str, arguments: &[Ranges]) -> Option<Ranges> {
     if !NAMES.contains(&name) {
         return None;

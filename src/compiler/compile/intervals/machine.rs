@@ -32,9 +32,9 @@ pub(super) struct GiveUp;
 
 pub(super) type Outcome<T> = Result<T, GiveUp>;
 
-/// What an expression is.
+/// The knowledge of an expression: its ranges, or the place that a pointer names.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum ExpressionValue {
+pub(super) enum Knowledge {
     Value(Ranges),
     /// Into a local variable: the scalars that it may point at begin at these places; so many from
     /// there.
@@ -47,10 +47,10 @@ pub(super) enum ExpressionValue {
     Elsewhere,
 }
 
-/// One way through a function, up to here.
+/// The state on one path through a function.
 #[derive(Clone, Debug)]
 pub(super) struct State {
-    pub(super) known: Vec<Option<ExpressionValue>>,
+    pub(super) known: Vec<Option<Knowledge>>,
     pub(super) locals: Vec<Ranges>,
     /// Counts the stores into each local, so that what was loaded before one is not taken for what
     /// is there after it.
@@ -93,7 +93,7 @@ impl<'m> Machine<'m> {
         if self.steps > MOST_STEPS { Err(GiveUp) } else { Ok(()) }
     }
 
-    /// What a function may give.
+    /// The ranges of a function's result.
     pub(super) fn call(
         &mut self,
         handle: Handle<Function>,
@@ -140,7 +140,7 @@ impl<'m> Machine<'m> {
         for (handle, expression) in function.expressions.iter() {
             if let Expression::FunctionArgument(index) = expression {
                 let given = frame.arguments.get(*index as usize).ok_or(GiveUp)?;
-                state.known[handle.index()] = Some(ExpressionValue::Value(given.clone()));
+                state.known[handle.index()] = Some(Knowledge::Value(given.clone()));
             }
         }
         for (_, local) in function.local_variables.iter() {
@@ -194,7 +194,7 @@ impl<'m> Machine<'m> {
             Statement::Emit(range) => {
                 for state in &mut states {
                     for handle in range.clone() {
-                        // What was known before belongs to an earlier turn of a loop.
+                        // A range known before belongs to an earlier turn of a loop.
                         state.known[handle.index()] = None;
                         self.expression(frame, state, handle)?;
                     }
@@ -251,7 +251,7 @@ impl<'m> Machine<'m> {
                     }
                     let value = self.call(*function, &given)?;
                     if let Some(result) = result {
-                        state.known[result.index()] = Some(ExpressionValue::Value(value));
+                        state.known[result.index()] = Some(Knowledge::Value(value));
                     }
                 }
                 Ok(states)
@@ -367,7 +367,7 @@ impl<'m> Machine<'m> {
         Ok(ends)
     }
 
-    /// One turn of a loop: the states that begin the next one.
+    /// A turn of a loop: the states that begin the next one.
     fn turn(
         &mut self,
         frame: Frame<'_>,
@@ -402,14 +402,15 @@ impl<'m> Machine<'m> {
     ) -> Outcome<()> {
         let value = self.value(frame, state, value)?;
         match self.expression(frame, state, pointer)? {
-            ExpressionValue::Pointer { local, at, count } if count == value.len() => {
+            Knowledge::Pointer { local, at, count } if count == value.len() => {
                 let mut scalars = state.locals[local.index()].to_vec();
                 for &start in at.iter() {
                     let slots = scalars.get_mut(start..start + count).ok_or(GiveUp)?;
                     if at.len() == 1 {
                         slots.copy_from_slice(&value);
                     } else {
-                        // One of several places: each keeps what it had, or has the new value.
+                        // A write to one of several places: each keeps its value, or takes the new
+                        // one.
                         let either = joined_ranges(slots, &value)?;
                         slots.copy_from_slice(&either);
                     }
@@ -418,8 +419,8 @@ impl<'m> Machine<'m> {
                 state.versions[local.index()] += 1;
                 Ok(())
             }
-            // What is not followed is read as anything.
-            ExpressionValue::Elsewhere => Ok(()),
+            // A place that is not followed is read as anything.
+            Knowledge::Elsewhere => Ok(()),
             _ => Err(GiveUp),
         }
     }
@@ -440,7 +441,7 @@ fn written(
                 Statement::Block(inner) => blocks.push(inner),
                 Statement::If { accept, reject, .. } => blocks.extend([accept, reject]),
                 Statement::Switch { cases, .. } => {
-                    blocks.extend(cases.iter().map(|case| &case.body))
+                    blocks.extend(cases.iter().map(|case| &case.body));
                 }
                 Statement::Loop { body, continuing, .. } => blocks.extend([body, continuing]),
                 _ => {}
@@ -458,14 +459,14 @@ fn root_of(
         match function.expressions[pointer] {
             Expression::LocalVariable(local) => return Some(local),
             Expression::Access { base, .. } | Expression::AccessIndex { base, .. } => {
-                pointer = base
+                pointer = base;
             }
             _ => return None,
         }
     }
 }
 
-/// What is either of two.
+/// The union of two lists of ranges.
 pub(super) fn joined_ranges(a: &[Range], b: &[Range]) -> Outcome<Vec<Range>> {
     if a.len() != b.len() {
         return Err(GiveUp);
@@ -473,7 +474,7 @@ pub(super) fn joined_ranges(a: &[Range], b: &[Range]) -> Outcome<Vec<Range>> {
     a.iter().zip(b).map(|(a, b)| a.join(*b).ok_or(GiveUp)).collect()
 }
 
-/// One state that covers all of some; there must be one.
+/// The union of states, of which there must be one.
 fn joined(states: Vec<State>) -> State {
     let mut states = states.into_iter();
     let mut all = states.next().unwrap_or(State {
@@ -485,8 +486,8 @@ fn joined(states: Vec<State>) -> State {
     for state in states {
         for (known, other) in all.known.iter_mut().zip(&state.known) {
             *known = match (known.take(), other) {
-                (Some(ExpressionValue::Value(a)), Some(ExpressionValue::Value(b))) => {
-                    joined_ranges(&a, b).ok().map(|ranges| ExpressionValue::Value(ranges.into()))
+                (Some(Knowledge::Value(a)), Some(Knowledge::Value(b))) => {
+                    joined_ranges(&a, b).ok().map(|ranges| Knowledge::Value(ranges.into()))
                 }
                 (Some(a), Some(b)) if a == *b => Some(a),
                 // Evaluated again where it is asked for.

@@ -7,7 +7,7 @@ use super::expressions::zip;
 use super::machine::{Frame, GiveUp, Machine, Outcome, State};
 use super::range::{Floats, Ints, Range};
 
-/// What a card's exp, log, sin and their like may be off, with room to spare.
+/// The error bound of a card's exp, log, sin and their like, with room to spare.
 const RELATIVE: f64 = 1e-4;
 const ABSOLUTE: f64 = 1e-3;
 

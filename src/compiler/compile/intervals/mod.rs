@@ -1,4 +1,4 @@
-//! What values may be: a sound range for every scalar of every value of a look.
+//! Interval analysis: a sound range for every scalar of every value of a look.
 //!
 //! A node's function is run as naga IR on ranges instead of numbers, so that a custom node is
 //! understood as well as one of the library, and no table of nodes is kept. Whatever a fragment
@@ -38,8 +38,8 @@ pub(super) use machine::Ranges;
 pub(super) use range::Range;
 pub(super) use surroundings::context_ranges;
 
-/// What a node's function may give for arguments within these ranges; `None` where it cannot be
-/// followed.
+/// The ranges of a node's function for arguments within these ranges; `None` where the function
+/// cannot be followed.
 pub(super) fn call(module: &NodeModule, function: &str, arguments: &[Ranges]) -> Option<Ranges> {
     let own = |name: &str| {
         let text =
@@ -121,7 +121,7 @@ fn push_scalars(value: &interp::Value, push: &mut dyn FnMut(interp::Scalar)) {
     match value {
         interp::Value::Vector(scalars) => scalars.iter().for_each(|&scalar| push(scalar)),
         interp::Value::Matrix { components, .. } => {
-            components.iter().for_each(|&x| push(interp::Scalar::Float(x)))
+            components.iter().for_each(|&x| push(interp::Scalar::Float(x)));
         }
         interp::Value::Array(parts) | interp::Value::Struct(parts) => {
             parts.iter().for_each(|part| push_scalars(part, push));
@@ -141,7 +141,7 @@ pub(super) fn exactly(ranges: &[Range], ty: &Type) -> Option<interp::Value> {
     }
 }
 
-/// How many scalars lie in a value of this type, where its type alone tells.
+/// The number of scalars in a value of this type, where the type alone tells.
 pub(super) fn scalars_in(ty: &Type) -> Option<usize> {
     Some(match ty {
         Type::Mat3 => 9,

@@ -1,4 +1,4 @@
-//! What one scalar may be.
+//! The range of one scalar.
 
 use crate::interp;
 
@@ -7,7 +7,7 @@ const LARGEST: f64 = f32::MAX as f64;
 pub(super) const ALMOST_INFINITE: f64 = 3.402_823_567_797_336_6e38;
 const SMALLEST_NORMAL: f64 = f32::MIN_POSITIVE as f64;
 
-/// What a float may be: a closed interval, with NaN and -0 told apart.
+/// The range of a float: a closed interval, with flags for NaN and -0.
 ///
 /// An infinite bound means that the infinity itself is possible. Where no number is possible, only
 /// NaN, `low` is above `high`.
@@ -106,7 +106,7 @@ impl Floats {
         }
     }
 
-    /// What is in both.
+    /// The intersection of two ranges.
     pub(super) fn meet(self, other: Self) -> Self {
         Self {
             low: self.low.max(other.low),
@@ -158,7 +158,7 @@ fn upper((x, is_exact): (f64, bool), steps: u32) -> f64 {
     -lower((-x, is_exact), steps)
 }
 
-/// What an integer may be. Signed and unsigned ones alike are given by their own numbers.
+/// The range of an integer, signed or unsigned, by its own numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::compile) struct Ints {
     pub(super) low: i64,
@@ -206,7 +206,7 @@ impl Ints {
     }
 }
 
-/// What a truth value may be.
+/// The range of a truth value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::compile) struct Bools {
     pub(super) may_be_false: bool,
@@ -233,7 +233,7 @@ impl Bools {
     }
 }
 
-/// What a scalar may be.
+/// The range of a scalar of any kind.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::compile) enum Range {
     Float(Floats),
@@ -257,7 +257,7 @@ impl Range {
         })
     }
 
-    /// What a value is known to be: its own scalar.
+    /// The range that holds one known scalar alone.
     pub(super) fn of_scalar(scalar: interp::Scalar) -> Self {
         match scalar {
             interp::Scalar::Bool(x) => Self::Bool(Bools::of(x)),
@@ -297,7 +297,7 @@ impl Range {
         }
     }
 
-    /// What is left of it where its numbers lie in [0, 1] for another reason.
+    /// The range cut to [0, 1], where its numbers lie there for another reason.
     pub(in crate::compile) fn within_unit(self) -> Self {
         match self {
             Self::Float(x) => {

@@ -1,11 +1,11 @@
-//! What a condition tells about the values in it.
+//! Refinement: the ranges that a condition implies for the values in it.
 
 use naga::{BinaryOperator as Op, Expression, Handle, UnaryOperator};
 
-use super::machine::{ExpressionValue, Frame, GiveUp, Machine, Outcome, State};
+use super::machine::{Frame, GiveUp, Knowledge, Machine, Outcome, State};
 use super::range::{Floats, Range};
 
-/// How deep into a condition or a place it looks.
+/// The depth to which a condition or a place is followed.
 const MOST_DEPTH: usize = 8;
 
 impl Machine<'_> {
@@ -103,7 +103,7 @@ impl Machine<'_> {
         if depth > MOST_DEPTH {
             return Ok(true);
         }
-        if let Some(ExpressionValue::Value(ranges)) = &mut state.known[handle.index()] {
+        if let Some(Knowledge::Value(ranges)) = &mut state.known[handle.index()] {
             let mut narrowed = ranges.to_vec();
             if let Some(Range::Float(old)) = narrowed.get_mut(index) {
                 // A sign of zero that was told apart stays so.
@@ -116,16 +116,14 @@ impl Machine<'_> {
         }
         match frame.function.expressions[handle] {
             Expression::AccessIndex { base, index: part } => {
-                let Some(ExpressionValue::Value(_)) = &state.known[base.index()] else {
-                    return Ok(true);
-                };
+                let Some(Knowledge::Value(_)) = &state.known[base.index()] else { return Ok(true) };
                 let inner = frame.info[base].ty.inner_with(&self.valid.module.types);
                 let (start, _) = super::layout::part_of(&self.valid.module, inner, part as usize)
                     .ok_or(GiveUp)?;
                 self.narrow(frame, state, base, start + index, to, depth + 1)
             }
             Expression::Load { pointer } => {
-                let ExpressionValue::Pointer { local, at, .. } =
+                let Knowledge::Pointer { local, at, .. } =
                     self.expression(frame, state, pointer)?
                 else {
                     return Ok(true);

@@ -1,35 +1,26 @@
-//! What is known of a context before any fragment runs.
+//! The range of a context before any fragment runs.
 
 use super::Ranges;
 use super::range::{Floats, Range};
 use crate::compile::MAX_INTENSITY;
-use crate::library::{Context, LightField, Type};
+use crate::library::{Bounds, Context, Type};
 
 /// Unit vectors and rotations, with their roundings.
 const UNIT: f64 = 1.0 + 2e-6;
 
-/// What each scalar of a context may be.
+/// The range of each scalar of a context.
 ///
 /// Everything that a mesh, an interpolation or a scene says may be anything; what generated code
 /// normalizes, and what the host computes as a cosine or clamps, is known.
 pub(in crate::compile) fn context_ranges(context: Context) -> Ranges {
     let count = super::scalars_in(&Type::from_wgsl(context.wgsl_type())).unwrap_or(1);
-    let one = match context {
-        Context::Normal
-        | Context::View
-        | Context::CameraFromWorld
-        | Context::Light(
-            LightField::Direction
-            | LightField::OwnDirection
-            | LightField::Aim
-            | LightField::OwnFromWorld
-            | LightField::Cone,
-        ) => Floats { minus_zero: true, ..Floats::between(-UNIT, UNIT) },
-        Context::Light(LightField::Intensity) => {
+    let one = match context.row().bounds {
+        Bounds::Anything => Floats::ALL,
+        Bounds::Unit => Floats { minus_zero: true, ..Floats::between(-UNIT, UNIT) },
+        Bounds::Count => Floats::between(0.0, f64::from(1_u32 << 24)),
+        Bounds::Intensity => {
             Floats { minus_zero: true, ..Floats::between(0.0, MAX_INTENSITY * 1.001) }
         }
-        Context::ObjectId | Context::Viewport => Floats::between(0.0, f64::from(1_u32 << 24)),
-        _ => Floats::ALL,
     };
     vec![Range::Float(one); count].into()
 }

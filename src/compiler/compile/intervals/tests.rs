@@ -279,8 +279,8 @@ fn loops_are_followed_and_endless_ones_are_not_believed() {
         "fn f(x: f32) -> f32 { var s = 0.0; for (var i = 0; i < 8; i++) { s += x; } return s; }",
     );
     assert_eq!(bounds_of(&valid, &[float(0.0, 0.5)]), Some([0.0, 4.0]));
-    // How often it turns depends on x: whatever it writes may be anything, and what it does not
-    // write stays known.
+    // The number of turns depends on x: a variable that the loop writes may be anything, and one
+    // that it does not write stays known.
     let valid = module(
         "fn f(x: f32) -> f32 \
          { var s = 0.0; var t = 3.0; loop { s += 1.0; if s > x { break; } } return t + 0.0 * min(max(s, 0.0), 1.0); }",

@@ -7,7 +7,7 @@ use crate::compile::value::typed_value;
 use crate::document::Value;
 use crate::library::{Bypass, BypassResult, Condition, Limit, Test};
 
-/// What shows that a condition holds.
+/// The evidence that a condition holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Evidence {
     /// The values themselves.
@@ -17,7 +17,7 @@ enum Evidence {
 }
 
 impl Builder<'_> {
-    /// What stands in a node's place, and why.
+    /// The value that stands in a node's place, and why.
     pub(super) fn bypass(
         &mut self,
         index: usize,
@@ -27,9 +27,9 @@ impl Builder<'_> {
         if self.options.unspecialized || node.variant().result_is_struct {
             return None;
         }
-        let (bypass, shown) = node.def.bypasses.iter().find_map(|bypass| {
-            let shown = self.all_hold(node, inputs, &bypass.conditions)?;
-            Some((bypass, shown))
+        let (bypass, evidence) = node.def.bypasses.iter().find_map(|bypass| {
+            let evidence = self.all_hold(node, inputs, &bypass.conditions)?;
+            Some((bypass, evidence))
         })?;
         let ty = node.variant().result.clone();
         let value = match bypass.result {
@@ -40,7 +40,7 @@ impl Builder<'_> {
             }
         };
         let reason = if bypass.reason.is_empty() { "it changes nothing" } else { &bypass.reason };
-        Some(match shown {
+        Some(match evidence {
             Evidence::Constants => (value, reason.to_owned(), proof_of(bypass)),
             Evidence::Ranges => (value, format!("{reason}, proved by ranges"), Proof::Ranges),
         })
@@ -51,7 +51,7 @@ impl Builder<'_> {
         node.def.unit_when.as_ref().is_some_and(|conditions| self.are_met(node, inputs, conditions))
     }
 
-    /// Whether all conditions hold, however that is shown.
+    /// Whether all conditions hold, however that is evidence.
     pub(super) fn are_met(
         &self,
         node: &TypedNode,
@@ -68,7 +68,7 @@ impl Builder<'_> {
         conditions: &[Condition],
     ) -> Option<Evidence> {
         let each = conditions.iter().map(|condition| self.holds(node, inputs, condition));
-        each.into_iter().try_fold(Evidence::Constants, |shown, one| Some(shown.max(one?)))
+        each.into_iter().try_fold(Evidence::Constants, |evidence, one| Some(evidence.max(one?)))
     }
 
     fn holds(
@@ -82,7 +82,7 @@ impl Builder<'_> {
             return words.contains(word).then_some(Evidence::Constants);
         }
         let id = inputs[condition.input]?;
-        let shown = if self.is_constant(id) { Evidence::Constants } else { Evidence::Ranges };
+        let evidence = if self.is_constant(id) { Evidence::Constants } else { Evidence::Ranges };
         let all = |count: usize, low: f64, high: f64| {
             let Some(ranges) = &self.values[id].ranges else { return false };
             let is_within = |range: &crate::compile::intervals::Range| {
@@ -109,7 +109,7 @@ impl Builder<'_> {
             }
             Test::Word(_) => false,
         };
-        holds.then_some(shown)
+        holds.then_some(evidence)
     }
 
     /// The lower (0) or upper (1) bound of all numbers of what a condition is held against.

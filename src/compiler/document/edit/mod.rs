@@ -46,10 +46,7 @@ pub enum Edit {
     /// Several edits as one: all or none.
     Group { edits: Vec<Edit> },
     /// Puts another look in the place of the whole one, as when its file was changed by others.
-    Replace {
-        #[serde(with = "super::image")]
-        look: Box<Look>,
-    },
+    Replace { look: Box<Look> },
     /// Names the look.
     SetLookName { name: String },
     /// Says what the look shows and how it is built.

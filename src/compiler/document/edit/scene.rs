@@ -17,10 +17,7 @@ pub enum SceneEdit {
     /// Several edits as one: all or none.
     Group { edits: Vec<SceneEdit> },
     /// Puts another scene in the place of the whole one, as when its file was changed by others.
-    Replace {
-        #[serde(with = "crate::document::image::of_scene")]
-        scene: Box<Scene>,
-    },
+    Replace { scene: Box<Scene> },
     /// Names the scene.
     SetSceneName { name: String },
     /// Says what the scene shows and how it is built.

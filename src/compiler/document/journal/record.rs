@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use serde::{Deserialize, Serialize};
 
 use crate::document::edit::{Editable, Numbers, Step};
-use crate::document::image::{HcbtfImage, LookImage, SceneImage};
+use crate::document::image::HcbtfImage;
 use crate::document::{Edit, Hcbtf, HcbtfEdit, Look, Scene, SceneEdit};
 
 /// The version of the journal that this Chiaro writes, and the only one that it reads.
@@ -91,26 +91,37 @@ pub trait Journaled:
 }
 
 macro_rules! journaled {
-    ($document:ty, $image:ty, $kind:literal) => {
+    ($document:ty, $kind:literal) => {
         impl Journaled for $document {
             const KIND: &'static str = $kind;
 
             fn to_image(&self) -> serde_json::Result<String> {
-                let mut text = Vec::new();
-                <$image>::serialize(self, &mut serde_json::Serializer::new(&mut text))?;
-                Ok(String::from_utf8_lossy(&text).into_owned())
+                serde_json::to_string(self)
             }
 
             fn from_image(text: &str) -> serde_json::Result<Self> {
-                <$image>::deserialize(&mut serde_json::Deserializer::from_str(text))
+                serde_json::from_str(text)
             }
         }
     };
 }
 
-journaled!(Look, LookImage, "look");
-journaled!(Scene, SceneImage, "scene");
-journaled!(Hcbtf, HcbtfImage, "hcbtf");
+journaled!(Look, "look");
+journaled!(Scene, "scene");
+
+impl Journaled for Hcbtf {
+    const KIND: &'static str = "hcbtf";
+
+    fn to_image(&self) -> serde_json::Result<String> {
+        let mut text = Vec::new();
+        HcbtfImage::serialize(self, &mut serde_json::Serializer::new(&mut text))?;
+        Ok(String::from_utf8_lossy(&text).into_owned())
+    }
+
+    fn from_image(text: &str) -> serde_json::Result<Self> {
+        HcbtfImage::deserialize(&mut serde_json::Deserializer::from_str(text))
+    }
+}
 
 /// What is done to looks.
 pub type LookOp = Op<Edit>;

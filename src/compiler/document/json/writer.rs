@@ -20,11 +20,14 @@ pub(in crate::document) struct Writer {
     open: Vec<(Layout, bool)>,
     /// What numbers that are not finite become.
     not_finite: &'static str,
+    /// How many drivers decide between the direction keys of the set that is written; `None` where
+    /// a direction does.
+    pub(in crate::document) key_axes: Option<usize>,
 }
 
 impl Writer {
     pub(in crate::document) fn new() -> Self {
-        Self { text: String::new(), open: Vec::new(), not_finite: "null" }
+        Self { text: String::new(), open: Vec::new(), not_finite: "null", key_axes: None }
     }
 
     /// A writer whose text is only read back, to see whether it can be.
@@ -109,7 +112,11 @@ impl Writer {
     }
 
     /// The members that the shape does not know, at the end of its object.
-    pub(in crate::document) fn unknown(&mut self, shape: &Shape, unknown: Option<&Unknown>) {
+    pub(in crate::document) fn unknown(
+        &mut self,
+        shape: &'static Shape,
+        unknown: Option<&Unknown>,
+    ) {
         for (name, value) in
             unknown.into_iter().flatten().filter(|(name, _)| shape.field(name).is_none())
         {

@@ -1,17 +1,16 @@
 //! Reading documents: text to value, with everything that is wrong told at once.
 //!
 //! The parser makes a tree with a place for every value, [`Reader`](reader::Reader) takes typed
-//! fields out of it, and one file a document says which fields there are.
+//! values out of it, and the [descriptions](super::described) of objects say which fields there are.
 
 mod lists;
-mod look;
-mod reader;
-mod scene;
+pub(super) mod reader;
 mod value;
 
 use std::path::Path;
 use std::sync::Arc;
 
+use super::described::{Codec as _, Described, Plain};
 use super::json::{self, At, Kind};
 use super::problems::{Lines, Problems};
 use super::shape::{self, Shape};
@@ -19,6 +18,7 @@ use super::source::{Loaded, SourceMap};
 use super::{Look, Scene, VERSION, store};
 use crate::diag::Diagnostic;
 use reader::Reader;
+pub(super) use value::AxisAngle;
 
 /// A look or a scene, whichever the file holds.
 #[derive(Clone, Debug)]
@@ -64,7 +64,7 @@ impl Look {
 
     /// What is wrong with the text itself, whatever its parts name.
     pub(super) fn read_alone(text: &str) -> Vec<Diagnostic> {
-        Parsed::new(text, "").read(&shape::LOOK, look::look).diagnostics
+        Parsed::new(text, "").read::<Self>().diagnostics
     }
 
     /// Reads a look from a file.
@@ -135,24 +135,20 @@ impl Parsed {
     }
 
     fn look(self) -> Loaded<Look> {
-        let loaded = self.read(&shape::LOOK, look::look);
+        let loaded = self.read();
         with_structure(loaded, Look::check)
     }
 
     fn scene(self) -> Loaded<Scene> {
-        let loaded = self.read(&shape::SCENE, scene::scene);
+        let loaded = self.read();
         with_structure(loaded, Scene::check)
     }
 
-    fn read<T>(
-        mut self,
-        shape: &'static Shape,
-        read: fn(&mut Reader<'_>, At) -> Option<T>,
-    ) -> Loaded<T> {
+    fn read<T: Described>(mut self) -> Loaded<T> {
         let mut value = None;
-        if let Some(root) = self.root(shape) {
+        if let Some(root) = self.root(T::shape()) {
             let mut reader = Reader::new(&self.source.tree, &mut self.problems);
-            value = read(&mut reader, root);
+            value = document(&mut reader, root);
             let kept = std::mem::take(&mut reader.kept);
             self.source.kept = kept;
         }
@@ -201,6 +197,19 @@ impl Parsed {
             _ => Some(root),
         }
     }
+}
+
+/// The document at the top: what it is, and its fields.
+fn document<T: Described>(r: &mut Reader<'_>, at: At) -> Option<T> {
+    let mut fields = r.object(at, T::shape())?;
+    r.field(&fields, "chiaro", |r, at, kind| match kind {
+        shape::Kind::Word(words) => r.word_at(at, words),
+        _ => None,
+    });
+    let _: Option<f64> = Plain::read(r, &mut fields, "version");
+    let schema: Option<String> = Plain::read(r, &mut fields, "$schema");
+    fields.unknown.extend(schema.map(|schema| ("$schema".to_owned(), schema.into())));
+    T::from_fields(r, &mut fields)
 }
 
 /// Adds what is wrong with the document as a whole, unless parts of it are missing because the text

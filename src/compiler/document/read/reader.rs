@@ -10,78 +10,84 @@ use crate::document::json::{At, Kind, Tree};
 use crate::document::problems::Problems;
 use crate::document::shape::{self, Bounds, Shape};
 use crate::document::source::member_path;
-use crate::document::word::Word;
 use crate::document::{ColorSpace, Unknown};
 use crate::ids::{is_slug, make_slug};
 
 /// A step from a value to one in it.
 #[derive(Clone, Copy)]
-pub(super) enum Step {
+pub(in crate::document) enum Step {
     Field(&'static str),
     Key(At),
     Index(u32),
 }
 
 /// Reads one document.
-pub(super) struct Reader<'t> {
-    pub(super) tree: &'t Tree,
+pub(in crate::document) struct Reader<'t> {
+    pub(in crate::document) tree: &'t Tree,
     problems: &'t mut Problems,
-    pub(super) path: Vec<Step>,
+    pub(in crate::document) path: Vec<Step>,
     /// See [`SourceMap`](crate::document::source::SourceMap).
-    pub(super) kept: BTreeMap<String, Vec<u32>>,
+    pub(in crate::document) kept: BTreeMap<String, Vec<u32>>,
     /// What colors are; decides what `#rrggbb` becomes.
-    pub(super) color_space: ColorSpace,
+    pub(in crate::document) color_space: ColorSpace,
+    /// How many drivers decide between the direction keys of the set that is read; `None` where a
+    /// direction does.
+    pub(in crate::document) key_axes: Option<usize>,
 }
 
 /// The members of one object, by the fields of its shape.
-pub(super) struct Fields {
+pub(in crate::document) struct Fields {
     shape: &'static Shape,
     at: At,
     found: [Option<At>; 24],
     /// What the shape does not know. Unknown fields of a field's own parts lie here too, under the
     /// field's name and the part's id, so that each part's type need not hold them.
-    pub(super) unknown: Unknown,
+    pub(in crate::document) unknown: Unknown,
 }
 
 impl Fields {
     /// The value of a field, if it is there.
-    pub(super) fn get(&self, name: &str) -> Option<At> {
+    pub(in crate::document) fn get(&self, name: &str) -> Option<At> {
         let (index, _) = self.shape.field(name).expect("a field of the shape");
         self.found[index]
+    }
+
+    /// The object itself.
+    pub(in crate::document) fn at(&self) -> At {
+        self.at
     }
 
     fn kind(&self, name: &str) -> &'static shape::Kind {
         &self.shape.field(name).expect("a field of the shape").1.kind
     }
 
-    /// Keeps unknown fields of a part of a field.
-    pub(super) fn shadow(&mut self, name: &str, part: Option<&str>, extras: Unknown) {
+    /// Keeps unknown fields of a field's value.
+    pub(in crate::document) fn shadow(&mut self, name: &str, extras: Unknown) {
         if extras.is_empty() {
             return;
         }
         let of_field = self.unknown.entry(name).or_insert_with(|| Unknown::new().into());
-        match (part, of_field.as_object_mut()) {
-            (Some(part), Some(of_field)) => drop(of_field.insert(part.to_owned(), extras.into())),
-            (None, Some(of_field)) => of_field.extend(extras),
-            (_, None) => {}
+        if let Some(of_field) = of_field.as_object_mut() {
+            of_field.extend(extras);
         }
     }
 }
 
 impl<'t> Reader<'t> {
-    pub(super) fn new(tree: &'t Tree, problems: &'t mut Problems) -> Self {
+    pub(in crate::document) fn new(tree: &'t Tree, problems: &'t mut Problems) -> Self {
         Self {
             tree,
             problems,
             path: Vec::new(),
             kept: BTreeMap::new(),
             color_space: ColorSpace::Display,
+            key_axes: None,
         }
     }
 
     /// Reports a problem at a value. Where the end of a list or an object is missing, that is what
     /// is wrong with it.
-    pub(super) fn report(&mut self, at: At, problem: Diagnostic) {
+    pub(in crate::document) fn report(&mut self, at: At, problem: Diagnostic) {
         if self.tree.is_cut(at) {
             return;
         }
@@ -91,7 +97,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Where the reader is, e.g. `nodes[3].values.offset`.
-    pub(super) fn json_path(&self) -> String {
+    pub(in crate::document) fn json_path(&self) -> String {
         self.path.iter().fold(String::new(), |path, step| match step {
             Step::Field(name) => member_path(&path, name),
             Step::Key(at) => member_path(&path, &self.tree.key(*at)),
@@ -100,25 +106,17 @@ impl<'t> Reader<'t> {
     }
 
     /// Reports a problem with the name of the member where the reader is.
-    pub(super) fn report_name(&mut self, at: At, problem: Diagnostic) {
+    pub(in crate::document) fn report_name(&mut self, at: At, problem: Diagnostic) {
         let path = self.json_path();
         self.problems.push(self.tree.key_start(at), problem.json_path(path));
     }
 
-    /// Reports a problem with an item of a list.
-    pub(super) fn report_item(
-        &mut self,
-        list: &'static str,
-        index: u32,
-        at: At,
-        problem: Diagnostic,
-    ) {
-        self.path.push(Step::Field(list));
+    /// Reports a problem with an item of the list where the reader is.
+    pub(in crate::document) fn report_item(&mut self, index: u32, at: At, problem: Diagnostic) {
         self.at_index(index as usize, |r| r.report(at, problem));
-        self.path.pop();
     }
 
-    pub(super) fn wrong_type(&mut self, at: At, expected: &str) {
+    pub(in crate::document) fn wrong_type(&mut self, at: At, expected: &str) {
         let kind = self.tree.kind(at);
         if kind == Kind::Bad {
             return; // The parser has told it.
@@ -137,7 +135,7 @@ impl<'t> Reader<'t> {
     }
 
     /// The members of an object; what the shape does not know is warned about and kept.
-    pub(super) fn object(&mut self, at: At, shape: &'static Shape) -> Option<Fields> {
+    pub(in crate::document) fn object(&mut self, at: At, shape: &'static Shape) -> Option<Fields> {
         if self.tree.kind(at) != Kind::Object {
             self.wrong_type(at, &format!("{} (an object)", with_article(shape.name)));
             return None;
@@ -148,7 +146,7 @@ impl<'t> Reader<'t> {
             let name = tree.key(member);
             match shape.field(&name) {
                 Some((index, _)) if fields.found[index].is_none() => {
-                    fields.found[index] = Some(member)
+                    fields.found[index] = Some(member);
                 }
                 None if !fields.unknown.contains_key(&*name) => {
                     self.unknown_field(member, &name, shape);
@@ -160,10 +158,10 @@ impl<'t> Reader<'t> {
         Some(fields)
     }
 
-    fn unknown_field(&mut self, at: At, name: &str, shape: &Shape) {
+    fn unknown_field(&mut self, at: At, name: &str, shape: &'static Shape) {
         let message =
             format!("{} has no field `{name}`; it is kept as it is", with_article(shape.name));
-        let known = shape.fields.iter().map(|field| field.name);
+        let known = shape.fields().map(|field| field.name);
         self.path.push(Step::Key(at));
         let problem = Diagnostic::warning("unknown-field", message);
         let is_told = self.problems.takes(&problem);
@@ -171,7 +169,7 @@ impl<'t> Reader<'t> {
         self.path.pop();
     }
 
-    pub(super) fn duplicate_key(&mut self, at: At, name: &str) {
+    pub(in crate::document) fn duplicate_key(&mut self, at: At, name: &str) {
         let message = format!("`{name}` is given twice; the first is used");
         self.path.push(Step::Key(at));
         self.report_name(at, Diagnostic::error("duplicate-key", message).hint("remove one"));
@@ -179,7 +177,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Goes to a field's value, if there is one; a missing field that is required is told.
-    pub(super) fn field<T>(
+    pub(in crate::document) fn field<T>(
         &mut self,
         fields: &Fields,
         name: &'static str,
@@ -206,24 +204,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    pub(super) fn bool(&mut self, fields: &Fields, name: &'static str) -> Option<bool> {
-        self.field(fields, name, |r, at, _| match r.tree.kind(at) {
-            Kind::Bool(value) => Some(value),
-            _ => {
-                r.wrong_type(at, "true or false");
-                None
-            }
-        })
-    }
-
-    pub(super) fn number(&mut self, fields: &Fields, name: &'static str) -> Option<f64> {
-        self.field(fields, name, |r, at, kind| match kind {
-            shape::Kind::Number(bounds) => r.number_at(at, *bounds),
-            _ => None,
-        })
-    }
-
-    pub(super) fn number_at(&mut self, at: At, bounds: Bounds) -> Option<f64> {
+    pub(in crate::document) fn number_at(&mut self, at: At, bounds: Bounds) -> Option<f64> {
         let Some(number) = self.tree.number(at) else {
             self.wrong_type(at, "a number");
             return None;
@@ -236,27 +217,16 @@ impl<'t> Reader<'t> {
         Some(number)
     }
 
-    /// `N` numbers.
-    pub(super) fn array<const N: usize>(
+    pub(in crate::document) fn array_at<const N: usize>(
         &mut self,
-        fields: &Fields,
-        name: &'static str,
+        at: At,
+        bounds: Bounds,
     ) -> Option<[f64; N]> {
-        self.field(fields, name, |r, at, kind| match kind {
-            shape::Kind::Numbers(_, _, bounds) => r.array_at(at, *bounds),
-            shape::Kind::Direction => {
-                r.array_at(at, shape::FAR).filter(|direction| r.is_direction(at, direction))
-            }
-            _ => None,
-        })
-    }
-
-    pub(super) fn array_at<const N: usize>(&mut self, at: At, bounds: Bounds) -> Option<[f64; N]> {
         self.numbers_at(at, N, N, bounds)?.try_into().ok()
     }
 
     /// From `least` to `most` numbers.
-    pub(super) fn numbers_at(
+    pub(in crate::document) fn numbers_at(
         &mut self,
         at: At,
         least: usize,
@@ -291,7 +261,11 @@ impl<'t> Reader<'t> {
     }
 
     /// Does something one step further down, in an item of a list.
-    pub(super) fn at_index<T>(&mut self, index: usize, read: impl FnOnce(&mut Self) -> T) -> T {
+    pub(in crate::document) fn at_index<T>(
+        &mut self,
+        index: usize,
+        read: impl FnOnce(&mut Self) -> T,
+    ) -> T {
         self.path.push(Step::Index(index as u32));
         let value = read(self);
         self.path.pop();
@@ -299,7 +273,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Whether it is not of length 0.
-    fn is_direction(&mut self, at: At, direction: &[f64]) -> bool {
+    pub(in crate::document) fn is_direction(&mut self, at: At, direction: &[f64]) -> bool {
         let is_zero = direction.iter().all(|x| x.abs() < 1e-12);
         if is_zero {
             let problem =
@@ -309,14 +283,7 @@ impl<'t> Reader<'t> {
         !is_zero
     }
 
-    pub(super) fn text(&mut self, fields: &Fields, name: &'static str) -> Option<String> {
-        self.field(fields, name, |r, at, kind| match kind {
-            shape::Kind::Text(most) => r.text_at(at, *most).map(Cow::into_owned),
-            _ => None,
-        })
-    }
-
-    pub(super) fn text_at(&mut self, at: At, most: usize) -> Option<Cow<'t, str>> {
+    pub(in crate::document) fn text_at(&mut self, at: At, most: usize) -> Option<Cow<'t, str>> {
         let Some(text) = self.tree.string(at) else {
             self.wrong_type(at, "a string");
             return None;
@@ -329,16 +296,7 @@ impl<'t> Reader<'t> {
         Some(text)
     }
 
-    /// An id.
-    pub(super) fn slug<T: From<String>>(
-        &mut self,
-        fields: &Fields,
-        name: &'static str,
-    ) -> Option<T> {
-        self.field(fields, name, |r, at, _| r.slug_at(at).map(T::from))
-    }
-
-    pub(super) fn slug_at(&mut self, at: At) -> Option<String> {
+    pub(in crate::document) fn slug_at(&mut self, at: At) -> Option<String> {
         let text = self.text_at(at, shape::LONG)?;
         if is_slug(&text) {
             return Some(text.into_owned());
@@ -352,7 +310,7 @@ impl<'t> Reader<'t> {
         self.report(at, problem);
     }
 
-    pub(super) fn no_slug(text: &str) -> Diagnostic {
+    pub(in crate::document) fn no_slug(text: &str) -> Diagnostic {
         let shown: String = text.chars().take(80).collect();
         let message = format!(
             "`{shown}` is no id: one has 1 to 64 of a-z A-Z 0-9 _ - and begins with a letter or _"
@@ -361,15 +319,8 @@ impl<'t> Reader<'t> {
         Diagnostic::error("bad-id", message).hint(hint)
     }
 
-    /// One of some words.
-    pub(super) fn word<T: Word>(&mut self, fields: &Fields, name: &'static str) -> Option<T> {
-        self.field(fields, name, |r, at, _| {
-            r.word_at(at, T::WORDS).and_then(|word| T::from_word(&word))
-        })
-    }
-
     /// One of these words.
-    pub(super) fn word_at(
+    pub(in crate::document) fn word_at(
         &mut self,
         at: At,
         words: &'static [(&'static str, &'static str)],
@@ -386,7 +337,7 @@ impl<'t> Reader<'t> {
     }
 
     /// A color of three numbers, or of three or four.
-    pub(super) fn color_at(&mut self, at: At, alpha: bool) -> Option<Vec<f64>> {
+    pub(in crate::document) fn color_at(&mut self, at: At, alpha: bool) -> Option<Vec<f64>> {
         if let Some(text) = self.tree.string(at) {
             let Some(hex) = parse_hex(&text).filter(|_| alpha || text.len() == 7) else {
                 let hint =
@@ -411,7 +362,7 @@ impl<'t> Reader<'t> {
 }
 
 /// A name with `a` or `an` before it.
-pub(super) fn with_article(name: &str) -> String {
+pub(in crate::document) fn with_article(name: &str) -> String {
     let article = if name.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
     format!("{article} {name}")
 }

@@ -1,38 +1,40 @@
 //! Reading values, targets, endpoints and rotations.
 
-use super::reader::{Fields, Reader};
+use super::reader::Reader;
 use crate::diag::Diagnostic;
+use crate::document::described::{Part as _, described};
 use crate::document::json::{At, Kind};
 use crate::document::rotation;
-use crate::document::shape::{CURVE, F32, FAR, LONG, MAX_NUMBERS, RAMP, RAMP_STOP};
-use crate::document::{Curve, Endpoint, Ramp, RampStop, Target, Unknown, Value, Values};
-use crate::ids::{PortName, is_slug};
+use crate::document::shape::{self, F32, FAR, LONG, MAX_NUMBERS};
+use crate::document::{Curve, Endpoint, Ramp, Target, Unknown, Value};
+use crate::ids::is_slug;
+
+described! {
+    /// A rotation by the right-hand rule.
+    pub struct AxisAngle("axis and angle", Line) {
+        /// The axis; any length but 0.
+        axis: [f64; 3], shape::Kind::Direction, required;
+        /// How far, in radians.
+        angle: f64, shape::Kind::Number(FAR), required;
+    }
+}
 
 impl Reader<'_> {
-    /// The values of inputs, by port.
-    pub(super) fn values(&mut self, fields: &mut Fields) -> Values {
-        self.map::<PortName, _>(fields, "values", Self::value_at)
-    }
-
-    /// A value in a field of its own.
-    pub(super) fn value(&mut self, fields: &mut Fields, name: &'static str) -> Option<Value> {
-        let mut extras = Unknown::new();
-        let value = self.field(fields, name, |r, at, _| r.value_at(at, &mut extras));
-        fields.shadow(name, None, extras);
-        value
-    }
-
-    pub(super) fn value_at(&mut self, at: At, extras: &mut Unknown) -> Option<Value> {
+    pub(in crate::document) fn value_at(&mut self, at: At, extras: &mut Unknown) -> Option<Value> {
         match self.tree.kind(at) {
             Kind::Bool(value) => Some(Value::Bool(value)),
             Kind::Number => self.number_at(at, F32).map(Value::Number),
             Kind::Text => self.text_at(at, LONG).map(|text| Value::Text(text.into_owned())),
             Kind::List => self.numbers_at(at, 1, MAX_NUMBERS, F32).map(Value::Vector),
             Kind::Object if self.tree.member(at, "stops").is_some() => {
-                self.ramp(at, extras).map(Value::Ramp)
+                let ramp = Ramp::read(self, at, &shape::Kind::Value, extras)?;
+                self.in_order(at, "stops", ramp.stops.iter().map(|stop| stop.at))?;
+                Some(Value::Ramp(ramp))
             }
             Kind::Object if self.tree.member(at, "points").is_some() => {
-                self.curve(at, extras).map(Value::Curve)
+                let curve = Curve::read(self, at, &shape::Kind::Value, extras)?;
+                self.in_order(at, "points", curve.points.iter().map(|point| point[0]))?;
+                Some(Value::Curve(curve))
             }
             Kind::Object => {
                 let problem = Diagnostic::error("wrong-type", "this object is no value");
@@ -48,35 +50,6 @@ impl Reader<'_> {
             }
             Kind::Bad => None,
         }
-    }
-
-    fn curve(&mut self, at: At, extras: &mut Unknown) -> Option<Curve> {
-        let fields = self.object(at, &CURVE)?;
-        let points: Vec<[f64; 2]> = self.items(&fields, "points", |r, at| r.array_at(at, F32));
-        let interpolation = self.word(&fields, "interpolation").unwrap_or_default();
-        self.in_order(at, "points", points.iter().map(|point| point[0]))?;
-        *extras = fields.unknown;
-        Some(Curve { points, interpolation })
-    }
-
-    fn ramp(&mut self, at: At, extras: &mut Unknown) -> Option<Ramp> {
-        let mut fields = self.object(at, &RAMP)?;
-        let mut of_stops = Vec::new();
-        let stops = self.items(&fields, "stops", |r, at| {
-            let fields = r.object(at, &RAMP_STOP)?;
-            let stop_at = r.number(&fields, "at");
-            let color = r.field(&fields, "color", |r, at, _| r.color_at(at, true));
-            let stop = RampStop { at: stop_at?, color: color? };
-            of_stops.push(fields.unknown);
-            Some(stop)
-        });
-        for (index, unknown) in of_stops.into_iter().enumerate() {
-            fields.shadow("stops", Some(&index.to_string()), unknown);
-        }
-        let interpolation = self.word(&fields, "interpolation").unwrap_or_default();
-        self.in_order(at, "stops", stops.iter().map(|stop| stop.at))?;
-        *extras = fields.unknown;
-        Some(Ramp { stops, interpolation })
     }
 
     /// Whether there is something, and each is greater than the one before it.
@@ -98,47 +71,37 @@ impl Reader<'_> {
         Some(())
     }
 
-    /// One end of a wire.
-    pub(super) fn endpoint(&mut self, fields: &Fields, name: &'static str) -> Option<Endpoint> {
-        let needs_port = name == "to";
-        self.field(fields, name, |r, at, _| {
-            let text = match r.tree.kind(at) {
-                Kind::Null => "".into(),
-                _ => r.text_at(at, 200)?,
-            };
-            let end = Endpoint::parse(&text);
-            let (node, port) = (end.node.as_str(), end.port.as_str());
-            let problem = if node.is_empty() {
-                Diagnostic::error("wire-to-nothing", "this end of the wire leads to nothing")
-            } else if needs_port && port.is_empty() {
-                Diagnostic::error(
-                    "wire-to-nothing",
-                    format!("the wire leads to `{node}`, but to no input of it"),
-                )
-            } else if is_slug(node) && (port.is_empty() || is_slug(port)) {
-                return Some(end);
-            } else {
-                Diagnostic::error("bad-wire", format!("`{text}` is no port"))
-            };
-            let hint = if needs_port {
-                "write \"node.input\""
-            } else {
-                "write \"node.output\", or \"node\""
-            };
-            r.report(at, problem.hint(hint));
-            None
-        })
+    /// One end of a wire; that at an input needs a port.
+    pub(in crate::document) fn endpoint_at(
+        &mut self,
+        at: At,
+        needs_port: bool,
+    ) -> Option<Endpoint> {
+        let text = match self.tree.kind(at) {
+            Kind::Null => "".into(),
+            _ => self.text_at(at, 200)?,
+        };
+        let end = Endpoint::parse(&text);
+        let (node, port) = (end.node.as_str(), end.port.as_str());
+        let problem = if node.is_empty() {
+            Diagnostic::error("wire-to-nothing", "this end of the wire leads to nothing")
+        } else if needs_port && port.is_empty() {
+            Diagnostic::error(
+                "wire-to-nothing",
+                format!("the wire leads to `{node}`, but to no input of it"),
+            )
+        } else if is_slug(node) && (port.is_empty() || is_slug(port)) {
+            return Some(end);
+        } else {
+            Diagnostic::error("bad-wire", format!("`{text}` is no port"))
+        };
+        let hint =
+            if needs_port { "write \"node.input\"" } else { "write \"node.output\", or \"node\"" };
+        self.report(at, problem.hint(hint));
+        None
     }
 
-    /// What a key or an exposed parameter sets.
-    pub(super) fn target(&mut self, fields: &Fields, name: &'static str) -> Option<Target> {
-        self.field(fields, name, |r, at, _| {
-            let text = r.text_at(at, 10_000)?;
-            r.target_from(at, &text)
-        })
-    }
-
-    pub(super) fn target_from(&mut self, at: At, text: &str) -> Option<Target> {
+    pub(in crate::document) fn target_from(&mut self, at: At, text: &str) -> Option<Target> {
         let target = Target::parse(text).filter(|target| match target {
             Target::Input { node, port } => {
                 node.ids().iter().all(|id| is_slug(id.as_str())) && is_slug(port.as_str())
@@ -158,11 +121,7 @@ impl Reader<'_> {
     }
 
     /// A rotation as a unit quaternion.
-    pub(super) fn rotation(&mut self, fields: &mut Fields, name: &'static str) -> Option<[f64; 4]> {
-        self.field(fields, name, |r, at, _| r.rotation_at(at))
-    }
-
-    fn rotation_at(&mut self, at: At) -> Option<[f64; 4]> {
+    pub(in crate::document) fn rotation_at(&mut self, at: At) -> Option<[f64; 4]> {
         let found = match self.tree.kind(at) {
             Kind::Object => self.axis_angle(at)?,
             Kind::List
@@ -204,15 +163,13 @@ impl Reader<'_> {
                 self.report(
                     at,
                     Diagnostic::error("wrong-count", format!("expected 3 rows, found {count}")),
-                )
+                );
             })
             .ok()
     }
 
     fn axis_angle(&mut self, at: At) -> Option<Result<[f64; 4], &'static str>> {
-        let fields = self.object(at, &crate::document::shape::AXIS_ANGLE)?;
-        let axis = self.array(&fields, "axis");
-        let angle = self.number(&fields, "angle");
-        Some(Ok(rotation::from_axis_angle(axis?, angle?)))
+        let turn = AxisAngle::read(self, at, &shape::Kind::Rotation, &mut Unknown::new())?;
+        Some(Ok(rotation::from_axis_angle(turn.axis, turn.angle)))
     }
 }

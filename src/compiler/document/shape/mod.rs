@@ -1,16 +1,9 @@
-//! What fields a document has: one table that the reader, the writer, the JSON Schemas and
-//! docs/format.md share.
+//! What fields a document has, as [`described!`](super::described) tells the reader, the JSON Schemas
+//! and docs/format.md.
 
-mod look;
-mod scene;
 mod schema;
 mod tables;
 
-pub(super) use look::{
-    BOOKMARK, CURVE, DEFINITION, DIRECTION_KEY, DIRECTION_KEYS, EXPOSED, FRAME, INTERFACE_PORT,
-    LIGHT, LOOK, NODE, NOTE, RAMP, RAMP_STOP, TIME_KEY, TIME_KEYS, WIRE,
-};
-pub(super) use scene::{AXIS_ANGLE, CAMERA, OBJECT, SCENE, TIME_RANGE, TRANSFORM};
 pub use schema::{look_schema, scene_schema};
 pub use tables::field_tables;
 
@@ -21,7 +14,15 @@ pub(super) struct Shape {
     /// What it is, in a phrase.
     pub(super) help: &'static str,
     /// In the order in which they are written.
-    pub(super) fields: &'static [Field],
+    pub(super) rows: &'static [Row],
+}
+
+/// A row of a [`Shape`].
+pub(super) enum Row {
+    /// A field.
+    Field(Field),
+    /// The fields of another object, which lie among those of this one.
+    Flat(fn() -> &'static Shape),
 }
 
 /// A field of a [`Shape`].
@@ -38,7 +39,7 @@ pub(super) enum Default {
     /// It may not be left out.
     Required,
     /// This JSON.
-    Json(&'static str),
+    Json(fn() -> String),
     /// Told in words.
     Words(&'static str),
 }
@@ -78,7 +79,7 @@ pub(super) enum Kind {
     /// A path, or an object of paths by material.
     Looks,
     /// An object.
-    Object(&'static Shape),
+    Object(fn() -> &'static Shape),
     /// A list of at most so many.
     List(&'static Kind, usize),
     /// An object of at most so many, by id.
@@ -150,6 +151,10 @@ pub(super) const FAR: Bounds = Bounds::new(-1e6, 1e6);
 pub(super) const POSITIVE: Bounds = Bounds::new(0.0, 1e6);
 /// What a shader's 32-bit numbers hold.
 pub(super) const F32: Bounds = Bounds::new(-(f32::MAX as f64), f32::MAX as f64);
+/// The versions of the format that are read.
+pub(super) const FORMAT: Bounds = Bounds::whole(1.0, super::VERSION as f64);
+/// A path, in bytes.
+pub(super) const MAX_PATH: usize = 4096;
 /// A line of text.
 pub(super) const LINE: usize = 1000;
 /// A longer text: help, WGSL source.
@@ -161,13 +166,26 @@ pub(super) const MAX_WIRES: usize = 1_000_000;
 /// The numbers of one value.
 pub(super) const MAX_NUMBERS: usize = 16;
 
-impl Shape {
-    /// The field of that name and its index.
-    pub(super) fn field(&self, name: &str) -> Option<(usize, &'static Field)> {
-        self.fields.iter().enumerate().find(|(_, field)| field.name == name)
+impl Kind {
+    /// Whether a color may have an alpha.
+    pub(super) fn has_alpha(&self) -> bool {
+        matches!(self, Self::Color { alpha: true })
     }
 }
 
-const fn field(name: &'static str, kind: Kind, default: Default, help: &'static str) -> Field {
-    Field { name, kind, default, help }
+impl Shape {
+    /// The fields, in the order in which they are written.
+    pub(super) fn fields(&'static self) -> impl Iterator<Item = &'static Field> + Clone {
+        // Rows of flat objects are all fields.
+        let rows = self.rows.iter().flat_map(|row| match row {
+            Row::Field(_) => std::slice::from_ref(row),
+            Row::Flat(shape) => shape().rows,
+        });
+        rows.filter_map(|row| if let Row::Field(field) = row { Some(field) } else { None })
+    }
+
+    /// The field of that name and its index.
+    pub(super) fn field(&'static self, name: &str) -> Option<(usize, &'static Field)> {
+        self.fields().enumerate().find(|(_, field)| field.name == name)
+    }
 }

@@ -1,10 +1,13 @@
-//! JSON Schemas (draft 2020-12) of the documents, made from the tables of their fields.
+//! JSON Schemas (draft 2020-12) of the documents, made from the descriptions of their fields.
 
 use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
 
-use super::{Bounds, CURVE, Default, F32, FAR, Field, Kind, LONG, MAX_NUMBERS, RAMP, Shape};
+use super::{Bounds, Default, F32, FAR, Field, Kind, LONG, MAX_NUMBERS, Shape};
+use crate::document::described::Described as _;
+use crate::document::read::AxisAngle;
+use crate::document::{Curve, Look, Ramp, Scene};
 
 const SLUG: &str = "^[A-Za-z_][A-Za-z0-9_-]{0,63}$";
 const INPUT: &str = r"^[A-Za-z_][A-Za-z0-9_-]{0,63}\.[A-Za-z_][A-Za-z0-9_-]{0,63}$";
@@ -14,12 +17,12 @@ const TARGET: &str = r"^(lights\.[A-Za-z_][A-Za-z0-9_-]{0,63}\.[a-z_]+|[A-Za-z_]
 
 /// The JSON Schema of looks, as `docs/look.schema.json` has it.
 pub fn look_schema() -> Value {
-    schema(&super::LOOK)
+    schema(Look::shape())
 }
 
 /// The JSON Schema of scenes, as `docs/scene.schema.json` has it.
 pub fn scene_schema() -> Value {
-    schema(&super::SCENE)
+    schema(Scene::shape())
 }
 
 fn schema(shape: &'static Shape) -> Value {
@@ -36,22 +39,21 @@ fn schema(shape: &'static Shape) -> Value {
 /// The definitions that a schema refers to, by name.
 type Definitions = BTreeMap<String, Value>;
 
-fn object(shape: &Shape, definitions: &mut Definitions) -> Map<String, Value> {
+fn object(shape: &'static Shape, definitions: &mut Definitions) -> Map<String, Value> {
     let mut properties = Map::new();
-    for field in shape.fields {
+    for field in shape.fields() {
         let mut property = kind(&field.kind, definitions);
         if let Some(property) = property.as_object_mut() {
             property.insert("description".into(), field.help.into());
             if let Default::Json(default) = field.default {
-                let default = serde_json::from_str(default).unwrap_or(Value::Null);
+                let default = serde_json::from_str(&default()).unwrap_or(Value::Null);
                 property.insert("default".into(), default);
             }
         }
         properties.insert(field.name.into(), property);
     }
-    let is_required = |field: &&Field| matches!(field.default, Default::Required);
-    let required: Vec<&str> =
-        shape.fields.iter().filter(is_required).map(|field| field.name).collect();
+    let is_required = |field: &&'static Field| matches!(field.default, Default::Required);
+    let required: Vec<&str> = shape.fields().filter(is_required).map(|field| field.name).collect();
     let mut object = Map::new();
     object.insert("description".into(), shape.help.into());
     object.insert("type".into(), "object".into());
@@ -126,6 +128,7 @@ fn kind(of: &Kind, definitions: &mut Definitions) -> Value {
             json!({ "anyOf": [path(), { "type": "object", "additionalProperties": path() }] })
         }
         Kind::Object(shape) => {
+            let shape = shape();
             refer(shape.name, definitions, |definitions| object(shape, definitions).into())
         }
         Kind::List(item, most) => {
@@ -187,7 +190,7 @@ fn rotation(definitions: &mut Definitions) -> Value {
     json!({ "anyOf": [
         numbers(4, 4, &FAR),
         { "type": "array", "items": numbers(3, 3, &FAR), "minItems": 3, "maxItems": 3 },
-        kind(&Kind::Object(&super::AXIS_ANGLE), definitions)
+        kind(&Kind::Object(AxisAngle::shape), definitions)
     ] })
 }
 
@@ -198,8 +201,8 @@ fn value(definitions: &mut Definitions) -> Value {
         number(&F32),
         numbers(1, MAX_NUMBERS, &F32),
         { "type": "string", "maxLength": LONG },
-        kind(&Kind::Object(&CURVE), definitions),
-        kind(&Kind::Object(&RAMP), definitions)
+        kind(&Kind::Object(Curve::shape), definitions),
+        kind(&Kind::Object(Ramp::shape), definitions)
     ] })
 }
 

@@ -1,44 +1,48 @@
 //! The tables of docs/format.md.
 
 use super::{Default, Kind, Shape, say_number};
+use crate::document::described::Described as _;
+use crate::document::{Curve, Look, Ramp, Scene};
 
 /// One table in Markdown for each kind of object, by the object's name, as docs/format.md has them.
 pub fn field_tables() -> Vec<(&'static str, String)> {
-    let shapes: [&Shape; 22] = [
-        &super::LOOK,
-        &super::NODE,
-        &super::WIRE,
-        &super::LIGHT,
-        &super::FRAME,
-        &super::NOTE,
-        &super::BOOKMARK,
-        &super::DEFINITION,
-        &super::INTERFACE_PORT,
-        &super::EXPOSED,
-        &super::DIRECTION_KEYS,
-        &super::DIRECTION_KEY,
-        &super::TIME_KEYS,
-        &super::TIME_KEY,
-        &super::CURVE,
-        &super::RAMP,
-        &super::RAMP_STOP,
-        &super::SCENE,
-        &super::OBJECT,
-        &super::TRANSFORM,
-        &super::CAMERA,
-        &super::TIME_RANGE,
-    ];
+    let mut shapes = Vec::new();
+    for top in [Look::shape(), Scene::shape()] {
+        collect(top, &mut shapes);
+    }
     let rules = ("hcbtf-rules", crate::document::hcbtf::rule::about::table());
     shapes.into_iter().map(|shape| (shape.name, table(shape))).chain([rules]).collect()
 }
 
-fn table(shape: &Shape) -> String {
+/// The shape and those of what lies in it, each once.
+fn collect(shape: &'static Shape, found: &mut Vec<&'static Shape>) {
+    if found.iter().any(|known| known.name == shape.name) {
+        return;
+    }
+    found.push(shape);
+    for field in shape.fields() {
+        let inner = match &field.kind {
+            Kind::List(item, _) | Kind::Map(item, _) => item,
+            kind => kind,
+        };
+        match inner {
+            Kind::Object(shape) => collect(shape(), found),
+            Kind::Value => {
+                collect(Curve::shape(), found);
+                collect(Ramp::shape(), found);
+            }
+            _ => {}
+        }
+    }
+}
+
+fn table(shape: &'static Shape) -> String {
     let mut table =
         String::from("| field | takes | default | meaning |\n| --- | --- | --- | --- |\n");
-    for field in shape.fields {
+    for field in shape.fields() {
         let default = match field.default {
             Default::Required => "required".to_owned(),
-            Default::Json(json) => format!("`{json}`"),
+            Default::Json(json) => format!("`{}`", json()),
             Default::Words(words) => words.to_owned(),
         };
         let mut help = field.help.replace('|', "\\|");
@@ -78,7 +82,7 @@ fn say(kind: &Kind) -> String {
         Kind::KeyDirection => "`\"view\"`, `{\"light\": id}` or `{\"drivers\": [...]}`".to_owned(),
         Kind::Value => "a [value](#values)".to_owned(),
         Kind::Looks => "a path, or an object of paths".to_owned(),
-        Kind::Object(shape) => format!("{}, an object", linked(shape)),
+        Kind::Object(shape) => format!("{}, an object", linked(shape())),
         Kind::List(item, most) => format!("a list of {}, at most {most}", plural(item)),
         Kind::Map(item, most) => format!("an object of {} by id, at most {most}", plural(item)),
         Kind::TargetValues => {
@@ -89,7 +93,7 @@ fn say(kind: &Kind) -> String {
 
 fn plural(kind: &Kind) -> String {
     match kind {
-        Kind::Object(shape) => linked(shape),
+        Kind::Object(shape) => linked(shape()),
         Kind::Slug => "[ids](#ids)".to_owned(),
         Kind::Value => "[values](#values)".to_owned(),
         Kind::Numbers(..) => "`[x, y]`".to_owned(),

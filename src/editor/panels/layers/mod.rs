@@ -13,19 +13,30 @@ use eframe::egui::{
     EventFilter, Key, Modifiers, Popup, Rect, Response, RichText, ScrollArea, Stroke, Ui, pos2,
 };
 
-use super::super::command::Command;
-use super::super::dock::hint;
-use super::super::session::Session;
-use super::super::spots::{self, Spot};
-use super::super::theme;
-use super::solo;
-use super::stack::{BELOW, Stack};
 use super::thumbs::{Shot, Thumbs, key_on, stage_of};
-use super::widgets::{Renaming, leave_with_pointer, undo_keys};
+use crate::commands::{Command, PanelId};
 use crate::document::{Edit, Endpoint, GraphId, Node, Wire};
 use crate::ids::{NodeId, NodePath, make_slug};
+use crate::panels::table::{PanelPlace, PanelRow};
+use crate::state::session::Session;
+use crate::state::stack::{BELOW, Stack};
+use crate::state::worker::BackgroundJobs;
+use crate::viewport::solo_bar;
+use crate::widgets::rows::{Renaming, leave_with_pointer, undo_keys};
+use crate::widgets::spots::{self, Spot};
+use crate::widgets::text::hint;
+use crate::widgets::theme;
 use presets::{LayerPreset, PRESETS};
 use row::{ROW, Row};
+
+pub(super) const PANEL: PanelRow = PanelRow::new(
+    PanelId::LAYERS,
+    "Layers",
+    "The look as a stack of layers: another view of the same graph",
+    PanelPlace::WITH_DOCUMENT,
+    |bench, ui, context| bench.memory.of::<Layers>().show(ui, context.session, &bench.thumbs),
+)
+.with_jobs(|bench| &bench.thumbs);
 
 /// The panel, and what it knows of the graph.
 #[derive(Default)]
@@ -56,7 +67,7 @@ impl Layers {
         let mut out = Vec::new();
         self.bar(ui, session, &mut out);
         if !session.solo().layers.is_empty() {
-            out.extend(solo::bar(ui, session));
+            out.extend(solo_bar::show(ui, session));
         }
         if !self.stack.has_output() {
             hint(ui, "The look has no Output node, so that there is nothing to see as layers.");

@@ -6,7 +6,7 @@ use std::collections::{HashMap, HashSet};
 use crate::document::{Endpoint, Graph, Look, Node, Value, Wire};
 use crate::ids::{NodeId, PortName};
 
-use super::super::stack::BELOW;
+use crate::state::stack::BELOW;
 
 /// The ground; no slug of a name begins so.
 const GROUND: &str = "chiaro-ground";

@@ -3,10 +3,10 @@
 
 use glam::DVec3;
 
-use super::super::super::catalog::Catalog;
-use super::super::super::session::Session;
+use crate::catalog::Catalog;
 use crate::document::{Edit, Light, Look, Node, Value};
 use crate::ids::{LightId, NodeId, make_slug};
+use crate::state::session::Session;
 
 /// Which of the look's lights a layer is made for.
 #[derive(Clone, Copy, PartialEq)]

@@ -6,17 +6,18 @@ use eframe::egui::{
     Slider, TextureId, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 
-use super::super::super::catalog::{Kind, Port};
-use super::super::super::command::Command;
-use super::super::super::session::Session;
-use super::super::super::spots::{self, Spot};
-use super::super::super::{theme, values};
 use super::super::thumbs::Stand;
-use super::super::widgets::{ICON, Icon, Renaming, card_ground, icon, picture_frame, whole};
 use super::{MODES, OPACITY};
+use crate::catalog::{Kind, Port};
+use crate::commands::Command;
 use crate::document::{Edit, GraphId, Node, Target, Value};
 use crate::ids::{NodeId, NodePath};
 use crate::library::Type;
+use crate::state::session::Session;
+use crate::values;
+use crate::widgets::rows::{ICON, Icon, Renaming, card_ground, icon, picture_frame, whole};
+use crate::widgets::spots::{self, Spot};
+use crate::widgets::theme;
 
 /// The height of a row, in points.
 pub(super) const ROW: f32 = 52.0;

@@ -10,17 +10,16 @@ use eframe::egui::{
     TextureHandle, TextureOptions, Ui, WidgetInfo, pos2, vec2,
 };
 
-use super::super::super::command::Command;
-use super::super::super::dialogs::PAINTING;
-use super::super::super::dock::cell;
-use super::super::super::safety::crashes::{CrashLog, DocumentOrigin, Step, Suspect};
-use super::super::super::session::Session;
-use super::super::super::theme;
 use super::super::thumbs::{Shot, Thumbs, key_of, key_of_scene};
-use super::super::widgets::{fitted, picture_frame, row_ground, whole};
 use super::examples::{self, Example, count, example};
+use crate::commands::{Command, PAINTING};
 use crate::document::{Document, Loaded, Look};
 use crate::hcbtf::{Cover, Picture, cover};
+use crate::state::safety::crashes::{CrashLog, DocumentOrigin, Step, Suspect};
+use crate::state::session::Session;
+use crate::widgets::rows::{fitted, picture_frame, row_ground, whole};
+use crate::widgets::text::cell;
+use crate::widgets::theme;
 
 /// The height of a card's name.
 const NAME: f32 = 20.0;
@@ -82,9 +81,9 @@ impl Painting {
 }
 
 /// A look, a scene or a painting that can be opened.
-pub(in super::super) struct Card {
+pub(crate) struct Card {
     origin: Origin,
-    pub(in super::super) name: String,
+    pub(crate) name: String,
     content: Content,
     key: u64,
     /// The side of its picture, in pixels: cards grow with their panel, and their pictures are not
@@ -94,7 +93,7 @@ pub(in super::super) struct Card {
 
 impl Card {
     /// All examples, with pictures so many pixels wide.
-    pub(in super::super) fn examples(side: f32) -> Vec<Self> {
+    pub(crate) fn examples(side: f32) -> Vec<Self> {
         let card = |index: usize| {
             let Example { stem, path, content } = example(index)?;
             // "figure1-layers" is shown as what the look calls itself, which people search for too.
@@ -123,7 +122,7 @@ impl Card {
 
     /// What a file holds. That it is read is noted in `crashes`, and nothing is read over which the
     /// last program ended.
-    pub(in super::super) fn of_file(path: &Path, side: f32, crashes: &CrashLog) -> Self {
+    pub(crate) fn of_file(path: &Path, side: f32, crashes: &CrashLog) -> Self {
         let origin = Origin::File(path.to_owned());
         if crashes.suspect_in(path).is_some_and(|suspect| suspect.step == Step::Read) {
             return Self { origin, name: name_of(path), content: Content::HeldBack, key: 0, side };
@@ -157,12 +156,12 @@ impl Card {
     }
 
     /// Whether it could be read.
-    pub(in super::super) fn is_readable(&self) -> bool {
+    pub(crate) fn is_readable(&self) -> bool {
         !matches!(self.content, Content::Unreadable)
     }
 
     /// Shows it, with a picture of this side in points.
-    pub(in super::super) fn show(
+    pub(crate) fn show(
         &self,
         ui: &mut Ui,
         side: f32,
@@ -302,7 +301,7 @@ impl Card {
 }
 
 /// A file that was open once and is not there any more.
-pub(in super::super) fn show_gone(ui: &mut Ui, path: &Path, side: f32, out: &mut Vec<Command>) {
+pub(crate) fn show_gone(ui: &mut Ui, path: &Path, side: f32, out: &mut Vec<Command>) {
     let name = name_of(path);
     let (rect, response) = ui.allocate_exact_size(vec2(side, side + NAME), Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{name} is gone")));
@@ -378,7 +377,7 @@ fn name_below(ui: &Ui, card: Rect, picture: Rect, name: &str, color: Color32) {
 
 /// How many cards of at least this side fit beside each other, and how large they then are. Both in
 /// points.
-pub(in super::super) fn columns(width: f32, least: f32, gap: f32) -> (usize, f32) {
+pub(crate) fn columns(width: f32, least: f32, gap: f32) -> (usize, f32) {
     let columns = ((width + gap) / (least + gap)).floor().max(1.0);
     (columns as usize, ((width - gap * (columns - 1.0)) / columns).max(1.0))
 }

@@ -50,10 +50,10 @@ mod tests {
             let text = text(&example.path).unwrap();
             match example.content {
                 Content::Look(_) => {
-                    assert!(!Look::read(&text, example.stem).has_errors(), "{}", example.stem)
+                    assert!(!Look::read(&text, example.stem).has_errors(), "{}", example.stem);
                 }
                 Content::Scene(_) => {
-                    assert!(!Scene::read(&text, example.stem).has_errors(), "{}", example.stem)
+                    assert!(!Scene::read(&text, example.stem).has_errors(), "{}", example.stem);
                 }
             }
         }

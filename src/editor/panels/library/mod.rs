@@ -10,13 +10,30 @@ use std::path::PathBuf;
 use eframe::egui;
 use eframe::egui::{Rect, Role, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
 
-use super::super::command::Command;
-use super::super::dock::hint;
-use super::super::safety::crashes::CrashLog;
-use super::super::session::Session;
 use super::thumbs::Thumbs;
+use crate::commands::{Command, PanelId};
+use crate::panels::table::{PanelContext, PanelPlace, PanelRow};
+use crate::state::safety::crashes::CrashLog;
+use crate::state::session::Session;
+use crate::widgets::text::hint;
 use cards::Card;
 pub(crate) use examples::{Content, example};
+
+pub(super) const PANEL: PanelRow = PanelRow::new(
+    PanelId::LIBRARY,
+    "Library",
+    "Nodes to drag onto the canvas, and finished looks to begin with",
+    PanelPlace::WITH_DOCUMENT,
+    |bench, ui, PanelContext { session, safety }| {
+        let library = bench.memory.of::<Library>();
+        library.know_recent(safety.recent(), &session.crashes);
+        library.show(ui, session, &bench.thumbs)
+    },
+)
+.with_each_frame(|bench, ui, session, _| {
+    bench.thumbs.update(ui, session);
+    Vec::new()
+});
 
 /// A node that is being dragged to the canvas: the payload of egui's drag and drop.
 #[derive(Clone, Debug)]

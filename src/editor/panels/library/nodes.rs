@@ -8,13 +8,13 @@ use eframe::egui::{
     ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2,
 };
 
-use super::super::super::catalog::Kind;
-use super::super::super::command::Command;
-use super::super::super::dock::{cell, hint};
-use super::super::super::session::Session;
-use super::super::super::theme;
-use super::super::widgets::row_ground;
 use super::DraggedKind;
+use crate::catalog::Kind;
+use crate::commands::Command;
+use crate::state::session::Session;
+use crate::widgets::rows::row_ground;
+use crate::widgets::text::{cell, hint};
+use crate::widgets::theme;
 
 const ROW: f32 = 24.0;
 

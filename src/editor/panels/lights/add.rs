@@ -4,13 +4,13 @@
 use eframe::egui::Ui;
 use indexmap::IndexMap;
 
-use super::super::super::command::Command;
-use super::super::super::dock::hint;
-use super::super::super::lighting::{Change, Lamp, Owner, Shared};
-use super::super::super::reading::light_name;
-use super::super::super::session::Session;
+use crate::commands::Command;
 use crate::document::{Light, LightKind};
+use crate::fields::lighting::{Change, Lamp, Owner, Shared};
 use crate::ids::LightId;
+use crate::state::reading::light_name;
+use crate::state::session::Session;
+use crate::widgets::text::hint;
 
 /// The menus above the list.
 pub(super) fn bar(

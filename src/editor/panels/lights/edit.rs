@@ -5,19 +5,22 @@ use eframe::egui::{
     ComboBox, DragValue, Id, Pos2, Role, Sense, Slider, Stroke, Ui, WidgetInfo, vec2,
 };
 
-use super::super::super::command::Command;
-use super::super::super::inspector::color;
-use super::super::super::inspector::marks::Marked;
-use super::super::super::inspector::row::{self, labelled};
-use super::super::super::lighting::{Lamp, Owner};
-use super::super::super::session::Session;
-use super::super::super::theme;
-use crate::document::{ColorSpace, Light, LightField, LightKind, LightSpace};
+use crate::commands::Command;
+use crate::document::{ColorSpace, Light, LightField, LightKind, LightQuantity, LightSpace};
+use crate::fields::lighting::{Lamp, Owner};
+use crate::fields::marks::Marked;
+use crate::fields::row::{self, labelled};
 use crate::library::Type;
+use crate::state::session::Session;
+use crate::widgets::color;
+use crate::widgets::theme;
 
 const BALL: f32 = 84.0;
-/// The narrowest cone that a hand makes, in radians: one of no width is no light.
-const LEAST_CONE: f64 = 1e-3;
+/// The least that a hand makes of a number that is to be above 0: the narrowest cone, say, in
+/// radians, as one of no width is no light.
+const LEAST_ABOVE: f64 = 1e-3;
+/// The greatest factor that a slider gives; more can be typed.
+const MOST_BY_SLIDER: f64 = 4.0;
 /// What a distance of 0 says.
 const OFF: &str = "Off";
 
@@ -63,42 +66,61 @@ fn value(
     light: &mut Light,
     space: ColorSpace,
 ) -> Option<Id> {
-    match field {
-        LightField::Direction => {
-            let on_ball = ball(ui, &mut light.direction);
-            let typed = ui.vertical(|ui| xyz(ui, label, &mut light.direction)).inner;
-            on_ball.or(typed)
-        }
-        LightField::Position => xyz(ui, label, &mut light.position),
-        LightField::Aim => xyz(ui, label, &mut light.aim),
-        LightField::Inner => angle(ui, label, &mut light.inner, light.outer),
-        LightField::Outer => {
-            let most = field.range().map_or(std::f64::consts::PI, |[_, most]| most);
-            let hand = angle(ui, label, &mut light.outer, most);
-            if hand.is_some() {
-                light.outer = light.outer.max(LEAST_CONE);
-                light.inner = light.inner.min(light.outer);
+    if let Ok(vector) = <&mut [f64; 3]>::try_from(field.numbers_mut(light)) {
+        return match field.quantity() {
+            LightQuantity::Color => rgb(ui, label, vector, space),
+            _ if field == LightField::Direction => {
+                let on_ball = ball(ui, vector);
+                on_ball.or(ui.vertical(|ui| xyz(ui, label, vector)).inner)
             }
-            hand
-        }
-        LightField::Color => {
-            let [r, g, b] = light.color;
-            let (id, [r, g, b, _]) = color::edit(ui, label, [r, g, b, 1.0], space, false)?;
-            light.color = [r, g, b];
-            Some(id)
-        }
-        LightField::Intensity => {
-            ui.spacing_mut().slider_width = (ui.available_width() - 66.0).max(40.0);
-            let slider = Slider::new(&mut light.intensity, 0.0..=4.0);
-            let slider = slider.clamping(egui::SliderClamping::Never).max_decimals(3);
-            let response = ui.add(slider).labelled_by(label);
-            let is_number = light.intensity.is_finite();
-            light.intensity = if is_number { light.intensity.max(0.0) } else { 1.0 };
-            response.changed().then_some(response.id)
-        }
-        LightField::HalfDistance => distance(ui, label, field, &mut light.half_distance),
-        LightField::Range => distance(ui, label, field, &mut light.range),
+            _ => xyz(ui, label, vector),
+        };
     }
+    let most = match field.within() {
+        Some(around) => around.numbers(light).first().copied(),
+        None => field.range().map(|[_, most]| most),
+    };
+    let most = most.unwrap_or(f64::MAX);
+    let normal = field.numbers(&Light::default()).first().copied().unwrap_or_default();
+    let number = field.numbers_mut(light).first_mut()?;
+    let hand = match field.quantity() {
+        LightQuantity::Angle => angle(ui, label, number, most),
+        LightQuantity::Distance => distance(ui, label, field, number),
+        _ => factor(ui, label, number, most, normal),
+    };
+    if hand.is_some() {
+        keep_within(field, light);
+    }
+    hand
+}
+
+/// Keeps a field that was set above its least number, and those that are to be within it there.
+fn keep_within(field: LightField, light: &mut Light) {
+    let Some(number) = field.numbers_mut(light).first_mut() else { return };
+    if field.is_above_range() {
+        *number = number.max(LEAST_ABOVE);
+    }
+    let most = *number;
+    for inner in LightField::ALL.into_iter().filter(|inner| inner.within() == Some(field)) {
+        inner.numbers_mut(light).iter_mut().for_each(|number| *number = number.min(most));
+    }
+}
+
+fn rgb(ui: &mut Ui, label: Id, color: &mut [f64; 3], space: ColorSpace) -> Option<Id> {
+    let [r, g, b] = *color;
+    let (id, [r, g, b, _]) = color::edit(ui, label, [r, g, b, 1.0], space, false)?;
+    *color = [r, g, b];
+    Some(id)
+}
+
+/// A factor from 0 on; what is no number becomes what it is in a new light.
+fn factor(ui: &mut Ui, label: Id, factor: &mut f64, most: f64, normal: f64) -> Option<Id> {
+    ui.spacing_mut().slider_width = (ui.available_width() - 66.0).max(40.0);
+    let slider = Slider::new(factor, 0.0..=most.min(MOST_BY_SLIDER));
+    let slider = slider.clamping(egui::SliderClamping::Never).max_decimals(3);
+    let response = ui.add(slider).labelled_by(label);
+    *factor = if factor.is_finite() { factor.max(0.0) } else { normal };
+    response.changed().then_some(response.id)
 }
 
 /// A length in scene units, of which 0 says that there is no such bound.

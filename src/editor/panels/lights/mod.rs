@@ -14,17 +14,27 @@ use eframe::egui::{
 };
 use indexmap::IndexMap;
 
-use super::super::command::Command;
-use super::super::dock::hint;
-use super::super::lighting::{Lamp, Owner, Shared};
-use super::super::session::Session;
-use super::super::{theme, values};
-use super::solo;
-use super::widgets::{ICON, Icon, Renaming, icon, picture_frame};
+use crate::commands::{Command, PanelId};
 use crate::document::{ColorSpace, Light, Value};
+use crate::fields::lighting::{Lamp, Owner, Shared};
 use crate::ids::LightId;
 use crate::library::Type;
+use crate::panels::table::{PanelPlace, PanelRow};
+use crate::state::session::Session;
+use crate::values;
+use crate::viewport::solo_bar;
+use crate::widgets::rows::{ICON, Icon, Renaming, icon, picture_frame};
+use crate::widgets::text::hint;
+use crate::widgets::theme;
 pub(crate) use edit::edit;
+
+pub(super) const PANEL: PanelRow = PanelRow::new(
+    PanelId::LIGHTS,
+    "Lights",
+    "The lights that layers name: which shine, from where, how bright",
+    PanelPlace::WITH_DOCUMENT,
+    |bench, ui, context| bench.memory.of::<Lights>().show(ui, context.session),
+);
 
 /// How wide it is to say who has a light, in points.
 const USERS: f32 = 50.0;
@@ -47,7 +57,7 @@ impl Lights {
         let mut out = Vec::new();
         add::bar(ui, session, &self.shared, &mut out);
         if !session.solo().lights.is_empty() || !session.solo().muted.is_empty() {
-            out.extend(solo::bar(ui, session));
+            out.extend(solo_bar::show(ui, session));
         }
         let of_scene = session.lights_of(Owner::Scene).filter(|lights| !lights.is_empty());
         ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {

@@ -3,15 +3,13 @@
 use eframe::egui;
 use eframe::egui::{Checkbox, ComboBox, DragValue, Id, Ui};
 
-use super::super::super::dialogs::Purpose;
-use super::super::super::inspector::row::labelled;
-use super::super::super::stage::{
-    Stage, Wish, file_label, from_degrees, mesh_label, stood_up, to_degrees,
-};
+use crate::commands::{FilePurpose, SceneCommand};
 use crate::document::{Object, Transform};
+use crate::fields::row::labelled;
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX};
 use crate::geometry::SHAPES;
 use crate::ids::ObjectId;
+use crate::state::stage::{Stage, file_label, from_degrees, mesh_label, stood_up, to_degrees};
 
 /// The smallest scale: 0 leaves nothing.
 const LEAST_SCALE: f64 = 1e-3;
@@ -38,24 +36,24 @@ impl Details {
         stage: &Stage,
         id: &ObjectId,
         object: &Object,
-        out: &mut Vec<Wish>,
+        out: &mut Vec<SceneCommand>,
     ) {
         ui.push_id(id, |ui| {
             labelled(ui, "Mesh", "What it is made of", |ui, label| {
-                mesh(ui, label, stage, id, object, out)
+                mesh(ui, label, stage, id, object, out);
             });
             looks(ui, stage, id, object, out);
             let mut new = object.transform;
             let mut hand = None;
             let help = "Where it stands, in scene units: to the right, up, toward the viewer";
             labelled(ui, "Place", help, |ui, _| {
-                hand = hand.or(xyz(ui, "Place", &mut new.translate, 0.01, ""))
+                hand = hand.or(xyz(ui, "Place", &mut new.translate, 0.01, ""));
             });
             let help = "How it is turned: around the axis to the right, around the vertical one, \
                         around the one toward the viewer";
             labelled(ui, "Turn", help, |ui, _| hand = hand.or(self.turn(ui, id, &mut new)));
             labelled(ui, "Scale", "How large it is", |ui, _| {
-                hand = hand.or(self.scale(ui, &mut new))
+                hand = hand.or(self.scale(ui, &mut new));
             });
             labelled(
                 ui,
@@ -78,7 +76,7 @@ impl Details {
             );
             if let Some(hand) = hand.filter(|_| new != object.transform) {
                 let edit = stage.change(id, |object| object.transform = new);
-                out.extend(edit.map(|edit| Wish::EditHeld(hand, edit)));
+                out.extend(edit.map(|edit| SceneCommand::EditHeld(hand, edit)));
             }
         });
     }
@@ -127,7 +125,7 @@ fn mesh(
     stage: &Stage,
     id: &ObjectId,
     object: &Object,
-    out: &mut Vec<Wish>,
+    out: &mut Vec<SceneCommand>,
 ) {
     let combo = ComboBox::from_id_salt("mesh")
         .selected_text(mesh_label(&object.mesh))
@@ -138,7 +136,7 @@ fn mesh(
             if ui.selectable_label(is_it, shape.label).on_hover_text(shape.help).clicked() && !is_it
             {
                 let mesh = format!("{SHAPE_PREFIX}{}", shape.name);
-                out.extend(stage.change(id, |object| object.mesh = mesh).map(Wish::Edit));
+                out.extend(stage.change(id, |object| object.mesh = mesh).map(SceneCommand::Edit));
             }
         }
         ui.separator();
@@ -148,7 +146,7 @@ fn mesh(
             .on_hover_text("OBJ, PLY, STL or glTF")
             .clicked()
         {
-            out.push(Wish::Ask(Purpose::ObjectMesh, id.clone(), String::new()));
+            out.push(SceneCommand::Ask(FilePurpose::ObjectMesh, id.clone(), String::new()));
         }
     });
     combo.response.labelled_by(label).on_hover_text(&object.mesh);
@@ -156,7 +154,7 @@ fn mesh(
 
 /// A row for what all materials wear, and where the mesh has several, or the object names some, one
 /// for each.
-fn looks(ui: &mut Ui, stage: &Stage, id: &ObjectId, object: &Object, out: &mut Vec<Wish>) {
+fn looks(ui: &mut Ui, stage: &Stage, id: &ObjectId, object: &Object, out: &mut Vec<SceneCommand>) {
     let known = stage.materials(id);
     let mut materials: Vec<&str> =
         known.iter().map(String::as_str).filter(|_| known.len() > 1).collect();
@@ -176,7 +174,7 @@ fn looks(ui: &mut Ui, stage: &Stage, id: &ObjectId, object: &Object, out: &mut V
     for material in materials {
         let shown = if material.is_empty() { "(no name)" } else { material };
         labelled(ui, shown, "What this material wears", |ui, label| {
-            look(ui, label, stage, id, object, material, out)
+            look(ui, label, stage, id, object, material, out);
         });
     }
 }
@@ -188,7 +186,7 @@ fn look(
     id: &ObjectId,
     object: &Object,
     material: &str,
-    out: &mut Vec<Wish>,
+    out: &mut Vec<SceneCommand>,
 ) {
     let nothing = if material == ANY_MATERIAL { "None" } else { "As the others" };
     let worn = object.looks.get(material);
@@ -202,7 +200,7 @@ fn look(
                 Some(name) => drop(object.looks.insert(material.to_owned(), name)),
                 None => drop(object.looks.shift_remove(material)),
             });
-            out.extend(edit.map(Wish::Edit));
+            out.extend(edit.map(SceneCommand::Edit));
         };
         for name in stage.looks() {
             let is_it = worn
@@ -218,7 +216,7 @@ fn look(
         }
         ui.separator();
         if ui.selectable_label(false, "From a file...").on_hover_text("Another look").clicked() {
-            out.push(Wish::Ask(Purpose::ObjectLook, id.clone(), material.to_owned()));
+            out.push(SceneCommand::Ask(FilePurpose::ObjectLook, id.clone(), material.to_owned()));
         }
     });
     combo.response.labelled_by(label);

@@ -10,15 +10,24 @@ use eframe::egui::{
     UiBuilder, WidgetInfo, vec2,
 };
 
-use super::super::command::Command;
-use super::super::dock::hint;
-use super::super::session::Session;
-use super::super::stage::{Stage, Wish, mesh_label};
-use super::super::theme;
-use super::widgets::{Icon, Renaming, card_ground, icon, leave_with_pointer, undo_keys};
+use crate::commands::{Command, PanelId, SceneCommand};
 use crate::document::{Object, SceneEdit};
 use crate::geometry::SHAPES;
 use crate::ids::ObjectId;
+use crate::panels::table::{PanelPlace, PanelRow};
+use crate::state::session::Session;
+use crate::state::stage::{Stage, mesh_label};
+use crate::widgets::rows::{Icon, Renaming, card_ground, icon, leave_with_pointer, undo_keys};
+use crate::widgets::text::hint;
+use crate::widgets::theme;
+
+pub(super) const PANEL: PanelRow = PanelRow::new(
+    PanelId::OBJECTS,
+    "Objects",
+    "The objects of the scene: their meshes, their looks, where they stand",
+    PanelPlace::WITH_DOCUMENT,
+    |bench, ui, context| bench.memory.of::<Objects>().show(ui, context.session),
+);
 
 const ROW: f32 = 40.0;
 
@@ -42,7 +51,7 @@ impl Objects {
                 "The look is on one object. Add another, and both are a scene that can be saved.",
             );
             hint(ui, "Open shows the objects of a scene file, each in its own look.");
-            return out.into_iter().map(Command::Stage).collect();
+            return out.into_iter().map(Command::Scene).collect();
         };
         words::show(ui, stage.scene(), &mut out);
         if stage.scene().objects.is_empty() {
@@ -70,7 +79,7 @@ impl Objects {
                 }
             }
         });
-        out.into_iter().map(Command::Stage).chain(commands).collect()
+        out.into_iter().map(Command::Scene).chain(commands).collect()
     }
 
     fn row(
@@ -79,7 +88,7 @@ impl Objects {
         stage: &Stage,
         id: &ObjectId,
         object: &Object,
-        out: &mut Vec<Wish>,
+        out: &mut Vec<SceneCommand>,
         commands: &mut Vec<Command>,
     ) -> Rect {
         let is_selected = stage.selected().is_some_and(|(selected, _)| selected == id);
@@ -96,7 +105,7 @@ impl Objects {
         self.head(&mut inner, stage, id, object, out);
         if response.clicked() {
             response.request_focus();
-            out.push(Wish::Pick(id.clone(), None));
+            out.push(SceneCommand::Pick(id.clone(), None));
         }
         if response.double_clicked() {
             self.renaming = Some(Renaming::new(id.clone(), id.as_str()));
@@ -105,7 +114,7 @@ impl Objects {
         if response.has_focus() {
             let pressed = |key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
             if pressed(Key::Delete) {
-                out.push(Wish::Edit(SceneEdit::RemoveObject { id: id.clone() }));
+                out.push(SceneCommand::Edit(SceneEdit::RemoveObject { id: id.clone() }));
             }
             undo_keys(ui, commands);
         }
@@ -120,12 +129,14 @@ impl Objects {
         stage: &Stage,
         id: &ObjectId,
         object: &Object,
-        out: &mut Vec<Wish>,
+        out: &mut Vec<SceneCommand>,
     ) {
         ui.spacing_mut().item_spacing.x = 6.0;
         let help = "Shows the object, or hides it";
         if icon(ui, Icon::Eye, object.visible, &format!("Object {id} is seen"), help).clicked() {
-            out.extend(stage.change(id, |object| object.visible = !object.visible).map(Wish::Edit));
+            out.extend(
+                stage.change(id, |object| object.visible = !object.visible).map(SceneCommand::Edit),
+            );
         }
         ui.with_layout(Layout::right_to_left(egui::Align::Center), |ui| {
             let help = "Frame, duplicate, rename, remove";
@@ -145,14 +156,14 @@ impl Objects {
         stage: &Stage,
         id: &ObjectId,
         object: &Object,
-        out: &mut Vec<Wish>,
+        out: &mut Vec<SceneCommand>,
     ) {
         if let Some(field) = self.renaming.as_mut().filter(|field| field.id == *id) {
             if let Some(new) = field.show(ui, id.as_str(), &format!("New name of {id}")) {
                 self.renaming = None;
                 let renamed =
                     new.filter(|name| !name.is_empty()).and_then(|name| stage.rename(id, &name));
-                out.extend(renamed.map(|(new, edit)| Wish::Make(new, edit)));
+                out.extend(renamed.map(|(new, edit)| SceneCommand::Make(new, edit)));
             }
             return;
         }
@@ -184,20 +195,20 @@ impl Objects {
         });
     }
 
-    fn menu(&mut self, ui: &mut Ui, stage: &Stage, id: &ObjectId, out: &mut Vec<Wish>) {
+    fn menu(&mut self, ui: &mut Ui, stage: &Stage, id: &ObjectId, out: &mut Vec<SceneCommand>) {
         if ui
             .button("Frame object")
             .on_hover_text("Brings it into view (F over the picture)")
             .clicked()
         {
-            out.push(Wish::Frame(Some(id.clone())));
+            out.push(SceneCommand::Frame(Some(id.clone())));
         }
         if ui
             .button("Duplicate object")
             .on_hover_text("Adds the same once more, to the right of all")
             .clicked()
         {
-            out.extend(stage.duplicate(id).map(|(new, edit)| Wish::Make(new, edit)));
+            out.extend(stage.duplicate(id).map(|(new, edit)| SceneCommand::Make(new, edit)));
         }
         if ui.button("Rename object").on_hover_text("Or double click on the row").clicked() {
             self.renaming = Some(Renaming::new(id.clone(), id.as_str()));
@@ -208,18 +219,18 @@ impl Objects {
             .on_hover_text("Its mesh and its look stay where they are")
             .clicked()
         {
-            out.push(Wish::Edit(SceneEdit::RemoveObject { id: id.clone() }));
+            out.push(SceneCommand::Edit(SceneEdit::RemoveObject { id: id.clone() }));
         }
     }
 }
 
 /// What can be done with the scene as a whole.
-fn bar(ui: &mut Ui, session: &Session, out: &mut Vec<Wish>) {
+fn bar(ui: &mut Ui, session: &Session, out: &mut Vec<SceneCommand>) {
     ui.horizontal(|ui| {
         let menu = ui.menu_button("Add an object", |ui| {
             for shape in SHAPES {
                 if ui.button(shape.label).on_hover_text(shape.help).clicked() {
-                    out.push(Wish::Add(Some(format!(
+                    out.push(SceneCommand::Add(Some(format!(
                         "{}{}",
                         crate::frame::SHAPE_PREFIX,
                         shape.name
@@ -231,7 +242,7 @@ fn bar(ui: &mut Ui, session: &Session, out: &mut Vec<Wish>) {
             let help =
                 "OBJ, PLY, STL or glTF; it can also be dropped here, or on the picture with Shift";
             if ui.button("Mesh from a file...").on_hover_text(help).clicked() {
-                out.push(Wish::Add(None));
+                out.push(SceneCommand::Add(None));
                 ui.close();
             }
         });
@@ -248,7 +259,7 @@ fn bar(ui: &mut Ui, session: &Session, out: &mut Vec<Wish>) {
             if stage.is_dirty() {
                 let help = "Saves the scene to its file";
                 if ui.button("Save scene").on_hover_text(help).clicked() {
-                    out.push(Wish::Save);
+                    out.push(SceneCommand::Save);
                 }
             }
             ui.add(Label::new(text).truncate()).on_hover_text(help);
@@ -257,23 +268,23 @@ fn bar(ui: &mut Ui, session: &Session, out: &mut Vec<Wish>) {
     ui.add_space(2.0);
 }
 
-fn scene_menu(ui: &mut Ui, out: &mut Vec<Wish>) {
+fn scene_menu(ui: &mut Ui, out: &mut Vec<SceneCommand>) {
     if ui.button("Save scene as...").on_hover_text("Saves the scene under another name").clicked() {
-        out.push(Wish::SaveAs);
+        out.push(SceneCommand::SaveAs);
     }
     let help = "The scene's camera, lights and backdrop become what the picture shows now";
     if ui.button("Keep this view").on_hover_text(help).clicked() {
-        out.push(Wish::KeepView);
+        out.push(SceneCommand::KeepView);
     }
     if ui
         .button("Frame all objects")
         .on_hover_text("Brings every object into view (A over the picture)")
         .clicked()
     {
-        out.push(Wish::Frame(None));
+        out.push(SceneCommand::Frame(None));
     }
     ui.separator();
     if ui.button("Close the scene").on_hover_text("The open look stays, on one object").clicked() {
-        out.push(Wish::Close);
+        out.push(SceneCommand::Close);
     }
 }

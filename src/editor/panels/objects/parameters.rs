@@ -4,16 +4,18 @@ use std::borrow::Cow;
 
 use eframe::egui::{Id, RichText, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2};
 
-use super::super::super::catalog::Port;
-use super::super::super::inspector::row;
-use super::super::super::reading::Parameter;
-use super::super::super::session::Session;
-use super::super::super::stage::{Stage, Wish};
-use super::super::super::{theme, values};
 use super::details::look_label;
+use crate::catalog::Port;
+use crate::commands::SceneCommand;
 use crate::document::{Object, Value};
+use crate::fields::row;
 use crate::ids::{ObjectId, PortName};
 use crate::library::Type;
+use crate::state::reading::Parameter;
+use crate::state::session::Session;
+use crate::state::stage::Stage;
+use crate::values;
+use crate::widgets::theme;
 
 /// Lists the parameters by the looks that expose them, and then what the object sets and no look of
 /// it takes.
@@ -23,7 +25,7 @@ pub(super) fn show(
     stage: &Stage,
     id: &ObjectId,
     object: &Object,
-    out: &mut Vec<Wish>,
+    out: &mut Vec<SceneCommand>,
 ) {
     let mut known: Vec<PortName> = Vec::new();
     let mut setter = Setter { stage, id, object, out };
@@ -81,7 +83,7 @@ struct Setter<'a> {
     stage: &'a Stage,
     id: &'a ObjectId,
     object: &'a Object,
-    out: &'a mut Vec<Wish>,
+    out: &'a mut Vec<SceneCommand>,
 }
 
 impl Setter<'_> {
@@ -154,13 +156,13 @@ impl Setter<'_> {
     fn set(&mut self, hand: Id, name: &PortName, value: Value) {
         let set =
             self.stage.change(self.id, |object| drop(object.values.insert(name.clone(), value)));
-        self.out.extend(set.map(|edit| Wish::EditHeld(hand, edit)));
+        self.out.extend(set.map(|edit| SceneCommand::EditHeld(hand, edit)));
     }
 
     /// Takes the object's own value away.
     fn clear(&mut self, name: &PortName) {
         let edit = self.stage.change(self.id, |object| drop(object.values.shift_remove(name)));
-        self.out.extend(edit.map(Wish::Edit));
+        self.out.extend(edit.map(SceneCommand::Edit));
     }
 }
 

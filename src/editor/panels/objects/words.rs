@@ -2,12 +2,12 @@
 
 use eframe::egui::{CollapsingHeader, TextEdit, Ui};
 
-use super::super::super::inspector::row::labelled;
-use super::super::super::stage::Wish;
+use crate::commands::SceneCommand;
 use crate::document::{Scene, SceneEdit};
+use crate::fields::row::labelled;
 
 /// Shows both, folded to a line.
-pub(super) fn show(ui: &mut Ui, scene: &Scene, out: &mut Vec<Wish>) {
+pub(super) fn show(ui: &mut Ui, scene: &Scene, out: &mut Vec<SceneCommand>) {
     let title =
         if scene.name.is_empty() { "Name and about".to_owned() } else { scene.name.clone() };
     let section = CollapsingHeader::new(title).id_salt("words of the scene").show(ui, |ui| {
@@ -17,7 +17,7 @@ pub(super) fn show(ui: &mut Ui, scene: &Scene, out: &mut Vec<Wish>) {
                 .add(TextEdit::singleline(&mut name).desired_width(f32::INFINITY))
                 .labelled_by(label);
             if response.changed() {
-                out.push(Wish::EditHeld(response.id, SceneEdit::SetSceneName { name }));
+                out.push(SceneCommand::EditHeld(response.id, SceneEdit::SetSceneName { name }));
             }
         });
         labelled(ui, "About", "What it shows, for who finds it", |ui, label| {
@@ -26,7 +26,7 @@ pub(super) fn show(ui: &mut Ui, scene: &Scene, out: &mut Vec<Wish>) {
                 TextEdit::multiline(&mut about).desired_width(f32::INFINITY).desired_rows(2);
             let response = ui.add(field.hint_text("What it shows")).labelled_by(label);
             if response.changed() {
-                out.push(Wish::EditHeld(response.id, SceneEdit::SetSceneAbout { about }));
+                out.push(SceneCommand::EditHeld(response.id, SceneEdit::SetSceneAbout { about }));
             }
         });
     });

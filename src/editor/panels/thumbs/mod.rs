@@ -12,15 +12,15 @@ use glam::DVec3;
 
 use eframe::egui::{self, ColorImage, TextureHandle, TextureId, Ui};
 
-use super::super::orbit::Orbit;
-use super::super::safety::crashes::{CrashLog, DocumentOrigin, Step};
-use super::super::session::Session;
-use super::super::still::{Reused, Still};
-use super::super::worker::Worker;
 use crate::compile::Live;
 use crate::document::Look;
 use crate::frame::{Cull, DEFAULT_MESH, Picture, PlanOptions, Planner, SHAPE_PREFIX};
 use crate::render::{Gpu, Renderer};
+use crate::state::orbit::Orbit;
+use crate::state::safety::crashes::{CrashLog, DocumentOrigin, Step};
+use crate::state::session::Session;
+use crate::state::still::{Reused, Still};
+use crate::state::worker::{BackgroundJobs, Worker};
 pub(crate) use scene::key_of_scene;
 
 /// Each pixel is the mean of so many by so many: highlights are finer than a small picture's
@@ -158,16 +158,6 @@ impl Thumbs {
         }
     }
 
-    pub(crate) fn is_busy(&self) -> bool {
-        self.worker.as_ref().is_some_and(Worker::is_busy)
-    }
-
-    pub(crate) fn wait(&self) {
-        if let Some(worker) = &self.worker {
-            worker.wait();
-        }
-    }
-
     /// Takes what was drawn, and knows whether the window rests. To be called once a frame.
     pub(crate) fn update(&mut self, ui: &Ui, session: &Session) {
         for Done { key, image } in self.worker.as_ref().map(Worker::answers).unwrap_or_default() {
@@ -278,6 +268,18 @@ impl Thumbs {
         let side = (side.round() as u32).clamp(8, MAX_SIDE);
         let (origin, subject) = (origin(), subject());
         worker.request(|_| Job { key, origin, subject, side });
+    }
+}
+
+impl BackgroundJobs for Thumbs {
+    fn is_busy(&self) -> bool {
+        self.worker.as_ref().is_some_and(Worker::is_busy)
+    }
+
+    fn wait(&self) {
+        if let Some(worker) = &self.worker {
+            worker.wait();
+        }
     }
 }
 

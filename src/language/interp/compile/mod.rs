@@ -207,7 +207,7 @@ fn calls(body: &Block) -> Vec<Handle<Function>> {
                 Statement::If { accept, reject, .. } => blocks.extend([accept, reject]),
                 Statement::Loop { body, continuing, .. } => blocks.extend([body, continuing]),
                 Statement::Switch { cases, .. } => {
-                    blocks.extend(cases.iter().map(|case| &case.body))
+                    blocks.extend(cases.iter().map(|case| &case.body));
                 }
                 _ => {}
             }

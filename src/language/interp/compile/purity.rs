@@ -92,7 +92,7 @@ fn any(body: &Block, is_one: impl Fn(&Statement) -> bool) -> bool {
                 Statement::If { accept, reject, .. } => blocks.extend([accept, reject]),
                 Statement::Loop { body, continuing, .. } => blocks.extend([body, continuing]),
                 Statement::Switch { cases, .. } => {
-                    blocks.extend(cases.iter().map(|case| &case.body))
+                    blocks.extend(cases.iter().map(|case| &case.body));
                 }
                 _ => {}
             }

@@ -199,7 +199,7 @@ fn run<R: Rounding>(
                 match memory.same_in_all(selector) {
                     Some(value) => groups.current.counter = switch.target(value as u32) as usize,
                     None => {
-                        groups.scatter(|lane| switch.target(memory.int(selector, lane)) as usize)
+                        groups.scatter(|lane| switch.target(memory.int(selector, lane)) as usize);
                     }
                 }
             }
@@ -231,7 +231,12 @@ fn run<R: Rounding>(
                 }
             }
             _ => {
-                step::<R, LANES>(instruction, memory, Mask { lanes, is_full: lanes == live }, world)
+                step::<R, LANES>(
+                    instruction,
+                    memory,
+                    Mask { lanes, is_full: lanes == live },
+                    world,
+                );
             }
         }
         groups.settle();

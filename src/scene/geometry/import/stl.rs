@@ -163,7 +163,7 @@ fn vertex<'a>(
                 format!("the coordinate `{word}` is not finite"),
             ),
             Err(_) => {
-                report.error_at(text, word, "mesh-syntax", format!("`{word}` is not a number"))
+                report.error_at(text, word, "mesh-syntax", format!("`{word}` is not a number"));
             }
         }
         count += 1;

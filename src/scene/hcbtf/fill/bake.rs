@@ -64,7 +64,7 @@ pub(super) fn tile(plan: &Plan<'_>, recipe: &Recipe, progress: &Progress) -> Opt
             );
             match recipe.turn.get() == 0.0 {
                 true => rows.each(|y, row| {
-                    row.iter_mut().enumerate().for_each(|(x, color)| *color = morph.at(x, y))
+                    row.iter_mut().enumerate().for_each(|(x, color)| *color = morph.at(x, y));
                 }),
                 false => rows.turned(plan.is_tiling, |x, y| morph.at(x, y)),
             }
@@ -145,7 +145,7 @@ impl Rows<'_> {
     fn turned(&self, is_tiling: bool, texel: impl Fn(usize, usize) -> Color) -> Option<Arc<Tile>> {
         let turned = Turned::new(self.size, is_tiling, self.recipe.turn.get(), texel);
         self.each(|y, row| {
-            row.iter_mut().enumerate().for_each(|(x, color)| *color = turned.at(x, y))
+            row.iter_mut().enumerate().for_each(|(x, color)| *color = turned.at(x, y));
         })
     }
 

@@ -103,10 +103,10 @@ fn without_rules_the_rest_is_empty() {
     for (address, tile, provenance) in filled.iter() {
         match hcbtf.painted(address) {
             Some(painted) => {
-                assert!(Arc::ptr_eq(painted, tile) && *provenance == Provenance::Painted)
+                assert!(Arc::ptr_eq(painted, tile) && *provenance == Provenance::Painted);
             }
             None => {
-                assert!(tile.bytes().iter().all(|b| *b == 0) && *provenance == Provenance::Empty)
+                assert!(tile.bytes().iter().all(|b| *b == 0) && *provenance == Provenance::Empty);
             }
         }
         assert_eq!(filled.tile(address).map(Arc::as_ptr), Some(Arc::as_ptr(tile)));

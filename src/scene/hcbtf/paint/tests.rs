@@ -342,7 +342,7 @@ fn a_flood_goes_on_under_the_seam_and_stops_at_hard_edges_and_other_colors() {
     // A line as thin as a texel keeps its color, and what is behind it too.
     let mut lined = halves(white);
     (0..8).for_each(|y| {
-        lined.bytes_mut()[4 * (y * 16 + 4)..][..4].copy_from_slice(&[90, 90, 90, 255])
+        lined.bytes_mut()[4 * (y * 16 + 4)..][..4].copy_from_slice(&[90, 90, 90, 255]);
     });
     let filled = fill(&lined, [1, 1], red, Flood { wraps: false, ..soft() });
     assert_eq!([3, 4, 5].map(|x| filled.texel(x, 3)), [red, [90, 90, 90, 255], white]);

@@ -142,7 +142,7 @@ fn parse(json: &[u8], skipped: &mut Skipped, report: &mut Report) -> Option<Docu
     }
     let mut problems = Vec::new();
     root.validate(&root, json::Path::new, &mut |path, error| {
-        problems.push((path().to_string(), error))
+        problems.push((path().to_string(), error));
     });
     // An accessor without a view is all zeros, which the crate does not know.
     let is_zeros = |path: &str| path.starts_with("accessors[") && path.ends_with("].bufferView");

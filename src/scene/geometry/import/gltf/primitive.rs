@@ -58,7 +58,7 @@ pub(super) fn append(
         Mode::TriangleStrip => {
             soup.triangles.extend(indices.windows(3).enumerate().map(|(k, w)| {
                 wind(if k % 2 == 0 { [w[0], w[1], w[2]] } else { [w[1], w[0], w[2]] })
-            }))
+            }));
         }
         Mode::TriangleFan => {
             soup.triangles.extend(

@@ -67,7 +67,7 @@ pub(super) fn strokes(
                 grow(&mut all, number, bundle, &places, dice);
             }
             Placement::Lattice(count) => {
-                grow(&mut all, number, bundle, &lattice(*count, height, dice), dice)
+                grow(&mut all, number, bundle, &lattice(*count, height, dice), dice);
             }
             Placement::Paths(paths) => along(&mut all, number, bundle, paths, dice),
         }
@@ -183,7 +183,7 @@ fn along(
         if bundle.shape == StrokeShape::Dot || points.len() == 1 {
             let dots = points.iter().map(|point| vec![*point]);
             dots.for_each(|dot| {
-                all.push(stroke(number, bundle, middle, dot, rank, dice, index as u64))
+                all.push(stroke(number, bundle, middle, dot, rank, dice, index as u64));
             });
         } else {
             all.push(stroke(number, bundle, middle, points, rank, dice, index as u64));

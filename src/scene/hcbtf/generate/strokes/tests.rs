@@ -429,7 +429,7 @@ fn numbers_are_bounded() {
     wrong(
         |bundle| {
             (bundle.place, bundle.length, bundle.width) =
-                (Placement::Scatter(4000), [4.0; 2], [1.0; 2])
+                (Placement::Scatter(4000), [4.0; 2], [1.0; 2]);
         },
         "cover the tile 16002 times",
     );

@@ -1,0 +1,109 @@
+//! Rows that are read and written in a way of their own.
+
+use super::{Codec, Described, Part};
+use crate::document::json::Writer;
+use crate::document::read::reader::{Fields, Reader};
+use crate::document::{ColorSpace, Unknown};
+
+/// As the value's type has it.
+pub(in crate::document) struct Plain;
+
+impl<T: Part> Codec<T> for Plain {
+    fn read(r: &mut Reader<'_>, fields: &mut Fields, name: &'static str) -> Option<T> {
+        let mut extras = Unknown::new();
+        let value = r.field(fields, name, |r, at, kind| T::read(r, at, kind, &mut extras));
+        fields.shadow(name, extras);
+        value
+    }
+
+    fn write(w: &mut Writer, value: &T, unknown: Option<&Unknown>) {
+        value.write(w, unknown);
+    }
+
+    fn is_left_out(value: &T, default: &T, unknown: Option<&Unknown>) -> bool {
+        value.is_left_out(default, unknown)
+    }
+}
+
+/// Fields that lie among those of the object around them.
+pub(in crate::document) struct Flat;
+
+impl<T: Described> Codec<T> for Flat {
+    fn read(r: &mut Reader<'_>, fields: &mut Fields, _name: &'static str) -> Option<T> {
+        T::from_fields(r, fields)
+    }
+
+    fn write(w: &mut Writer, value: &T, unknown: Option<&Unknown>) {
+        value.write_members(w, unknown);
+    }
+
+    fn is_left_out(value: &T, default: &T, _unknown: Option<&Unknown>) -> bool {
+        value.has_same_rows(default)
+    }
+
+    fn member(
+        w: &mut Writer,
+        _name: &str,
+        value: &T,
+        _default: Option<&T>,
+        unknown: Option<&Unknown>,
+    ) {
+        value.write_members(w, unknown);
+    }
+}
+
+/// What colors of the document mean, which decides how those after it are read.
+pub(in crate::document) struct DocumentSpace;
+
+impl Codec<ColorSpace> for DocumentSpace {
+    fn read(r: &mut Reader<'_>, fields: &mut Fields, name: &'static str) -> Option<ColorSpace> {
+        r.color_space = Plain::read(r, fields, name).unwrap_or_default();
+        Some(r.color_space)
+    }
+
+    fn write(w: &mut Writer, value: &ColorSpace, unknown: Option<&Unknown>) {
+        value.write(w, unknown);
+    }
+
+    fn is_left_out(value: &ColorSpace, default: &ColorSpace, _unknown: Option<&Unknown>) -> bool {
+        value == default
+    }
+}
+
+/// A color of the look, with alpha or without, as its kind says.
+pub(in crate::document) struct Color;
+
+impl Codec<Vec<f64>> for Color {
+    fn read(r: &mut Reader<'_>, fields: &mut Fields, name: &'static str) -> Option<Vec<f64>> {
+        r.field(fields, name, |r, at, kind| r.color_at(at, kind.has_alpha()))
+    }
+
+    fn write(w: &mut Writer, value: &Vec<f64>, _unknown: Option<&Unknown>) {
+        w.numbers(value);
+    }
+
+    fn is_left_out(value: &Vec<f64>, default: &Vec<f64>, _unknown: Option<&Unknown>) -> bool {
+        super::parts::same(value, default)
+    }
+}
+
+/// A color of the canvas. It is part of the editor and not of the picture, so it is always as
+/// shown.
+pub(in crate::document) struct CanvasColor;
+
+impl Codec<Vec<f64>> for CanvasColor {
+    fn read(r: &mut Reader<'_>, fields: &mut Fields, name: &'static str) -> Option<Vec<f64>> {
+        let space = std::mem::take(&mut r.color_space);
+        let color = Color::read(r, fields, name);
+        r.color_space = space;
+        color
+    }
+
+    fn write(w: &mut Writer, value: &Vec<f64>, unknown: Option<&Unknown>) {
+        Color::write(w, value, unknown);
+    }
+
+    fn is_left_out(value: &Vec<f64>, default: &Vec<f64>, unknown: Option<&Unknown>) -> bool {
+        Color::is_left_out(value, default, unknown)
+    }
+}

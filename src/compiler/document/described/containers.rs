@@ -1,0 +1,103 @@
+//! What may be there or not, lists, and objects of things by their ids.
+
+use std::hash::Hash;
+
+use indexmap::IndexMap;
+
+use super::{Part, part};
+use crate::document::Unknown;
+use crate::document::json::{At, Writer};
+use crate::document::read::reader::Reader;
+use crate::document::shape::Kind;
+use crate::ids::is_slug;
+
+/// A field that is unset where it is left out.
+impl<T: Part> Part for Option<T> {
+    fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, extras: &mut Unknown) -> Option<Self> {
+        T::read(r, at, kind, extras).map(Some)
+    }
+
+    fn write(&self, w: &mut Writer, unknown: Option<&Unknown>) {
+        match self {
+            Some(value) => value.write(w, unknown),
+            None => w.null(),
+        }
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Some(a), Some(b)) => a.is_same(b),
+            (None, None) => true,
+            _ => false,
+        }
+    }
+}
+
+/// The items that could be read. Their unknown fields lie under what tells them apart.
+impl<T: Part> Part for Vec<T> {
+    fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, extras: &mut Unknown) -> Option<Self> {
+        let Kind::List(item_kind, _) = kind else { return None };
+        let mut items = Self::new();
+        let mut kept = Vec::new();
+        let read = r.list_at(at, kind, |r, at| {
+            let mut of_item = Unknown::new();
+            T::read(r, at, item_kind, &mut of_item).map(|item| (item, of_item))
+        })?;
+        for (index, (item, of_item)) in read {
+            if !of_item.is_empty() {
+                extras.insert(item.identity(items.len()), of_item.into());
+            }
+            kept.push(index);
+            items.push(item);
+        }
+        r.keep(kept);
+        Some(items)
+    }
+
+    fn write(&self, w: &mut Writer, unknown: Option<&Unknown>) {
+        w.list(T::LISTED, self.iter().enumerate(), |w, (index, item)| {
+            let of_item = unknown.and_then(|_| part(unknown, &item.identity(index)));
+            item.write(w, of_item);
+        });
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        self.len() == other.len() && self.iter().zip(other).all(|(a, b)| a.is_same(b))
+    }
+}
+
+/// The members of an object whose names are ids.
+impl<K, T: Part> Part for IndexMap<K, T>
+where
+    K: From<String> + AsRef<str> + Hash + Eq,
+{
+    fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, extras: &mut Unknown) -> Option<Self> {
+        let Kind::Map(item_kind, _) = kind else { return None };
+        r.members(at, kind, |r, member, key| {
+            if !is_slug(key) {
+                r.report_name(member, Reader::no_slug(key));
+                return None;
+            }
+            let mut of_item = Unknown::new();
+            let value = T::read(r, member, item_kind, &mut of_item)?;
+            if !of_item.is_empty() {
+                extras.insert(key.to_owned(), of_item.into());
+            }
+            Some((K::from(key.to_owned()), value))
+        })
+    }
+
+    fn write(&self, w: &mut Writer, unknown: Option<&Unknown>) {
+        w.object(T::LISTED, |w| {
+            for (key, value) in self {
+                let key = key.as_ref();
+                w.member(key, |w| value.write(w, part(unknown, key)));
+            }
+        });
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        let pairs = || self.iter().zip(other);
+        self.len() == other.len() && pairs().all(|((a, x), (b, y))| a == b && x.is_same(y))
+    }
+}

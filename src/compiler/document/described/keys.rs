@@ -1,0 +1,258 @@
+//! What decides between direction keys, and where each key lies.
+
+use indexmap::IndexMap;
+
+use super::{Codec, Part as _, Plain, part};
+use crate::diag::Diagnostic;
+use crate::document::json::{At, Kind, Layout, Writer};
+use crate::document::read::reader::{Fields, Reader};
+use crate::document::shape;
+use crate::document::{Driver, KeyDirection, OutputPort, Target, Unknown, Value};
+use crate::ids::{ObjectId, is_slug};
+
+/// What decides between the keys of a set, and so how the places of the keys after it are read.
+pub(in crate::document) struct DecidedBy;
+
+impl Codec<KeyDirection> for DecidedBy {
+    fn read(r: &mut Reader<'_>, fields: &mut Fields, name: &'static str) -> Option<KeyDirection> {
+        let by = r.field(fields, name, |r, at, _| key_direction(r, at));
+        r.key_axes = by.as_ref().and_then(KeyDirection::axes);
+        by
+    }
+
+    fn write(w: &mut Writer, by: &KeyDirection, _unknown: Option<&Unknown>) {
+        match by {
+            KeyDirection::View => w.string("view"),
+            KeyDirection::Light(id) => {
+                w.object(Layout::Inline, |w| w.member("light", |w| w.string(id.as_str())));
+            }
+            KeyDirection::Drivers(drivers) => {
+                w.object(Layout::Inline, |w| {
+                    w.member("drivers", |w| w.list(Layout::Inline, drivers, write_driver));
+                });
+            }
+        }
+    }
+
+    fn member(
+        w: &mut Writer,
+        name: &str,
+        by: &KeyDirection,
+        _default: Option<&KeyDirection>,
+        _unknown: Option<&Unknown>,
+    ) {
+        w.key_axes = by.axes();
+        w.member(name, |w| Self::write(w, by, None));
+    }
+
+    fn is_left_out(value: &KeyDirection, default: &KeyDirection, _: Option<&Unknown>) -> bool {
+        value == default
+    }
+}
+
+/// Where a key lies: a direction, or the numbers of as many drivers as decide.
+pub(in crate::document) struct KeyPlace;
+
+impl Codec<[f64; 3]> for KeyPlace {
+    fn read(r: &mut Reader<'_>, fields: &mut Fields, name: &'static str) -> Option<[f64; 3]> {
+        match r.key_axes {
+            Some(axes) => place_of_key(r, fields, axes),
+            None => direction_of_key(r, fields, name),
+        }
+    }
+
+    fn write(w: &mut Writer, place: &[f64; 3], _unknown: Option<&Unknown>) {
+        match w.key_axes {
+            Some(axes) => w.numbers(&place[..axes.min(Driver::MOST)]),
+            None => w.numbers(place),
+        }
+    }
+
+    fn is_left_out(value: &[f64; 3], default: &[f64; 3], unknown: Option<&Unknown>) -> bool {
+        Plain::is_left_out(value, default, unknown)
+    }
+
+    fn member(
+        w: &mut Writer,
+        name: &str,
+        place: &[f64; 3],
+        _default: Option<&[f64; 3]>,
+        _unknown: Option<&Unknown>,
+    ) {
+        let name = if w.key_axes.is_some() { "at" } else { name };
+        w.member(name, |w| Self::write(w, place, None));
+    }
+}
+
+fn direction_of_key(r: &mut Reader<'_>, fields: &Fields, name: &'static str) -> Option<[f64; 3]> {
+    if fields.get(name).is_none() {
+        let problem = Diagnostic::error("missing-field", "`direction` is missing");
+        r.report(fields.at(), problem.hint("write where the key lies: \"direction\": [0, 0, 1]"));
+        return None;
+    }
+    r.field(fields, name, |r, at, kind| <[f64; 3]>::read(r, at, kind, &mut Unknown::new()))
+}
+
+fn place_of_key(r: &mut Reader<'_>, fields: &Fields, axes: usize) -> Option<[f64; 3]> {
+    let numbers = ["0"; Driver::MOST][..axes.min(Driver::MOST)].join(", ");
+    if fields.get("at").is_none() {
+        let problem = Diagnostic::error("missing-field", "`at` is missing");
+        r.report(
+            fields.at(),
+            problem.hint(format!(
+                "write where the key lies, one number a driver: \"at\": [{numbers}]"
+            )),
+        );
+        return None;
+    }
+    r.field(fields, "at", |r, at, _| {
+        let found = r.numbers_at(at, axes, axes, shape::FAR)?;
+        let mut place = [0.0; 3];
+        place.iter_mut().zip(found).for_each(|(slot, number)| *slot = number);
+        Some(place)
+    })
+}
+
+fn key_direction(r: &mut Reader<'_>, at: At) -> Option<KeyDirection> {
+    let light = r.tree.member(at, "light").filter(|_| r.tree.children(at).count() == 1);
+    if let Some(light) = light {
+        return r.slug_at(light).map(|id| KeyDirection::Light(id.into()));
+    }
+    let list = r.tree.member(at, "drivers").filter(|_| r.tree.children(at).count() == 1);
+    if let Some(list) = list {
+        return drivers(r, list);
+    }
+    match r.tree.string(at).as_deref() {
+        Some("view") => return Some(KeyDirection::View),
+        _ if r.tree.kind(at) == Kind::Bad => return None,
+        _ => {}
+    }
+    let problem = Diagnostic::error("wrong-type", "this names no direction");
+    r.report(
+        at,
+        problem.hint(
+            "write \"view\", {\"light\": \"the light's id\"}, or {\"drivers\": [\"distance\"]}",
+        ),
+    );
+    None
+}
+
+fn drivers(r: &mut Reader<'_>, at: At) -> Option<KeyDirection> {
+    let tree = r.tree;
+    let items: Vec<At> =
+        if tree.kind(at) == Kind::List { tree.children(at).collect() } else { Vec::new() };
+    if items.is_empty() || items.len() > Driver::MOST {
+        let problem = Diagnostic::error("wrong-count", "one to three drivers decide between keys");
+        r.report(
+            at,
+            problem.hint(
+                "write a list, such as [\"distance\"] or [\"facing\", {\"height\": \"key\"}]",
+            ),
+        );
+        return None;
+    }
+    let read: Vec<Option<Driver>> = items.into_iter().map(|at| driver(r, at)).collect();
+    read.into_iter().collect::<Option<Vec<_>>>().map(KeyDirection::Drivers)
+}
+
+fn driver(r: &mut Reader<'_>, at: At) -> Option<Driver> {
+    match r.tree.string(at).as_deref() {
+        Some("distance") => return Some(Driver::Distance),
+        Some("facing") => return Some(Driver::Facing),
+        _ if r.tree.kind(at) == Kind::Bad => return None,
+        _ => {}
+    }
+    let is_alone = r.tree.children(at).count() == 1;
+    let member = |name| r.tree.member(at, name).filter(|_| is_alone);
+    let (height, near, wire) = (member("height"), member("near"), member("wire"));
+    if let Some(light) = height {
+        return r.slug_at(light).map(|id| Driver::Height(id.into()));
+    }
+    if let Some(object) = near {
+        return r.slug_at(object).map(|id| Driver::Near(ObjectId::new(id)));
+    }
+    if let Some(wire) = wire {
+        return output(r, wire).map(Driver::Wire);
+    }
+    let problem = Diagnostic::error("wrong-type", "this names no driver");
+    let hint = "write \"distance\", \"facing\", {\"height\": \"a light's id\"}, \
+                {\"near\": \"another object's id\"} or \
+                {\"wire\": \"node.output\"}";
+    r.report(at, problem.hint(hint));
+    None
+}
+
+/// An output of a node, through groups.
+fn output(r: &mut Reader<'_>, at: At) -> Option<OutputPort> {
+    let text = r.tree.string(at).unwrap_or_default();
+    let is_port = |port: &str| port.is_empty() || is_slug(port);
+    let is_one = |output: &OutputPort| {
+        output.node.ids().iter().all(|id| is_slug(id.as_str()))
+            && is_port(output.port.as_str())
+            && !text.ends_with('.')
+    };
+    let output = OutputPort::parse(&text).filter(is_one);
+    if output.is_none() && r.tree.kind(at) != Kind::Bad {
+        let shown: String = text.chars().take(80).collect();
+        let problem =
+            Diagnostic::error("bad-output", format!("`{shown}` names no output of a node"));
+        r.report(at, problem.hint("write `node`, `node.output` or `group/node.output`"));
+    }
+    output
+}
+
+fn write_driver(w: &mut Writer, driver: &Driver) {
+    let named = |w: &mut Writer, kind: &'static str, id: &str| {
+        w.object(Layout::Inline, |w| w.member(kind, |w| w.string(id)));
+    };
+    match driver {
+        Driver::Distance => w.string("distance"),
+        Driver::Facing => w.string("facing"),
+        Driver::Height(light) => named(w, "height", light.as_str()),
+        Driver::Near(object) => named(w, "near", object.as_str()),
+        Driver::Wire(output) => named(w, "wire", &output.to_string()),
+    }
+}
+
+/// The values of a key, by target.
+pub(in crate::document) struct TargetValues;
+
+impl Codec<IndexMap<Target, Value>> for TargetValues {
+    fn read(
+        r: &mut Reader<'_>,
+        fields: &mut Fields,
+        name: &'static str,
+    ) -> Option<IndexMap<Target, Value>> {
+        let mut extras = Unknown::new();
+        let values = r.field(fields, name, |r, at, kind| {
+            r.members::<Target, Value>(at, kind, |r, member, key| {
+                let target = r.target_from(member, key);
+                let mut of_value = Unknown::new();
+                let value = r.value_at(member, &mut of_value);
+                if !of_value.is_empty() {
+                    extras.insert(key.to_owned(), of_value.into());
+                }
+                Some((target?, value?))
+            })
+        });
+        fields.shadow(name, extras);
+        values
+    }
+
+    fn write(w: &mut Writer, values: &IndexMap<Target, Value>, unknown: Option<&Unknown>) {
+        w.object(Layout::Inline, |w| {
+            for (target, value) in values {
+                let target = target.to_string();
+                w.member(&target, |w| value.write(w, part(unknown, &target)));
+            }
+        });
+    }
+
+    fn is_left_out(
+        value: &IndexMap<Target, Value>,
+        default: &IndexMap<Target, Value>,
+        _unknown: Option<&Unknown>,
+    ) -> bool {
+        value == default
+    }
+}

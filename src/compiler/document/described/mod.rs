@@ -1,0 +1,470 @@
+//! One description of each object of a document.
+//!
+//! [`described!`] takes the rows of an object and makes of them the type with its default, the
+//! [`Shape`] from which the JSON Schemas and docs/format.md are made, the reader with its
+//! diagnostics, the writer of the canonical form, and the image that journals keep. A new field is a
+//! row. How a row's value is read and written is its type's business ([`Part`]), unless the row
+//! names a [`Codec`] of its own (`by`).
+//!
+//! ```text
+//! described! {
+//!     /// What the object is; the schema says it, too.
+//!     #[derive(Copy)]             // beside Clone, Debug, PartialEq and serde's two
+//!     #[serde(default)]           // where every row has a default: makes `Default`
+//!     pub struct Camera("camera", Line) {
+//!         /// What the field is, with unit and space.
+//!         fov: f64 = 0.5, Number(FAR);                   // left out where it has its default
+//!         /// As above, and written even then.
+//!         mesh: String = "shape:sphere".to_owned(), Text(4096), always;
+//!         /// The default in words, where JSON does not say it.
+//!         tier: Option<Tier> = None, Word(Tier::WORDS), words "the look's";
+//!         /// Without it there is no object.
+//!         target: Target, Kind::Target, required;
+//!         /// Without it the object has this, and an error is told.
+//!         kind: String = String::new(), Text(64), required;
+//!         /// A field that is called otherwise in files, and read in a way of its own.
+//!         position as "at": [f64; 2] = [0.0; 2], Numbers(2, 2, FAR), by Place;
+//!         /// A field of files that the type does not hold.
+//!         "id": Slug, words "made from the kind";
+//!         ..graph: Graph;         // an object whose fields lie among those of this one
+//!         unknown;                // keeps the fields that no row knows, else the object around does
+//!     }
+//! }
+//! ```
+
+mod codecs;
+mod containers;
+mod identified;
+mod keys;
+mod parts;
+mod scene;
+
+use super::Unknown;
+use super::json::{At, Layout, Writer};
+use super::read::reader::{Fields, Reader};
+use super::shape::{Kind, Shape};
+
+pub(super) use codecs::{CanvasColor, Color, DocumentSpace, Flat, Plain};
+pub(super) use identified::{Nodes, Objects};
+pub(super) use keys::{DecidedBy, KeyPlace, TargetValues};
+pub(super) use scene::{Backdrop, Looks, Scale};
+
+/// What a field of a document may hold.
+pub(super) trait Part: Sized {
+    /// How a list or an object of several is laid out.
+    const LISTED: Layout = Layout::Inline;
+
+    /// Reads it, and tells what is wrong. Unknown fields go to `extras`, unless it keeps them.
+    fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, extras: &mut Unknown) -> Option<Self>;
+
+    /// Writes it with its `unknown` fields, which what it lies in kept for it.
+    fn write(&self, w: &mut Writer, unknown: Option<&Unknown>);
+
+    /// Whether two are written alike, to the last bit of numbers.
+    fn is_same(&self, other: &Self) -> bool;
+
+    /// Whether a field need not be written that has this default.
+    fn is_left_out(&self, default: &Self, _unknown: Option<&Unknown>) -> bool {
+        self.is_same(default)
+    }
+
+    /// What tells it from its like in a list: under this its unknown fields are kept.
+    fn identity(&self, index: usize) -> String {
+        index.to_string()
+    }
+}
+
+/// How a row is read and written.
+pub(super) trait Codec<T> {
+    /// The field's value, where it is there and can be read.
+    fn read(r: &mut Reader<'_>, fields: &mut Fields, name: &'static str) -> Option<T>;
+
+    /// The value alone.
+    fn write(w: &mut Writer, value: &T, unknown: Option<&Unknown>);
+
+    /// Whether a field need not be written that has this default.
+    fn is_left_out(value: &T, default: &T, unknown: Option<&Unknown>) -> bool;
+
+    /// The member, unless it has its default; `unknown` are the fields that the object keeps.
+    fn member(
+        w: &mut Writer,
+        name: &str,
+        value: &T,
+        default: Option<&T>,
+        unknown: Option<&Unknown>,
+    ) {
+        let extras = part(unknown, name);
+        if !default.is_some_and(|default| Self::is_left_out(value, default, extras)) {
+            w.member(name, |w| Self::write(w, value, extras));
+        }
+    }
+}
+
+/// An object with rows; [`described!`] implements it.
+pub(super) trait Described: Sized {
+    /// How it is laid out itself, and several of its like.
+    const LAYOUT: (Layout, Layout);
+
+    /// What the schema and docs/format.md say of it.
+    fn shape() -> &'static Shape;
+
+    /// Reads the rows from the members of an object.
+    fn from_fields(r: &mut Reader<'_>, fields: &mut Fields) -> Option<Self>;
+
+    /// Writes the rows as members of the object that is open.
+    fn write_members(&self, w: &mut Writer, unknown: Option<&Unknown>);
+
+    /// As [`Part::is_same`].
+    fn has_same_rows(&self, other: &Self) -> bool;
+
+    /// The unknown fields that it keeps itself.
+    fn own_unknown(&self) -> Option<&Unknown> {
+        None
+    }
+
+    /// As [`Part::identity`].
+    fn name_in_list(&self, index: usize) -> String {
+        index.to_string()
+    }
+}
+
+impl<T: Described> Part for T {
+    const LISTED: Layout = T::LAYOUT.1;
+
+    fn read(
+        r: &mut Reader<'_>,
+        at: At,
+        _kind: &'static Kind,
+        extras: &mut Unknown,
+    ) -> Option<Self> {
+        let mut fields = r.object(at, T::shape())?;
+        let value = T::from_fields(r, &mut fields);
+        *extras = fields.unknown;
+        value
+    }
+
+    fn write(&self, w: &mut Writer, unknown: Option<&Unknown>) {
+        let unknown = self.own_unknown().or(unknown);
+        w.shaped(T::LAYOUT.0, T::shape(), unknown, |w| self.write_members(w, unknown));
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        self.has_same_rows(other)
+    }
+
+    fn is_left_out(&self, default: &Self, unknown: Option<&Unknown>) -> bool {
+        self.has_same_rows(default) && unknown.is_none_or(Unknown::is_empty)
+    }
+
+    fn identity(&self, index: usize) -> String {
+        self.name_in_list(index)
+    }
+}
+
+/// The unknown fields that are kept for a part under its name; see [`Unknown`].
+pub(super) fn part<'u>(unknown: Option<&'u Unknown>, name: &str) -> Option<&'u Unknown> {
+    unknown?.get(name)?.as_object()
+}
+
+/// A default as JSON, for the schema and docs/format.md.
+pub(super) fn default_json<T, C: Codec<T>>(default: &T) -> String {
+    let mut writer = Writer::new();
+    C::write(&mut writer, default, None);
+    writer.finish().trim_end().to_owned()
+}
+
+/// Makes a type of a document from its rows; the head of this file says how.
+macro_rules! described {
+    (
+        $(#[doc = $help:literal])+
+        $(#[derive($($derive:ident),*)])?
+        $(#[serde($default:ident)])?
+        pub struct $name:ident($shape:literal, $layout:ident $(, by $identity:ident)?) {
+            $($rows:tt)*
+        }
+    ) => {
+        described! {
+            @rows {
+                [$($help)+] [$($($derive)*)?] [$($default)?] $name $shape $layout [$($identity)?]
+            } [] [] [] $($rows)*
+        }
+    };
+
+    // Left out where it has its default.
+    (
+        @rows $head:tt [$($members:tt)*] [$($shape:tt)*] []
+        $(#[doc = $help:literal])+ $(#[serde($($serde:tt)*)])?
+        $field:ident $(as $file:literal)?: $ty:ty = $default:expr, $kind:expr
+        $(, by $codec:ident)?; $($rest:tt)*
+    ) => {
+        described! {
+            @rows $head
+            [$($members)* {
+                [$($help)+] [$(#[serde($($serde)*)])?] $field [$field $($file)?] [$ty]
+                [$default] [$default] [Some(&$default)] [$($codec)?]
+            }]
+            [$($shape)* { [$($help)+] [$field $($file)?] [$kind] [default $ty, $default, $($codec)?] }]
+            [] $($rest)*
+        }
+    };
+    // Written even then.
+    (
+        @rows $head:tt [$($members:tt)*] [$($shape:tt)*] []
+        $(#[doc = $help:literal])+ $(#[serde($($serde:tt)*)])?
+        $field:ident $(as $file:literal)?: $ty:ty = $default:expr, $kind:expr, always
+        $(, by $codec:ident)?; $($rest:tt)*
+    ) => {
+        described! {
+            @rows $head
+            [$($members)* {
+                [$($help)+] [$(#[serde($($serde)*)])?] $field [$field $($file)?] [$ty]
+                [$default] [$default] [None] [$($codec)?]
+            }]
+            [$($shape)* { [$($help)+] [$field $($file)?] [$kind] [default $ty, $default, $($codec)?] }]
+            [] $($rest)*
+        }
+    };
+    // A default that words tell.
+    (
+        @rows $head:tt [$($members:tt)*] [$($shape:tt)*] []
+        $(#[doc = $help:literal])+ $(#[serde($($serde:tt)*)])?
+        $field:ident $(as $file:literal)?: $ty:ty = $default:expr, $kind:expr, words $words:literal
+        $(, by $codec:ident)?; $($rest:tt)*
+    ) => {
+        described! {
+            @rows $head
+            [$($members)* {
+                [$($help)+] [$(#[serde($($serde)*)])?] $field [$field $($file)?] [$ty]
+                [$default] [$default] [Some(&$default)] [$($codec)?]
+            }]
+            [$($shape)* { [$($help)+] [$field $($file)?] [$kind] [words $words] }]
+            [] $($rest)*
+        }
+    };
+    // Required, and has this where an error is told.
+    (
+        @rows $head:tt [$($members:tt)*] [$($shape:tt)*] []
+        $(#[doc = $help:literal])+ $(#[serde($($serde:tt)*)])?
+        $field:ident $(as $file:literal)?: $ty:ty = $default:expr, $kind:expr, required
+        $(, by $codec:ident)?; $($rest:tt)*
+    ) => {
+        described! {
+            @rows $head
+            [$($members)* {
+                [$($help)+] [$(#[serde($($serde)*)])?] $field [$field $($file)?] [$ty]
+                [$default] [$default] [None] [$($codec)?]
+            }]
+            [$($shape)* { [$($help)+] [$field $($file)?] [$kind] [required] }]
+            [] $($rest)*
+        }
+    };
+    // Required.
+    (
+        @rows $head:tt [$($members:tt)*] [$($shape:tt)*] []
+        $(#[doc = $help:literal])+ $(#[serde($($serde:tt)*)])?
+        $field:ident $(as $file:literal)?: $ty:ty, $kind:expr, required
+        $(, by $codec:ident)?; $($rest:tt)*
+    ) => {
+        described! {
+            @rows $head
+            [$($members)* {
+                [$($help)+] [$(#[serde($($serde)*)])?] $field [$field $($file)?] [$ty]
+                [] [return None] [None] [$($codec)?]
+            }]
+            [$($shape)* { [$($help)+] [$field $($file)?] [$kind] [required] }]
+            [] $($rest)*
+        }
+    };
+    // Required where words say so: without it there is no object.
+    (
+        @rows $head:tt [$($members:tt)*] [$($shape:tt)*] []
+        $(#[doc = $help:literal])+ $(#[serde($($serde:tt)*)])?
+        $field:ident $(as $file:literal)?: $ty:ty, $kind:expr, words $words:literal
+        $(, by $codec:ident)?; $($rest:tt)*
+    ) => {
+        described! {
+            @rows $head
+            [$($members)* {
+                [$($help)+] [$(#[serde($($serde)*)])?] $field [$field $($file)?] [$ty]
+                [] [return None] [None] [$($codec)?]
+            }]
+            [$($shape)* { [$($help)+] [$field $($file)?] [$kind] [words $words] }]
+            [] $($rest)*
+        }
+    };
+    // In files alone.
+    (
+        @rows $head:tt $members:tt [$($shape:tt)*] []
+        $(#[doc = $help:literal])+ $file:literal: $kind:expr, words $words:literal; $($rest:tt)*
+    ) => {
+        described! {
+            @rows $head $members
+            [$($shape)* { [$($help)+] [none $file] [$kind] [words $words] }] [] $($rest)*
+        }
+    };
+    (
+        @rows $head:tt $members:tt [$($shape:tt)*] []
+        $(#[doc = $help:literal])+ $file:literal: $kind:expr, json $json:literal; $($rest:tt)*
+    ) => {
+        described! {
+            @rows $head $members
+            [$($shape)* { [$($help)+] [none $file] [$kind] [json $json] }] [] $($rest)*
+        }
+    };
+    // An object whose fields lie among those of this one.
+    (
+        @rows $head:tt [$($members:tt)*] [$($shape:tt)*] []
+        $(#[doc = $help:literal])+ ..$field:ident: $ty:ty; $($rest:tt)*
+    ) => {
+        described! {
+            @rows $head
+            [$($members)* {
+                [$($help)+] [] $field [$field] [$ty]
+                [Default::default()] [Default::default()] [None] [Flat]
+            }]
+            [$($shape)* { flat $ty }]
+            [] $($rest)*
+        }
+    };
+    (@rows $head:tt $members:tt $shape:tt [] $unknown:ident;) => {
+        described! { @rows $head $members $shape [$unknown] }
+    };
+
+    (
+        @rows {
+            [$($help:literal)+] [$($derive:ident)*] [$($default:ident)?] $name:ident $shape:literal
+            $layout:ident [$($identity:ident)?]
+        }
+        [$({
+            [$($member_help:literal)+] [$($serde:tt)*] $field:ident [$($file:tt)+] [$ty:ty]
+            [$($value:expr)?] [$or:expr] [$omitted:expr] [$($codec:ident)?]
+        })*]
+        [$($row:tt)*] [$($unknown:ident)?]
+    ) => {
+        $(#[doc = $help])+
+        #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize $(, $derive)*)]
+        $(#[serde($default)])?
+        #[allow(unreachable_pub, reason = "some parts of documents are read and not kept")]
+        pub struct $name {
+            $($(#[doc = $member_help])+ $($serde)* pub $field: $ty,)*
+            $(
+                /// Fields of later versions or of other programs.
+                #[serde(default, skip_serializing_if = "crate::document::Unknown::is_empty")]
+                pub $unknown: crate::document::Unknown,
+            )?
+        }
+
+        described! { @default [$($default)?] $name [$($field [$($value)?])*] [$($unknown)?] }
+
+        impl crate::document::described::Described for $name {
+            const LAYOUT: (crate::document::json::Layout, crate::document::json::Layout) =
+                described!(@layout $layout);
+
+            fn shape() -> &'static crate::document::shape::Shape {
+                static SHAPE: crate::document::shape::Shape = crate::document::shape::Shape {
+                    name: $shape,
+                    help: concat!($($help),+).trim_ascii(),
+                    rows: &[$(described!(@row $row)),*],
+                };
+                &SHAPE
+            }
+
+            fn from_fields(
+                r: &mut crate::document::read::reader::Reader<'_>,
+                fields: &mut crate::document::read::reader::Fields,
+            ) -> Option<Self> {
+                $(let $field: Option<$ty> =
+                    <described!(@codec $($codec)?) as crate::document::described::Codec<$ty>>::read(
+                        r,
+                        fields,
+                        described!(@name $($file)+),
+                    );)*
+                Some(Self {
+                    $($field: match $field {
+                        Some(value) => value,
+                        None => $or,
+                    },)*
+                    $($unknown: std::mem::take(&mut fields.unknown),)?
+                })
+            }
+
+            fn write_members(
+                &self,
+                w: &mut crate::document::json::Writer,
+                unknown: Option<&crate::document::Unknown>,
+            ) {
+                $(<described!(@codec $($codec)?) as crate::document::described::Codec<$ty>>::member(
+                    w,
+                    described!(@name $($file)+),
+                    &self.$field,
+                    $omitted,
+                    unknown,
+                );)*
+            }
+
+            fn has_same_rows(&self, other: &Self) -> bool {
+                $(<described!(@codec $($codec)?) as crate::document::described::Codec<$ty>>
+                    ::is_left_out(&self.$field, &other.$field, None) &&)*
+                true
+            }
+
+            $(fn own_unknown(&self) -> Option<&crate::document::Unknown> {
+                Some(&self.$unknown)
+            })?
+
+            $(fn name_in_list(&self, _index: usize) -> String {
+                self.$identity.to_string()
+            })?
+        }
+    };
+
+    (@default [] $($rest:tt)*) => {};
+    (@default [default] $name:ident [$($field:ident [$value:expr])*] [$($unknown:ident)?]) => {
+        impl Default for $name {
+            fn default() -> Self {
+                Self {
+                    $($field: $value,)*
+                    $($unknown: crate::document::Unknown::new(),)?
+                }
+            }
+        }
+    };
+
+    (@layout Lines) => {
+        (crate::document::json::Layout::Lines, crate::document::json::Layout::Lines)
+    };
+    (@layout Line) => {
+        (crate::document::json::Layout::Inline, crate::document::json::Layout::Lines)
+    };
+    (@layout Inline) => {
+        (crate::document::json::Layout::Inline, crate::document::json::Layout::Inline)
+    };
+
+    (@codec) => { crate::document::described::Plain };
+    (@codec $codec:ident) => { crate::document::described::$codec };
+
+    (@name $field:ident) => { stringify!($field) };
+    (@name $field:ident $file:literal) => { $file };
+
+    (@row { flat $ty:ty }) => {
+        crate::document::shape::Row::Flat(<$ty as crate::document::described::Described>::shape)
+    };
+    (@row { [$($help:literal)+] [$($file:tt)+] [$kind:expr] [$($default:tt)*] }) => {
+        crate::document::shape::Row::Field(crate::document::shape::Field {
+            name: described!(@name $($file)+),
+            kind: $kind,
+            default: described!(@told $($default)*),
+            help: concat!($($help),+).trim_ascii(),
+        })
+    };
+
+    (@told required) => { crate::document::shape::Default::Required };
+    (@told words $words:literal) => { crate::document::shape::Default::Words($words) };
+    (@told json $json:literal) => { crate::document::shape::Default::Json(|| $json.to_owned()) };
+    (@told default $ty:ty, $default:expr, $($codec:ident)?) => {
+        crate::document::shape::Default::Json(|| {
+            crate::document::described::default_json::<$ty, described!(@codec $($codec)?)>(&$default)
+        })
+    };
+}
+pub(super) use described;

@@ -1,0 +1,217 @@
+//! Switches, numbers, words, texts and ids as parts of documents.
+
+use super::Part;
+use crate::document::json::{At, Kind as JsonKind, Writer};
+use crate::document::read::reader::Reader;
+use crate::document::shape::{self, Kind};
+use crate::document::word::Word as _;
+use crate::document::{
+    ColorSpace, Endpoint, Interpolation, KeyScheme, LightKind, LightSpace, Projection, Target,
+    Tier, Unknown, Value,
+};
+use crate::ids::{NodeId, ObjectId, PortName};
+
+/// Whether numbers are the same to the last bit, the sign of 0 included: it is written too.
+pub(in crate::document) fn same(a: &[f64], b: &[f64]) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
+}
+
+impl Part for bool {
+    fn read(r: &mut Reader<'_>, at: At, _kind: &'static Kind, _: &mut Unknown) -> Option<Self> {
+        match r.tree.kind(at) {
+            JsonKind::Bool(value) => Some(value),
+            _ => {
+                r.wrong_type(at, "true or false");
+                None
+            }
+        }
+    }
+
+    fn write(&self, w: &mut Writer, _unknown: Option<&Unknown>) {
+        w.bool(*self);
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        self == other
+    }
+}
+
+impl Part for f64 {
+    fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, _: &mut Unknown) -> Option<Self> {
+        match kind {
+            Kind::Number(bounds) => r.number_at(at, *bounds),
+            _ => None,
+        }
+    }
+
+    fn write(&self, w: &mut Writer, _unknown: Option<&Unknown>) {
+        w.number(*self);
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        same(&[*self], &[*other])
+    }
+}
+
+/// A whole number that its kind bounds.
+impl Part for u8 {
+    fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, extras: &mut Unknown) -> Option<Self> {
+        <f64 as Part>::read(r, at, kind, extras).map(|number| number as Self)
+    }
+
+    fn write(&self, w: &mut Writer, _unknown: Option<&Unknown>) {
+        w.number(f64::from(*self));
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        self == other
+    }
+}
+
+/// Numbers, a direction, a color without alpha or a rotation.
+impl<const N: usize> Part for [f64; N] {
+    fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, _: &mut Unknown) -> Option<Self> {
+        match kind {
+            Kind::Numbers(_, _, bounds) => r.array_at(at, *bounds),
+            Kind::Direction => {
+                r.array_at(at, shape::FAR).filter(|direction| r.is_direction(at, direction))
+            }
+            Kind::Color { alpha } => r.color_at(at, *alpha)?.try_into().ok(),
+            Kind::Rotation => r.rotation_at(at)?.as_slice().try_into().ok(),
+            _ => None,
+        }
+    }
+
+    fn write(&self, w: &mut Writer, _unknown: Option<&Unknown>) {
+        w.numbers(self);
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        same(self, other)
+    }
+}
+
+impl Part for String {
+    fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, _: &mut Unknown) -> Option<Self> {
+        match kind {
+            Kind::Text(most) => r.text_at(at, *most).map(std::borrow::Cow::into_owned),
+            _ => None,
+        }
+    }
+
+    fn write(&self, w: &mut Writer, _unknown: Option<&Unknown>) {
+        w.string(self);
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        self == other
+    }
+}
+
+macro_rules! words {
+    ($($word:ty),*) => { $(
+        impl Part for $word {
+            fn read(
+                r: &mut Reader<'_>,
+                at: At,
+                _kind: &'static Kind,
+                _: &mut Unknown,
+            ) -> Option<Self> {
+                r.word_at(at, Self::WORDS).and_then(|word| Self::from_word(&word))
+            }
+
+            fn write(&self, w: &mut Writer, _unknown: Option<&Unknown>) {
+                w.string(self.word());
+            }
+
+            fn is_same(&self, other: &Self) -> bool {
+                self == other
+            }
+        }
+    )* };
+}
+
+words!(ColorSpace, Interpolation, KeyScheme, LightKind, LightSpace, Projection, Tier);
+
+macro_rules! ids {
+    ($($id:ty),*) => { $(
+        impl Part for $id {
+            fn read(
+                r: &mut Reader<'_>,
+                at: At,
+                _kind: &'static Kind,
+                _: &mut Unknown,
+            ) -> Option<Self> {
+                r.slug_at(at).map(Self::from)
+            }
+
+            fn write(&self, w: &mut Writer, _unknown: Option<&Unknown>) {
+                w.string(self.as_str());
+            }
+
+            fn is_same(&self, other: &Self) -> bool {
+                self == other
+            }
+        }
+    )* };
+}
+
+ids!(NodeId, ObjectId, PortName);
+
+/// One end of a wire.
+impl Part for Endpoint {
+    fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, _: &mut Unknown) -> Option<Self> {
+        r.endpoint_at(at, matches!(kind, Kind::Input))
+    }
+
+    fn write(&self, w: &mut Writer, _unknown: Option<&Unknown>) {
+        w.string(&self.to_string());
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        self == other
+    }
+}
+
+/// What a key or an exposed parameter sets.
+impl Part for Target {
+    fn read(r: &mut Reader<'_>, at: At, _kind: &'static Kind, _: &mut Unknown) -> Option<Self> {
+        let text = r.text_at(at, 10_000)?;
+        r.target_from(at, &text)
+    }
+
+    fn write(&self, w: &mut Writer, _unknown: Option<&Unknown>) {
+        w.string(&self.to_string());
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        self == other
+    }
+}
+
+/// The value of an input, whatever of.
+impl Part for Value {
+    fn read(
+        r: &mut Reader<'_>,
+        at: At,
+        _kind: &'static Kind,
+        extras: &mut Unknown,
+    ) -> Option<Self> {
+        r.value_at(at, extras)
+    }
+
+    fn write(&self, w: &mut Writer, unknown: Option<&Unknown>) {
+        match self {
+            Self::Bool(value) => w.bool(*value),
+            Self::Number(number) => w.number(*number),
+            Self::Vector(numbers) => w.numbers(numbers),
+            Self::Text(text) => w.string(text),
+            Self::Curve(curve) => curve.write(w, unknown),
+            Self::Ramp(ramp) => ramp.write(w, unknown),
+        }
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        self == other
+    }
+}

@@ -1,0 +1,200 @@
+//! Lights, and everything that is known of their fields.
+//!
+//! A field of a light that artists, keys, scenes and exported shaders set is one row below: its type
+//! and bounds in files, its default, the kinds of lights that have it, what the window says of it,
+//! and, where shaders may ask for it, what they are told. The reader, the writer, the schema,
+//! docs/format.md, keys, the lights panel, the host's uniforms and exports go by the row.
+
+mod field;
+mod input;
+
+use serde::{Deserialize, Serialize};
+
+use super::described::described;
+use super::shape::{Bounds, FAR, Kind, LINE, POSITIVE};
+use super::word::Word as _;
+use LightKind::{Directional, Point, Spot};
+use LightQuantity::{Angle, Color, Direction, Distance, Factor, Position};
+use field::{Lens, LightRow, NumbersOf as _};
+
+pub use field::LightQuantity;
+pub use input::LightInput;
+
+const ANY: &[LightKind] = &[Directional, Point, Spot];
+const PLACED: &[LightKind] = &[Point, Spot];
+
+/// What a row says where it says nothing else.
+const ROW: LightRow =
+    LightRow { label: "", hint: "", quantity: Factor, kinds: ANY, within: None, shader: None };
+
+/// Makes the type of lights, that of their fields, and the table of these, from the rows.
+macro_rules! light_fields {
+    ($(
+        $(#[doc = $help:literal])+
+        $variant:ident $field:ident: $ty:ty = $default:expr, $kind:expr $(, by $codec:ident)?;
+        { $($row:tt)* }
+    )*) => {
+        described! {
+            /// A light, of a look or of a scene.
+            #[serde(default)]
+            pub struct Light("light", Line) {
+                /// What the artist calls it; empty for the id.
+                #[serde(skip_serializing_if = "String::is_empty")]
+                name: String = String::new(), Kind::Text(LINE);
+                /// What the light is.
+                #[serde(rename = "type")]
+                kind as "type": LightKind = LightKind::Directional, Kind::Word(LightKind::WORDS);
+                /// The frame of `direction`, `position` and `aim`.
+                space: LightSpace = LightSpace::Illumination, Kind::Word(LightSpace::WORDS);
+                $($(#[doc = $help])+ $field: $ty = $default, $kind $(, by $codec)?;)*
+            }
+        }
+
+        /// A field of a light that can be set.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum LightField {
+            $($(#[doc = $help])+ $variant,)*
+        }
+
+        impl LightField {
+            const COUNT: usize = [$(stringify!($variant)),*].len();
+
+            /// All of them, in the order of the window.
+            pub const ALL: [Self; Self::COUNT] = [$(Self::$variant),*];
+
+            fn row(self) -> &'static LightRow {
+                match self {
+                    $(Self::$variant => {
+                        const { &LightRow { $($row)* ..ROW } }
+                    })*
+                }
+            }
+
+            fn lens(self) -> Lens {
+                match self {
+                    $(Self::$variant => Lens {
+                        name: stringify!($field),
+                        word: concat!("light.", stringify!($field)),
+                        numbers: |light| light.$field.numbers(),
+                        numbers_mut: |light| light.$field.numbers_mut(),
+                    },)*
+                }
+            }
+        }
+    };
+}
+
+light_fields! {
+    /// Directional lights: toward the light; any length but 0.
+    Direction direction: [f64; 3] = [0.0, 0.0, 1.0], Kind::Direction;
+    {
+        label: "Direction",
+        hint: "Toward the light. The middle is toward you, the inner ring sideways, the rim behind.",
+        quantity: Direction,
+        kinds: &[Directional],
+        shader: Some("unit, toward a directional light, world space"),
+    }
+
+    /// Point and spot lights: where it is, in scene units.
+    Position position: [f64; 3] = [0.0, 0.0, 3.0], Kind::Numbers(3, 3, FAR);
+    {
+        label: "Position",
+        hint: "In scene units",
+        quantity: Position,
+        kinds: PLACED,
+        shader: Some("world space"),
+    }
+
+    /// Spot lights: the way it shines, from the light outward; any length but 0.
+    Aim aim: [f64; 3] = [0.0, 0.0, -1.0], Kind::Direction;
+    {
+        label: "Aim",
+        hint: "From the light outward",
+        quantity: Direction,
+        kinds: &[Spot],
+        shader: Some("unit, the way a spot light shines, world space"),
+    }
+
+    /// Spot lights: the half-angle of the full cone, in radians; at most `outer`.
+    Inner inner: f64 = 0.35, Kind::Number(Bounds::new(0.0, std::f64::consts::PI));
+    {
+        label: "Full cone",
+        hint: "Half-angle of full light",
+        quantity: Angle,
+        kinds: &[Spot],
+        within: Some(LightField::Outer),
+    }
+
+    /// Spot lights: the half-angle at which nothing is left, in radians.
+    Outer outer: f64 = 0.5, Kind::Number(Bounds::above(0.0, std::f64::consts::PI));
+    {
+        label: "Whole cone",
+        hint: "Half-angle at which nothing is left",
+        quantity: Angle,
+        kinds: &[Spot],
+    }
+
+    /// Straight RGB in the look's color space.
+    Color color: [f64; 3] = [1.0; 3], Kind::Color { alpha: false };
+    {
+        label: "Color",
+        hint: "Of the light",
+        quantity: Color,
+        shader: Some("straight RGB in the look's color space"),
+    }
+
+    /// A factor.
+    Intensity intensity: f64 = 1.0, Kind::Number(POSITIVE);
+    {
+        label: "Intensity",
+        hint: "A factor on the color",
+        quantity: Factor,
+        shader: Some("0 or more"),
+    }
+
+    /// Point and spot lights: the distance at which half the intensity is left, in scene units; 0
+    /// for no fading, and 1e-30 for less than that.
+    HalfDistance half_distance: f64 = 0.0, Kind::Number(POSITIVE);
+    {
+        label: "Half distance",
+        hint: "How far from the light half its intensity is left, in scene units; 0 for no fading",
+        quantity: Distance,
+        kinds: PLACED,
+    }
+
+    /// Point and spot lights: the distance beyond which nothing is left, in scene units; 0 for no
+    /// end, and 1e-30 for less than that.
+    Range range: f64 = 0.0, Kind::Number(POSITIVE);
+    {
+        label: "Range",
+        hint: "How far from the light nothing is left, in scene units; 0 for no end",
+        quantity: Distance,
+        kinds: PLACED,
+    }
+}
+
+/// What a light is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum LightKind {
+    /// The same direction everywhere, as in the BADF paper.
+    #[default]
+    Directional,
+    /// At a position, shining everywhere.
+    Point,
+    /// At a position, shining into a cone.
+    Spot,
+}
+
+/// The frame a light's vectors are given in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum LightSpace {
+    /// The illumination frame: the BADF paper's L.
+    #[default]
+    Illumination,
+    /// The world.
+    World,
+    /// The camera: x right, y up, z toward the viewer.
+    Camera,
+}

@@ -1,0 +1,94 @@
+//! Writing documents in the canonical form: fields in a fixed order, defaults left out, and one
+//! node, one wire, one light on each line, so that files compare and merge well.
+
+use std::path::Path;
+
+use super::described::Described;
+use super::json::{Layout, Writer};
+use super::shape::Shape;
+use super::source::SourceMap;
+use super::{Look, Scene, Unknown, VERSION, store};
+use crate::diag::Diagnostic;
+
+/// What every document can be written by. Methods of the types themselves, and no trait's, so that
+/// whoever has a document can save it without importing anything.
+macro_rules! written {
+    ($document:ty) => {
+        impl $document {
+            /// The document as JSON in the canonical form, with a line end at its end.
+            pub fn to_text(&self) -> String {
+                self.write(Writer::new())
+            }
+
+            /// As [`to_text`](Self::to_text), but numbers that are none are written as such, which
+            /// no reader takes.
+            pub(super) fn to_trial_text(&self) -> String {
+                self.write(Writer::trial())
+            }
+
+            /// The text that the document was read from, byte for byte, where that says the same;
+            /// else the canonical form.
+            pub fn to_text_like(&self, source: &SourceMap) -> String {
+                let own = self.to_text();
+                let read = Self::read(source.text(), source.file()).value;
+                if read.is_some_and(|read| read.to_text() == own) {
+                    source.text().to_string()
+                } else {
+                    own
+                }
+            }
+
+            /// Saves the document, whole or not at all; unchanged text stays as it is where
+            /// `source` is what the document was read from.
+            ///
+            /// # Errors
+            /// A diagnostic that says why the file could not be written; the old one is then as it
+            /// was.
+            pub fn save(
+                &self,
+                path: &Path,
+                source: Option<&SourceMap>,
+            ) -> Result<(), Box<Diagnostic>> {
+                let text =
+                    source.map_or_else(|| self.to_text(), |source| self.to_text_like(source));
+                store::write_atomic(path, text.as_bytes())
+            }
+
+            fn write(&self, mut writer: Writer) -> String {
+                document(&mut writer, self, &self.unknown);
+                writer.finish()
+            }
+        }
+    };
+}
+
+written!(Look);
+written!(Scene);
+
+/// A document: what it is first, then its fields.
+fn document<T: Described>(w: &mut Writer, document: &T, unknown: &Unknown) {
+    w.shaped(Layout::Lines, T::shape(), Some(unknown), |w| {
+        if let Some(schema) = unknown.get("$schema") {
+            w.member("$schema", |w| w.json(schema));
+        }
+        w.member("chiaro", |w| w.string(T::shape().name));
+        w.member("version", |w| w.number(f64::from(VERSION)));
+        document.write_members(w, Some(unknown));
+    });
+}
+
+impl Writer {
+    /// An object whose unknown members come last.
+    pub(super) fn shaped(
+        &mut self,
+        layout: Layout,
+        shape: &'static Shape,
+        unknown: Option<&Unknown>,
+        write: impl FnOnce(&mut Self),
+    ) {
+        self.object(layout, |w| {
+            write(w);
+            w.unknown(shape, unknown);
+        });
+    }
+}

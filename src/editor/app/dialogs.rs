@@ -1,0 +1,136 @@
+//! The system's file dialogs, which wait on a thread of their own. Where the system has none to
+//! show, the window asks for a path itself.
+
+use std::collections::VecDeque;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use crate::clock::Clock;
+use crate::commands::FilePurpose;
+use crate::state::worker::{start, wait};
+
+/// A dialog that is over before anybody could have seen it, in seconds, was none: there is no
+/// portal and no program that shows one.
+const UNSEEN: f64 = 0.35;
+
+/// What became of a dialog.
+#[derive(Debug)]
+pub(crate) enum Answer {
+    /// This file was chosen.
+    File(FilePurpose, PathBuf),
+    /// There is no dialog; with the path that it would have begun at.
+    NoDialog(FilePurpose, PathBuf),
+}
+
+/// How files are asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Way {
+    /// By the system's dialogs.
+    System,
+    /// By a path field in the window.
+    Window,
+    /// Not at all: nobody is there to answer.
+    Silent,
+}
+
+/// Dialogs that are open, and what became of them.
+pub(crate) struct Dialogs {
+    answers: Arc<Mutex<Vec<Answer>>>,
+    wake: Arc<dyn Fn() + Send + Sync>,
+    pub(crate) way: Way,
+    /// What is answered in place of whom the dialogs would ask, for programs that drive the window.
+    pub(crate) prepared: VecDeque<PathBuf>,
+}
+
+impl Dialogs {
+    /// `wake` is called from another thread when a file was chosen.
+    pub(crate) fn new(wake: impl Fn() + Send + Sync + 'static) -> Self {
+        Self {
+            answers: Arc::default(),
+            wake: Arc::new(wake),
+            way: Way::System,
+            prepared: VecDeque::new(),
+        }
+    }
+
+    /// Asks for a file, beginning in the folder of `near`.
+    pub(crate) fn ask(&mut self, purpose: FilePurpose, near: Option<&Path>) {
+        if let Some(path) = self.prepared.pop_front() {
+            return self.answer(Answer::File(purpose, path));
+        }
+        match self.way {
+            Way::System => self.ask_system(purpose, near),
+            Way::Window => self.answer(Answer::NoDialog(purpose, suggested(purpose, near))),
+            Way::Silent => {}
+        }
+    }
+
+    fn ask_system(&self, purpose: FilePurpose, near: Option<&Path>) {
+        let suggested = suggested(purpose, near);
+        let (kind, endings) = purpose.files();
+        let mut dialog = rfd::AsyncFileDialog::new();
+        if !purpose.is_folder() {
+            dialog = dialog.add_filter(kind, endings);
+        }
+        // A folder that is only suggested is not there yet: its own folder is.
+        if let Some(folder) =
+            suggested.ancestors().skip(usize::from(!purpose.is_folder())).find(|path| path.is_dir())
+        {
+            dialog = dialog.set_directory(folder);
+        }
+        let name = suggested.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let (answers, wake) = (self.answers.clone(), self.wake.clone());
+        let _ = start("dialog", move || {
+            let clock = Clock::start();
+            let file = match purpose.writes() {
+                _ if purpose.is_folder() => wait(dialog.pick_folder()),
+                false => wait(dialog.pick_file()),
+                true => wait(dialog.set_file_name(name).save_file()),
+            };
+            let answer = match file {
+                Some(file) => Answer::File(purpose, purpose.complete(file.path().to_path_buf())),
+                None if clock.seconds() < UNSEEN => Answer::NoDialog(purpose, suggested),
+                None => return,
+            };
+            answers.lock().unwrap_or_else(PoisonError::into_inner).push(answer);
+            wake();
+        });
+    }
+
+    fn answer(&self, answer: Answer) {
+        self.answers.lock().unwrap_or_else(PoisonError::into_inner).push(answer);
+        (self.wake)();
+    }
+
+    /// What became of dialogs since the last call. Once there was none to show, the system is not
+    /// asked again.
+    pub(crate) fn answers(&mut self) -> Vec<Answer> {
+        let answers =
+            std::mem::take(&mut *self.answers.lock().unwrap_or_else(PoisonError::into_inner));
+        if self.way == Way::System
+            && answers.iter().any(|answer| matches!(answer, Answer::NoDialog(..)))
+        {
+            self.way = Way::Window;
+        }
+        answers
+    }
+}
+
+/// Where a dialog begins: beside `near`, under its name where a file is written; at `near` where a
+/// folder is asked for.
+fn suggested(purpose: FilePurpose, near: Option<&Path>) -> PathBuf {
+    if purpose.is_folder() {
+        return near.and_then(|near| std::path::absolute(near).ok()).unwrap_or_default();
+    }
+    let folder =
+        near.and_then(Path::parent).filter(|folder| folder.is_dir()).map(Path::to_path_buf);
+    let folder = folder.or_else(|| std::env::current_dir().ok()).unwrap_or_default();
+    if !purpose.writes() {
+        return folder.join("");
+    }
+    let name = near
+        .and_then(Path::file_name)
+        .map_or_else(|| "look.json".into(), std::borrow::ToOwned::to_owned);
+    let (_, endings) = purpose.files();
+    folder.join(Path::new(&name).with_extension(endings[0]))
+}

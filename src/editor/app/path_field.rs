@@ -1,0 +1,321 @@
+//! Asks for a file by its path, in the window itself: for systems that show no file dialog, and for
+//! who would rather type.
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+
+use eframe::egui::{
+    Button, Context, Frame, Id, Key, Margin, Modal, RichText, Role, ScrollArea, TextEdit, Ui,
+    WidgetInfo, text::CCursor, text::CCursorRange,
+};
+
+use crate::commands::FilePurpose;
+use crate::widgets::confirm;
+use crate::widgets::theme;
+
+/// As many entries of a folder are looked at, and as many rows are seen at once.
+const MOST_ENTRIES: usize = 4000;
+const ROWS: f32 = 7.0;
+const WIDTH: f32 = 520.0;
+
+/// A path that is being typed.
+pub(crate) struct PathField {
+    pub(crate) purpose: FilePurpose,
+    /// Whether it stands in for a dialog that the system does not have.
+    stands_in: bool,
+    text: String,
+    is_new: bool,
+    /// What there is beside it, and the text that this was found for.
+    beside: Option<(String, Vec<Entry>)>,
+}
+
+/// A file or a folder that begins as what is typed.
+struct Entry {
+    name: String,
+    is_folder: bool,
+}
+
+/// What a typed path would do.
+#[derive(Debug, PartialEq, Eq)]
+enum Verdict {
+    /// It can be read, or written anew.
+    Good,
+    /// There is a file that would be replaced.
+    Replaces,
+    /// It is a folder: on into it.
+    Folder,
+    /// It cannot be; why.
+    Bad(&'static str),
+}
+
+impl PathField {
+    /// Asks for a file, beginning at a path.
+    pub(crate) fn new(purpose: FilePurpose, path: &Path, stands_in: bool) -> Self {
+        Self { purpose, stands_in, text: path.display().to_string(), is_new: true, beside: None }
+    }
+
+    /// Shows it. `Some(None)` when nothing is to be opened or saved after all.
+    pub(crate) fn show(&mut self, ctx: &Context) -> Option<Option<PathBuf>> {
+        let mut answer = None;
+        let frame = Frame::popup(&ctx.global_style()).inner_margin(Margin::same(14));
+        let modal = Modal::new(Id::unique("path field")).frame(frame).show(ctx, |ui| {
+            ui.spacing_mut().item_spacing.y = 8.0;
+            ui.set_width(WIDTH.min(ctx.content_rect().width() - 60.0));
+            ui.heading(title(self.purpose));
+            if self.stands_in {
+                ui.label(
+                    RichText::new("This system shows no file dialog, so type the path here.")
+                        .color(theme::of(ui).dim),
+                );
+            }
+            let confirms = confirm::enters(ui);
+            let enters = self.field(ui) || confirms;
+            ui.scope(|ui| self.entries(ui));
+            let path = self.path();
+            let verdict = verdict(self.purpose, &path);
+            let reason = match verdict {
+                Verdict::Bad(reason) => reason,
+                _ if self.purpose.is_folder() && !path.exists() => "The folder will be made",
+                Verdict::Replaces => "There is such a file; it would be replaced",
+                Verdict::Good | Verdict::Folder => "",
+            };
+            ui.label(RichText::new(reason).color(theme::of(ui).warning));
+            ui.horizontal(|ui| {
+                let label = match (&verdict, self.purpose.writes()) {
+                    _ if self.purpose.is_folder() => "Export here",
+                    (Verdict::Replaces, _) => "Replace the file",
+                    (_, true) => "Save here",
+                    (_, false) => "Open this",
+                };
+                let is_file = matches!(verdict, Verdict::Good | Verdict::Replaces);
+                if ui.add_enabled(is_file, Button::new(label)).clicked() || enters && is_file {
+                    answer = Some(Some(path));
+                }
+                if ui.button("Cancel").clicked() {
+                    answer = Some(None);
+                }
+            });
+            if enters && verdict == Verdict::Folder {
+                self.go_into();
+            }
+        });
+        if modal.should_close() {
+            answer = Some(None);
+        }
+        answer
+    }
+
+    /// The field itself; whether Enter was pressed in it.
+    fn field(&mut self, ui: &mut Ui) -> bool {
+        let edit = TextEdit::singleline(&mut self.text)
+            .desired_width(f32::INFINITY)
+            .font(eframe::egui::TextStyle::Monospace);
+        let response = ui.add(edit);
+        response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, "Path"));
+        if std::mem::take(&mut self.is_new) {
+            response.request_focus();
+            let end = CCursor::new(self.text.chars().count());
+            let mut state = TextEdit::load_state(ui.ctx(), response.id).unwrap_or_default();
+            state.cursor.set_char_range(Some(CCursorRange::one(end)));
+            state.store(ui.ctx(), response.id);
+        }
+        response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter))
+    }
+
+    /// Folders and files that begin as what is typed; a click takes one.
+    fn entries(&mut self, ui: &mut Ui) {
+        if self.beside.as_ref().is_none_or(|(of, _)| *of != self.text) {
+            self.beside = Some((self.text.clone(), entries(self.purpose, &self.text)));
+        }
+        let Some((_, entries)) = &self.beside else { return };
+        let mut taken = None;
+        ui.spacing_mut().item_spacing.y = 1.0;
+        let height = ui.spacing().interact_size.y;
+        let area =
+            ScrollArea::vertical().max_height(ROWS * height).min_scrolled_height(ROWS * height);
+        area.auto_shrink([false, false]).show_rows(ui, height, entries.len(), |ui, rows| {
+            for entry in &entries[rows] {
+                let name =
+                    if entry.is_folder { format!("{}/", entry.name) } else { entry.name.clone() };
+                let color = if entry.is_folder { theme::of(ui).accent } else { theme::of(ui).text };
+                if ui.add(Button::new(RichText::new(name).color(color)).frame(false)).clicked() {
+                    taken = Some((entry.name.clone(), entry.is_folder));
+                }
+            }
+        });
+        if let Some((name, is_folder)) = taken {
+            let (folder, _) = split(&self.text);
+            self.text = format!("{folder}{name}");
+            self.is_new = true;
+            if is_folder {
+                self.go_into();
+            }
+        }
+    }
+
+    fn go_into(&mut self) {
+        if !self.text.ends_with(std::path::is_separator) {
+            self.text.push(std::path::MAIN_SEPARATOR);
+        }
+        self.is_new = true;
+    }
+
+    fn path(&self) -> PathBuf {
+        let path = expand(self.text.trim(), std::env::var_os("HOME"));
+        if self.text.trim().ends_with(std::path::is_separator) {
+            path
+        } else {
+            self.purpose.complete(path)
+        }
+    }
+}
+
+fn title(purpose: FilePurpose) -> &'static str {
+    match purpose {
+        FilePurpose::Open => "Open a look, a scene or an HCBTF",
+        FilePurpose::Save => "Save the look",
+        FilePurpose::SaveScene => "Save the scene",
+        FilePurpose::SavePainting => "Save the painting",
+        FilePurpose::BakeLook => "Bake the look onto a tile",
+        FilePurpose::ImportPainting(_) => "Import painted pictures",
+        FilePurpose::ExportPainting(..) => "Export the painting",
+        FilePurpose::Mesh => "Show the look on a mesh",
+        FilePurpose::AddMesh => "Add an object of a mesh",
+        FilePurpose::ObjectMesh => "Give the object another mesh",
+        FilePurpose::ObjectLook => "Give the object another look",
+        FilePurpose::Shaders(_) => "Export the look into a folder",
+        FilePurpose::Export(_) => "Save the picture",
+        FilePurpose::Reference => "Show an image with the picture",
+    }
+}
+
+/// `~` is the user's home.
+fn expand(text: &str, home: Option<OsString>) -> PathBuf {
+    match (text.strip_prefix("~/"), home) {
+        (Some(rest), Some(home)) => PathBuf::from(home).join(rest),
+        _ => PathBuf::from(text),
+    }
+}
+
+fn verdict(purpose: FilePurpose, path: &Path) -> Verdict {
+    let has_folder =
+        path.parent().is_some_and(|folder| folder.as_os_str().is_empty() || folder.is_dir());
+    match purpose.writes() {
+        _ if path.as_os_str().is_empty() => Verdict::Bad("Type a path"),
+        _ if purpose.is_folder() && path.is_file() => Verdict::Bad("This is a file, and no folder"),
+        _ if purpose.is_folder() && !has_folder => {
+            Verdict::Bad("There is no folder to make this one in")
+        }
+        _ if purpose.is_folder() => Verdict::Good,
+        _ if path.is_dir() => Verdict::Folder,
+        false if path.is_file() => Verdict::Good,
+        false => Verdict::Bad("There is no such file"),
+        true if !has_folder => Verdict::Bad("There is no such folder"),
+        true if path.exists() => Verdict::Replaces,
+        true => Verdict::Good,
+    }
+}
+
+/// The folder that is typed in, with its separator, and what is typed of a name there.
+fn split(text: &str) -> (&str, &str) {
+    let text = text.trim();
+    text.split_at(text.rfind(std::path::is_separator).map_or(0, |at| at + 1))
+}
+
+/// What of a folder begins as what is typed, or all of it where nothing does; folders first.
+fn entries(purpose: FilePurpose, text: &str) -> Vec<Entry> {
+    let (folder, typed) = split(text);
+    let folder = if folder.is_empty() {
+        PathBuf::from(".")
+    } else {
+        expand(folder, std::env::var_os("HOME"))
+    };
+    let typed = typed.to_lowercase();
+    let (_, endings) = purpose.files();
+    let begins = |name: &str| name.to_lowercase().starts_with(&typed);
+    let fits = |name: &str, is_folder: bool| {
+        let ending =
+            Path::new(name).extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+        let is_hidden = name.starts_with('.') && !typed.starts_with('.');
+        !is_hidden && (is_folder || endings.contains(&ending.to_lowercase().as_str()))
+    };
+    let found = std::fs::read_dir(folder).into_iter().flatten().take(MOST_ENTRIES).flatten();
+    let found = found.map(|entry| Entry {
+        name: entry.file_name().to_string_lossy().into_owned(),
+        is_folder: entry.path().is_dir(),
+    });
+    let mut found: Vec<Entry> = found.filter(|entry| fits(&entry.name, entry.is_folder)).collect();
+    // What is new beside them is seen among all that is there.
+    if found.iter().any(|entry| begins(&entry.name)) {
+        found.retain(|entry| begins(&entry.name));
+    }
+    found.sort_by_cached_key(|entry| (!entry.is_folder, entry.name.to_lowercase()));
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_is_judged_by_what_is_there() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        std::fs::write(path("a.json"), "{}").unwrap();
+        std::fs::create_dir(path("inner")).unwrap();
+        for (purpose, name, expected) in [
+            (FilePurpose::Open, "a.json", Verdict::Good),
+            (FilePurpose::Open, "b.json", Verdict::Bad("There is no such file")),
+            (FilePurpose::Open, "inner", Verdict::Folder),
+            (FilePurpose::Save, "a.json", Verdict::Replaces),
+            (FilePurpose::Save, "b.json", Verdict::Good),
+            (FilePurpose::Save, "no/b.json", Verdict::Bad("There is no such folder")),
+            (FilePurpose::Shaders("all"), "inner", Verdict::Good),
+            (FilePurpose::Shaders("all"), "inner/", Verdict::Good),
+            (FilePurpose::Shaders("all"), "new", Verdict::Good),
+            (
+                FilePurpose::Shaders("all"),
+                "no/new",
+                Verdict::Bad("There is no folder to make this one in"),
+            ),
+            (FilePurpose::Shaders("all"), "a.json", Verdict::Bad("This is a file, and no folder")),
+        ] {
+            assert_eq!(verdict(purpose, &path(name)), expected, "{name}");
+        }
+        assert_eq!(verdict(FilePurpose::Open, Path::new("")), Verdict::Bad("Type a path"));
+    }
+
+    #[test]
+    fn entries_begin_as_what_is_typed() {
+        let folder = tempfile::tempdir().unwrap();
+        for name in ["rim.json", "Rind.json", "rim.png", ".hidden.json", "other.json"] {
+            std::fs::write(folder.path().join(name), "{}").unwrap();
+        }
+        std::fs::create_dir(folder.path().join("rinks")).unwrap();
+        let names = |purpose, typed: &str| -> Vec<String> {
+            let text = format!("{}/{typed}", folder.path().display());
+            entries(purpose, &text).into_iter().map(|entry| entry.name).collect()
+        };
+        assert_eq!(names(FilePurpose::Open, "ri"), ["rinks", "rim.json", "Rind.json"]);
+        assert_eq!(names(FilePurpose::Reference, "rim"), ["rim.png"]);
+        assert_eq!(
+            names(FilePurpose::Save, "new").len(),
+            4,
+            "what is new is seen beside what is there"
+        );
+        assert_eq!(
+            names(FilePurpose::Open, "").len(),
+            4,
+            "a folder is listed whole, but for what is hidden"
+        );
+        assert_eq!(names(FilePurpose::Open, "."), [".hidden.json"]);
+    }
+
+    #[test]
+    fn endings_and_homes_are_filled_in() {
+        assert_eq!(FilePurpose::Save.complete("/a/rim".into()), PathBuf::from("/a/rim.json"));
+        assert_eq!(FilePurpose::Open.complete("/a/rim".into()), PathBuf::from("/a/rim"));
+        assert_eq!(expand("~/a", Some("/home/b".into())), PathBuf::from("/home/b/a"));
+        assert_eq!(expand("~a", Some("/home/b".into())), PathBuf::from("~a"));
+    }
+}

@@ -1,0 +1,107 @@
+//! What is asked for of unsaved work, and of files that other programs changed.
+
+use super::App;
+use crate::commands::{FilePurpose, RecoveryCommand};
+use crate::state::safety::crashes::DocumentOrigin;
+use crate::state::safety::disk::Conflict;
+
+impl App {
+    pub(super) fn apply_to_recovery(&mut self, command: RecoveryCommand) {
+        if command == RecoveryCommand::OpenAnother {
+            self.dialogs.ask(FilePurpose::Open, self.session.path());
+        }
+        if command == RecoveryCommand::ReadAgain
+            && let Some(path) = self.safety.interrupted()
+        {
+            self.session.crashes.trust(&DocumentOrigin::of_file(&path));
+            return self.open(&path);
+        }
+        let painting = self.painting_number();
+        self.message = self.recover(command);
+        self.open_lacking_look();
+        self.show_painting_taken_back(painting);
+    }
+
+    /// Does what the bar of unsaved work and changed files asks for. Returns what to tell.
+    fn recover(&mut self, command: RecoveryCommand) -> Option<String> {
+        let Self { safety, session, .. } = self;
+        match command {
+            RecoveryCommand::TakeBack(number) => {
+                let told = safety.take_back(number, session);
+                session.look_as_kept(true);
+                return Some(told);
+            }
+            RecoveryCommand::Throw(number, is_thrown) => safety.offers.throw(number, is_thrown),
+            RecoveryCommand::Reload => {
+                if let Some(Conflict::Changed(text)) = safety.disk.conflict.take() {
+                    if session.reload(&text) {
+                        return Some("Loaded again; Undo brings your changes back".to_owned());
+                    }
+                    safety.disk.conflict = Some(Conflict::Broken(text));
+                }
+            }
+            RecoveryCommand::KeepMine => {
+                if let Some(Conflict::Changed(text) | Conflict::Broken(text)) =
+                    safety.disk.conflict.take()
+                {
+                    session.keep_mine(text);
+                    return Some("Saving will write over the other version".to_owned());
+                }
+            }
+            RecoveryCommand::ReloadScene => {
+                if let Some(text) = safety.disk.scene_conflict.take() {
+                    let is_read = session.reload_scene(&text);
+                    return Some(match is_read {
+                        true => {
+                            "The scene was loaded again; Undo brings your changes back".to_owned()
+                        }
+                        false => {
+                            "The scene's file cannot be read now; your version stays".to_owned()
+                        }
+                    });
+                }
+            }
+            RecoveryCommand::KeepMyScene => {
+                if let (Some(text), Some(stage)) =
+                    (safety.disk.scene_conflict.take(), session.stage_mut())
+                {
+                    stage.keep_mine(text);
+                    return Some("Saving the scene will write over the other version".to_owned());
+                }
+            }
+            RecoveryCommand::ReloadPainting => {
+                safety.disk.painting_conflict = None;
+                return Some(match session.reload_painting() {
+                    Ok(_) => {
+                        "What is painted was loaded again; Undo brings your changes back".to_owned()
+                    }
+                    Err(problems) => {
+                        let why = problems
+                            .first()
+                            .map(|problem| problem.message.as_str())
+                            .unwrap_or_default();
+                        format!("The file cannot be read now, and your version stays: {why}")
+                    }
+                });
+            }
+            RecoveryCommand::KeepMyPainting => {
+                safety.disk.painting_conflict = None;
+                if let Some(work) = session.painting_mut() {
+                    work.keep_mine();
+                    return Some(
+                        "Saving what is painted will write the file as it is here".to_owned(),
+                    );
+                }
+            }
+            RecoveryCommand::HideUnopened
+            | RecoveryCommand::OpenAnother
+            | RecoveryCommand::ReadAgain => safety.unopened = None,
+            RecoveryCommand::TryAgain => session.try_again(),
+            RecoveryCommand::Hide => {
+                safety.is_problem_read = session.keeping_problem().is_some();
+                safety.disk.forget_gone();
+            }
+        }
+        None
+    }
+}

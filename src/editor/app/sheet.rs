@@ -1,0 +1,324 @@
+//! The sheet of all shortcuts, and the command palette: both list what is in the table of
+//! shortcuts. The palette finds nodes of the open graph too, however many there are.
+
+use eframe::egui;
+use eframe::egui::{Align2, Key, Modifiers, RichText, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
+
+use crate::commands::table::{self, CommandRow, PAINTING_POINTER, POINTER, Place};
+use crate::commands::{Command, GraphCommand};
+use crate::ids::NodeId;
+use crate::state::session::Session;
+use crate::widgets::theme;
+
+const WIDTH: f32 = 420.0;
+/// The width of the sheet of shortcuts.
+const SHEET: f32 = 1080.0;
+const ROW: f32 = 24.0;
+/// As many nodes are listed; another word finds the others.
+const MOST_NODES: usize = 40;
+
+/// What is open of both.
+#[derive(Default)]
+pub(crate) struct Sheet {
+    open: Option<OpenSheet>,
+}
+
+enum OpenSheet {
+    Shortcuts { is_new: bool },
+    Commands { query: String, index: usize, is_new: bool },
+}
+
+impl Sheet {
+    /// Opens the palette of commands, or closes it where it is open.
+    pub(crate) fn open_palette(&mut self) {
+        self.open = match self.open {
+            Some(OpenSheet::Commands { .. }) => None,
+            _ => Some(OpenSheet::Commands { query: String::new(), index: 0, is_new: true }),
+        };
+    }
+
+    /// Opens the sheet of shortcuts, or closes it where it is open.
+    pub(crate) fn open_shortcuts(&mut self) {
+        self.open = match self.open {
+            Some(OpenSheet::Shortcuts { .. }) => None,
+            _ => Some(OpenSheet::Shortcuts { is_new: true }),
+        };
+    }
+
+    pub(crate) fn is_open(&self) -> bool {
+        self.open.is_some()
+    }
+
+    /// Takes the key that closes it, before others do.
+    pub(crate) fn take_escape(&mut self, ui: &Ui) {
+        if self.is_open() && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
+            self.open = None;
+        }
+    }
+
+    /// Shows what is open; what was chosen.
+    pub(crate) fn show(&mut self, ui: &Ui, session: &Session) -> Option<Command> {
+        let shown = self.open.as_mut()?;
+        let (mut chosen, is_new) = (None, shown.is_new());
+        let screen = ui.ctx().content_rect();
+        // A window may be narrower than the sheet.
+        let width = if matches!(shown, OpenSheet::Shortcuts { .. }) { SHEET } else { WIDTH };
+        let area = egui::Area::new(egui::Id::unique("sheet")).order(egui::Order::Foreground);
+        let area = area.fixed_pos(screen.center_top() + vec2(-width / 2.0, 70.0));
+        let response = area.show(ui.ctx(), |ui| {
+            egui::Frame::popup(ui.style()).show(ui, |ui| match shown {
+                OpenSheet::Shortcuts { .. } => show_shortcuts(ui, screen.height() - 180.0),
+                OpenSheet::Commands { query, index, is_new } => {
+                    chosen = show_commands(ui, session, query, index, is_new)
+                }
+            });
+        });
+        let is_outside = ui.input(|input| {
+            let press = input.pointer.any_pressed().then(|| input.pointer.interact_pos()).flatten();
+            press.is_some_and(|press| !response.response.rect.contains(press))
+        });
+        if chosen.is_some() || is_outside && !is_new {
+            self.open = None;
+        }
+        chosen
+    }
+}
+
+impl OpenSheet {
+    fn is_new(&mut self) -> bool {
+        match self {
+            Self::Shortcuts { is_new } => std::mem::replace(is_new, false),
+            Self::Commands { is_new, .. } => *is_new,
+        }
+    }
+}
+
+fn show_shortcuts(ui: &mut Ui, height: f32) {
+    ui.set_width(SHEET);
+    ui.heading("Shortcuts");
+    ui.spacing_mut().item_spacing.y = 1.0;
+    ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
+        ui.columns(3, |columns| {
+            let [left, middle, right] = columns else { return };
+            let graph: Vec<(String, &str)> = rows(Place::Graph).collect();
+            let (first, second) = graph.split_at(graph.len().div_ceil(2));
+            list(left, Place::Graph.label(), first);
+            list(middle, " ", second);
+            list(left, Place::Painting.label(), &rows(Place::Painting).collect::<Vec<_>>());
+            let told = |rows: &[(&str, &'static str)]| -> Vec<(String, &'static str)> {
+                rows.iter().map(|(key, what)| ((*key).to_owned(), *what)).collect()
+            };
+            list(middle, "With the pointer, on the tile", &told(PAINTING_POINTER));
+            for place in [Place::Window, Place::Picture, Place::Light] {
+                list(right, place.label(), &rows(place).collect::<Vec<_>>());
+            }
+            list(right, "With the pointer, in the graph", &told(POINTER));
+        });
+    });
+}
+
+/// The rows of a place; the nine bookmarks are told as one.
+fn rows(place: Place) -> impl Iterator<Item = (String, &'static str)> {
+    let rows = table::rows().filter(move |row| row.place == place && !row.keys.is_empty());
+    rows.filter_map(|row| match row.command {
+        Command::Graph(GraphCommand::GoTo(1)) => Some(("1 … 9".to_owned(), "Go to a bookmark")),
+        Command::Graph(GraphCommand::Remember(1)) => {
+            Some(("Ctrl+1 … 9".to_owned(), "Bookmark this view"))
+        }
+        Command::Graph(GraphCommand::GoTo(_) | GraphCommand::Remember(_)) => None,
+        _ => Some((row.text(), &*row.label)),
+    })
+}
+
+fn list(ui: &mut Ui, title: &str, rows: &[(String, &str)]) {
+    ui.add_space(6.0);
+    if !title.is_empty() {
+        ui.label(RichText::new(title).strong().color(theme::of(ui).accent));
+    }
+    for (key, what) in rows {
+        ui.horizontal(|ui| {
+            ui.label(*what);
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                ui.add_space(10.0);
+                ui.label(RichText::new(key).color(theme::of(ui).dim));
+            });
+        });
+    }
+}
+
+/// A row of the palette.
+struct Entry {
+    label: String,
+    /// The key, or what else tells it from others.
+    aside: String,
+    /// What screen readers call it.
+    name: String,
+    command: Command,
+}
+
+/// What was chosen.
+fn show_commands(
+    ui: &mut Ui,
+    session: &Session,
+    query: &mut String,
+    index: &mut usize,
+    is_new: &mut bool,
+) -> Option<Command> {
+    ui.set_width(WIDTH);
+    let key = |ui: &Ui, key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
+    if key(ui, Key::ArrowDown) {
+        *index += 1;
+    }
+    if key(ui, Key::ArrowUp) {
+        *index = index.saturating_sub(1);
+    }
+    let enter = key(ui, Key::Enter);
+    let edit = TextEdit::singleline(query)
+        .hint_text("Find a command or a node")
+        .desired_width(f32::INFINITY);
+    let response = ui.add(edit.id(egui::Id::unique("command query")));
+    response.widget_info(|| {
+        WidgetInfo::labeled(egui::Role::SearchInput, true, "Find a command or a node")
+    });
+    if std::mem::replace(is_new, false) {
+        response.request_focus();
+    }
+    if response.changed() {
+        *index = 0;
+    }
+    let entries = entries(session, query);
+    *index = (*index).min(entries.len().saturating_sub(1));
+    let mut chosen = enter.then_some(*index);
+    ui.spacing_mut().item_spacing.y = 0.0;
+    ScrollArea::vertical()
+        .max_height(ROW * 14.0)
+        .min_scrolled_height(ROW * 14.0)
+        .auto_shrink([false, true])
+        .show(ui, |ui| {
+            for (place, entry) in entries.iter().enumerate() {
+                if show_entry(ui, entry, place == *index) {
+                    chosen = Some(place);
+                }
+            }
+            if entries.is_empty() {
+                ui.label(
+                    RichText::new("Neither a command nor a node of that name")
+                        .color(theme::of(ui).dim),
+                );
+            }
+        });
+    chosen.and_then(|place| entries.into_iter().nth(place)).map(|entry| entry.command)
+}
+
+/// Whether it was clicked.
+fn show_entry(ui: &mut Ui, entry: &Entry, is_current: bool) -> bool {
+    let (rect, response) =
+        ui.allocate_exact_size(vec2(ui.available_width(), ROW), egui::Sense::click());
+    response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, &entry.name));
+    let colors = theme::of(ui);
+    if is_current || response.hovered() {
+        let fill = if is_current { colors.accent_dim } else { colors.field };
+        ui.painter().rect_filled(rect, 4.0, fill);
+    }
+    let font = egui::FontId::proportional(theme::TEXT_SIZE);
+    let text =
+        |at, align, text: &str, color| ui.painter().text(at, align, text, font.clone(), color);
+    text(rect.left_center() + vec2(8.0, 0.0), Align2::LEFT_CENTER, &entry.label, colors.text);
+    text(rect.right_center() - vec2(8.0, 0.0), Align2::RIGHT_CENTER, &entry.aside, colors.dim);
+    response.clicked()
+}
+
+/// Commands, and once there is a query nodes.
+fn entries(session: &Session, query: &str) -> Vec<Entry> {
+    let command = |row: &CommandRow| Entry {
+        label: row.label.to_string(),
+        aside: row.text(),
+        name: format!("Command: {}", row.label),
+        command: row.command.clone(),
+    };
+    let node = |(id, title): (&NodeId, String)| Entry {
+        name: format!("Node: {title}"),
+        label: title,
+        aside: format!("node {id}"),
+        command: Command::Reveal(id.clone()),
+    };
+    found(query)
+        .into_iter()
+        .map(command)
+        .chain(found_nodes(session, query).into_iter().map(node))
+        .collect()
+}
+
+/// Commands whose label has all words of the query, those that begin with the first one first.
+fn found(query: &str) -> Vec<&'static CommandRow> {
+    let query = query.to_lowercase();
+    let words: Vec<&str> = query.split_whitespace().collect();
+    let fits = |row: &&CommandRow| {
+        let label = row.label.to_lowercase();
+        words.iter().all(|word| label.contains(word))
+    };
+    let mut found: Vec<&CommandRow> =
+        table::rows().filter(|row| row.command != Command::OpenPalette).filter(fits).collect();
+    found.sort_by_key(|row| {
+        !words.first().is_some_and(|word| row.label.to_lowercase().starts_with(word))
+    });
+    found
+}
+
+/// Nodes of the open graph whose title or id has all words of the query, with their titles; those
+/// that are called just that first.
+fn found_nodes<'s>(session: &'s Session, query: &str) -> Vec<(&'s NodeId, String)> {
+    let query = query.trim().to_lowercase();
+    if query.is_empty() {
+        return Vec::new();
+    }
+    let words: Vec<&str> = query.split_whitespace().collect();
+    let named = session.graph().nodes.iter().filter_map(|(id, node)| {
+        let kind = || session.catalog.of(node).map(|kind| kind.label.to_string());
+        let title = if node.name.is_empty() {
+            kind().unwrap_or_else(|| id.to_string())
+        } else {
+            node.name.clone()
+        };
+        let text = format!("{title} {id}").to_lowercase();
+        words.iter().all(|word| text.contains(word)).then_some((id, title))
+    });
+    let mut found: Vec<(&NodeId, String)> = named.collect();
+    found.sort_by_key(|(id, title)| id.as_str() != query && title.to_lowercase() != query);
+    found.truncate(MOST_NODES);
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn commands_are_found_by_words() {
+        assert_eq!(
+            found("group make").first().map(|row| &row.command),
+            Some(&Command::Graph(GraphCommand::Group))
+        );
+        assert_eq!(
+            found("tidy").first().map(|row| &row.command),
+            Some(&Command::Graph(GraphCommand::Layout))
+        );
+        assert!(found("xyzzy").is_empty());
+    }
+
+    #[test]
+    fn nodes_are_found_by_title_and_id() {
+        let session =
+            Session::new(std::sync::Arc::new(crate::library::Library::built_in().clone()), || {});
+        let titles = |query| {
+            found_nodes(&session, query)
+                .into_iter()
+                .map(|(id, _)| id.to_string())
+                .collect::<Vec<_>>()
+        };
+        assert!(titles("").is_empty(), "nobody asked for any");
+        assert_eq!(titles("Diff"), ["diffuse"]);
+        assert_eq!(titles("out"), ["output"]);
+        assert!(titles("xyzzy").is_empty());
+    }
+}

@@ -1,0 +1,104 @@
+//! A tour of two minutes that makes a first look from nothing. Each step stands beside the control
+//! that it speaks of and says so when the artist has really done it: steps look at the document,
+//! never at clicks. The artist alone goes on, by one button, so that there is all the time in the
+//! world to play with what was just found. It keeps nobody from anything, and whatever is done on
+//! it is the artist's own work, with undo.
+
+mod card;
+mod steps;
+
+use eframe::egui::Ui;
+use glam::DQuat;
+
+use crate::commands::Command;
+use crate::document::Look;
+use crate::state::session::Session;
+use card::{Answer, Progress};
+use steps::STEPS;
+
+/// What the tour begins with: a base, and a light that nothing is lit by yet.
+pub(crate) const NOTHING: &str = r##"{
+  "chiaro": "look",
+  "version": 1,
+  "name": "First look",
+  "lights": {"key": {"direction": [-0.5, 0.7, 0.6]}},
+  "nodes": [
+    {"id": "base", "kind": "base", "at": [0, 0], "values": {"color": [0.5, 0.5, 0.5]}},
+    {"id": "output", "kind": "output", "at": [520, 0]}
+  ],
+  "wires": [{"from": "base", "to": "output.color"}]
+}"##;
+
+/// The tour while it goes on.
+pub(crate) struct Tour {
+    /// Which document it is about: with another one it ends.
+    document: u64,
+    /// The step that is shown; after the last one, where to go next.
+    step: usize,
+    /// How things were when each step was first shown.
+    seen: Vec<Before>,
+    /// Whether the panels of the step are to be brought to the front.
+    is_new: bool,
+}
+
+/// What a step compares with.
+struct Before {
+    look: Look,
+    illumination: DQuat,
+}
+
+impl Tour {
+    /// A tour of the look that is open, which should be [`NOTHING`].
+    pub(crate) fn new(session: &Session) -> Self {
+        Self { document: session.document_number(), step: 0, seen: Vec::new(), is_new: true }
+    }
+
+    /// Whether it is still about what is open.
+    pub(crate) fn is_about(&self, session: &Session) -> bool {
+        self.document == session.document_number()
+    }
+
+    /// Shows the step; what it asks for, and whether the tour goes on.
+    pub(crate) fn show(&mut self, ui: &Ui, session: &Session) -> (Vec<Command>, bool) {
+        let mut out = Vec::new();
+        let Some(step) = STEPS.get(self.step) else {
+            let (next, is_over) = card::last(ui, session);
+            out.extend(next);
+            return (out, !is_over);
+        };
+        if self.seen.len() == self.step {
+            let illumination = session.view.illumination;
+            self.seen.push(Before { look: session.look().clone(), illumination });
+        }
+        if std::mem::take(&mut self.is_new) {
+            out.extend(step.panels.iter().map(|panel| Command::ShowPanel(*panel)));
+        }
+        let is_done = (step.is_done)(session, &self.seen[self.step]);
+        let progress = Progress { index: self.step, is_done };
+        let help = (step.show)(session);
+        match card::show(ui, session, step, progress, !help.is_empty()) {
+            Some(Answer::Show) => out.extend(help),
+            Some(Answer::Back) => self.go_to(self.step.saturating_sub(1)),
+            Some(Answer::Next) => self.go_to(self.step + 1),
+            Some(Answer::End) => return (out, false),
+            None => {}
+        }
+        (out, true)
+    }
+
+    fn go_to(&mut self, step: usize) {
+        self.step = step;
+        self.is_new = true;
+    }
+}
+
+/// What the end of the tour leads to.
+static NEXT: [(&str, &str, Command); 3] = [
+    (
+        "See the examples",
+        "All of them, as pictures: open one and take it apart",
+        Command::ShowStart(true),
+    ),
+    ("All shortcuts", "What every key does (?)", Command::OpenShortcuts),
+    ("Find a command", "Everything that the window can do, by name (Ctrl+P)", Command::OpenPalette),
+];

@@ -1,0 +1,199 @@
+//! The steps of the tour, as data: what each says, what it points at, how it is known to be done,
+//! and how it is shown.
+
+use super::Before;
+use crate::commands::{Command, PanelId, ViewCommand};
+use crate::document::{Edit, GraphId, Node, Value};
+use crate::ids::NodeId;
+use crate::panels::layers;
+use crate::state::session::Session;
+use crate::state::stack::Stack;
+use crate::widgets::spots::Spot;
+
+/// A step of the tour.
+pub(super) struct Step {
+    pub(super) title: &'static str,
+    /// What to do.
+    pub(super) task: &'static str,
+    /// Why.
+    pub(super) reason: &'static str,
+    /// What is brought to the front for it.
+    pub(super) panels: &'static [PanelId],
+    /// What it points at: the first of these that is on the screen.
+    pub(super) spots: fn(&Session) -> Vec<Spot>,
+    /// Whether it is done, beside how things were when it was first shown.
+    pub(super) is_done: fn(&Session, &Before) -> bool,
+    /// What does it in the artist's place; nothing where there is nothing to do it to.
+    pub(super) show: fn(&Session) -> Vec<Command>,
+}
+
+/// The inputs of a layer that shape its profile, and those that blend it.
+const PROFILE: [&str; 3] = ["offset", "falloff", "cutoff"];
+const BLENDING: [&str; 2] = ["blend", "opacity"];
+/// How far lights are turned at least to have been turned, in radians.
+const TURNED: f64 = 0.05;
+
+/// From nothing to a look.
+pub(super) static STEPS: [Step; 7] = [
+    Step {
+        title: "The base",
+        task: "Click Base in the stack of layers, then change its color.",
+        reason: "It is what is seen where no light falls. Painters begin dark and leave room for \
+                 the light.",
+        panels: &[PanelId::PICTURE, PanelId::LAYERS, PanelId::INSPECTOR],
+        spots: |session| match ground(session) {
+            Some(base) if session.selection.contains(&base) => {
+                vec![Spot::Input("color".into()), Spot::Layer(base)]
+            }
+            Some(base) => vec![Spot::Layer(base), Spot::Panel(PanelId::LAYERS)],
+            None => vec![Spot::Panel(PanelId::LAYERS)],
+        },
+        is_done: |session, before| {
+            ground(session).is_some_and(|base| is_changed(session, before, &base, &["color"]))
+        },
+        show: |session| {
+            let color = Value::Vector(vec![0.17, 0.1, 0.15]);
+            ground(session).map_or_else(Vec::new, |base| set(session, &base, &[("color", color)]))
+        },
+    },
+    Step {
+        title: "A first layer of light",
+        task: "Press Add layer and choose Diffuse.",
+        reason: "A layer is a light, the way it moves over the surface, a profile and two colors. \
+                 Diffuse light stays \
+                 where it falls; a highlight follows the eye.",
+        panels: &[PanelId::PICTURE, PanelId::LAYERS],
+        spots: |_| vec![Spot::AddLayer, Spot::Panel(PanelId::LAYERS)],
+        is_done: has_more_layers,
+        show: |session| layers::add_preset(session, "Diffuse"),
+    },
+    Step {
+        title: "Its profile",
+        task: "Drag the handles of the curve: offset, fall-off and cut-off.",
+        reason: "Up to the offset the tone is full, at the cut-off it is gone. Bring them together \
+                 for the edge of a \
+                 cartoon, apart for something soft.",
+        panels: &[PanelId::PICTURE, PanelId::PROFILE, PanelId::INSPECTOR],
+        spots: |_| vec![Spot::Panel(PanelId::PROFILE), Spot::Input("offset".into())],
+        is_done: |session, before| any_layer_changed(session, before, &PROFILE),
+        show: |session| {
+            let values = [("offset", 0.75), ("falloff", 1.15), ("cutoff", 1.5)];
+            let values = values.map(|(port, angle)| (port, Value::Number(angle)));
+            top_layer(session).map_or_else(Vec::new, |layer| set(session, &layer, &values))
+        },
+    },
+    Step {
+        title: "Turn the light",
+        task: "Drag on the object, beside its colored lines.",
+        reason: "The light turns with your hand, and so do all lights of the look: they hang in \
+                 one frame. A drag on \
+                 a line shapes the layer, and a drag beside the object turns the camera.",
+        panels: &[PanelId::PICTURE],
+        spots: |_| vec![Spot::Picture],
+        is_done: is_light_turned,
+        show: |session| {
+            let mut view = session.view.clone();
+            view.turn_lights(-0.1, -0.04);
+            vec![Command::View(ViewCommand::TurnTo(Box::new(view)))]
+        },
+    },
+    Step {
+        title: "A rim from behind",
+        task: "Press Add layer again and choose Back-light.",
+        reason: "It brings a light of its own, behind the object as you see it now: its cool rim \
+                 parts the object from \
+                 what is behind.",
+        panels: &[PanelId::PICTURE, PanelId::LAYERS],
+        spots: |_| vec![Spot::AddLayer, Spot::Panel(PanelId::LAYERS)],
+        is_done: has_more_layers,
+        show: |session| layers::add_preset(session, "Back-light"),
+    },
+    Step {
+        title: "How layers meet",
+        task: "In a layer's row, choose another blending or drag its opacity.",
+        reason: "Add brightens what is below, multiply darkens it, alpha covers it. The order \
+                 counts too: drag rows.",
+        panels: &[PanelId::PICTURE, PanelId::LAYERS],
+        spots: |session| {
+            top_layer(session)
+                .map(Spot::Layer)
+                .into_iter()
+                .chain([Spot::Panel(PanelId::LAYERS)])
+                .collect()
+        },
+        is_done: |session, before| any_layer_changed(session, before, &BLENDING),
+        show: |session| {
+            let opacity = Value::Number(0.7);
+            top_layer(session)
+                .map_or_else(Vec::new, |layer| set(session, &layer, &[("opacity", opacity)]))
+        },
+    },
+    Step {
+        title: "Keep it",
+        task: "Press Save and choose where.",
+        reason: "A look is a small text file, and Recent will have it. What is not saved is kept \
+                 too, until you are back.",
+        panels: &[PanelId::PICTURE],
+        spots: |_| vec![Spot::Save],
+        is_done: |session, _| session.path().is_some() && !session.is_dirty(),
+        show: |_| vec![Command::Save],
+    },
+];
+
+fn stack(session: &Session) -> Stack {
+    Stack::of(session.look(), &session.catalog)
+}
+
+/// The node that the lowest layer lies on.
+fn ground(session: &Session) -> Option<NodeId> {
+    stack(session).ground.map(|ground| ground.node)
+}
+
+/// The layer that was worked on last, or else the uppermost.
+fn top_layer(session: &Session) -> Option<NodeId> {
+    let stack = stack(session);
+    let selected = session.selection.last().filter(|id| stack.index_of(id).is_some());
+    selected.or(stack.layers.first().map(|layer| &layer.id)).cloned()
+}
+
+fn has_more_layers(session: &Session, before: &Before) -> bool {
+    stack(session).layers.len() > Stack::of(&before.look, &session.catalog).layers.len()
+}
+
+fn any_layer_changed(session: &Session, before: &Before, ports: &[&str]) -> bool {
+    stack(session).layers.iter().any(|layer| is_changed(session, before, &layer.id, ports))
+}
+
+/// Whether any of these inputs of a node that was there before has another value.
+fn is_changed(session: &Session, before: &Before, id: &NodeId, ports: &[&str]) -> bool {
+    let Some(old) = before.look.graph.nodes.get(id) else { return false };
+    let now = session.look().graph.nodes.get(id);
+    ports.iter().any(|port| value(Some(old), port) != value(now, port))
+}
+
+fn is_light_turned(session: &Session, before: &Before) -> bool {
+    let lights = &session.look().lights;
+    let is_other = |(id, light): (_, &crate::document::Light)| {
+        lights
+            .get(id)
+            .is_some_and(|now| (now.direction, now.position) != (light.direction, light.position))
+    };
+    session.view.illumination.angle_between(before.illumination) > TURNED
+        || before.look.lights.iter().any(is_other)
+}
+
+fn value<'a>(node: Option<&'a Node>, port: &str) -> Option<&'a Value> {
+    node?.values.get(port)
+}
+
+/// Selects a node and sets values of it, as one step.
+fn set(session: &Session, id: &NodeId, values: &[(&str, Value)]) -> Vec<Command> {
+    let edit = |(port, value): &(&str, Value)| {
+        let (port, value) = ((*port).into(), value.clone());
+        Edit::SetValue { graph: GraphId::Look, id: id.clone(), port, value, index: None }
+    };
+    let edits = values.iter().map(edit).collect();
+    let leave = (!session.open_groups().is_empty()).then(|| Command::OpenGraph(Vec::new()));
+    let select = Command::Select(vec![id.clone()]);
+    leave.into_iter().chain([Command::Edit(Edit::Group { edits }), select]).collect()
+}

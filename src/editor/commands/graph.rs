@@ -1,0 +1,72 @@
+//! What is asked for of the graph on the canvas.
+
+use eframe::egui;
+
+/// Something that is asked for of the graph that is open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum GraphCommand {
+    AddNode,
+    Swap,
+    Delete,
+    Dissolve,
+    Duplicate,
+    Copy,
+    Cut,
+    Paste,
+    SelectAll,
+    SelectNone,
+    Invert,
+    Upstream,
+    Downstream,
+    Rename,
+    Mute,
+    Collapse,
+    Connect,
+    Group,
+    Ungroup,
+    OpenGroup,
+    LeaveGroup,
+    ShareGroup,
+    Frame,
+    Unframe,
+    Note,
+    ShowAll,
+    ShowSelected,
+    AlignLeft,
+    AlignRight,
+    AlignTop,
+    AlignBottom,
+    DistributeAcross,
+    DistributeDown,
+    Layout,
+    SnapGrid,
+    Minimap,
+    /// Moves what is selected.
+    Nudge(Heading),
+    SelectNext(Heading),
+    /// Goes to a bookmark.
+    GoTo(u8),
+    /// Bookmarks the view.
+    Remember(u8),
+}
+
+/// Where an arrow key points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Heading {
+    Left,
+    Right,
+    Up,
+    Down,
+}
+
+impl Heading {
+    /// One step.
+    pub(crate) fn step(self) -> egui::Vec2 {
+        match self {
+            Self::Left => egui::vec2(-1.0, 0.0),
+            Self::Right => egui::vec2(1.0, 0.0),
+            Self::Up => egui::vec2(0.0, -1.0),
+            Self::Down => egui::vec2(0.0, 1.0),
+        }
+    }
+}

@@ -1,0 +1,263 @@
+//! Every command that people ask for by its name, in one table: what it is called, what it does, its
+//! keys and where they work. Keys, menus, the sheet of shortcuts and the command palette list what
+//! is here.
+
+mod graph;
+mod languages;
+mod painting;
+mod picture;
+mod window;
+
+use std::borrow::Cow;
+use std::sync::LazyLock;
+
+use eframe::egui;
+use eframe::egui::{Key, Modifiers};
+
+use super::{Command, GraphCommand as G, keyboard};
+
+/// Where a key works.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// Everywhere.
+    Window,
+    /// Over the graph, while no text is typed.
+    Graph,
+    /// Over the picture.
+    Picture,
+    /// Over the picture while light is painted on it, beside the others there.
+    Light,
+    /// Over the tile that is painted on.
+    Painting,
+}
+
+impl Place {
+    pub(crate) fn label(self) -> &'static str {
+        match self {
+            Self::Window => "Everywhere",
+            Self::Graph => "In the graph",
+            Self::Picture => "In the picture",
+            Self::Light => "In the picture, painting light",
+            Self::Painting => "On the tile that is painted",
+        }
+    }
+}
+
+/// A menu of the bar above.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Menu {
+    Paint,
+    Export,
+    CopyAs,
+    Help,
+}
+
+/// A row of the table.
+#[derive(Clone, Debug)]
+pub(crate) struct CommandRow {
+    pub(crate) command: Command,
+    pub(crate) label: Cow<'static, str>,
+    /// What it does, where the label does not say that.
+    help: &'static str,
+    /// Any of them will do; the first is told.
+    pub(crate) keys: &'static [(Modifiers, Key)],
+    pub(crate) place: Place,
+    /// The menu that lists it.
+    pub(crate) menu: Option<Menu>,
+    /// Whether it is about the HCBTF that is open to be painted.
+    pub(crate) needs_painting: bool,
+}
+
+const NONE: Modifiers = Modifiers::NONE;
+const CTRL: Modifiers = Modifiers::COMMAND;
+const SHIFT: Modifiers = Modifiers::SHIFT;
+const ALT: Modifiers = Modifiers::ALT;
+const CTRL_SHIFT: Modifiers = Modifiers { shift: true, ..Modifiers::COMMAND };
+
+/// All rows. What needs more modifiers stands before what needs fewer, as the first that fits takes
+/// a key.
+static ROWS: LazyLock<Vec<CommandRow>> = LazyLock::new(|| {
+    let mut rows = window::files();
+    rows.extend(languages::rows());
+    rows.extend(window::rows());
+    rows.extend(picture::rows());
+    rows.extend(painting::rows());
+    rows.extend(graph::rows());
+    rows
+});
+
+/// All rows, in the order of lists.
+pub(crate) fn rows() -> impl Iterator<Item = &'static CommandRow> {
+    ROWS.iter()
+}
+
+/// The row of a command.
+pub(crate) fn row_of(command: &Command) -> Option<&'static CommandRow> {
+    rows().find(|row| row.command == *command)
+}
+
+/// What a command does, with its key: for what is seen under the pointer.
+pub(crate) fn help_of(command: &Command) -> String {
+    row_of(command).map(CommandRow::help_with_key).unwrap_or_default()
+}
+
+fn row(
+    command: Command,
+    label: impl Into<Cow<'static, str>>,
+    keys: &'static [(Modifiers, Key)],
+    place: Place,
+) -> CommandRow {
+    let label = label.into();
+    CommandRow { command, label, help: "", keys, place, menu: None, needs_painting: false }
+}
+
+impl CommandRow {
+    fn help(self, help: &'static str) -> Self {
+        Self { help, ..self }
+    }
+
+    fn in_menu(self, menu: Menu) -> Self {
+        Self { menu: Some(menu), ..self }
+    }
+
+    fn needing_painting(self) -> Self {
+        Self { needs_painting: true, ..self }
+    }
+
+    /// The key as people read it.
+    pub(crate) fn text(&self) -> String {
+        self.keys.first().map_or_else(String::new, |&(modifiers, key)| key_text(modifiers, key))
+    }
+
+    /// What it does, with its key.
+    pub(crate) fn help_with_key(&self) -> String {
+        let help = if self.help.is_empty() { &*self.label } else { self.help };
+        match self.text() {
+            key if key.is_empty() => help.to_owned(),
+            key => format!("{help} ({key})"),
+        }
+    }
+}
+
+fn key_text(modifiers: Modifiers, key: Key) -> String {
+    let names = [
+        (modifiers.command || modifiers.ctrl, "Ctrl+"),
+        (modifiers.shift, "Shift+"),
+        (modifiers.alt, "Alt+"),
+    ];
+    let mut text: String =
+        names.into_iter().filter(|(is_on, _)| *is_on).map(|(_, name)| name).collect();
+    text += match key {
+        Key::ArrowLeft => "Left",
+        Key::ArrowRight => "Right",
+        Key::ArrowUp => "Up",
+        Key::ArrowDown => "Down",
+        Key::Delete => "Del",
+        Key::OpenBracket => "[",
+        Key::CloseBracket => "]",
+        Key::Questionmark => "?",
+        Key::Period => ".",
+        other => other.name(),
+    };
+    text
+}
+
+/// Takes the keys of a place that were pressed. Copy, cut and paste come as events of their own,
+/// and Tab must be taken earlier than here, before it moves the focus.
+pub(crate) fn pressed(ui: &egui::Ui, place: Place) -> Vec<Command> {
+    let rows = rows().filter(|row| row.place == place);
+    let is_event =
+        |command: &Command| matches!(command, Command::Graph(G::Copy | G::Cut | G::Paste));
+    let rows = rows.filter(|row| !is_event(&row.command));
+    // Nothing is pressed in most frames.
+    if !ui.input(|input| {
+        input.events.iter().any(|event| matches!(event, egui::Event::Key { pressed: true, .. }))
+    }) {
+        return Vec::new();
+    }
+    rows.filter(|row| row.keys.iter().any(|&key| keyboard::take(ui, key)))
+        .map(|row| row.command.clone())
+        .collect()
+}
+
+/// What the pointer does on the graph, for the sheet of shortcuts.
+pub(crate) const POINTER: &[(&str, &str)] = &[
+    ("Double-click on nothing", "Add a node"),
+    ("Double-click on a title", "Open the group, or rename"),
+    ("Double-click on a wire", "Add a reroute"),
+    ("Drag from a socket", "Draw a wire; on nothing: add what fits"),
+    ("Drag a node onto a wire", "Insert it there"),
+    ("Alt-drag a node", "Wire it to what it comes near"),
+    ("Alt-drag on nothing", "Select by a lasso"),
+    ("Drag on nothing", "Select by a box"),
+    ("Ctrl+right-drag", "Cut wires"),
+    ("Alt-click on a wire", "Remove it"),
+    ("Wheel", "Zoom"),
+    ("Middle or right drag, Space+drag", "Move the view"),
+    ("Right-click", "Menu"),
+];
+
+/// The same on the tile that is painted.
+pub(crate) const PAINTING_POINTER: &[(&str, &str)] = &[
+    ("Drag", "Paint, with the tool at hand"),
+    ("Alt-click", "Pick a color"),
+    ("Shift-click with the stamp", "Take this tile as the stamp"),
+    ("Hold V", "Look at the sample from before"),
+    ("Alt over the map or the list", "Look at that sample"),
+    ("Shift-click on the map", "Copy that sample to the one at work"),
+    ("Wheel over the palette", "Brighter or darker"),
+    ("Wheel", "Zoom"),
+    ("Middle or right drag, Space+drag", "Move the tile"),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::export;
+
+    #[test]
+    fn no_key_does_two_things_in_one_place() {
+        for (index, row) in ROWS.iter().enumerate() {
+            for other in &ROWS[index + 1..] {
+                let are_over_picture = |place| matches!(place, Place::Picture | Place::Light);
+                let is_window = row.place == Place::Window || other.place == Place::Window;
+                let meet = row.place == other.place || is_window;
+                let meet = meet || are_over_picture(row.place) && are_over_picture(other.place);
+                let same = row.keys.iter().any(|key| other.keys.contains(key));
+                assert!(!(meet && same), "{:?} and {:?}", row.command, other.command);
+                assert_ne!(row.command, other.command);
+            }
+        }
+    }
+
+    #[test]
+    fn every_language_can_be_exported_and_all_but_binary_ones_copied() {
+        for language in export::LANGUAGES {
+            let row = row_of(&Command::ExportLook(language.slug, None))
+                .unwrap_or_else(|| panic!("{}", language.slug));
+            let name =
+                language.label.trim_end_matches(|c: char| c.is_ascii_digit() || ".- ".contains(c));
+            assert!(
+                row.label.contains(name.split(',').next().unwrap()),
+                "{} for {}",
+                row.label,
+                language.label
+            );
+            // A row says of no API that the language's own note denies it.
+            let denied = language
+                .note
+                .split_once("not for ")
+                .map(|(_, rest)| rest.split([':', ',']).next().unwrap());
+            assert!(denied.is_none_or(|api| !row.label.contains(api)), "{}", row.label);
+            let copies = |row: &CommandRow| matches!(row.command, Command::CopyShader(slug, _) if slug == language.slug);
+            let is_copied = language.slug == "wgsl" || ROWS.iter().any(copies);
+            assert_eq!(is_copied, language.slug != "spirv", "{}", language.slug);
+        }
+    }
+
+    #[test]
+    fn keys_are_told() {
+        assert_eq!(row_of(&Command::Graph(G::Ungroup)).unwrap().text(), "Ctrl+Shift+G");
+        assert_eq!(row_of(&Command::OpenShortcuts).unwrap().text(), "?");
+    }
+}

@@ -1,0 +1,54 @@
+//! Rows of what works over the picture, and over it while light is painted on it.
+
+use eframe::egui::{Key, Modifiers};
+
+use super::{CTRL, CommandRow, NONE, Place, row};
+use crate::commands::{
+    Command as C, FitCommand as F, FitGoal, LightBrush, Switch, ViewCommand as V,
+};
+
+fn view(command: V, label: &'static str, keys: &'static [(Modifiers, Key)]) -> CommandRow {
+    row(C::View(command), label, keys, Place::Picture)
+}
+
+fn fit(command: F, label: &'static str, keys: &'static [(Modifiers, Key)]) -> CommandRow {
+    row(C::Fit(command), label, keys, Place::Light)
+}
+
+pub(super) fn rows() -> Vec<CommandRow> {
+    vec![
+        row(C::Probe(Switch::Toggle), "Probe a pixel", &[(NONE, Key::I)], Place::Picture)
+            .help("Reads the value on every wire at a pixel, f32 beside f64"),
+        view(V::Reset, "Reset camera and lights", &[(NONE, Key::R)])
+            .help("Turns both back; in a scene to where the scene has them"),
+        view(V::FrameObject, "Frame the object", &[(NONE, Key::F)])
+            .help("Brings the whole object into view; of a scene the one that is selected"),
+        view(V::FrameAll, "Frame all objects", &[(NONE, Key::A)])
+            .help("Brings every object into view"),
+        view(V::SwitchProjection, "Perspective or parallel", &[(NONE, Key::P)]),
+        view(V::ToggleTurntable, "Start or stop the turntable", &[(NONE, Key::T)])
+            .help("Turns the object before the camera, until it is switched off again"),
+        view(V::ToggleHandles, "Show or hide handles on the object", &[(NONE, Key::H)])
+            .help("Lines and handles of the selected layer and its light"),
+        fit(F::Fit(FitGoal::ThisLook), "Fit this look to the painted light", &[(CTRL, Key::Enter)]),
+        fit(F::TakeBrush(LightBrush::Light), "Paint where it should be lighter", &[(NONE, Key::B)]),
+        fit(F::TakeBrush(LightBrush::Dark), "Paint where it should be darker", &[(NONE, Key::D)]),
+        fit(
+            F::TakeBrush(LightBrush::Color),
+            "Paint a color that it should have",
+            &[(NONE, Key::C)],
+        ),
+        fit(F::TakeBrush(LightBrush::Keep), "Paint what should stay", &[(NONE, Key::K)]),
+        fit(F::TakeBrush(LightBrush::Erase), "Erase painted light", &[(NONE, Key::E)]),
+        fit(
+            F::ResizeBrush { is_larger: false },
+            "Smaller brush of light",
+            &[(NONE, Key::OpenBracket)],
+        ),
+        fit(
+            F::ResizeBrush { is_larger: true },
+            "Larger brush of light",
+            &[(NONE, Key::CloseBracket)],
+        ),
+    ]
+}

@@ -1,0 +1,158 @@
+//! What stands below a keyed value: what it is now, what decides and where that is, and at which
+//! key a hand sets it.
+//!
+//! The widget above shows the value of that one key, so what is typed stays as it was typed; what
+//! the picture has lies between the keys.
+
+use eframe::egui::{Button, RichText, Role, Sense, Ui, WidgetInfo, vec2};
+
+use super::marks::{self, Marked};
+use crate::commands::Command;
+use crate::document::{DirectionKeys, KeyDirection, Value};
+use crate::library::Type;
+use crate::state::keying::{KeyedBy, said};
+use crate::state::session::Session;
+use crate::values;
+use crate::widgets::color;
+use crate::widgets::theme;
+
+/// Says it of a value, if keys move it.
+pub(crate) fn show(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
+    match marked.session.keyed_by(&marked.target) {
+        KeyedBy::Nothing => {}
+        KeyedBy::Direction(set) => by_direction(ui, marked, set, out),
+        KeyedBy::Time(track) => in_time(ui, marked.session, track),
+    }
+}
+
+/// A line below the widget.
+fn line(ui: &mut Ui, add: impl FnOnce(&mut Ui)) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 3.0;
+        let indent = marks::size(ui).x;
+        ui.add_space(indent);
+        add(ui);
+    });
+}
+
+fn quiet(ui: &Ui, text: impl Into<String>) -> RichText {
+    RichText::new(text).small().color(theme::of(ui).dim)
+}
+
+fn by_direction(ui: &mut Ui, marked: &Marked<'_>, set: usize, out: &mut Vec<Command>) {
+    let session = marked.session;
+    let Some(keys) = session.look().direction_keys.get(set) else { return };
+    let Some(port) = session.port_at(&marked.target) else { return };
+    let said_of = |value: &Value| match shown_color(marked, value) {
+        Some(color) => values::hex(color),
+        None => values::short(&port, value),
+    };
+    line(ui, |ui| {
+        if let Some(now) = session.value_now(&marked.target) {
+            chip(ui, marked, &now);
+            ui.label(
+                RichText::new(format!("Now {}", said_of(&now))).small().color(theme::of(ui).text),
+            );
+        }
+        let text = decided_by(session, set, keys);
+        ui.label(quiet(ui, text))
+            .on_hover_text("What decides between the keys, and where that is now");
+    });
+    line(ui, |ui| {
+        let help = "At which key a value is set that is typed here; what is seen now lies between \
+                    the keys";
+        ui.label(quiet(ui, "Sets")).on_hover_text(help);
+        for index in 0..keys.keys.len() {
+            let value = keys.keys[index].values.get(&marked.target).map(said_of);
+            one_key(ui, marked, (set, index), keys, value, out);
+        }
+    });
+}
+
+/// A color as it is seen; `None` of what is no color.
+fn shown_color(marked: &Marked<'_>, value: &Value) -> Option<[f64; 4]> {
+    let space = marked.session.look().color_space;
+    let is_color = matches!(marked.ty, Type::Color | Type::Composite);
+    Some(color::encoded(value.color_in(space).filter(|_| is_color)?, space))
+}
+
+/// A color as it is now.
+fn chip(ui: &mut Ui, marked: &Marked<'_>, now: &Value) {
+    let Some(color) = shown_color(marked, now) else { return };
+    let [r, g, b, _] = color.map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
+    let (rect, _) = ui.allocate_exact_size(vec2(12.0, 12.0), Sense::hover());
+    ui.painter().rect_filled(rect, 2.0, eframe::egui::Color32::from_rgb(r, g, b));
+}
+
+/// What decides between the keys of a set, with where it is now where that is a number.
+fn decided_by(session: &Session, set: usize, keys: &DirectionKeys) -> String {
+    match &keys.by {
+        KeyDirection::View => "by the view".to_owned(),
+        KeyDirection::Light(light) => format!("by the light \"{}\"", session.light_name(light)),
+        KeyDirection::Drivers(drivers) => {
+            let now = session.decided(set).map(|(now, _)| now.to_array()).unwrap_or_default();
+            let each = drivers.iter().zip(now).map(|(driver, now)| {
+                let name = session.driver_name(driver);
+                format!("{name} is {}", said(driver, now))
+            });
+            format!("while {}", each.collect::<Vec<_>>().join(", "))
+        }
+    }
+}
+
+/// A key of the set: pressed to be the one that is set, and again to follow the heaviest.
+fn one_key(
+    ui: &mut Ui,
+    marked: &Marked<'_>,
+    (set, index): (usize, usize),
+    keys: &DirectionKeys,
+    value: Option<String>,
+    out: &mut Vec<Command>,
+) {
+    let session = marked.session;
+    let is_it = session.key_at(set) == index;
+    let text = RichText::new(format!("Key {}", index + 1)).small().color(theme::of(ui).hue(index));
+    let button = ui.add(Button::selectable(is_it, text).small());
+    let name = format!("Set {} at key {}", marked.label, index + 1);
+    button.widget_info(|| WidgetInfo::selected(Role::Button, true, is_it, name.clone()));
+    let held = session.key == Some((set, index));
+    if button.clicked() {
+        out.push(Command::SelectKey((!held).then_some((set, index))));
+    }
+    button.on_hover_ui(|ui| {
+        let place = match &keys.by {
+            KeyDirection::Drivers(drivers) => {
+                let each = drivers.iter().zip(keys.keys[index].direction);
+                let each = each.map(|(driver, at)| {
+                    format!("{}: {}", session.driver_name(driver), said(driver, at))
+                });
+                format!(" ({})", each.collect::<Vec<_>>().join(", "))
+            }
+            KeyDirection::View | KeyDirection::Light(_) => String::new(),
+        };
+        let value = value.unwrap_or_else(|| "the look's own value".to_owned());
+        let weight = session.key_weights(set).get(index).copied().unwrap_or(0.0);
+        ui.label(format!(
+            "{value} at key {}{place}, which counts {:.0}% now.",
+            index + 1,
+            weight * 100.0
+        ));
+        let help =
+            if held { "Press to follow the heaviest key again" } else { "Press to set this key" };
+        ui.label(quiet(ui, help));
+    });
+}
+
+fn in_time(ui: &mut Ui, session: &Session, track: usize) {
+    let Some(track) = session.look().time_keys.get(track) else { return };
+    let here = track.keys.iter().position(|key| (key.time - session.time).abs() < 1e-6);
+    let count = track.keys.len();
+    let what = match here {
+        Some(key) => format!("sets key {} of {count}", key + 1),
+        None => format!("setting it adds a key to {count}"),
+    };
+    let text = format!("At {} s: {what}", values::number_text(session.time, 2));
+    line(ui, |ui| {
+        ui.label(quiet(ui, text)).on_hover_text("The value above is the one at the playhead");
+    });
+}

@@ -1,0 +1,221 @@
+//! Lights of the look and of the scene around it: listed alike, and changed alike. Only which
+//! document an edit goes to differs, and that keys move the look's.
+
+use eframe::egui;
+use indexmap::IndexMap;
+
+use crate::commands::{Command, SceneCommand};
+use crate::document::{Edit, Light, LightField, Look, SceneEdit, Target, Value};
+use crate::frame::set_light_field;
+use crate::ids::{LightId, make_slug};
+use crate::state::keying::KeyedBy;
+use crate::state::reading::light_name;
+use crate::state::session::Session;
+
+/// Whose a light is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Owner {
+    Look,
+    Scene,
+}
+
+/// A light with whose it is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Lamp<'s> {
+    pub(crate) owner: Owner,
+    pub(crate) id: &'s LightId,
+    pub(crate) light: &'s Light,
+}
+
+/// What looks of a scene make of a light's id.
+pub(crate) struct Shared {
+    /// How many of them have such a light.
+    pub(crate) looks: usize,
+    /// The first one's.
+    pub(crate) light: Light,
+}
+
+/// An edit of the document that has the light.
+pub(crate) enum Change {
+    Look(Edit),
+    Scene(SceneEdit),
+}
+
+impl Change {
+    /// As an undo step of its own.
+    pub(crate) fn once(self) -> Command {
+        match self {
+            Self::Look(edit) => Command::Edit(edit),
+            Self::Scene(edit) => Command::Scene(SceneCommand::Edit(edit)),
+        }
+    }
+
+    /// As part of the step that goes on for as long as the same widget is held.
+    pub(crate) fn held(self, hand: egui::Id) -> Command {
+        match self {
+            Self::Look(edit) => Command::EditHeld(hand, edit),
+            Self::Scene(edit) => Command::Scene(SceneCommand::EditHeld(hand, edit)),
+        }
+    }
+}
+
+impl Owner {
+    /// Adds a light under an id that is free.
+    pub(crate) fn add(self, id: LightId, light: Light, index: Option<usize>) -> Change {
+        match self {
+            Self::Look => Change::Look(Edit::AddLight { id, light, index }),
+            Self::Scene => Change::Scene(SceneEdit::AddLight { id, light, index }),
+        }
+    }
+}
+
+impl<'s> Lamp<'s> {
+    /// What it is called.
+    pub(crate) fn name(&self) -> &'s str {
+        light_name(self.id, self.light)
+    }
+
+    /// What tells it from the other document's light of the same name.
+    pub(crate) fn full_name(&self) -> String {
+        match self.owner {
+            Owner::Look => self.name().to_owned(),
+            Owner::Scene => format!("{} of the scene", self.name()),
+        }
+    }
+
+    /// The light with its keyed fields as they are where they are set.
+    pub(crate) fn as_set(&self, session: &Session) -> Light {
+        let mut shown = self.light.clone();
+        if self.owner == Owner::Scene {
+            return shown;
+        }
+        for field in LightField::ALL {
+            let target = self.target(field.name());
+            if session.keyed_by(&target) != KeyedBy::Nothing
+                && let Some(value) = session.value_at(&target)
+            {
+                set_light_field(&mut shown, field.name(), &value);
+            }
+        }
+        shown
+    }
+
+    /// What keys of the look would name.
+    pub(crate) fn target(&self, field: &str) -> Target {
+        Target::Light { light: self.id.clone(), field: field.to_owned() }
+    }
+
+    /// The edit from one state of it to another: what is keyed is set at its key, all else in the
+    /// light.
+    pub(crate) fn changed(&self, session: &Session, old: &Light, new: &Light) -> Change {
+        if self.owner == Owner::Scene {
+            return self.set(new.clone());
+        }
+        let differs = |field: &LightField| field.get(old) != field.get(new);
+        let fields: Vec<LightField> = LightField::ALL.into_iter().filter(differs).collect();
+        if (new.kind, new.space) == (old.kind, old.space) && !fields.is_empty() {
+            let values = fields.iter().map(|field| (self.target(field.name()), field.get(new)));
+            return Change::Look(session.set_all_at(values));
+        }
+        self.set(Light { kind: new.kind, space: new.space, ..self.light.clone() })
+    }
+
+    /// Puts another light in its place.
+    pub(crate) fn set(&self, light: Light) -> Change {
+        let id = self.id.clone();
+        match self.owner {
+            Owner::Look => Change::Look(Edit::SetLight { id, light }),
+            Owner::Scene => Change::Scene(SceneEdit::SetLight { id, light }),
+        }
+    }
+
+    /// Takes it away.
+    pub(crate) fn remove(&self) -> Change {
+        let id = self.id.clone();
+        match self.owner {
+            Owner::Look => Change::Look(Edit::RemoveLight { id }),
+            Owner::Scene => Change::Scene(SceneEdit::RemoveLight { id }),
+        }
+    }
+
+    /// Adds the same once more, after it.
+    pub(crate) fn duplicate(&self, session: &Session) -> Change {
+        let mut light = self.light.clone();
+        if !light.name.is_empty() {
+            light.name += " copy";
+        }
+        let base =
+            self.id.as_str().trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('_');
+        let base = if base.is_empty() { self.id.as_str() } else { base };
+        let index = session.lights_of(self.owner).and_then(|lights| lights.get_index_of(self.id));
+        self.owner.add(session.free_light(self.owner, base), light, index.map(|index| index + 1))
+    }
+
+    /// Lets a scene's light stand in place of another light of the looks. `None` for what a look
+    /// has.
+    pub(crate) fn stand_in_for(&self, session: &Session, id: &LightId) -> Option<Change> {
+        let index = session
+            .lights_of(Owner::Scene)
+            .filter(|_| self.owner == Owner::Scene)?
+            .get_index_of(self.id);
+        let edits = vec![
+            SceneEdit::AddLight { id: id.clone(), light: self.light.clone(), index },
+            SceneEdit::RemoveLight { id: self.id.clone() },
+        ];
+        Some(Change::Scene(SceneEdit::Group { edits }))
+    }
+}
+
+impl Session {
+    /// The lights of the look, or those of the scene, if there is one.
+    pub(crate) fn lights_of(&self, owner: Owner) -> Option<&IndexMap<LightId, Light>> {
+        match owner {
+            Owner::Look => Some(&self.look().lights),
+            Owner::Scene => self.stage().map(|stage| &stage.scene().lights),
+        }
+    }
+
+    /// The light that lights the look under an id: the scene's, where it has one.
+    pub(crate) fn lamp<'s>(&'s self, id: &'s LightId) -> Option<Lamp<'s>> {
+        let lamp = |owner| Some(Lamp { owner, id, light: self.lights_of(owner)?.get(id)? });
+        lamp(Owner::Scene).or_else(|| lamp(Owner::Look))
+    }
+
+    /// An id that no other light of the same document has.
+    pub(crate) fn free_light(&self, owner: Owner, base: &str) -> LightId {
+        let lights = self.lights_of(owner);
+        LightId::new(make_slug(base, |slug| lights.is_some_and(|lights| lights.contains_key(slug))))
+    }
+
+    /// The edit by which the light of the look has a value where it is looked at: at a key of the
+    /// look, or else in the document whose light it is.
+    pub(crate) fn set_light_at(&self, id: &LightId, field: &str, value: Value) -> Change {
+        let target = Target::Light { light: id.clone(), field: field.to_owned() };
+        match self.light_of_scene(id).filter(|_| self.keyed_by(&target) == KeyedBy::Nothing) {
+            Some(light) => {
+                let mut light = light.clone();
+                set_light_field(&mut light, field, &value);
+                Change::Scene(SceneEdit::SetLight { id: id.clone(), light })
+            }
+            None => Change::Look(self.set_at(&target, value)),
+        }
+    }
+
+    /// What a light of the scene can stand in for: the lights of the open look and of all others in
+    /// it, by id.
+    pub(crate) fn lights_of_looks(&self) -> IndexMap<LightId, Shared> {
+        let mut found: IndexMap<LightId, Shared> = IndexMap::new();
+        let mut count = |look: &Look| {
+            for (id, light) in &look.lights {
+                let fresh = || Shared { looks: 0, light: light.clone() };
+                found.entry(id.clone()).or_insert_with(fresh).looks += 1;
+            }
+        };
+        count(self.look());
+        self.stage()
+            .into_iter()
+            .flat_map(|stage| stage.staged().other_looks())
+            .for_each(|look| count(&look.look));
+        found
+    }
+}

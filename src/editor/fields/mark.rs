@@ -1,0 +1,69 @@
+//! The mark of a keyed value: a diamond, hollow where nothing moves the value, in the key's color
+//! where a direction does, in the accent where time does.
+
+use eframe::egui::{
+    Color32, Pos2, Response, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2,
+};
+
+use crate::document::Target;
+use crate::state::keying::KeyedBy;
+use crate::state::session::Session;
+use crate::widgets::theme;
+
+/// The mark of a target, to be pressed.
+pub(crate) fn of(ui: &mut Ui, session: &Session, target: &Target, name: &str) -> Response {
+    let colors = theme::of(ui);
+    let (fill, edge) = match session.keyed_by(target) {
+        KeyedBy::Nothing => (Color32::TRANSPARENT, colors.dim.gamma_multiply(0.7)),
+        KeyedBy::Direction(set) => {
+            let key = session.key_at(set);
+            (colors.hue(key), colors.hue(key))
+        }
+        KeyedBy::Time(track) => {
+            let keys = session
+                .look()
+                .time_keys
+                .get(track)
+                .map(|track| track.keys.as_slice())
+                .unwrap_or_default();
+            let is_here = keys.iter().any(|key| (key.time - session.time).abs() < 1e-6);
+            (if is_here { colors.accent } else { Color32::TRANSPARENT }, colors.accent)
+        }
+    };
+    let (rect, response) =
+        ui.allocate_exact_size(vec2(16.0, ui.spacing().interact_size.y), Sense::click());
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, ui.is_enabled(), name));
+    let edge = if response.hovered() || response.has_focus() { colors.text } else { edge };
+    diamond(ui, rect.center(), 4.5, fill, edge);
+    response
+}
+
+/// What moves a target, in words.
+pub(crate) fn help(session: &Session, target: &Target) -> String {
+    match session.keyed_by(target) {
+        KeyedBy::Nothing => {
+            "Nothing moves this value. Press to key it by a direction or in time.".to_owned()
+        }
+        KeyedBy::Direction(set) => {
+            let name = session
+                .look()
+                .direction_keys
+                .get(set)
+                .map(|keys| keys.name.as_str())
+                .unwrap_or_default();
+            let key = session.key_at(set) + 1;
+            format!("Moved by the direction keys \"{name}\": this is its value at key {key}.")
+        }
+        KeyedBy::Time(_) => {
+            "Changes with time: this is its value at the playhead; setting it keys it there."
+                .to_owned()
+        }
+    }
+}
+
+/// A diamond.
+pub(crate) fn diamond(ui: &Ui, at: Pos2, radius: f32, fill: Color32, edge: Color32) {
+    let corners = [vec2(0.0, -radius), vec2(radius, 0.0), vec2(0.0, radius), vec2(-radius, 0.0)];
+    let points = corners.map(|corner: Vec2| at + corner).to_vec();
+    ui.painter().add(Shape::convex_polygon(points, fill, Stroke::new(1.3, edge)));
+}

@@ -1,0 +1,258 @@
+//! What else can be done with a value than set it: key it, expose it, reset it. From the diamond
+//! beside it, or by a right click on its name.
+
+use eframe::egui;
+use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
+
+use super::row;
+use crate::commands::{Command, PanelId};
+use crate::document::{Edit, Exposed, KeyDirection, Target};
+use crate::fields::{mark, still_wires};
+use crate::ids::{PortName, is_slug, make_slug};
+use crate::library::Type;
+use crate::state::keying::{KeyedBy, changes_in_time, has_between};
+use crate::state::session::Session;
+use crate::widgets::theme;
+
+/// Something with a mark: what it is, what its values are, and the edits that give it its default
+/// back.
+pub(crate) struct Marked<'a> {
+    pub(crate) session: &'a Session,
+    pub(crate) target: Target,
+    pub(crate) ty: &'a Type,
+    pub(crate) label: &'a str,
+    pub(crate) reset: Option<Edit>,
+}
+
+impl Marked<'_> {
+    fn can_be_keyed(&self) -> bool {
+        changes_in_time(self.ty) && self.session.own_value(&self.target).is_some()
+    }
+
+    /// The place of its exposed parameter.
+    pub(crate) fn exposed(&self) -> Option<usize> {
+        self.session.look().exposed.iter().position(|exposed| exposed.target == self.target)
+    }
+
+    /// What is said of it beside its help.
+    pub(crate) fn help(&self) -> String {
+        let mut lines = Vec::new();
+        if self.session.keyed_by(&self.target) != KeyedBy::Nothing {
+            lines.push(mark::help(self.session, &self.target));
+        }
+        if let Some(exposed) =
+            self.exposed().and_then(|index| self.session.look().exposed.get(index))
+        {
+            lines.push(format!("Exposed as \"{}\".", exposed.name));
+        }
+        lines.join("\n")
+    }
+}
+
+/// The room for a mark.
+pub(crate) fn size(ui: &Ui) -> egui::Vec2 {
+    egui::vec2(16.0, ui.spacing().interact_size.y)
+}
+
+/// Room for a mark, or the mark, with its menu.
+pub(crate) fn diamond(ui: &mut Ui, marked: Option<&Marked<'_>>, out: &mut Vec<Command>) {
+    let Some(marked) = marked.filter(|marked| marked.can_be_keyed()) else {
+        ui.allocate_exact_size(size(ui), egui::Sense::hover());
+        return;
+    };
+    let name = format!("Keys of {}", marked.label);
+    let response = mark::of(ui, marked.session, &marked.target, &name);
+    egui::Popup::menu(&response).show(|ui| menu(ui, marked, out));
+    response.on_hover_text(mark::help(marked.session, &marked.target));
+}
+
+/// Everything that can be done.
+pub(crate) fn menu(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
+    ui.set_min_width(190.0);
+    if marked.can_be_keyed() {
+        keys_in_time(ui, marked, out);
+        if has_between(marked.ty) {
+            keys_by_direction(ui, marked, out);
+        }
+        let is_keyed = marked.session.keyed_by(&marked.target) != KeyedBy::Nothing;
+        let help = "No keys move it any more; it keeps the value that it has now";
+        if is_keyed && ui.button("Remove its keys").on_hover_text(help).clicked() {
+            out.push(Command::Edit(marked.session.unkey(&marked.target)));
+        }
+        ui.separator();
+    }
+    match marked.exposed() {
+        None if marked.session.own_value(&marked.target).is_none() => {
+            ui.label(RichText::new("Set a value to key or expose it.").color(theme::of(ui).dim));
+        }
+        None => {
+            let help = "Scenes, scripts and exported shaders can set it by a name then";
+            if ui.button("Expose").on_hover_text(help).clicked() {
+                out.push(Command::Edit(expose(marked)));
+            }
+        }
+        Some(index) => {
+            if ui.button("Unexpose").on_hover_text("It is no parameter any more").clicked() {
+                out.push(Command::Edit(Edit::RemoveExposed { index }));
+            }
+        }
+    }
+    let reset = ui.add_enabled(marked.reset.is_some(), egui::Button::new("Reset to default"));
+    if let (true, Some(edit)) = (reset.clicked(), &marked.reset) {
+        out.push(Command::Edit(edit.clone()));
+    }
+}
+
+fn keys_in_time(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
+    let is_timed =
+        marked.session.look().time_keys.iter().any(|track| track.target == marked.target);
+    let text = if is_timed { "Key at the playhead" } else { "Key in time" };
+    let help =
+        "A key at the playhead with the value of now; setting it at another time adds another key";
+    if ui.button(text).on_hover_text(help).clicked() {
+        out.extend(marked.session.key_in_time(&marked.target).map(Command::Edit));
+        out.push(Command::ShowPanel(PanelId::TIMELINE));
+    }
+}
+
+fn keys_by_direction(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
+    let session = marked.session;
+    let sets = &session.look().direction_keys;
+    for (index, set) in sets.iter().enumerate() {
+        let has_it = set.keys.iter().any(|key| key.values.contains_key(&marked.target));
+        let help = "Has its present value at every key of this set, until you change it at one";
+        if !has_it && ui.button(format!("Key in \"{}\"", set.name)).on_hover_text(help).clicked() {
+            out.extend(session.key_in_set(index, &marked.target).map(Command::Edit));
+            out.push(Command::ShowPanel(PanelId::KEYS));
+        }
+    }
+    let lights = session.look().lights.keys().map(|id| KeyDirection::Light(id.clone()));
+    let drivers = session.drivers().into_iter().map(|driver| KeyDirection::Drivers(vec![driver]));
+    let mut begin = |ui: &mut Ui, text: String, by: KeyDirection| {
+        if ui.button(text).on_hover_text("Begins keys with one where that is now").clicked() {
+            out.push(Command::Edit(session.new_set(by, Some(&marked.target))));
+            out.push(Command::SelectKey(Some((sets.len(), 0))));
+            out.push(Command::ShowPanel(PanelId::KEYS));
+        }
+    };
+    for by in lights.chain([KeyDirection::View]).chain(drivers) {
+        let text = match &by {
+            KeyDirection::Drivers(drivers) => {
+                let names: Vec<String> =
+                    drivers.iter().map(|driver| session.driver_name(driver)).collect();
+                format!("New keys by: {}", names.join(", "))
+            }
+            KeyDirection::Light(id) => {
+                format!("New keys by the light \"{}\"", session.light_name(id))
+            }
+            KeyDirection::View => "New keys by the view".to_owned(),
+        };
+        begin(ui, text, by);
+    }
+    let [wires, still] = session.wires(std::slice::from_ref(&marked.target));
+    if wires.is_empty() && still.is_empty() {
+        return;
+    }
+    let help = "What is the same all over the object may decide: an exposed or keyed value, the \
+                time, a light's \
+                direction, and what is computed from these";
+    let menu = ui.menu_button("New keys by a wire…", |ui| {
+        ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
+            for driver in wires {
+                begin(ui, session.driver_name(&driver), KeyDirection::Drivers(vec![driver]));
+            }
+        });
+        still_wires::note(ui, session, &still);
+    });
+    menu.response.on_hover_text(help);
+}
+
+fn expose(marked: &Marked<'_>) -> Edit {
+    let session = marked.session;
+    let [owner, what] = session.names_of(&marked.target);
+    let is_taken =
+        |slug: &str| session.look().exposed.iter().any(|exposed| exposed.name.as_str() == slug);
+    let name = PortName::new(make_slug(&format!("{owner} {what}"), is_taken));
+    let exposed = Exposed { name, target: marked.target.clone(), label: String::new() };
+    session.grounded(Some(&marked.target), Edit::AddExposed { exposed, index: None })
+}
+
+/// The exposed parameters whose targets `is_shown` takes, with their names.
+pub(crate) fn list(
+    ui: &mut Ui,
+    session: &Session,
+    is_shown: impl Fn(&Target) -> bool,
+    out: &mut Vec<Command>,
+) {
+    let shown =
+        session.look().exposed.iter().enumerate().filter(|(_, exposed)| is_shown(&exposed.target));
+    let shown: Vec<_> = shown.collect();
+    if shown.is_empty() {
+        return;
+    }
+    ui.separator();
+    let help = "What scenes, scripts and exported shaders may set, by these names";
+    ui.label(RichText::new("Exposed parameters").strong()).on_hover_text(help);
+    for (index, exposed) in shown {
+        ui.push_id(index, |ui| {
+            let [owner, what] = session.names_of(&exposed.target);
+            let called = format!("{owner}: {what}");
+            row::labelled(
+                ui,
+                &called,
+                "The name of this parameter: small letters, digits and _",
+                |ui, label| {
+                    let width = (ui.available_width() - 78.0).max(60.0);
+                    rename(ui, session, index, exposed, (label, width), out);
+                    if ui.small_button("Unexpose").clicked() {
+                        out.push(Command::Edit(Edit::RemoveExposed { index }));
+                    }
+                },
+            );
+        });
+    }
+}
+
+/// While it is typed it may be no name yet, so the text is kept aside.
+fn rename(
+    ui: &mut Ui,
+    session: &Session,
+    index: usize,
+    exposed: &Exposed,
+    (label, width): (egui::Id, f32),
+    out: &mut Vec<Command>,
+) {
+    let id = ui.scope_id().with("parameter");
+    let mut text =
+        ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| exposed.name.to_string());
+    let is_free = session
+        .look()
+        .exposed
+        .iter()
+        .enumerate()
+        .all(|(at, other)| at == index || other.name.as_str() != text);
+    let is_good = is_slug(&text) && is_free;
+    let ink = if is_good { theme::of(ui).text } else { theme::of(ui).error };
+    let edit =
+        TextEdit::singleline(&mut text).id(id).desired_width(width).text_color(ink).char_limit(64);
+    let response = ui.add(edit).labelled_by(label);
+    if response.has_focus() {
+        ui.data_mut(|data| data.insert_temp(id, text.clone()));
+    } else {
+        ui.data_mut(|data| data.remove::<String>(id));
+    }
+    let is_free = session
+        .look()
+        .exposed
+        .iter()
+        .enumerate()
+        .all(|(at, other)| at == index || other.name.as_str() != text);
+    if response.changed() && is_slug(&text) && is_free {
+        let exposed = Exposed { name: PortName::new(text), ..exposed.clone() };
+        out.push(Command::EditHeld(id, Edit::SetExposed { index, exposed }));
+    }
+    if !is_good {
+        response
+            .on_hover_text("Small letters, digits and _, beginning with a letter, and used once");
+    }
+}

@@ -1,0 +1,573 @@
+//! One input: its label, and what edits its value.
+
+use eframe::egui;
+use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, Slider, TextEdit, Ui, vec2};
+
+use super::Subject;
+use super::keyed;
+use super::marks::{self, Marked};
+use crate::catalog::Port;
+use crate::commands::{Command, PaintCommand, PanelId};
+use crate::document::{ColorSpace, Edit, Endpoint, Grid, Node, Value, Wire};
+use crate::examples::PREFIX;
+use crate::frame::UNSAVED_HCBTF;
+use crate::ids::NodeId;
+use crate::library::{Fallback, Type};
+use crate::state::keying::KeyedBy;
+use crate::values;
+use crate::widgets::theme;
+use crate::widgets::{color, curve, ramp};
+
+const MIXED: &str = "The selected nodes have different values; setting it sets all of them.";
+
+/// How wide labels are.
+const LABEL: f32 = 92.0;
+
+/// A label with help, and a widget that is named by it.
+pub(crate) fn labelled(ui: &mut Ui, label: &str, help: &str, add: impl FnOnce(&mut Ui, Id)) {
+    let text = RichText::new(label).color(theme::of(ui).text);
+    marked(ui, text, help, None, &mut Vec::new(), |ui, id, _| add(ui, id));
+}
+
+/// The same with the mark of what it sets.
+pub(crate) fn marked(
+    ui: &mut Ui,
+    label: RichText,
+    help: &str,
+    marked: Option<&Marked<'_>>,
+    out: &mut Vec<Command>,
+    add: impl FnOnce(&mut Ui, Id, &mut Vec<Command>),
+) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 3.0;
+        marks::diamond(ui, marked, out);
+        let response = name(
+            ui,
+            label,
+            help,
+            if marked.is_some() { egui::Sense::click() } else { egui::Sense::hover() },
+        );
+        if let Some(marked) = marked {
+            response.context_menu(|ui| marks::menu(ui, marked, out));
+        }
+        add(ui, response.id, out);
+    });
+    if let Some(marked) = marked {
+        keyed::show(ui, marked, out);
+    }
+}
+
+/// A label with help, and a widget that is named by it; where marks are, something else is put.
+pub(crate) fn with_slot(
+    ui: &mut Ui,
+    label: RichText,
+    help: &str,
+    slot: impl FnOnce(&mut Ui, egui::Vec2),
+    add: impl FnOnce(&mut Ui, Id),
+) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 3.0;
+        slot(ui, marks::size(ui));
+        let id = name(ui, label, help, egui::Sense::hover()).id;
+        add(ui, id);
+    });
+}
+
+/// The label of a row, as wide as all are.
+fn name(ui: &mut Ui, label: RichText, help: &str, sense: egui::Sense) -> egui::Response {
+    ui.spacing_mut().item_spacing.x = 6.0;
+    let size = vec2(LABEL, ui.spacing().interact_size.y);
+    let layout = egui::Layout::left_to_right(egui::Align::Center);
+    let response = ui.allocate_ui_with_layout(size, layout, |ui| {
+        ui.set_min_width(LABEL);
+        ui.set_max_width(LABEL);
+        // A long name takes a second line.
+        ui.add(egui::Label::new(label).wrap().sense(sense))
+    });
+    if help.is_empty() { response.inner } else { response.inner.on_hover_text(help) }
+}
+
+/// Shows an input.
+pub(crate) fn show(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Vec<Command>) {
+    ui.push_id(&port.name, |ui| {
+        if let Some(wire) = subject.session.graph().wire_into(subject.id, &port.name) {
+            return wired(ui, subject, port, wire, out);
+        }
+        let target = subject.session.target(subject.id, &port.name);
+        let is_keyed = subject.session.keyed_by(&target) != KeyedBy::Nothing;
+        let keyed = is_keyed.then(|| subject.session.value_at(&target)).flatten();
+        let own = subject.node.values.get(&port.name);
+        let shown = keyed.as_ref().or(own);
+        match port.ty {
+            Type::Text => code(ui, subject, port, shown, out),
+            Type::Curve => wide(ui, subject, port, shown, out, curve::show),
+            Type::Ramp => wide(ui, subject, port, shown, out, ramp::show),
+            _ => {
+                let reset_edit = reset_edit(subject, port);
+                let with_marks = Marked {
+                    session: subject.session,
+                    target,
+                    ty: &port.ty,
+                    label: &port.label,
+                    reset: reset_edit,
+                };
+                let is_mixed = is_mixed(subject, port);
+                let tone = if shown.is_some() { theme::of(ui).text } else { theme::of(ui).dim };
+                let mut text = RichText::new(&*port.label).color(tone);
+                if with_marks.exposed().is_some() {
+                    text = text.underline();
+                }
+                if is_mixed {
+                    text = text.italics().color(theme::of(ui).accent);
+                }
+                let mut help = help_of(port);
+                for line in [with_marks.help().as_str(), if is_mixed { MIXED } else { "" }] {
+                    help += if line.is_empty() { "" } else { "\n" };
+                    help += line;
+                }
+                marked(ui, text, &help, Some(&with_marks), out, |ui, label, out| {
+                    reset(ui, subject, port, out);
+                    if let Some((id, value)) = widget(ui, label, subject, port, shown) {
+                        out.push(held(subject, port, id, value));
+                    }
+                });
+                // Below the path, which wants all the room there is.
+                if port.ty == Type::Hcbtf {
+                    let lead = marks::size(ui).x + LABEL + 9.0;
+                    ui.horizontal(|ui| {
+                        ui.add_space(lead);
+                        paint_button(ui, subject, port, shown, out);
+                    });
+                }
+            }
+        }
+    });
+}
+
+fn help_of(port: &Port) -> String {
+    let mut help = port.help.clone();
+    if !help.is_empty() {
+        help += "\n";
+    }
+    help += &format!("{} ({})", port.name, port.ty);
+    let short = |number: f64| values::short(port, &Value::Number(number));
+    match (port.min, port.max) {
+        (Some(min), Some(max)) => help += &format!(", {} to {}", short(min), short(max)),
+        (Some(min), None) => help += &format!(", {} or more", short(min)),
+        (None, Some(max)) => help += &format!(", {} or less", short(max)),
+        (None, None) => {}
+    }
+    if let (Fallback::Value(value), false) = (&port.fallback, matches!(port.ty, Type::Text)) {
+        help += &format!("; default {}", values::short(port, value));
+    }
+    help
+}
+
+/// The nodes that are selected with this one and have the same input free: what is set here is set
+/// there too.
+fn alike<'a>(
+    subject: &'a Subject<'_>,
+    port: &'a Port,
+) -> impl Iterator<Item = (&'a NodeId, &'a Node)> {
+    let session = subject.session;
+    session.selection.iter().filter(move |id| *id != subject.id).filter_map(move |id| {
+        let node = session.graph().nodes.get(id)?;
+        let kind = session.catalog.of(node)?;
+        let other = &kind.inputs[kind.input(port.name.as_str())?];
+        let is_free = session.graph().wire_into(id, &port.name).is_none();
+        (is_free && other.ty == port.ty && other.unit == port.unit).then_some((id, node))
+    })
+}
+
+/// Whether the nodes that are selected have different values here.
+fn is_mixed(subject: &Subject<'_>, port: &Port) -> bool {
+    let value = |id: &NodeId| subject.session.value_at(&subject.session.target(id, &port.name));
+    let own = value(subject.id);
+    alike(subject, port).any(|(id, _)| value(id) != own)
+}
+
+/// The edit that takes own values away.
+fn reset_edit(subject: &Subject<'_>, port: &Port) -> Option<Edit> {
+    let with_own = std::iter::once((subject.id, subject.node)).chain(alike(subject, port));
+    let clears =
+        with_own.filter(|(_, node)| node.values.contains_key(&port.name)).map(|(id, _)| {
+            Edit::ClearValue {
+                graph: subject.session.graph_id().clone(),
+                id: id.clone(),
+                port: port.name.clone(),
+            }
+        });
+    let edits: Vec<Edit> = clears.collect();
+    (!edits.is_empty()).then_some(Edit::Group { edits })
+}
+
+/// Sets a value of all selected nodes that have it, each where it is looked at: at its key, or at
+/// all.
+fn held(subject: &Subject<'_>, port: &Port, widget: Id, value: Value) -> Command {
+    let session = subject.session;
+    let target = session.target(subject.id, &port.name);
+    let others: Vec<_> =
+        alike(subject, port).map(|(id, _)| session.target(id, &port.name)).collect();
+    let edit = match others.is_empty() {
+        true => session.set_at(&target, value),
+        false => session.set_all_at(
+            std::iter::once(target).chain(others).map(|target| (target, value.clone())),
+        ),
+    };
+    Command::EditHeld(widget, edit)
+}
+
+/// What feeds a wired input.
+fn wired(ui: &mut Ui, subject: &Subject<'_>, port: &Port, wire: &Wire, out: &mut Vec<Command>) {
+    labelled(ui, &port.label, &help_of(port), |ui, _| {
+        let Endpoint { node, .. } = &wire.from;
+        let from = subject.session.graph().nodes.get(node);
+        let kind = from.and_then(|from| subject.session.catalog.of(from));
+        let name = match (from, kind) {
+            (Some(from), _) if !from.name.is_empty() => from.name.clone(),
+            (_, Some(kind)) => kind.label.to_string(),
+            _ => node.to_string(),
+        };
+        if ui.link(format!("from {name}")).on_hover_text("Shows the node that feeds this").clicked()
+        {
+            out.push(Command::Reveal(node.clone()));
+        }
+        if ui.small_button("Unwire").on_hover_text("Removes the wire").clicked() {
+            out.push(Command::Edit(Edit::RemoveWire {
+                graph: subject.session.graph_id().clone(),
+                wire: wire.clone(),
+            }));
+        }
+    });
+}
+
+fn default_button(ui: &mut Ui) -> bool {
+    let response = ui.add(egui::Button::new("×").small().frame(false));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, "Default"));
+    response.on_hover_text("Takes this value away, so that it has its default again").clicked()
+}
+
+/// Takes an own value away.
+fn reset(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Vec<Command>) {
+    // What a context would give has no widget of its own, so this is the only way back.
+    let is_own = subject.node.values.contains_key(&port.name);
+    let is_read = matches!(port.fallback, Fallback::Context(_) | Fallback::Same(_));
+    if is_own && is_read && default_button(ui) {
+        let edit = Edit::ClearValue {
+            graph: subject.session.graph_id().clone(),
+            id: subject.id.clone(),
+            port: port.name.clone(),
+        };
+        out.push(Command::Edit(edit));
+    }
+}
+
+/// Opens the HCBTF of this input to be painted; a new one where there is none.
+fn paint_button(
+    ui: &mut Ui,
+    subject: &Subject<'_>,
+    port: &Port,
+    own: Option<&Value>,
+    out: &mut Vec<Command>,
+) {
+    let name = match own {
+        Some(Value::Text(name)) => name.as_str(),
+        _ => "",
+    };
+    let help = match name {
+        "" => "Begins a new HCBTF here, and opens it to be painted",
+        _ => "Opens this HCBTF to be painted; the picture shows every stroke at once",
+    };
+    let response = ui.small_button("Paint").on_hover_text(help);
+    if !response.clicked() {
+        return;
+    }
+    if name.is_empty() {
+        out.push(held(subject, port, response.id, Value::Text(UNSAVED_HCBTF.to_owned())));
+        out.push(Command::Paint(PaintCommand::New { grid: Grid::THESIS, keeps_look: true }));
+    } else if name.starts_with(PREFIX) {
+        // What is painted is a copy of the example, which has no file yet: the look names that once
+        // it is there.
+        out.push(Command::Paint(PaintCommand::Open { path: name.into(), keeps_look: true }));
+    } else if name != UNSAVED_HCBTF {
+        out.push(Command::Paint(PaintCommand::Open {
+            path: subject.session.folder().join(name),
+            keeps_look: true,
+        }));
+    } else {
+        out.push(Command::ShowPanel(PanelId::PAINT));
+    }
+}
+
+/// The widget of a type; the new value where it was changed, and who changed it.
+fn widget(
+    ui: &mut Ui,
+    label: Id,
+    subject: &Subject<'_>,
+    port: &Port,
+    own: Option<&Value>,
+) -> Option<(Id, Value)> {
+    let value = values::current(port, own);
+    match &port.ty {
+        _ if value.is_none() => unset(ui, subject, port),
+        Type::LightName => light_name(ui, label, subject, value),
+        _ => plain(ui, label, port, value, subject.session.look().color_space),
+    }
+}
+
+/// The widget of a type that is set by itself, whatever node it is of; `space` is what the numbers
+/// of a color mean.
+pub(crate) fn plain(
+    ui: &mut Ui,
+    label: Id,
+    port: &Port,
+    value: Option<&Value>,
+    space: ColorSpace,
+) -> Option<(Id, Value)> {
+    match &port.ty {
+        Type::Bool => {
+            let mut on = values::number(value) > 0.5;
+            let response = ui.add(Checkbox::without_text(&mut on)).labelled_by(label);
+            response.changed().then_some((response.id, Value::Bool(on)))
+        }
+        Type::Choice => choice(ui, label, port, value),
+        Type::Color | Type::Composite => {
+            let color =
+                value.and_then(|value| value.color_in(space)).unwrap_or([0.0, 0.0, 0.0, 1.0]);
+            let (id, color) = color::edit(ui, label, color, space, true)?;
+            let is_opaque = color[3] == 1.0;
+            Some((id, Value::Vector(if is_opaque { color[..3].to_vec() } else { color.to_vec() })))
+        }
+        Type::Vec2 => vector(ui, label, port, value, 2),
+        Type::Vec3 => vector(ui, label, port, value, 3),
+        Type::Vec4 => vector(ui, label, port, value, 4),
+        Type::Image | Type::Hcbtf => path(ui, label, value),
+        Type::Float | Type::Int | Type::Angle => number(ui, label, port, value),
+        _ => {
+            ui.label(RichText::new("by wire only").color(theme::of(ui).dim));
+            None
+        }
+    }
+}
+
+/// An input that has neither a value nor a default.
+fn unset(ui: &mut Ui, subject: &Subject<'_>, port: &Port) -> Option<(Id, Value)> {
+    let width = port.ty.width();
+    let of_all = |number: f64| match width {
+        Some(1) => Some(Value::Number(number)),
+        Some(width) => Some(Value::Vector(vec![number; width])),
+        None => None,
+    };
+    let (text, first) = match &port.fallback {
+        Fallback::Context(context) => {
+            (format!("the surface's {}", values::context_words(*context)), of_all(0.0))
+        }
+        Fallback::Same(other) => {
+            let kind = subject.session.catalog.of(subject.node);
+            let of_other = kind.and_then(|kind| Some(&kind.inputs[kind.input(other.as_str())?]));
+            let value = of_other
+                .and_then(|other| values::current(other, subject.node.values.get(&other.name)));
+            (
+                format!("as {}", values::words(other.as_str())),
+                value.cloned().or_else(|| of_all(1.0)),
+            )
+        }
+        _ => {
+            ui.label(RichText::new("wire something here").color(theme::of(ui).warning));
+            return None;
+        }
+    };
+    ui.label(RichText::new(text).color(theme::of(ui).dim));
+    let response = ui.small_button("Set").on_hover_text("Gives it a value of its own");
+    if response.clicked() { Some((response.id, first?)) } else { None }
+}
+
+/// The width that is left, and never less than a little, however narrow the panel is.
+fn room(ui: &Ui) -> f32 {
+    ui.available_width().max(32.0)
+}
+
+/// Radians are shown as degrees.
+fn number(ui: &mut Ui, label: Id, port: &Port, value: Option<&Value>) -> Option<(Id, Value)> {
+    let scale = if port.unit == "rad" { 180.0 / std::f64::consts::PI } else { 1.0 };
+    let is_int = port.ty == Type::Int;
+    let mut shown = values::number(value) * scale;
+    let suffix = match port.unit.as_str() {
+        "rad" => "°",
+        "px" => " px",
+        "s" => " s",
+        _ => "",
+    };
+    let decimals = if is_int {
+        0
+    } else if scale == 1.0 {
+        3
+    } else {
+        1
+    };
+    let response = match (port.min, port.max) {
+        (Some(min), Some(max)) => {
+            ui.spacing_mut().slider_width = (ui.available_width() - 66.0).max(40.0);
+            let range = min * scale..=max * scale;
+            let slider = Slider::new(&mut shown, range).suffix(suffix).max_decimals(decimals);
+            let slider = slider.clamping(egui::SliderClamping::Edits);
+            ui.add(if is_int { slider.integer() } else { slider })
+        }
+        (min, max) => {
+            let range = min.map_or(f64::NEG_INFINITY, |x| x * scale)
+                ..=max.map_or(f64::INFINITY, |x| x * scale);
+            let speed = if is_int { 0.1 } else { 0.01 * scale.max(1.0) };
+            let drag = DragValue::new(&mut shown)
+                .range(range)
+                .clamp_existing_to_range(false)
+                .suffix(suffix)
+                .max_decimals(decimals)
+                .speed(speed);
+            ui.add_sized(vec2(room(ui), ui.spacing().interact_size.y), drag)
+        }
+    };
+    let response = response.labelled_by(label);
+    if !response.changed() || !shown.is_finite() {
+        return None;
+    }
+    Some((response.id, Value::Number(if is_int { shown.round() } else { shown / scale })))
+}
+
+fn vector(
+    ui: &mut Ui,
+    label: Id,
+    port: &Port,
+    value: Option<&Value>,
+    width: usize,
+) -> Option<(Id, Value)> {
+    let mut numbers = values::vector(value, width);
+    let each = ((ui.available_width() - ui.spacing().item_spacing.x * (width as f32 - 1.0))
+        / width as f32)
+        .max(16.0);
+    let mut changed = None;
+    for number in &mut numbers {
+        let mut drag =
+            DragValue::new(number).speed(0.01).max_decimals(3).clamp_existing_to_range(false);
+        if let (Some(min), Some(max)) = (port.min, port.max) {
+            drag = drag.range(min..=max);
+        }
+        let response =
+            ui.add_sized(vec2(each, ui.spacing().interact_size.y), drag).labelled_by(label);
+        if response.changed() {
+            changed = Some(response.id);
+        }
+    }
+    let is_finite = numbers.iter().all(|number| number.is_finite());
+    changed.filter(|_| is_finite).map(|id| (id, Value::Vector(numbers)))
+}
+
+fn choice(ui: &mut Ui, label: Id, port: &Port, value: Option<&Value>) -> Option<(Id, Value)> {
+    let word = match value {
+        Some(Value::Text(word)) => word.as_str(),
+        _ => "",
+    };
+    let shown =
+        port.options.iter().find(|(known, _)| known == word).map_or(word, |(_, label)| label);
+    let width = room(ui);
+    let mut chosen = None;
+    let combo = ComboBox::from_id_salt("choice")
+        .width(width)
+        .truncate()
+        .selected_text(shown)
+        .show_ui(ui, |ui| {
+            for (known, label) in &port.options {
+                if ui.selectable_label(known == word, label).clicked() && known != word {
+                    chosen = Some(known.clone());
+                }
+            }
+        });
+    let response = combo.response.labelled_by(label).on_hover_text(shown);
+    chosen.map(|word| (response.id.with(&word), Value::Text(word)))
+}
+
+fn light_name(
+    ui: &mut Ui,
+    label: Id,
+    subject: &Subject<'_>,
+    value: Option<&Value>,
+) -> Option<(Id, Value)> {
+    let id = match value {
+        Some(Value::Text(id)) => id.as_str(),
+        _ => "",
+    };
+    let lights = &subject.session.look().lights;
+    let name = |id: &str| {
+        let light = lights.get(id).filter(|light| !light.name.is_empty());
+        light.map_or_else(|| id.to_owned(), |light| light.name.clone())
+    };
+    let mut chosen = None;
+    let shown = if id.is_empty() { "choose a light".to_owned() } else { name(id) };
+    let combo = ComboBox::from_id_salt("light")
+        .width(room(ui))
+        .truncate()
+        .selected_text(&shown)
+        .show_ui(ui, |ui| {
+            for known in lights.keys() {
+                if ui.selectable_label(known.as_str() == id, name(known.as_str())).clicked() {
+                    chosen = Some(known.to_string());
+                }
+            }
+        });
+    let response = combo.response.labelled_by(label).on_hover_text(shown);
+    chosen.map(|id| (response.id.with(&id), Value::Text(id)))
+}
+
+fn path(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id, Value)> {
+    let mut text = match value {
+        Some(Value::Text(text)) => text.clone(),
+        _ => String::new(),
+    };
+    let edit = TextEdit::singleline(&mut text)
+        .hint_text("path beside the look")
+        .desired_width(f32::INFINITY);
+    let response = ui.add(edit).labelled_by(label);
+    let changed = response.changed().then_some(response.id);
+    // A long path does not fit.
+    if !text.is_empty() {
+        response.on_hover_text(&text);
+    }
+    changed.map(|id| (id, Value::Text(text)))
+}
+
+/// WGSL of a custom node.
+fn code(
+    ui: &mut Ui,
+    subject: &Subject<'_>,
+    port: &Port,
+    own: Option<&Value>,
+    out: &mut Vec<Command>,
+) {
+    let mut text = match values::current(port, own) {
+        Some(Value::Text(text)) => text.clone(),
+        _ => String::new(),
+    };
+    let label = ui.label(&*port.label).on_hover_text(help_of(port)).id;
+    let edit =
+        TextEdit::multiline(&mut text).code_editor().desired_rows(10).desired_width(f32::INFINITY);
+    let response = ui.add(edit).labelled_by(label);
+    if response.changed() {
+        out.push(held(subject, port, response.id, Value::Text(text)));
+    }
+}
+
+type Editor = fn(&mut Ui, Id, Option<&Value>) -> Option<(Id, Value)>;
+
+/// An editor that takes the whole width, below its label.
+fn wide(
+    ui: &mut Ui,
+    subject: &Subject<'_>,
+    port: &Port,
+    own: Option<&Value>,
+    out: &mut Vec<Command>,
+    show: Editor,
+) {
+    let label = ui.label(&*port.label).on_hover_text(help_of(port)).id;
+    if let Some((id, value)) = show(ui, label, values::current(port, own)) {
+        out.push(held(subject, port, id, value));
+    }
+}

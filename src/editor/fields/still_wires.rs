@@ -1,0 +1,34 @@
+//! What menus of wires say of those that never change, which cannot usefully drive keys.
+
+use eframe::egui::{Label, RichText, Sense, Ui};
+
+use crate::document::Driver;
+use crate::state::session::Session;
+use crate::widgets::theme;
+
+/// How many are named.
+const NAMED: usize = 12;
+
+/// Says how many wires are left out, and why, with their names under the pointer.
+pub(crate) fn note(ui: &mut Ui, session: &Session, still: &[Driver]) {
+    if still.is_empty() {
+        return;
+    }
+    let text = match still.len() {
+        1 => "1 wire never changes".to_owned(),
+        count => format!("{count} wires never change"),
+    };
+    let mut names: Vec<String> =
+        still.iter().take(NAMED).map(|driver| session.driver_name(driver)).collect();
+    if still.len() > NAMED {
+        names.push(format!("and {} more", still.len() - NAMED));
+    }
+    let help = format!(
+        "Left out, for keys by them would stand still:\n{}\nExpose what they come from, key it in \
+         time, or wire a light or \
+         the time to it, and they are offered here.",
+        names.join("\n")
+    );
+    let text = RichText::new(text).small().color(theme::of(ui).dim);
+    ui.add(Label::new(text).sense(Sense::hover())).on_hover_text(help);
+}

@@ -1,0 +1,237 @@
+//! The open look becomes an HCBTF: which grid, and which light goes around the tile, is asked for
+//! first, then the file.
+
+use eframe::egui::{
+    self, Button, CollapsingHeader, Color32, ComboBox, Id, Modal, RichText, Sense, Ui, WidgetInfo,
+    vec2,
+};
+
+use super::making::{Bake, Job, told_seconds};
+use super::preview::{self, Of, Preview};
+use super::{counted, grid, memory};
+use crate::commands::{Command, PaintCommand};
+use crate::document::{Grid, LightKind};
+use crate::frame::{SetupLook, moving_light};
+use crate::hcbtf::{Device, check_all_painted};
+use crate::ids::LightId;
+use crate::state::painting::work::Work;
+use crate::state::problem_text::sentence;
+use crate::state::session::Session;
+use crate::widgets::confirm;
+use crate::widgets::rows::{fitted, lead, picture_frame, whole};
+use crate::widgets::theme;
+
+/// The side of a preview, in points.
+const SIDE: f32 = 110.0;
+
+/// What is asked.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Asked {
+    grid: Grid,
+    /// The one that was chosen; the first one else.
+    light: Option<LightId>,
+}
+
+impl Default for Asked {
+    fn default() -> Self {
+        Self { grid: Grid::THESIS, light: None }
+    }
+}
+
+impl Asked {
+    /// The job, as the session stands now; why not otherwise.
+    pub(super) fn job(&self, session: &Session, to: std::path::PathBuf) -> Result<Job, String> {
+        let setup = setup(session);
+        let light = moving_light(&setup, self.light.as_ref().map(AsRef::as_ref))
+            .map_err(|why| sentence(&why))?;
+        let still = session.still();
+        Ok(Job::Bake(Box::new(Bake {
+            setup,
+            library: still.library,
+            painting: still.painting,
+            grid: self.grid,
+            light,
+            to,
+        })))
+    }
+}
+
+/// The look as it is, whatever is shown alone or muted in the picture.
+fn setup(session: &Session) -> SetupLook {
+    SetupLook {
+        look: session.look().clone(),
+        source: session.source().clone(),
+        folder: session.folder(),
+    }
+}
+
+/// Asks, while `asked` is there. `is_filling` says that what the look shows is not there yet.
+pub(super) fn show(
+    ui: &Ui,
+    asked: &mut Option<Asked>,
+    preview: &mut Preview,
+    session: &Session,
+    device: &Device,
+    is_filling: bool,
+) -> Option<Command> {
+    let state = asked.as_mut()?;
+    let mut out = None;
+    let mut is_over = false;
+    let modal = Modal::new(Id::unique("bake")).show(ui.ctx(), |ui| {
+        ui.set_width(460.0);
+        let enters = confirm::enters(ui);
+        ui.label(RichText::new("Bake this look onto a tile").heading());
+        let text = "Every texel is painted as the look shows it on a flat tile, from every view \
+                    and under one light that goes \
+                    around; all its other lights stay where they are.";
+        ui.label(RichText::new(text).color(theme::of(ui).dim));
+        ui.add_space(6.0);
+        grid::fields(ui, &mut state.grid);
+        light(ui, session, &mut state.light);
+        ui.add_space(6.0);
+        let named = state.light.as_ref().map(AsRef::as_ref);
+        let light = moving_light(&setup(session), named);
+        let refused = light
+            .as_ref()
+            .map(drop)
+            .map_err(Clone::clone)
+            .and_then(|()| check_all_painted(&state.grid))
+            .and_then(|()| device.check_painted(&state.grid));
+        if let (Ok(light), Ok(()), false) = (&light, &refused, is_filling) {
+            before_baking(ui, preview, session, &state.grid, light);
+        }
+        ui.add_space(6.0);
+        let title = format!("Memory: {}", memory::in_short(&state.grid));
+        CollapsingHeader::new(title).id_salt("memory of a bake").show(ui, |ui| {
+            memory::table(ui, &state.grid, None, device);
+        });
+        ui.add_space(6.0);
+        if let Err(problem) = &refused {
+            ui.label(RichText::new(sentence(problem)).color(theme::of(ui).error));
+        } else if is_filling {
+            ui.label(
+                RichText::new("The rules of what it shows are still at work")
+                    .color(theme::of(ui).dim),
+            );
+        }
+        ui.add_space(8.0);
+        ui.horizontal(|ui| {
+            let is_ready = refused.is_ok() && !is_filling;
+            let button = ui.add_enabled(is_ready, Button::new("Bake to..."));
+            let button = button.on_hover_text(
+                "Asks which .hcbtf file to write, and opens it when \
+                                               it is done",
+            );
+            if button.clicked() || enters && is_ready {
+                out = Some(Command::Paint(PaintCommand::Bake { to: None }));
+            }
+            is_over |= ui.button("Cancel").clicked();
+        });
+    });
+    is_over |= modal.should_close();
+    if is_over || out.is_some() {
+        preview.stop();
+    }
+    if is_over {
+        *asked = None;
+    }
+    out
+}
+
+/// How long it takes, how much it writes, and what it will be like.
+fn before_baking(
+    ui: &mut Ui,
+    preview: &mut Preview,
+    session: &Session,
+    grid: &Grid,
+    light: &LightId,
+) {
+    let painting = session.painting().map(Work::version);
+    let of = Of {
+        look: (session.document_number(), session.meaning(), painting),
+        size: grid.size,
+        light: light.clone(),
+    };
+    let job = || {
+        let still = session.still();
+        preview::Job { setup: setup(session), library: still.library, painting: still.painting }
+    };
+    let made = preview.of(&of, job).map(|made| match made {
+        Ok(seen) => Ok((seen.tiles.clone(), seen.seconds_of(grid, cores()))),
+        Err(problem) => Err(sentence(problem)),
+    });
+    let samples = counted(grid.sample_count() as usize, "sample");
+    let text = match &made {
+        None => format!("{samples} will be painted"),
+        Some(Ok((_, seconds))) => {
+            format!("{samples} will be painted, in about {}", told_seconds(*seconds))
+        }
+        Some(Err(why)) => {
+            ui.label(RichText::new(why).color(theme::of(ui).error));
+            return;
+        }
+    };
+    ui.label(text);
+    ui.horizontal(|ui| {
+        let tiles = made.and_then(Result::ok).map(|(tiles, _)| tiles);
+        for (index, name) in
+            ["Lit from straight above", "Lit from halfway down"].into_iter().enumerate()
+        {
+            let tile = tiles.as_ref().map(|tiles| &tiles[index]);
+            let texture = tile.map(|tile| {
+                (preview.shown[index].of(ui.ctx(), "preview of a bake", tile), tile.size())
+            });
+            let (rect, response) = ui.allocate_exact_size(vec2(SIDE, SIDE), Sense::hover());
+            response.widget_info(|| WidgetInfo::labeled(egui::Role::Image, true, name));
+            ui.painter().rect_filled(rect, 3.0, theme::of(ui).canvas);
+            if let Some((texture, size)) = texture {
+                ui.painter().image(
+                    texture,
+                    fitted(rect.shrink(1.0), size),
+                    whole(),
+                    Color32::WHITE,
+                );
+            }
+            picture_frame(ui, rect);
+            response.on_hover_text(format!(
+                "{name}, seen from straight above: a preview of what will be painted"
+            ));
+        }
+    });
+    let text = "Seen from straight above, lit from straight above and from halfway down. What is \
+                finer than a texel is lost.";
+    ui.label(RichText::new(text).color(theme::of(ui).dim).small());
+}
+
+/// How many views are baked at a time.
+fn cores() -> usize {
+    std::thread::available_parallelism().map_or(1, std::num::NonZero::get)
+}
+
+/// Which light goes around.
+fn light(ui: &mut Ui, session: &Session, chosen: &mut Option<LightId>) {
+    let lights = &session.look().lights;
+    let moving = || lights.iter().filter(|(_, light)| light.kind == LightKind::Directional);
+    let name = |id: &LightId| {
+        lights.get(id).map(|light| light.name.clone()).filter(|name| !name.is_empty())
+    };
+    let name = |id: &LightId| name(id).unwrap_or_else(|| id.to_string());
+    let first = moving().next().map(|(id, _)| id);
+    let shown = chosen.as_ref().or(first).map_or_else(|| "none".to_owned(), name);
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 6.0;
+        lead(ui, "Light", grid::LEAD);
+        let list =
+            ComboBox::from_id_salt("light").width(180.0).selected_text(shown).show_ui(ui, |ui| {
+                for (id, _) in moving() {
+                    let is_it = chosen.as_ref().or(first) == Some(id);
+                    if ui.selectable_label(is_it, name(id)).clicked() {
+                        *chosen = Some(id.clone());
+                    }
+                }
+            });
+        list.response.widget_info(|| {
+            WidgetInfo::labeled(egui::Role::ComboBox, true, "Light that goes around")
+        });
+    });
+}

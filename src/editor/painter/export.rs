@@ -1,0 +1,111 @@
+//! What is painted leaves for other programs, filled by its rules: on a thread of its own, since it
+//! may be thousands of images.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::diag::Diagnostic;
+use crate::document::{Hcbtf, Storage};
+use crate::hcbtf::exchange::{self, Form};
+use crate::hcbtf::fill::fill;
+use crate::progress::Progress;
+use crate::state::worker::Worker;
+
+/// An HCBTF as it was when it was asked for.
+struct Job {
+    hcbtf: Arc<Hcbtf>,
+    form: Form,
+    storage: Storage,
+    to: PathBuf,
+    progress: Progress,
+}
+
+/// The thread that does it.
+pub(super) struct Exports {
+    worker: Worker<Vec<Job>, Vec<String>>,
+    progress: Progress,
+}
+
+impl Exports {
+    /// `wake` is called from another thread when something is written.
+    pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
+        let work = |jobs: Vec<Job>| jobs.iter().map(run).collect();
+        Self { worker: Worker::new("export painting", wake, work), progress: Progress::new() }
+    }
+
+    /// Writes all samples in a form; a texture as it is to be stored.
+    pub(super) fn write(&self, hcbtf: Arc<Hcbtf>, form: Form, storage: Storage, to: PathBuf) {
+        let job = Job { hcbtf, form, storage, to, progress: self.progress.clone() };
+        // Nothing that waits is dropped.
+        self.worker
+            .request(|waiting| waiting.unwrap_or_default().into_iter().chain([job]).collect());
+    }
+
+    /// What to tell of what was written since the last call.
+    pub(super) fn told(&self) -> Option<String> {
+        self.worker.answers().into_iter().flatten().last()
+    }
+
+    pub(super) fn is_busy(&self) -> bool {
+        self.worker.is_busy()
+    }
+
+    pub(super) fn wait(&self) {
+        self.worker.wait();
+    }
+}
+
+impl Drop for Exports {
+    fn drop(&mut self) {
+        self.progress.stop();
+    }
+}
+
+fn run(job: &Job) -> String {
+    let to = free(job.form, &job.to);
+    let filled = fill(&job.hcbtf, &job.progress).map_err(|why| vec![Diagnostic::from(why)]);
+    let manner = exchange::Manner { storage: job.storage, ..exchange::Manner::default() };
+    let written =
+        filled.and_then(|filled| exchange::export(&filled, job.form, manner, &to, &job.progress));
+    match written {
+        Ok(more) => {
+            let more = more.map(|more| format!(": {more}")).unwrap_or_default();
+            format!("Exported {}{more}", to.display())
+        }
+        Err(problems) => {
+            let why = problems.first().map(|problem| problem.message.as_str()).unwrap_or_default();
+            format!("{} was not exported: {why}", to.display())
+        }
+    }
+}
+
+/// Where it goes: what a folder holds of an earlier export may have been painted on since, so the
+/// next goes into a folder in it. About a file the dialog has asked.
+fn free(form: Form, to: &Path) -> PathBuf {
+    if form != Form::Folder || exchange::in_the_way(form, to).is_empty() {
+        return to.to_owned();
+    }
+    let mut within = (2..1000).map(|number| to.join(format!("export-{number}")));
+    within.find(|folder| !folder.exists()).unwrap_or_else(|| to.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::Address;
+    use crate::hcbtf::folder::file_name;
+
+    #[test]
+    fn what_was_exported_before_stays() {
+        let to = tempfile::tempdir().unwrap();
+        let image = file_name(Address::default());
+        assert_eq!(free(Form::Folder, to.path()), to.path());
+        std::fs::write(to.path().join(&image), "painted on since").unwrap();
+        let next = free(Form::Folder, to.path());
+        assert_eq!(next, to.path().join("export-2"));
+        std::fs::create_dir(&next).unwrap();
+        assert_eq!(free(Form::Folder, to.path()), to.path().join("export-3"));
+        // The dialog asks about files.
+        assert_eq!(free(Form::Sheet, &to.path().join(&image)), to.path().join(&image));
+    }
+}

@@ -1,0 +1,173 @@
+//! How finely an HCBTF is divided, asked for before one is made or divided otherwise; what that
+//! takes is told at once.
+
+use std::sync::Arc;
+
+use eframe::egui::{self, Button, DragValue, Id, Modal, RichText, Ui, WidgetInfo};
+
+use super::{counted, memory};
+use crate::commands::{Command, PaintCommand};
+use crate::document::{Address, Directions, Grid, MAX_ANGLE_STEPS, MAX_TILE_SIDE, Tile};
+use crate::hcbtf::Device;
+use crate::state::painting::work::Work;
+use crate::state::problem_text::sentence;
+use crate::widgets::confirm;
+use crate::widgets::rows::lead;
+use crate::widgets::theme;
+
+/// The width of labels before fields, in points.
+pub(super) const LEAD: f32 = 48.0;
+
+/// What is asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Asked {
+    grid: Grid,
+    /// Whether what is open is divided otherwise, in place of something new.
+    changes: bool,
+}
+
+impl Asked {
+    /// What to begin with: as what is open is divided, or as the thesis divides.
+    pub(super) fn of(work: Option<&Work>, changes: bool) -> Self {
+        Self {
+            grid: work.map_or(Grid::THESIS, |work| *work.grid()),
+            changes: changes && work.is_some(),
+        }
+    }
+}
+
+/// Asks, while `asked` is there.
+pub(super) fn show(
+    ui: &Ui,
+    asked: &mut Option<Asked>,
+    work: Option<&Work>,
+    device: &Device,
+) -> Option<Command> {
+    let Asked { mut grid, changes } = (*asked)?;
+    let work = work.filter(|_| changes);
+    let mut out = None;
+    let mut is_over = false;
+    let modal = Modal::new(Id::unique("grid")).show(ui.ctx(), |ui| {
+        ui.set_width(430.0);
+        let enters = confirm::enters(ui);
+        let title = if work.is_some() { "Divide the HCBTF otherwise" } else { "A new HCBTF" };
+        ui.label(RichText::new(title).heading());
+        ui.add_space(6.0);
+        fields(ui, &mut grid);
+        ui.add_space(6.0);
+        memory::table(ui, &grid, None, device);
+        ui.add_space(6.0);
+        let refused = device.check_painted(&grid).err();
+        if let Some(problem) = &refused {
+            ui.label(RichText::new(sentence(problem)).color(theme::of(ui).error));
+        } else if let Some(work) = work {
+            let color =
+                if lost(work, &grid) > 0 { ui.visuals().warn_fg_color } else { theme::of(ui).dim };
+            ui.label(RichText::new(what_stays(work, &grid)).color(color));
+        }
+        ui.add_space(8.0);
+        ui.horizontal(|ui| {
+            let label = match work.map(|work| lost(work, &grid)) {
+                None => "Make it".to_owned(),
+                Some(0) => "Divide it".to_owned(),
+                Some(count) => format!("Divide it, and lose {}", counted(count, "painted sample")),
+            };
+            let is_other = work.is_none_or(|work| *work.grid() != grid);
+            let is_ready = refused.is_none() && is_other;
+            if ui.add_enabled(is_ready, Button::new(label)).clicked() || enters && is_ready {
+                out = Some(Command::Paint(match work {
+                    Some(work) => PaintCommand::Divide { grid, lost: lost(work, &grid) },
+                    None => PaintCommand::New { grid, keeps_look: false },
+                }));
+                is_over = true;
+            }
+            is_over |= ui.button("Cancel").clicked();
+        });
+    });
+    is_over |= modal.should_close();
+    *asked = (!is_over).then_some(Asked { grid, changes });
+    out
+}
+
+/// How many painted samples have no place in another grid.
+fn lost(work: &Work, grid: &Grid) -> usize {
+    let stays = |(address, tile): &(&Address, &Arc<Tile>)| {
+        grid.contains(**address) && tile.size() == grid.size
+    };
+    let painted = &work.hcbtf().painted;
+    painted.len() - painted.iter().filter(stays).count()
+}
+
+/// What becomes of what is painted.
+fn what_stays(work: &Work, grid: &Grid) -> String {
+    let all = work.hcbtf().painted.len();
+    match (lost(work, grid), all) {
+        (_, 0) => "Nothing is painted yet".to_owned(),
+        (0, _) => "All painted samples stay, at the rings and steps where they are".to_owned(),
+        (lost, all) => {
+            let why = match work.grid().size == grid.size {
+                true => "they are at rings and steps that there are no more",
+                false => "tiles are not resampled to another size",
+            };
+            format!(
+                "{lost} of {} would be lost: {why}. Undo brings them back",
+                counted(all, "painted sample")
+            )
+        }
+    }
+}
+
+/// The fields of a grid.
+pub(super) fn fields(ui: &mut Ui, grid: &mut Grid) {
+    size(ui, &mut grid.size);
+    directions(ui, "Lights", &mut grid.light);
+    directions(ui, "Views", &mut grid.view);
+}
+
+/// The fields of a tile's size.
+pub(super) fn size(ui: &mut Ui, size: &mut [u32; 2]) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 6.0;
+        lead(ui, "Tile", LEAD);
+        let [width, height] = size;
+        for (value, name, between) in
+            [(width, "Texels across", "x"), (height, "Texels down", "texels")]
+        {
+            let drag = ui.add(DragValue::new(value).range(1..=MAX_TILE_SIDE).speed(0.2));
+            drag.widget_info(|| named(name, *value));
+            ui.label(between);
+        }
+    });
+}
+
+/// How many rings and steps there are.
+pub(super) fn directions(ui: &mut Ui, name: &str, directions: &mut Directions) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 6.0;
+        lead(ui, name, LEAD);
+        let rings = ui.add(
+            DragValue::new(&mut directions.theta)
+                .range(1..=MAX_ANGLE_STEPS)
+                .speed(0.05)
+                .suffix(" rings"),
+        );
+        rings.widget_info(|| named(&format!("{name}: rings"), directions.theta));
+        ui.label("x");
+        let steps = ui.add(
+            DragValue::new(&mut directions.phi)
+                .range(1..=MAX_ANGLE_STEPS)
+                .speed(0.05)
+                .suffix(" steps"),
+        );
+        steps.widget_info(|| named(&format!("{name}: steps"), directions.phi));
+        let text = format!("{} directions", directions.distinct_count());
+        ui.label(RichText::new(text).color(theme::of(ui).dim));
+    });
+}
+
+fn named(name: &str, value: u32) -> WidgetInfo {
+    WidgetInfo {
+        label: Some(name.to_owned()),
+        ..egui::WidgetInfo::drag_value(true, f64::from(value))
+    }
+}

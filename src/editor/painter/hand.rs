@@ -1,0 +1,294 @@
+//! What the pointer does on the tile: strokes, lines, fills and picked colors, each one step of
+//! undo.
+
+use std::sync::Arc;
+
+use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Response, TouchPhase, Ui};
+use glam::DVec2;
+
+use super::tilt::Tilt;
+use super::tools::Tools;
+use crate::commands::{Command, PaintCommand, PaintTool};
+use crate::document::{Address, Hcbtf, HcbtfEdit, Tile};
+use crate::hcbtf::paint::{self, Flood, Stroke};
+use crate::state::painting::work::Work;
+
+/// What the pointer is at.
+pub(super) enum Going {
+    /// A stroke over a sample.
+    Stroke { stroke: Box<Stroke>, of: Of },
+    /// A line that is not drawn yet: it ends where the pointer is let go.
+    Line { from: DVec2, of: Of },
+    /// Colors are taken for as long as the pointer is down.
+    Pick,
+}
+
+/// What a stroke lies over.
+pub(super) struct Of {
+    address: Address,
+    before: Arc<Tile>,
+    /// Everything as it was, where another step of this frame is not done yet.
+    over: Option<Arc<Hcbtf>>,
+}
+
+/// What is painted as the events of a frame leave it: the strokes before are not applied yet.
+struct LivePainting<'a> {
+    work: &'a Work,
+    /// The stroke that is shown from now on, where that is another.
+    stroke: Option<Option<(Address, Arc<Tile>)>>,
+}
+
+impl LivePainting<'_> {
+    fn show(&mut self, stroke: Option<(Address, Arc<Tile>)>) {
+        self.stroke = Some(stroke);
+    }
+
+    /// The tile that a hand paints on: what is shown at a sample, or nothing at all.
+    fn tile_at(&self, address: Address) -> Arc<Tile> {
+        let tile = match &self.stroke {
+            Some(stroke) => self.work.tile_with(stroke.as_ref(), address),
+            None => self.work.tile(address),
+        };
+        tile.cloned().unwrap_or_else(|| Arc::new(Tile::filled(self.work.grid().size, [0; 4])))
+    }
+
+    /// Everything as it is shown.
+    fn shown(&self) -> Arc<Hcbtf> {
+        match &self.stroke {
+            Some(stroke) => Arc::new(self.work.hcbtf_with(stroke.as_ref())),
+            None => self.work.shown().clone(),
+        }
+    }
+
+    fn is_tiling(&self) -> bool {
+        self.work.hcbtf().is_tiling
+    }
+}
+
+impl Of {
+    fn new(painting: &LivePainting<'_>, is_first: bool) -> Self {
+        let address = painting.work.at();
+        Self {
+            address,
+            before: painting.tile_at(address),
+            over: (!is_first).then(|| painting.shown()),
+        }
+    }
+
+    /// The step of undo, if anything is another now. A stroke that leaves no trace paints nothing.
+    /// What was painted is shown from now on: another step of the same frame lies over it.
+    fn done(self, tile: Tile, painting: &mut LivePainting<'_>) -> Option<Command> {
+        if tile == *self.before {
+            return None;
+        }
+        let hcbtf = self.over.as_deref().unwrap_or_else(|| painting.work.hcbtf());
+        let edit = HcbtfEdit::paint(hcbtf, self.address, tile.clone());
+        painting.show(Some((self.address, Arc::new(tile))));
+        Some(Command::Paint(PaintCommand::Edit(edit)))
+    }
+}
+
+/// Does what the pointer asks for on the tile as it lies now: event by event, so that a click
+/// counts that is over within a frame, and two of them make two steps.
+pub(super) fn paint(
+    ui: &Ui,
+    response: &Response,
+    tilt: &Tilt,
+    going: &mut Option<Going>,
+    tools: &mut Tools,
+    work: &Work,
+) -> Vec<Command> {
+    let (is_down, space, escape) = ui.input(|input| {
+        (input.pointer.primary_down(), input.key_down(Key::Space), input.key_pressed(Key::Escape))
+    });
+    if escape && going.take().is_some() {
+        return vec![Command::Paint(PaintCommand::ShowStroke(None))];
+    }
+    // What is pressed and let go within a frame is not down any more.
+    let is_quick = !is_down && (response.clicked() || response.hovered());
+    let is_over = response.is_pointer_button_down_on() || is_quick;
+    let pressure = tools.pen.unwrap_or(1.0);
+    let painting = LivePainting { work, stroke: None };
+    let mut hand =
+        Events { tilt, going, tools, painting, path: Vec::new(), pressure, out: Vec::new() };
+    let mut last = ui.input(|input| input.pointer.latest_pos());
+    for event in ui.input(|input| input.events.clone()) {
+        match event {
+            Event::PointerMoved(at) => hand.path.push(at),
+            Event::Touch { phase: TouchPhase::End | TouchPhase::Cancel, .. } => {
+                hand.tools.pen = None;
+            }
+            Event::Touch { force: Some(force), .. } => {
+                hand.pressure = f64::from(force);
+                hand.tools.pen = Some(hand.pressure);
+            }
+            Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers } => {
+                last = Some(pos);
+                match pressed {
+                    true if is_over && response.rect.contains(pos) && !space => {
+                        hand.press(pos, modifiers);
+                    }
+                    true => {}
+                    false => hand.release(last),
+                }
+            }
+            _ => {}
+        }
+    }
+    hand.go_on();
+    // Where nobody told that it was let go, as outside the window.
+    if !is_down {
+        hand.release(last);
+    }
+    // The stroke is shown before the steps are done, each of which ends what is shown.
+    let stroke = hand.painting.stroke.map(PaintCommand::ShowStroke).map(Command::Paint);
+    stroke.into_iter().chain(hand.out).collect()
+}
+
+/// What the pointer does in a frame, and what comes of it.
+struct Events<'a> {
+    tilt: &'a Tilt,
+    going: &'a mut Option<Going>,
+    tools: &'a mut Tools,
+    painting: LivePainting<'a>,
+    /// Where the pointer went since the last button.
+    path: Vec<Pos2>,
+    /// How hard the pen is pressed: what a tablet told last, until the pen goes up.
+    pressure: f64,
+    out: Vec<Command>,
+}
+
+impl Events<'_> {
+    fn press(&mut self, at: Pos2, modifiers: Modifiers) {
+        self.path.clear();
+        if self.going.is_some() {
+            return;
+        }
+        let kind = if modifiers.alt { PaintTool::Pick } else { self.tools.kind };
+        let begun = self.begin(self.tilt.texel(at), kind, modifiers.shift);
+        self.out.extend(begun);
+    }
+
+    fn begin(&mut self, at: DVec2, kind: PaintTool, is_shifted: bool) -> Option<Command> {
+        let wraps = self.painting.is_tiling();
+        let of = || Of::new(&self.painting, self.out.is_empty());
+        match kind {
+            PaintTool::Pick => {
+                pick(&self.painting, at, self.tools);
+                *self.going = Some(Going::Pick);
+            }
+            PaintTool::Stamp if is_shifted || self.tools.stamp.is_none() => {
+                let work = self.painting.work;
+                self.tools.stamp = work.tile(work.at()).cloned();
+                let told = match self.tools.stamp {
+                    Some(_) => {
+                        "The tile at work is the stamp now: click where it is to go, on this \
+                         sample or another"
+                    }
+                    None => "There is nothing here to be a stamp: go to a painted sample first",
+                };
+                return Some(Command::Tell(told.to_owned()));
+            }
+            PaintTool::Fill => {
+                let of = of();
+                let at = texel(at, of.before.size(), wraps)?;
+                let flood = Flood { tolerance: self.tools.tolerance, edge: self.tools.edge, wraps };
+                let tile = paint::fill(&of.before, at, self.tools.colors[0], flood);
+                return of.done(tile, &mut self.painting);
+            }
+            PaintTool::Line => *self.going = Some(Going::Line { from: at, of: of() }),
+            _ => {
+                let of = of();
+                let mut stroke = Box::new(Stroke::begin(
+                    &of.before,
+                    &self.tools.brush(),
+                    &self.tools.symmetry,
+                    wraps,
+                ));
+                stroke.to(at, self.pressure);
+                let live = (of.address, Arc::new(stroke.tile().clone()));
+                *self.going = Some(Going::Stroke { stroke, of });
+                self.painting.show(Some(live));
+            }
+        }
+        None
+    }
+
+    /// Takes in where the pointer went.
+    fn go_on(&mut self) {
+        let path = std::mem::take(&mut self.path);
+        let Some(last) = path.last().map(|at| self.tilt.texel(*at)) else { return };
+        match self.going {
+            Some(Going::Stroke { stroke, of }) => {
+                let mut is_changed = false;
+                for at in path {
+                    is_changed |= !stroke.to(self.tilt.texel(at), self.pressure).is_empty();
+                }
+                if is_changed {
+                    self.painting.show(Some((of.address, Arc::new(stroke.tile().clone()))));
+                }
+            }
+            Some(Going::Line { from, of }) => {
+                let wraps = self.painting.is_tiling();
+                let tile = paint::line(
+                    &of.before,
+                    &self.tools.brush(),
+                    &self.tools.symmetry,
+                    wraps,
+                    *from,
+                    last,
+                );
+                self.painting.show(Some((of.address, Arc::new(tile))));
+            }
+            Some(Going::Pick) => {
+                pick(&self.painting, last, self.tools);
+            }
+            None => {}
+        }
+    }
+
+    fn release(&mut self, at: Option<Pos2>) {
+        self.go_on();
+        let Some(was) = self.going.take() else { return };
+        let done = self.end(was, at.map(|at| self.tilt.texel(at)));
+        if done.is_none() {
+            self.painting.show(None);
+        }
+        self.out.extend(done);
+    }
+
+    fn end(&mut self, was: Going, last: Option<DVec2>) -> Option<Command> {
+        match was {
+            Going::Stroke { stroke, of } => of.done(stroke.finish(), &mut self.painting),
+            Going::Line { from, of } => {
+                let wraps = self.painting.is_tiling();
+                let (brush, to) = (self.tools.brush(), last.unwrap_or(from));
+                let tile = paint::line(&of.before, &brush, &self.tools.symmetry, wraps, from, to);
+                of.done(tile, &mut self.painting)
+            }
+            Going::Pick => {
+                self.tools.picked(self.tools.colors[0]);
+                None
+            }
+        }
+    }
+}
+
+fn pick(painting: &LivePainting<'_>, at: DVec2, tools: &mut Tools) {
+    let tile = painting.tile_at(painting.work.at());
+    if let Some(at) = texel(at, tile.size(), painting.is_tiling()) {
+        let color = paint::pick(&tile, at);
+        if color[3] > 0 {
+            tools.colors[0] = color;
+        }
+    }
+}
+
+/// The texel at a place; beyond the edges that of a copy, if there are any.
+fn texel(at: DVec2, size: [u32; 2], wraps: bool) -> Option<[u32; 2]> {
+    let sides = size.map(i64::from);
+    let place = [at.x.floor() as i64, at.y.floor() as i64];
+    let is_inside = (0..sides[0]).contains(&place[0]) && (0..sides[1]).contains(&place[1]);
+    (is_inside || wraps)
+        .then(|| [place[0].rem_euclid(sides[0]) as u32, place[1].rem_euclid(sides[1]) as u32])
+}

@@ -1,0 +1,109 @@
+//! Painted pictures of other programs become an HCBTF: what they are is asked for first, then where
+//! they are.
+
+use std::path::Path;
+
+use eframe::egui::{self, Button, ComboBox, DragValue, Id, Modal, RichText, Ui, WidgetInfo};
+
+use super::grid::directions;
+use crate::commands::{Command, PaintCommand, PictureImport};
+use crate::diag::{Diagnostic, Warned};
+use crate::document::{Grid, Hcbtf};
+use crate::hcbtf::contact::MAX_GAP;
+use crate::hcbtf::exchange::{self, Form};
+use crate::progress::Progress;
+use crate::widgets::confirm;
+use crate::widgets::theme;
+
+impl PictureImport {
+    /// The HCBTF of the pictures there, with what was odd about them.
+    ///
+    /// # Errors
+    /// Everything that keeps them from being used, and where it is stopped.
+    pub(super) fn read(
+        self,
+        from: &Path,
+        progress: &Progress,
+    ) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
+        let Self { form, light, view, gap, is_tiling } = self;
+        let grid = exchange::fitted(from, form, Grid { size: Grid::THESIS.size, light, view }, gap);
+        let (hcbtf, notes) = exchange::import(from, form, grid, gap, progress)?.into_parts();
+        // What Chiaro wrote tells by itself whether it repeats.
+        let is_tiling = if exchange::tells_all(from, form) { hcbtf.is_tiling } else { is_tiling };
+        Ok(Warned::new(Hcbtf { is_tiling, ..hcbtf }, notes))
+    }
+}
+
+/// What people call a form, and what it is.
+fn told(form: Form) -> (&'static str, &'static str) {
+    match form {
+        Form::Folder => (
+            "A folder of images",
+            "One PNG a sample: l2.3_v1.4.png is seen with the light at ring 2, step 3 and the eye \
+             at ring 1, step 4. \
+             Numbered ones follow each other view by view, and for each view light by light. One \
+             that Chiaro exported \
+             tells its own lights and views.",
+        ),
+        Form::Contact => (
+            "A contact sheet",
+            "One PNG with all tiles side by side: views across, lights down, the one straight \
+             above first.",
+        ),
+        Form::Sheet => (
+            "A sheet of the thesis",
+            "One PNG in which every texel is a block of all its lights and views.",
+        ),
+        Form::Ktx2 => (
+            "A KTX2 texture",
+            "The texture that shaders look up, as it was exported; it tells its own grid.",
+        ),
+    }
+}
+
+/// Asks what is imported, while `asked` is there. The pictures themselves are asked for next.
+pub(super) fn show(ui: &Ui, asked: &mut Option<PictureImport>) -> Option<Command> {
+    let mut import = (*asked)?;
+    let mut out = None;
+    let mut is_over = false;
+    let modal = Modal::new(Id::unique("import pictures")).show(ui.ctx(), |ui| {
+        ui.set_width(400.0);
+        let enters = confirm::enters(ui);
+        ui.label(RichText::new("Import painted pictures").heading());
+        ui.add_space(6.0);
+        let chosen = ComboBox::from_id_salt("form").width(220.0).selected_text(told(import.form).0);
+        let chosen = chosen.show_ui(ui, |ui| {
+            for form in Form::ALL {
+                ui.selectable_value(&mut import.form, form, told(form).0);
+            }
+        });
+        chosen
+            .response
+            .widget_info(|| WidgetInfo::labeled(egui::Role::ComboBox, true, "Kind of pictures"));
+        ui.label(RichText::new(told(import.form).1).color(theme::of(ui).dim));
+        ui.add_space(6.0);
+        if import.form != Form::Ktx2 {
+            directions(ui, "Lights", &mut import.light);
+            directions(ui, "Views", &mut import.view);
+        }
+        if import.form == Form::Contact {
+            ui.horizontal(|ui| {
+                let label = ui.label("Texels between the tiles").id;
+                ui.add(DragValue::new(&mut import.gap).range(0..=MAX_GAP).speed(0.1))
+                    .labelled_by(label);
+            });
+        }
+        ui.checkbox(&mut import.is_tiling, "The tile repeats");
+        ui.add_space(8.0);
+        ui.horizontal(|ui| {
+            if ui.add(Button::new("Choose them...")).clicked() || enters {
+                out = Some(Command::Paint(PaintCommand::Import { import, from: None }));
+                is_over = true;
+            }
+            is_over |= ui.button("Cancel").clicked();
+        });
+    });
+    is_over |= modal.should_close();
+    *asked = (!is_over).then_some(import);
+    out
+}

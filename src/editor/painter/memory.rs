@@ -1,0 +1,184 @@
+//! What an HCBTF takes in memory: told before its rules run, and before one of another grid is
+//! made.
+
+use std::sync::{Arc, Weak};
+
+use eframe::egui::{CollapsingHeader, Grid as Table, RichText, Ui};
+
+use crate::document::{Grid, Storage};
+use crate::figures::bytes;
+use crate::hcbtf::{Device, Filled, Need, filled_at_most, layers_bytes, needs, needs_at_most};
+use crate::state::painting::work::Work;
+use crate::state::worker::Worker;
+use crate::widgets::theme;
+
+/// Of which grid, the bytes of all tiles, and what each storage takes.
+pub(super) type Measured = (Grid, u64, Vec<Need>);
+
+/// What is taken, as far as it is known, and what the device holds.
+pub(super) struct Memory {
+    pub(super) device: Device,
+    /// To measure the storages all tiles are compared, which takes longer than a frame.
+    worker: Worker<Arc<Filled>, Measured>,
+    asked: Weak<Filled>,
+    known: Option<Measured>,
+}
+
+impl Memory {
+    /// `wake` is called from another thread when something is measured.
+    pub(super) fn new(device: Device, wake: impl Fn() + Send + 'static) -> Self {
+        let measure = |filled: Arc<Filled>| {
+            let needs = needs(&filled.grid(), |address| filled.tile(address));
+            (filled.grid(), filled.bytes(), needs)
+        };
+        Self {
+            device,
+            worker: Worker::new("measuring", wake, measure),
+            asked: Weak::new(),
+            known: None,
+        }
+    }
+
+    /// What the samples take, once that is measured; asks for it where it is not.
+    pub(super) fn measured(&mut self, work: &Work) -> Option<&Measured> {
+        self.known = self.worker.answers().pop().or(self.known.take());
+        let filled = work.filled().filter(|_| !work.is_live());
+        if let Some(filled) = filled.filter(|filled| self.asked.as_ptr() != Arc::as_ptr(filled)) {
+            self.asked = Arc::downgrade(filled);
+            let filled = filled.clone();
+            self.worker.request(|_| filled);
+        }
+        self.known.as_ref().filter(|(of, ..)| of == work.grid())
+    }
+
+    /// Shows what the samples take, folded to a line.
+    pub(super) fn show(&mut self, ui: &mut Ui, work: &Work) {
+        let grid = *work.grid();
+        let title = format!("Memory: up to {} on the GPU", bytes(layers_bytes(&grid, false)));
+        let section = CollapsingHeader::new(title).id_salt("memory").show(ui, |ui| {
+            let known = self.measured(work).cloned();
+            table(
+                ui,
+                &grid,
+                known.as_ref().map(|(_, bytes, needs)| (*bytes, needs.as_slice())),
+                &self.device,
+            );
+        });
+        section
+            .header_response
+            .on_hover_text(format!("When the rules have run: {}", in_short(&grid)));
+    }
+
+    pub(super) fn is_busy(&self) -> bool {
+        self.worker.is_busy()
+    }
+
+    pub(super) fn wait(&self) {
+        self.worker.wait();
+    }
+}
+
+/// What a grid takes, in a few words.
+pub(super) fn in_short(grid: &Grid) -> String {
+    let most = needs_at_most(grid);
+    let compact = most
+        .iter()
+        .find(|need| need.storage == Storage::Compact && !need.has_levels)
+        .map_or(0, Need::bytes);
+    let (raw, gpu) = (bytes(filled_at_most(grid)), bytes(layers_bytes(grid, false)));
+    format!("{raw} filled, {gpu} on the GPU, compact at most {}", bytes(compact))
+}
+
+/// What a grid takes at most in each storage, what it takes `now` where that is known, and whether
+/// the device holds it.
+pub(super) fn table(ui: &mut Ui, grid: &Grid, now: Option<(u64, &[Need])>, device: &Device) {
+    let dim = theme::of(ui).dim;
+    Table::new("storages").num_columns(4).spacing([10.0, 2.0]).show(ui, |ui| {
+        for head in ["", "now", "at most", ""] {
+            let is_shown = head != "now" || now.is_some();
+            ui.label(RichText::new(if is_shown { head } else { "" }).color(dim).small());
+        }
+        ui.end_row();
+        let mut row = |name: &str, help: &str, now: Option<u64>, most: u64, word: &str| {
+            ui.label(name).on_hover_text(help);
+            ui.label(now.map(bytes).unwrap_or_default());
+            ui.label(bytes(most));
+            let short = if word == UNFIT { "too large" } else { "fits" };
+            let color = if word == UNFIT { theme::of(ui).error } else { theme::of(ui).dim };
+            ui.label(RichText::new(short).color(color)).on_hover_text(word);
+            ui.end_row();
+        };
+        let help = "All samples as they are filled, four bytes a texel; equal ones count once";
+        row(
+            "Filled, raw",
+            help,
+            now.map(|(bytes, _)| bytes),
+            filled_at_most(grid),
+            "held in main memory",
+        );
+        for (index, most) in needs_at_most(grid).iter().enumerate() {
+            let need = now.and_then(|(_, needs)| needs.get(index));
+            let (name, help) = told(most);
+            let word = device.word(need.unwrap_or(most));
+            row(
+                name,
+                help,
+                need.map(|need| need.bytes_on(device.limits)),
+                most.bytes_on(device.limits),
+                word,
+            );
+        }
+    });
+    for storage in Storage::ALL {
+        let text = format!("{}: {}", named(storage), storage.about());
+        ui.label(RichText::new(text).color(dim).small());
+    }
+    let painted = bytes(layers_bytes(grid, false));
+    let text = format!(
+        "While it is painted it is quick, with a layer for each view: {painted} on the GPU"
+    );
+    ui.label(RichText::new(text).color(dim).small());
+    let crate::hcbtf::Limits { side, layers, has_blocks } = device.limits;
+    let blocks = if has_blocks { "" } else { "; blocks are decoded, to four times as much" };
+    let text = format!(
+        "{}: textures of up to {side} texels a side and {layers} layers{blocks}",
+        device.name
+    );
+    ui.label(RichText::new(text).color(dim).small());
+}
+
+/// What a device says of what it cannot hold.
+const UNFIT: &str = "does not fit";
+
+/// What a storage is called.
+pub(super) fn named(storage: Storage) -> &'static str {
+    match storage {
+        Storage::Quick => "Quick",
+        Storage::Compact => "Compact",
+        Storage::Blocks => "Blocks",
+    }
+}
+
+fn told(need: &Need) -> (&'static str, &'static str) {
+    match (need.storage, need.has_levels) {
+        (Storage::Quick, false) => ("Quick", "As crisp lookups read it; equal views share a layer"),
+        (Storage::Quick, true) => (
+            "Quick with levels",
+            "The same with smaller levels of the tile, as smooth lookups read it",
+        ),
+        (Storage::Blocks, false) => (
+            "Blocks",
+            "Every tile that differs once, compressed to a byte a texel; colors are off by a \
+             little",
+        ),
+        (Storage::Blocks, true) => {
+            ("Blocks with levels", "The same with smaller levels of the tile, for smooth lookups")
+        }
+        (Storage::Compact, false) => {
+            ("Compact", "Every tile that differs once, with palettes, for crisp lookups")
+        }
+        (Storage::Compact, true) => {
+            ("Compact with levels", "The same with smaller levels of the tile, for smooth lookups")
+        }
+    }
+}

@@ -1,0 +1,435 @@
+//! The painting workspace: an HCBTF is painted on, its samples are gone through, and rules fill the
+//! rest.
+//!
+//! A [`Work`] is the document with its past, kept by the session as looks and scenes are. Five
+//! panels show it: `easel` with the tools above it is the tile as the eye sees it, `map` is all of
+//! its lights and views at a glance, `sheet` is them as one picture, `dome` with `list` where the
+//! light and the eye are, and `rules` is what fills them. A stroke changes what is shown here and
+//! now; once it ends it is an [`HcbtfEdit`], which [`App`](crate::App) applies. What is painted
+//! stands in the viewport at once: the session gives it to whoever draws, in place of the file.
+
+mod arrows;
+mod atlas;
+mod baking;
+pub(crate) mod before;
+mod dome;
+mod easel;
+mod export;
+mod filling;
+mod grid;
+mod hand;
+mod icons;
+mod import;
+mod list;
+mod making;
+mod map;
+mod memory;
+mod moves;
+mod preview;
+mod rules;
+mod seen;
+mod sheet;
+mod start;
+mod storing;
+mod synthesis;
+mod textures;
+mod tilt;
+mod toolbar;
+mod tools;
+
+use std::path::PathBuf;
+
+use eframe::egui::{Button, Key, Pos2, Rect, RichText, Slider, Ui, WidgetInfo};
+
+use crate::commands::keyboard;
+use crate::commands::{Command, Heading, PaintCommand, PictureImport};
+use crate::diag::Diagnostic;
+use crate::document::{Address, Grid, HcbtfEdit, Storage};
+use crate::hcbtf::Device;
+use crate::hcbtf::exchange::Form;
+use crate::state::painting::work::State;
+use crate::state::painting::work::Work;
+use crate::state::painting::{PaintingUpdate, look};
+use crate::state::problem_text::sentence;
+use crate::state::session::Session;
+use crate::state::worker::BackgroundJobs;
+use crate::widgets::text::hint;
+use crate::widgets::theme;
+pub(crate) use making::Made;
+pub(crate) use start::{Shown, shown};
+
+/// The workspace, and what it remembers between frames.
+pub struct Painting {
+    tools: tools::Tools,
+    easel: easel::Easel,
+    map: map::Map,
+    sheet: sheet::Sheet,
+    atlas: map::Atlas,
+    order: list::Order,
+    held: Option<dome::Held>,
+    filling: filling::Filling,
+    exports: export::Exports,
+    memory: memory::Memory,
+    /// Which grid, while that is asked for.
+    grid: Option<grid::Asked>,
+    making: making::Making,
+    /// What is to be imported, while that is asked for; the same of a new tile, and of a look that
+    /// is baked.
+    import: Option<PictureImport>,
+    synthesis: Option<synthesis::Asked>,
+    baking: Option<baking::Asked>,
+    /// What is baked once it has a file.
+    bakes: Option<baking::Asked>,
+    preview: preview::Preview,
+    /// How a texture is to be stored, while that is asked for.
+    storing: Option<Storage>,
+    seen: seen::Seen,
+    /// The sample that is only looked at, and the one for the next frame.
+    peek: Option<Address>,
+    next_peek: Option<Address>,
+}
+
+impl Painting {
+    /// `wake` is called from another thread when rules have filled something, or something was
+    /// exported. `device` is what it is drawn with.
+    pub(crate) fn new(device: Device, wake: impl Fn() + Send + Clone + 'static) -> Self {
+        Self {
+            tools: tools::Tools::default(),
+            easel: easel::Easel::default(),
+            map: map::Map::default(),
+            sheet: sheet::Sheet::default(),
+            atlas: map::Atlas::default(),
+            order: list::Order::default(),
+            held: None,
+            filling: filling::Filling::new(wake.clone()),
+            exports: export::Exports::new(wake.clone()),
+            memory: memory::Memory::new(device, wake.clone()),
+            preview: preview::Preview::new(wake.clone()),
+            making: making::Making::new(wake),
+            grid: None,
+            import: None,
+            synthesis: None,
+            baking: None,
+            bakes: None,
+            storing: None,
+            seen: seen::Seen::default(),
+            peek: None,
+            next_peek: None,
+        }
+    }
+
+    /// Asks what is to be imported.
+    pub(crate) fn ask_import(&mut self) {
+        self.import = Some(PictureImport::default());
+    }
+
+    /// Asks how finely something new is divided, or how what is open is to be.
+    pub(crate) fn ask_grid(&mut self, session: &Session, changes: bool) {
+        self.grid = Some(grid::Asked::of(session.painting(), changes));
+    }
+
+    /// Asks for a new tile of patches of what is painted.
+    pub(crate) fn ask_synthesis(&mut self, session: &Session) {
+        let work = session.painting();
+        self.synthesis = work.map(|work| synthesis::Asked::of(work, self.filling.of(work)));
+    }
+
+    /// Asks onto which grid the open look is to be baked.
+    pub(crate) fn ask_bake(&mut self) {
+        self.baking = Some(baking::Asked::default());
+    }
+
+    /// Asks how a texture is to be stored.
+    pub(crate) fn ask_texture(&mut self) {
+        self.storing = Some(Storage::default());
+    }
+
+    /// Remembers what is to be baked until there is a file for it.
+    pub(crate) fn hold_bake(&mut self) {
+        self.bakes = self.baking.take();
+    }
+
+    /// Bakes the open look as was asked for.
+    ///
+    /// # Errors
+    /// Why it cannot be.
+    pub(crate) fn bake(&mut self, session: &Session, to: PathBuf) -> Result<(), String> {
+        let Some(asked) = self.bakes.take() else { return Ok(()) };
+        self.making.begin(asked.job(session, to)?);
+        Ok(())
+    }
+
+    /// Makes an HCBTF of pictures.
+    pub(crate) fn import(&mut self, import: PictureImport, from: PathBuf) {
+        self.making.begin(making::Job::Import { import, from });
+    }
+
+    /// What was made since the last call, and is to be opened.
+    pub(crate) fn made(&mut self) -> Option<Made> {
+        match self.making.made()? {
+            Made::Tile { made } => {
+                if let Some(asked) = &mut self.synthesis {
+                    asked.take(made);
+                }
+                None
+            }
+            made => Some(made),
+        }
+    }
+
+    /// Whether one of this grid can be painted here.
+    ///
+    /// # Errors
+    /// What the device cannot hold, and what to take less of.
+    pub(crate) fn check(&self, grid: &Grid) -> Result<(), Diagnostic> {
+        self.memory.device.check_painted(grid)
+    }
+
+    /// What is asked for in front of everything else, while it is.
+    pub(crate) fn ask(&mut self, ui: &Ui, session: &Session) -> Option<Command> {
+        self.making.show(ui);
+        let (work, device) = (session.painting(), &self.memory.device);
+        let is_filling = self.filling.is_busy() && look::shows(session);
+        import::show(ui, &mut self.import)
+            .or_else(|| grid::show(ui, &mut self.grid, work, device))
+            .or_else(|| synthesis::show(ui, &mut self.synthesis, &mut self.making, work, device))
+            .or_else(|| {
+                baking::show(ui, &mut self.baking, &mut self.preview, session, device, is_filling)
+            })
+            .or_else(|| storing::show(ui, &mut self.storing, work, &mut self.memory))
+    }
+
+    /// Writes what is painted in another program's form.
+    pub(crate) fn export(&self, session: &Session, form: Form, storage: Storage, to: PathBuf) {
+        if let Some(work) = session.painting() {
+            self.exports.write(work.shown().clone(), form, storage, to);
+        }
+    }
+
+    /// What to tell of exports that are done.
+    pub(crate) fn exported(&self) -> Option<String> {
+        self.exports.told()
+    }
+
+    /// What is due once a frame, whichever panels are seen.
+    pub(crate) fn tick(&mut self, session: &Session) -> PaintingUpdate {
+        self.peek = self.next_peek.take();
+        self.seen.tick(session)
+    }
+
+    /// Takes what rules filled, and asks for what they have not. Returns whether there is something
+    /// new.
+    pub(crate) fn fill(&mut self, work: &mut Work) -> bool {
+        self.filling.tick(work, &self.memory.device)
+    }
+
+    /// What is painted, where the open look shows that.
+    fn shown<'s>(&self, session: &'s Session) -> Option<&'s Work> {
+        session.painting().filter(|_| self.seen.is_shown())
+    }
+
+    /// Shows the tools, and takes in what the pointer and the keys do on the tile.
+    pub(crate) fn interact(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
+        let mut out = Vec::new();
+        let Some(work) = self.shown(session) else {
+            self.easel.leave();
+            return out;
+        };
+        toolbar::show(ui, &mut self.tools);
+        self.options(ui, session, work, &mut out);
+        let is_free = self.easel.has_pointer() && !keyboard::is_keyboard_taken(ui.ctx());
+        let held = (is_free && ui.input(|input| input.key_down(Key::V))).then_some(work.before());
+        out.extend(self.easel.interact(ui, work, &mut self.tools, self.peek.or(held)));
+        out.extend(self.easel.keys(ui));
+        out
+    }
+
+    /// Shows the tile as the eye sees it, or what there is to begin with.
+    pub(crate) fn show_tile(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
+        let mut out = Vec::new();
+        match self.shown(session) {
+            Some(work) => self.easel.show(ui, work, &self.tools),
+            None => start::show(ui, session, &mut out),
+        }
+        out
+    }
+
+    /// Shows all lights and views of what is painted at a glance.
+    pub(crate) fn show_samples(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
+        let mut out = Vec::new();
+        match self.shown(session) {
+            Some(work) => {
+                self.atlas.update(ui.ctx(), work, self.easel.is_painting());
+                self.map.show(ui, work, &self.atlas, &mut self.next_peek, &mut out);
+            }
+            None => hint(ui, &start::in_short(session)),
+        }
+        out
+    }
+
+    /// Shows all of what is painted and filled in one picture.
+    pub(crate) fn show_sheet(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
+        let mut out = Vec::new();
+        match self.shown(session) {
+            Some(work) => self.sheet.show(ui, work, self.easel.is_painting(), &mut out),
+            None => hint(ui, &start::in_short(session)),
+        }
+        out
+    }
+
+    /// Shows where the light and the eye are, and what is painted already.
+    pub(crate) fn show_directions(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
+        let mut out = Vec::new();
+        let Some(work) = self.shown(session) else {
+            hint(ui, &start::in_short(session));
+            return out;
+        };
+        self.atlas.update(ui.ctx(), work, self.easel.is_painting());
+        let side = ui.available_width().min(ui.available_height() * 0.55).clamp(90.0, 190.0);
+        ui.vertical_centered(|ui| {
+            if let Some(address) = dome::show(ui, work, &mut self.held, side) {
+                out.push(Command::Paint(PaintCommand::GoTo(address)));
+            }
+        });
+        list::show(ui, work, &self.atlas, &mut self.order, &mut self.next_peek, &mut out);
+        out
+    }
+
+    /// Shows the rules that fill the rest.
+    pub(crate) fn show_rules(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
+        let mut out = Vec::new();
+        let Some(work) = self.shown(session) else {
+            hint(ui, &start::in_short(session));
+            return out;
+        };
+        let problem = self.filling.problem.as_ref().map(sentence);
+        let share = self.filling.share();
+        rules::show(ui, work, share, problem.as_deref(), &mut self.memory, &mut out);
+        out
+    }
+
+    /// Which sample is at work, and how it is shown.
+    fn options(&mut self, ui: &mut Ui, session: &Session, work: &Work, out: &mut Vec<Command>) {
+        let at = work.at();
+        ui.horizontal_wrapped(|ui| {
+            let (state, color) = match work.state(at) {
+                State::Painted => ("painted".to_owned(), theme::of(ui).accent),
+                State::Filled(rule) => {
+                    (format!("filled by rule {}", rule + 1), theme::of(ui).second)
+                }
+                State::Empty => ("empty".to_owned(), theme::of(ui).dim),
+            };
+            let grid = work.grid();
+            ui.label(format!("Light {}", moves::name(grid.light, at.light)));
+            ui.label(RichText::new("·").color(theme::of(ui).dim));
+            ui.label(format!("Eye {}", moves::name(grid.view, at.view)));
+            let help = "A filled sample becomes painted by the first stroke, which begins from \
+                        what is shown";
+            ui.label(RichText::new(state).color(color)).on_hover_text(help);
+            let is_painted = work.state(at) == State::Painted;
+            let clear = ui.add_enabled(is_painted, Button::new("Delete painting").small());
+            if clear.on_hover_text("Takes this painting away: the rules fill its place").clicked() {
+                out.push(Command::Paint(PaintCommand::Edit(HcbtfEdit::DeleteTile { address: at })));
+            }
+            self.seen.mark(ui);
+        });
+        ui.horizontal_wrapped(|ui| {
+            let easel = &mut self.easel;
+            ui.toggle_value(&mut easel.is_flat, "Flat")
+                .on_hover_text("Shows the tile unturned and untilted (F)");
+            ui.toggle_value(&mut easel.shows_copies, "Copies").on_hover_text(
+                "Repeats the tile around itself, so that seams are seen and painted across (C)",
+            );
+            ui.toggle_value(&mut easel.shows_arrows, "Arrows")
+                .on_hover_text("Shows where the light comes from, and where the eye is (A)");
+            if ui.small_button("Fit").on_hover_text("Shows the whole tile again (Home)").clicked() {
+                easel.fit();
+            }
+            self.seen.turn(ui, session, work, out);
+            ui.separator();
+            let help = "How much of the neighbouring samples shines through";
+            ui.label("Onion skin").on_hover_text(help);
+            ui.spacing_mut().slider_width = 60.0;
+            let slider = ui.add(Slider::new(&mut easel.onion, 0.0..=1.0).show_value(false));
+            slider.widget_info(|| WidgetInfo::slider(true, f64::from(easel.onion), "Onion skin"));
+            slider.on_hover_text(help);
+        });
+        // A row of its own, as a list does not wrap with the others.
+        if self.easel.onion > 0.0 {
+            rules::along(ui, "neighbours by", &mut self.easel.onion_along);
+        }
+    }
+
+    /// Does what is asked for of the tools and of how the tile is shown.
+    pub(crate) fn apply(&mut self, command: PaintCommand) {
+        match command {
+            PaintCommand::TakeTool(tool) => self.tools.take(tool),
+            PaintCommand::ResizeBrush { is_larger } => self.tools.resize(is_larger),
+            PaintCommand::SwapColors => self.tools.colors.swap(0, 1),
+            PaintCommand::ToggleTilt => self.easel.is_flat = !self.easel.is_flat,
+            PaintCommand::ToggleCopies => self.easel.shows_copies = !self.easel.shows_copies,
+            PaintCommand::ToggleArrows => self.easel.shows_arrows = !self.easel.shows_arrows,
+            PaintCommand::FitTile => self.easel.fit(),
+            _ => {}
+        }
+    }
+
+    /// What may be done at the pointer; empty while it is elsewhere.
+    pub(crate) fn hint(&self) -> &str {
+        &self.easel.hint
+    }
+
+    /// Whether the pointer is over the tile, so that keys are meant for it.
+    pub(crate) fn has_pointer(&self) -> bool {
+        self.easel.has_pointer()
+    }
+
+    /// Nothing of it is seen.
+    pub(crate) fn rest(&mut self) {
+        self.easel.leave();
+    }
+
+    /// Where a place of the tile is on the screen, in texels from its upper left corner; for tests.
+    pub fn screen(&self, texel: [f64; 2]) -> Option<Pos2> {
+        self.easel.screen(texel)
+    }
+
+    /// Where the cell of a sample is on the map; for tests.
+    pub fn cell(&self, address: Address) -> Option<Rect> {
+        self.map.cell(address)
+    }
+
+    /// Where a texel of a sample is on the sheet of all; for tests.
+    pub fn on_sheet(&self, address: Address, texel: [u32; 2]) -> Option<Pos2> {
+        self.sheet.screen(address, texel)
+    }
+}
+
+impl BackgroundJobs for Painting {
+    fn is_busy(&self) -> bool {
+        let is_storing = self.exports.is_busy() || self.memory.is_busy();
+        is_storing || self.filling.is_busy() || self.preview.is_busy() || self.making.is_busy()
+    }
+
+    fn wait(&self) {
+        self.filling.wait();
+        self.exports.wait();
+        self.memory.wait();
+        self.preview.wait();
+        self.making.wait();
+    }
+}
+
+/// So many of something, in words.
+pub(crate) fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
+/// The sample that is one step from the one at work, by the eye or by the light.
+pub(crate) fn stepped(work: &Work, heading: Heading, is_view: bool) -> Address {
+    let (grid, at) = (work.grid(), work.at());
+    match is_view {
+        true => Address { view: moves::step(grid.view, at.view, heading), ..at },
+        false => Address { light: moves::step(grid.light, at.light, heading), ..at },
+    }
+}

@@ -1,0 +1,173 @@
+//! What a look will be like on a tile: a sample under two lights, baked beside the window before
+//! all are; and how long all will take, by how long these took.
+
+use std::sync::Arc;
+
+use super::textures::Shown;
+use crate::clock::Clock;
+use crate::diag::Diagnostic;
+use crate::document::{Address, Directions, Grid, Tile};
+use crate::frame::{Assets, Overlay, SetupLook, tile_assets};
+use crate::ids::LightId;
+use crate::library::Library;
+use crate::progress::Progress;
+use crate::reference::bake_look;
+use crate::state::worker::Worker;
+
+/// A preview has at most so many texels along a side: what is made should be there at once.
+const MOST_SIDE: u32 = 96;
+
+/// Straight above, halfway down and at the horizon.
+const LIGHTS: Directions = Directions { theta: 3, phi: 1 };
+
+/// What is previewed: another one is another picture.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Of {
+    /// The look's document, how often it changed its meaning, and what is painted.
+    pub(super) look: (u64, u64, Option<u64>),
+    pub(super) size: [u32; 2],
+    pub(super) light: LightId,
+}
+
+/// A look that is baked.
+pub(super) struct Job {
+    pub(super) setup: SetupLook,
+    pub(super) library: Arc<Library>,
+    pub(super) painting: Option<Overlay>,
+}
+
+/// Seen from straight above, under a light straight above and one halfway down.
+pub(super) struct Seen {
+    pub(super) tiles: [Arc<Tile>; 2],
+    /// How long a texel of a sample took on one core.
+    seconds: f64,
+}
+
+struct Done {
+    of: Of,
+    made: Result<Seen, Diagnostic>,
+}
+
+/// The thread that makes it, and what it made last.
+pub(super) struct Preview {
+    worker: Worker<(Of, Job, Progress), Done>,
+    asked: Option<Of>,
+    progress: Progress,
+    done: Option<Done>,
+    pub(super) shown: [Shown; 2],
+}
+
+impl Preview {
+    /// `wake` is called from another thread when there is a new one.
+    pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
+        let work =
+            |(of, job, progress): (Of, Job, Progress)| Done { made: job.done(&of, &progress), of };
+        Self {
+            worker: Worker::new("preview of a bake", wake, work),
+            asked: None,
+            progress: Progress::new(),
+            done: None,
+            shown: Default::default(),
+        }
+    }
+
+    /// What it will be like, once that is known; asks for it where it is not.
+    pub(super) fn of(
+        &mut self,
+        of: &Of,
+        job: impl FnOnce() -> Job,
+    ) -> Option<&Result<Seen, Diagnostic>> {
+        self.done = self.worker.answers().pop().or(self.done.take());
+        if self.asked.as_ref() != Some(of) {
+            self.progress.stop();
+            self.progress = Progress::new();
+            self.asked = Some(of.clone());
+            let wish = (of.clone(), job(), self.progress.clone());
+            self.worker.request(|_| wish);
+        }
+        self.done.as_ref().filter(|done| done.of == *of).map(|done| &done.made)
+    }
+
+    /// Nobody asks any more.
+    pub(super) fn stop(&mut self) {
+        self.progress.stop();
+        (self.asked, self.done) = (None, None);
+    }
+
+    pub(super) fn is_busy(&self) -> bool {
+        self.worker.is_busy()
+    }
+
+    pub(super) fn wait(&self) {
+        self.worker.wait();
+    }
+}
+
+impl Drop for Preview {
+    fn drop(&mut self) {
+        self.progress.stop();
+    }
+}
+
+impl Seen {
+    /// How many seconds all samples of a grid will take, as many views at a time as there are
+    /// cores.
+    pub(super) fn seconds_of(&self, grid: &Grid, cores: usize) -> f64 {
+        let views = grid.view.distinct_count() as f64;
+        let turns = (views / cores.max(1) as f64).ceil();
+        self.seconds * turns * grid.light.distinct_count() as f64 * grid.texels() as f64
+    }
+}
+
+impl Job {
+    fn done(self, of: &Of, progress: &Progress) -> Result<Seen, Diagnostic> {
+        let first = |problems: Vec<Diagnostic>| {
+            problems
+                .into_iter()
+                .next()
+                .unwrap_or_else(|| Diagnostic::error("stopped", "it was stopped"))
+        };
+        let Self { setup, library, painting } = self;
+        let mut assets = Assets::default();
+        assets.overlay(painting);
+        let assets = tile_assets(&setup, &library, &of.light, assets, progress).map_err(first)?;
+        let grid =
+            Grid { size: reduced(of.size), light: LIGHTS, view: Directions { theta: 1, phi: 1 } };
+        let clock = Clock::start();
+        let hcbtf =
+            bake_look(&setup, &library, grid, &of.light, &assets, progress).map_err(first)?;
+        let samples = (grid.texels() as u64 * grid.sample_count()) as f64;
+        let tile = |ring| hcbtf.painted(Address::new([ring, 0], [0, 0])).cloned();
+        let none = || Arc::new(Tile::filled(grid.size, [0; 4]));
+        let tiles = [0, 1].map(|ring| tile(ring).unwrap_or_else(none));
+        Ok(Seen { tiles, seconds: clock.seconds() / samples })
+    }
+}
+
+/// A smaller tile of the same shape, where one is too large.
+fn reduced(size: [u32; 2]) -> [u32; 2] {
+    let longer = size[0].max(size[1]);
+    match longer > MOST_SIDE {
+        true => size
+            .map(|side| (u64::from(side) * u64::from(MOST_SIDE) / u64::from(longer)).max(1) as u32),
+        false => size,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn large_tiles_keep_their_shape_and_time_grows_with_samples() {
+        assert_eq!(reduced([32, 48]), [32, 48]);
+        assert_eq!(reduced([1024, 512]), [96, 48]);
+        assert_eq!(reduced([4000, 1]), [96, 1]);
+        let tile = Arc::new(Tile::filled([1, 1], [0; 4]));
+        let seen = Seen { tiles: [tile.clone(), tile], seconds: 1e-6 };
+        // 51 views of 51 lights of 32 x 32 texels: 51 turns on one core, 13 on four.
+        let one = seen.seconds_of(&Grid::THESIS, 1);
+        assert!((one - 51.0 * 51.0 * 1024.0 * 1e-6).abs() < 1e-9, "{one}");
+        assert!((seen.seconds_of(&Grid::THESIS, 4) / one - 13.0 / 51.0).abs() < 1e-9);
+    }
+}

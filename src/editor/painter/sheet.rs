@@ -1,0 +1,369 @@
+//! All of an HCBTF as the thesis flattens it into one picture (thesis 10.2, figure 24): every texel
+//! of the tile is a block of all its lights and views. It is zoomed and moved about; under the
+//! pointer its address is told, and a click goes there.
+//!
+//! Only what is seen is made, in pixels of the screen, when it changes: the whole may be larger
+//! than any texture.
+
+use eframe::egui::{
+    Color32, ColorImage, FontId, PointerButton, Pos2, Rect, Response, RichText, Role, Sense,
+    Stroke, StrokeKind, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
+};
+
+use super::moves;
+use crate::commands::{Command, PaintCommand};
+use crate::document::{Address, Direction, Grid};
+use crate::hcbtf::sheet::{SheetTexel, column, held, place, row, size};
+use crate::state::painting::work::{State, Work};
+use crate::widgets::theme;
+
+/// Points a texel of the sheet, at most.
+const CLOSEST: f64 = 64.0;
+/// So much of the room the whole sheet takes when it is fitted.
+const FITTED: f64 = 0.96;
+/// Where a pixel shows more texels than one, it is the mean of so many along each side at most.
+const MOST_AVERAGED: usize = 4;
+/// Lines between blocks are drawn where these are so many points wide.
+const LINED: f64 = 12.0;
+/// The texels of the sample at work are marked where they are so many points wide.
+const MARKED: f64 = 3.0;
+/// The grey that shows through what is transparent.
+const NOTHING: u32 = 38;
+
+/// How the sheet is shown.
+#[derive(Default)]
+pub(super) struct Sheet {
+    /// Points a texel; `None` to fit the room.
+    zoom: Option<f64>,
+    /// From the middle of the room to the middle of the sheet, in points.
+    pan: Vec2,
+    texture: Option<TextureHandle>,
+    /// What the texture shows.
+    made: Option<Made>,
+    /// Where the sheet lay in the last frame.
+    laid: Option<(Laid, Grid)>,
+}
+
+/// What decides how the picture of the sheet looks.
+#[derive(Clone, Copy, PartialEq)]
+struct Made {
+    version: u64,
+    laid: Laid,
+    pixels: [usize; 2],
+}
+
+/// Where the sheet lies on the screen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Laid {
+    room: Rect,
+    /// The upper left corner of the sheet.
+    origin: Pos2,
+    /// Points a texel.
+    zoom: f64,
+}
+
+impl Laid {
+    fn screen(&self, [x, y]: [f64; 2]) -> Pos2 {
+        self.origin + vec2((x * self.zoom) as f32, (y * self.zoom) as f32)
+    }
+
+    fn texel(&self, at: Pos2) -> [f64; 2] {
+        let by = at - self.origin;
+        [f64::from(by.x) / self.zoom, f64::from(by.y) / self.zoom]
+    }
+
+    /// The texels that are seen: from and to, along x and y.
+    fn seen(&self, size: [u32; 2]) -> [[u32; 2]; 2] {
+        let (from, to) = (self.texel(self.room.min), self.texel(self.room.max));
+        [0, 1].map(|axis| {
+            [from[axis].max(0.0) as u32, to[axis].clamp(0.0, f64::from(size[axis])).ceil() as u32]
+        })
+    }
+}
+
+impl Sheet {
+    /// Shows the sheet in all the room there is. While a stroke goes on it stays as it is.
+    pub(super) fn show(
+        &mut self,
+        ui: &mut Ui,
+        work: &Work,
+        is_painting: bool,
+        out: &mut Vec<Command>,
+    ) {
+        let grid = *work.grid();
+        let whole = size(&grid);
+        ui.horizontal(|ui| {
+            ui.label(format!("{} x {} texels", whole[0], whole[1]));
+            if ui.small_button("Fit").on_hover_text("Shows the whole sheet again").clicked() {
+                (self.zoom, self.pan) = (None, Vec2::ZERO);
+            }
+            let help = "Each texel of the tile is a block: light and eye sink from left to right, \
+                        and go around from \
+                        top to bottom";
+            ui.label(RichText::new("a block for each texel of the tile").color(theme::of(ui).dim))
+                .on_hover_text(help);
+        });
+        let (room, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
+        let laid = self.navigate(ui, &response, room, whole);
+        self.laid = Some((laid, grid));
+        let scale = f64::from(ui.pixels_per_point());
+        let most = ui.input(|input| input.max_texture_side);
+        let pixels = [room.width(), room.height()]
+            .map(|side| ((f64::from(side) * scale) as usize).clamp(1, most));
+        let made = Made { version: work.version(), laid, pixels };
+        if self.made != Some(made) && !(is_painting && self.texture.is_some()) {
+            let image = picture(work, &laid, pixels);
+            match &mut self.texture {
+                Some(texture) => texture.set(image, TextureOptions::NEAREST),
+                None => {
+                    self.texture =
+                        Some(ui.ctx().load_texture("sheet", image, TextureOptions::NEAREST));
+                }
+            }
+            self.made = Some(made);
+        }
+        let painter = ui.painter_at(room);
+        painter.rect_filled(room, 0.0, theme::of(ui).canvas);
+        if let Some(texture) = &self.texture {
+            let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+            painter.image(texture.id(), room, uv, Color32::WHITE);
+        }
+        lines(ui, &laid, &grid);
+        mark(ui, &laid, &grid, work.at());
+        let hovered = response.hover_pos().and_then(|at| texel_at(&laid, at));
+        let found = hovered.and_then(|texel| Some((texel, held(&grid, texel)?)));
+        let told = found.map(|(_, held)| tell(work, &held));
+        response.widget_info(|| WidgetInfo {
+            current_text_value: told.as_ref().map(|lines| lines.join("\n")),
+            ..WidgetInfo::labeled(Role::Canvas, true, "Sheet of all samples")
+        });
+        if let (Some((texel, held)), Some(lines)) = (found, told) {
+            outline(ui, &laid, texel, Color32::WHITE);
+            plate(ui, room, lines);
+            if response.clicked() {
+                out.push(Command::Paint(PaintCommand::GoTo(held.address)));
+            }
+        }
+    }
+
+    /// The wheel zooms about the pointer; drags move the sheet.
+    fn navigate(&mut self, ui: &Ui, response: &Response, room: Rect, whole: [u32; 2]) -> Laid {
+        let [width, height] = whole.map(f64::from);
+        let fit = (f64::from(room.width()) / width).min(f64::from(room.height()) / height) * FITTED;
+        let lay = |zoom: f64, pan: Vec2| {
+            let half = vec2((width * zoom / 2.0) as f32, (height * zoom / 2.0) as f32);
+            Laid { room, origin: room.center() + pan - half, zoom }
+        };
+        let laid = lay(self.zoom.unwrap_or(fit), self.pan);
+        if let Some(at) = response.hover_pos() {
+            let (scroll, pinch) =
+                ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
+            let factor = f64::from((scroll / 300.0).exp() * pinch);
+            if factor != 1.0 {
+                let zoom = (laid.zoom * factor).clamp(fit * 0.5, CLOSEST.max(fit));
+                let middle = laid.screen([width / 2.0, height / 2.0]);
+                self.pan = at + (middle - at) * (zoom / laid.zoom) as f32 - room.center();
+                self.zoom = Some(zoom);
+            }
+        }
+        let buttons = [PointerButton::Primary, PointerButton::Middle, PointerButton::Secondary];
+        if buttons.into_iter().any(|button| response.dragged_by(button)) {
+            self.pan += response.drag_delta();
+        }
+        lay(self.zoom.unwrap_or(fit), self.pan)
+    }
+
+    /// Where a texel of a sample is on the screen.
+    pub(super) fn screen(&self, address: Address, texel: [u32; 2]) -> Option<Pos2> {
+        let (laid, grid) = self.laid?;
+        let [x, y] = place(&grid, address, texel.map(|place| place as usize));
+        Some(laid.screen([x as f64 + 0.5, y as f64 + 0.5]))
+    }
+}
+
+fn texel_at(laid: &Laid, at: Pos2) -> Option<[u32; 2]> {
+    let [x, y] = laid.texel(at).map(f64::floor);
+    (x >= 0.0 && y >= 0.0).then_some([x as u32, y as u32])
+}
+
+/// What is seen of the sheet, a color a pixel.
+fn picture(work: &Work, laid: &Laid, pixels: [usize; 2]) -> ColorImage {
+    let grid = *work.grid();
+    let tiles = tiles(work, &grid);
+    let steps = (grid.view.phi * grid.light.phi) as usize;
+    let step = f64::from(laid.room.width()) / pixels[0] as f64 / laid.zoom;
+    let count = (step.ceil() as usize).clamp(1, MOST_AVERAGED);
+    let from = laid.texel(laid.room.min);
+    // What is met along an axis: for each pixel the texels that it averages.
+    let place = |axis: usize, index: usize| {
+        let at = from[axis] + step * (index as f64 + 0.5) / count as f64;
+        (at >= 0.0).then_some(at as u32)
+    };
+    let columns: Vec<Option<[usize; 2]>> = (0..pixels[0] * count)
+        .map(|index| {
+            let [ix, view, light] = column(&grid, place(0, index)?)?;
+            Some([ix as usize, (view * grid.light.theta + light) as usize * steps])
+        })
+        .collect();
+    let rows: Vec<Option<[usize; 2]>> = (0..pixels[1] * count)
+        .map(|index| {
+            let ([iy, view, light], _) = row(&grid, place(1, index)?)?;
+            Some([(iy * grid.size[0]) as usize, (view * grid.light.phi + light) as usize])
+        })
+        .collect();
+    let mut colors = Vec::with_capacity(pixels[0] * pixels[1]);
+    for rows in rows.chunks_exact(count) {
+        for columns in columns.chunks_exact(count) {
+            let mut mean = Mean::default();
+            for [start, step] in rows.iter().flatten() {
+                for [ix, rings] in columns.iter().flatten() {
+                    mean.add(tiles[rings + step].and_then(|tile| tile.get(start + ix)));
+                }
+            }
+            colors.push(mean.color());
+        }
+    }
+    ColorImage::new(pixels, colors)
+}
+
+/// The texels of every sample, by the rings of view and light and then by their steps.
+fn tiles<'w>(work: &'w Work, grid: &Grid) -> Vec<Option<&'w [[u8; 4]]>> {
+    let directions = |theta, phi| Direction { theta, phi };
+    let rings =
+        (0..grid.view.theta).flat_map(|view| (0..grid.light.theta).map(move |light| [view, light]));
+    let steps =
+        || (0..grid.view.phi).flat_map(|view| (0..grid.light.phi).map(move |light| [view, light]));
+    let all = rings.flat_map(|rings| steps().map(move |steps| (rings, steps)));
+    let tile = |(rings, steps): ([u32; 2], [u32; 2])| {
+        let address =
+            Address { view: directions(rings[0], steps[0]), light: directions(rings[1], steps[1]) };
+        Some(work.tile(address.canonical())?.bytes().as_chunks::<4>().0)
+    };
+    all.map(tile).collect()
+}
+
+/// The mean of texels over what shows through them.
+#[derive(Default)]
+struct Mean {
+    sum: [u32; 3],
+    count: u32,
+}
+
+impl Mean {
+    fn add(&mut self, texel: Option<&[u8; 4]>) {
+        let [r, g, b, a] = texel.copied().unwrap_or_default();
+        for (sum, channel) in self.sum.iter_mut().zip([r, g, b]) {
+            *sum += (u32::from(channel) * u32::from(a) + NOTHING * (255 - u32::from(a))) / 255;
+        }
+        self.count += 1;
+    }
+
+    /// Nothing outside the sheet.
+    fn color(&self) -> Color32 {
+        let Some([r, g, b]) =
+            (self.count > 0).then(|| self.sum.map(|sum| (sum / self.count) as u8))
+        else {
+            return Color32::TRANSPARENT;
+        };
+        Color32::from_rgb(r, g, b)
+    }
+}
+
+/// Lines between the blocks, and between the views of a block where there is room.
+fn lines(ui: &Ui, laid: &Laid, grid: &Grid) {
+    let painter = ui.painter_at(laid.room);
+    let whole = size(grid);
+    let inner = [grid.light.theta, grid.light.phi + 2];
+    let block = [inner[0] * grid.view.theta, inner[1] * grid.view.phi];
+    let [first, last] = [laid.screen([0.0, 0.0]), laid.screen(whole.map(f64::from))];
+    for (part, stroke) in [
+        (inner, Stroke::new(1.0, Color32::from_white_alpha(28))),
+        (block, Stroke::new(1.0, Color32::from_white_alpha(60))),
+    ] {
+        if part.into_iter().any(|side| f64::from(side) * laid.zoom < LINED) {
+            continue;
+        }
+        for (axis, [from, to]) in laid.seen(whole).into_iter().enumerate() {
+            for index in from / part[axis]..=to / part[axis] {
+                let at = laid.screen([f64::from(index * part[axis]); 2]);
+                match axis {
+                    0 => painter.vline(at.x, first.y..=last.y, stroke),
+                    _ => painter.hline(first.x..=last.x, at.y, stroke),
+                };
+            }
+        }
+    }
+}
+
+/// Marks the texels of the sample at work that are seen.
+fn mark(ui: &Ui, laid: &Laid, grid: &Grid, at: Address) {
+    if laid.zoom < MARKED {
+        return;
+    }
+    let [[left, right], [top, bottom]] = laid.seen(size(grid));
+    let [across, down] = [grid.view.theta * grid.light.theta, grid.view.phi * (grid.light.phi + 2)]
+        .map(|side| side.max(1));
+    for iy in top / down..=(bottom / down).min(grid.size[1] - 1) {
+        for ix in left / across..=(right / across).min(grid.size[0] - 1) {
+            let texel = place(grid, at, [ix as usize, iy as usize]).map(|side| side as u32);
+            outline(ui, laid, texel, theme::of(ui).accent);
+        }
+    }
+}
+
+fn outline(ui: &Ui, laid: &Laid, texel: [u32; 2], color: Color32) {
+    let [x, y] = texel.map(f64::from);
+    let rect = Rect::from_min_max(laid.screen([x, y]), laid.screen([x + 1.0, y + 1.0]));
+    let painter = ui.painter_at(laid.room);
+    painter.rect_stroke(
+        rect.expand(1.0),
+        0.0,
+        Stroke::new(1.0, Color32::BLACK),
+        StrokeKind::Outside,
+    );
+    painter.rect_stroke(rect, 0.0, Stroke::new(1.0, color), StrokeKind::Outside);
+}
+
+/// What lies under the pointer: where in the six dimensions, which color, and how it came about.
+fn tell(work: &Work, held: &SheetTexel) -> [String; 3] {
+    let SheetTexel { address, texel: [x, y], is_copy } = *held;
+    let grid = work.grid();
+    let [r, g, b, a] = work.tile(address).map_or([0; 4], |tile| tile.texel(x.into(), y.into()));
+    let color = format!("#{r:02x}{g:02x}{b:02x}, {:.0}%", f64::from(a) / 2.55);
+    let state = match work.state(address) {
+        State::Painted => "painted".to_owned(),
+        State::Filled(rule) => format!("filled by rule {}", rule + 1),
+        State::Empty => "empty".to_owned(),
+    };
+    let copy = if is_copy { ", a copy" } else { "" };
+    let line = |name: &str, directions, direction: Direction| {
+        let Direction { theta, phi } = direction;
+        format!("{name} ring {theta}, step {phi}: {}", moves::name(directions, direction))
+    };
+    [
+        format!("Texel {x}, {y}: {color}, {state}{copy}"),
+        line("Light", grid.light, address.light),
+        line("Eye", grid.view, address.view),
+    ]
+}
+
+/// Shows lines of text in a corner.
+fn plate(ui: &Ui, room: Rect, lines: [String; 3]) {
+    let font = FontId::proportional(theme::SMALL_TEXT);
+    let painter = ui.painter_at(room);
+    let galleys = lines.map(|text| painter.layout_no_wrap(text, font.clone(), Color32::WHITE));
+    let width = galleys.iter().map(|galley| galley.size().x).fold(0.0, f32::max);
+    let high: f32 = galleys.iter().map(|galley| galley.size().y).sum();
+    let corner = room.left_bottom() + vec2(6.0, -high - 14.0);
+    painter.rect_filled(
+        Rect::from_min_size(corner, vec2(width + 14.0, high + 8.0)),
+        4.0,
+        theme::PLATE,
+    );
+    let mut at = corner + vec2(7.0, 4.0);
+    for galley in galleys {
+        let down = galley.size().y;
+        painter.galley(at, galley, Color32::WHITE);
+        at.y += down;
+    }
+}

@@ -1,0 +1,198 @@
+//! What the panel shows while the open look shows nothing that is open to be painted.
+
+use std::path::PathBuf;
+
+use eframe::egui::{Button, Response, RichText, ScrollArea, Ui};
+
+use super::memory;
+use crate::commands::{Command, GridPreset, PaintCommand};
+use crate::examples::PREFIX;
+use crate::frame::UNSAVED_HCBTF;
+use crate::state::painting::look::sheets;
+use crate::state::painting::work::Work;
+use crate::state::session::Session;
+use crate::state::stage::real;
+use crate::widgets::theme;
+
+/// What a look is painted with can be this many HCBTFs; more are painted from the inspector.
+const MOST_SHEETS: usize = 4;
+
+/// Shows what to begin with: what the open look shows, what is open beside it, or something new.
+pub(super) fn show(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+    ScrollArea::vertical().auto_shrink([false, false]).id_salt("begin to paint").show(ui, |ui| {
+        ui.vertical_centered(|ui| {
+            ui.set_max_width(460.0);
+            ui.add_space(ui.available_height() * 0.06);
+            of_look(ui, session, out);
+            anew(ui, out);
+        });
+    });
+}
+
+fn wide(ui: &mut Ui, label: &str) -> Response {
+    ui.add_sized([400.0, 30.0], Button::new(label))
+}
+
+/// An HCBTF that the open look shows, and that is not open to be painted.
+pub(crate) struct Shown {
+    /// What asks for it.
+    pub(crate) label: String,
+    pub(crate) help: &'static str,
+    pub(crate) path: PathBuf,
+    /// What people call it.
+    pub(crate) name: String,
+}
+
+/// What the open look shows that is not open to be painted.
+pub(crate) fn shown(session: &Session) -> Vec<Shown> {
+    let mut names = sheets(session.look(), &session.catalog);
+    names.retain(|name| !name.is_empty() && name != UNSAVED_HCBTF);
+    names.sort();
+    names.dedup();
+    let open = session.painting().and_then(Work::path).map(real);
+    let all = names.into_iter().map(|named| {
+        let path = PathBuf::from(&named);
+        if named.starts_with(PREFIX) {
+            let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            let help = "Opens a copy of the example that this look shows; the example itself stays \
+                        as it is";
+            return Shown { label: format!("Paint a copy of {name}"), help, path, name };
+        }
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let help = "Opens what this look shows to be painted";
+        Shown { label: format!("Paint {name}"), help, path: session.folder().join(named), name }
+    });
+    all.filter(|shown| open.as_ref().is_none_or(|open| real(&shown.path) != *open))
+        .take(MOST_SHEETS)
+        .collect()
+}
+
+/// What the other panels say meanwhile: what the look shows, and where that is opened.
+pub(super) fn in_short(session: &Session) -> String {
+    let shown = shown(session);
+    let names: Vec<_> = shown.iter().map(|shown| shown.name.as_str()).collect();
+    match (names.as_slice(), session.painting()) {
+        ([], None) => {
+            "The open look shows nothing that is painted: the menu Paint begins something"
+                .to_owned()
+        }
+        ([], Some(work)) => {
+            format!(
+                "The open look shows nothing that is painted: the menu Paint goes back to {}",
+                work.name()
+            )
+        }
+        (names, _) => {
+            let those = if names.len() == 1 { "which is" } else { "which are" };
+            format!(
+                "The open look shows {}, {those} not open to be painted: the menu Paint does that",
+                listed(names)
+            )
+        }
+    }
+}
+
+/// Names as people list them.
+fn listed(names: &[&str]) -> String {
+    match names {
+        [] => String::new(),
+        [only] => (*only).to_owned(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+/// What the open look shows, and what is open that it does not show.
+fn of_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+    let shown = shown(session);
+    let names: Vec<_> = shown.iter().map(|shown| shown.name.as_str()).collect();
+    let dim = theme::of(ui).dim;
+    if let Some(work) = session.painting() {
+        let what = if names.is_empty() { "no painting".to_owned() } else { listed(&names) };
+        ui.heading(format!("The open look shows {what}"));
+        ui.add_space(4.0);
+        let name = work.name();
+        let unsaved = if work.is_dirty() { ", not saved yet" } else { "" };
+        let place = work
+            .home()
+            .map(|home| format!("It was painted in {}.", home.name()))
+            .unwrap_or_default();
+        let text =
+            format!("{name} is still open{unsaved}, and this look does not show it. {place}");
+        ui.label(RichText::new(text.trim_end()).color(dim));
+        ui.add_space(8.0);
+        let help = match work.home() {
+            Some(_) => "Shows it in the look that it was painted in, and goes on painting it",
+            None => "Shows it in a look of its own, and goes on painting it",
+        };
+        if wide(ui, &format!("Back to {name}")).on_hover_text(help).clicked() {
+            out.push(Command::Paint(PaintCommand::GoBack));
+        }
+        ui.add_space(4.0);
+    } else if names.is_empty() {
+        ui.label(RichText::new("The open look has no painting.").color(dim));
+        ui.add_space(8.0);
+    } else {
+        ui.heading(format!("The open look shows {}", listed(&names)));
+        ui.add_space(4.0);
+    }
+    let is_any = !shown.is_empty() || session.painting().is_some();
+    for Shown { label, help, path, .. } in shown {
+        if wide(ui, &label).on_hover_text(help).clicked() {
+            out.push(Command::Paint(PaintCommand::Open { path, keeps_look: true }));
+        }
+    }
+    if is_any {
+        ui.add_space(12.0);
+    }
+}
+
+/// Something new, in a look of its own.
+fn anew(ui: &mut Ui, out: &mut Vec<Command>) {
+    ui.heading("Paint a surface");
+    ui.add_space(4.0);
+    let text = "An HCBTF is a tile that you paint as it looks under one light and from one side, \
+                then under another: \
+                    the surface shows what you painted, and rules fill in the rest. A new one has \
+                    a look of its own.";
+    ui.label(RichText::new(text).color(theme::of(ui).dim));
+    ui.add_space(12.0);
+    for preset in GridPreset::ALL {
+        let grid = preset.grid();
+        let directions = grid.light.distinct_count();
+        let label = format!(
+            "{}: {} x {} texels, {directions} lights x {} views",
+            preset.label(),
+            grid.size[0],
+            grid.size[1],
+            grid.view.distinct_count()
+        );
+        let button = wide(ui, &label);
+        if button.on_hover_text(format!("{}: {}", preset.help(), memory::in_short(&grid))).clicked()
+        {
+            out.push(Command::Paint(PaintCommand::New { grid, keeps_look: false }));
+        }
+    }
+    let other = wide(ui, "Another grid...");
+    if other
+        .on_hover_text("Any number of texels, lights and views, and what they take in memory")
+        .clicked()
+    {
+        out.push(Command::Paint(PaintCommand::AskGrid { changes: false }));
+    }
+    ui.add_space(8.0);
+    if wide(ui, "Open an .hcbtf file...").clicked() {
+        out.push(Command::Open(None));
+    }
+    let help = "Images that were painted in other programs: a folder of them, a contact sheet, a \
+                sheet of the thesis";
+    let import = wide(ui, "Import painted pictures...");
+    if import.on_hover_text(help).clicked() {
+        out.push(Command::Paint(PaintCommand::AskImport));
+    }
+    let help = "Paints every sample as the open look shows it: a dear look becomes a quick one, or \
+                one to paint on";
+    let bake = wide(ui, "Bake this look onto a tile...");
+    if bake.on_hover_text(help).clicked() {
+        out.push(Command::Paint(PaintCommand::AskBake));
+    }
+}

@@ -1,0 +1,86 @@
+//! How a texture is stored that leaves as KTX2: what each way is and what it takes is told before
+//! it is written.
+
+use eframe::egui::{Grid as Table, Id, Modal, RichText, Ui};
+
+use super::memory::{Memory, named};
+use crate::commands::{Command, PaintCommand};
+use crate::document::Storage;
+use crate::figures::bytes;
+use crate::hcbtf::exchange::Form;
+use crate::hcbtf::{Need, needs_at_most};
+use crate::state::painting::work::Work;
+use crate::widgets::confirm;
+use crate::widgets::theme;
+
+/// Asks, while `asked` is there.
+pub(super) fn show(
+    ui: &Ui,
+    asked: &mut Option<Storage>,
+    work: Option<&Work>,
+    memory: &mut Memory,
+) -> Option<Command> {
+    let storage = asked.as_mut()?;
+    let mut out = None;
+    let mut is_over = work.is_none();
+    let modal = Modal::new(Id::unique("storing")).show(ui.ctx(), |ui| {
+        ui.set_width(520.0);
+        let enters = confirm::enters(ui);
+        ui.label(RichText::new("Export as a KTX2 texture").heading());
+        let text = "The texture that shaders look up. All storages hold every sample, with smaller \
+                    levels of the tile for a \
+                    distance, which the sizes count: they are those of \"with levels\" in the \
+                    table of memory under Fill \
+                    rules. They differ in what they take, in how fast they are looked up, and in \
+                    that Blocks keep colors \
+                    nearly, not exactly.";
+        ui.label(RichText::new(text).color(theme::of(ui).dim));
+        ui.add_space(6.0);
+        if let Some(work) = work {
+            choices(ui, work, memory, storage);
+        }
+        ui.add_space(8.0);
+        ui.horizontal(|ui| {
+            if ui
+                .button("Export to...")
+                .on_hover_text("Asks which .ktx2 file to write (Enter)")
+                .clicked()
+                || enters
+            {
+                out = Some(Command::Paint(PaintCommand::Export {
+                    form: Form::Ktx2,
+                    storage: *storage,
+                    to: None,
+                }));
+                is_over = true;
+            }
+            is_over |= ui.button("Cancel").clicked();
+        });
+    });
+    if is_over || modal.should_close() {
+        *asked = None;
+    }
+    out
+}
+
+/// The storages: what each takes, once that is measured, and what it is.
+fn choices(ui: &mut Ui, work: &Work, memory: &mut Memory, chosen: &mut Storage) {
+    let known = memory.measured(work).map(|(_, _, needs)| needs.clone());
+    let most = needs_at_most(work.grid());
+    let of = |needs: &[Need], storage| {
+        let is_it = |need: &&Need| need.storage == storage && need.has_levels;
+        needs.iter().find(is_it).map_or(0, Need::bytes)
+    };
+    Table::new("storages").num_columns(3).spacing([12.0, 6.0]).show(ui, |ui| {
+        for storage in Storage::ALL {
+            ui.radio_value(chosen, storage, named(storage));
+            let size = match &known {
+                Some(needs) => bytes(of(needs, storage)),
+                None => format!("at most {}", bytes(of(&most, storage))),
+            };
+            ui.label(size);
+            ui.label(RichText::new(storage.about()).color(theme::of(ui).dim));
+            ui.end_row();
+        }
+    });
+}

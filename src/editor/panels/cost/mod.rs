@@ -1,0 +1,198 @@
+//! What accuracy costs in time: the look and each of its nodes in each tier, measured in the
+//! background when that is asked for. A click on a tier adopts it.
+
+mod panel;
+mod plot;
+
+use std::sync::Arc;
+
+use crate::accuracy::{BenchOptions, MeasuredNodes, Report, Row, Subject, bench};
+use crate::diag::Diagnostic;
+use crate::document::{Edit, GraphId, Look, Tier};
+use crate::frame::{Assets, PlanOptions};
+use crate::progress::{Progress, Stopped};
+use crate::render::{Gpu, Renderer};
+use crate::state::session::Session;
+use crate::state::still::Still;
+use crate::state::worker::{BackgroundJobs, Worker};
+pub(super) use panel::PANEL;
+
+/// How often each variant is drawn: enough for an interval, and no long wait.
+const ROUNDS: usize = 15;
+
+struct Job {
+    still: Still,
+    size: [u32; 2],
+    progress: Progress,
+}
+
+struct Done {
+    of: Measured,
+    result: Result<Report, Vec<Diagnostic>>,
+}
+
+/// What figures are about: tiers and places of nodes change nothing of them.
+#[derive(Clone, PartialEq)]
+struct Measured {
+    look: Look,
+    mesh: String,
+    stage: Option<u64>,
+}
+
+impl Measured {
+    fn of(look: &Look, mesh: &str, stage: Option<u64>) -> Self {
+        let mut look = Look { tier: Tier::Exact, ..look.clone() };
+        for node in look.graph.nodes.values_mut() {
+            node.tier = None;
+            node.position = [0.0; 2];
+        }
+        Self { look, mesh: mesh.to_owned(), stage }
+    }
+}
+
+/// The panel and what was measured last.
+pub struct Cost {
+    worker: Option<Worker<Job, Done>>,
+    /// Called from another thread when there is more progress to show.
+    wake: Arc<dyn Fn() + Send + Sync>,
+    progress: Progress,
+    done: Option<Done>,
+    /// What is plotted.
+    subject: Subject,
+    /// Whether what was measured is still so, by the revision that this was found for.
+    is_current: (u64, bool),
+}
+
+impl Cost {
+    /// Nothing is measured by itself. `wake` is called from another thread when there is news.
+    /// Without a GPU there is nothing to measure.
+    pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Clone + Send + Sync + 'static) -> Self {
+        let start = |gpu: Gpu| {
+            let mut renderer = None;
+            Worker::waiting("measure", wake.clone(), async move |job| {
+                measure(&mut renderer, &gpu, &job).await
+            })
+        };
+        Self {
+            worker: gpu.map(start),
+            progress: Progress::new(),
+            wake: Arc::new(wake),
+            done: None,
+            subject: Subject::Whole,
+            is_current: (0, false),
+        }
+    }
+
+    /// What was measured last.
+    pub fn report(&self) -> Option<&Report> {
+        self.done.as_ref().and_then(|done| done.result.as_ref().ok())
+    }
+
+    fn start(&mut self, session: &Session, size: [u32; 2]) {
+        self.stop();
+        let wake = self.wake.clone();
+        self.progress = Progress::observed(move |_| wake());
+        // Of a scene, what wears the look: only its figures are asked for, and only its tiers can
+        // be chosen.
+        let still = session.still_of(Arc::new(session.look().clone())).alone();
+        let job = Job { still, size, progress: self.progress.clone() };
+        if let Some(worker) = &self.worker {
+            worker.request(|_| job);
+        }
+    }
+
+    fn stop(&mut self) {
+        self.progress.stop();
+    }
+
+    /// Takes what was measured, and knows whether it still holds.
+    fn update(&mut self, session: &Session) {
+        for done in self.worker.as_ref().map(Worker::answers).unwrap_or_default() {
+            // What was stopped leaves what was measured before.
+            let is_stopped =
+                done.result.as_ref().is_err_and(|problems| Stopped::is_among(problems));
+            if !is_stopped {
+                self.done = Some(done);
+                self.is_current.0 = 0;
+            }
+        }
+        let number = 1 + session.revision() + (session.document_number() << 32);
+        if self.is_current.0 != number {
+            let now = Measured::of(session.look(), &session.view.mesh, session.stage_version());
+            self.is_current = (number, self.done.as_ref().is_some_and(|done| done.of == now));
+        }
+    }
+}
+
+impl BackgroundJobs for Cost {
+    fn is_busy(&self) -> bool {
+        self.worker.as_ref().is_some_and(Worker::is_busy)
+    }
+
+    fn wait(&self) {
+        if let Some(worker) = &self.worker {
+            worker.wait();
+        }
+    }
+}
+
+impl Drop for Cost {
+    fn drop(&mut self) {
+        self.stop();
+    }
+}
+
+/// The edit that adopts a row's tier, as one step; `None` where it already is so, or the row is no
+/// choice.
+fn adopt(look: &Look, row: &Row) -> Option<Edit> {
+    let tier = row.tier?;
+    let set = |id: &crate::ids::NodeId, tier| Edit::SetTier {
+        graph: GraphId::Look,
+        id: id.clone(),
+        tier,
+    };
+    match &row.subject {
+        Subject::Whole => {
+            let mut edits: Vec<Edit> = Vec::new();
+            if look.tier != tier {
+                edits.push(Edit::SetLookTier { tier });
+            }
+            let own = look.graph.nodes.iter().filter(|(_, node)| node.tier.is_some());
+            edits.extend(own.map(|(id, _)| set(id, None)));
+            match edits.len() {
+                0 => None,
+                1 => edits.pop(),
+                _ => Some(Edit::Group { edits }),
+            }
+        }
+        Subject::Node { id, .. } => {
+            let node = look.graph.nodes.get(id)?;
+            (node.tier.unwrap_or(look.tier) != tier)
+                .then(|| set(id, (tier != look.tier).then_some(tier)))
+        }
+        Subject::Pass(_) => None,
+    }
+}
+
+async fn measure(renderer: &mut Option<Renderer>, window: &Gpu, job: &Job) -> Done {
+    // A device of its own: the window's may have no timestamps, and has a window to draw.
+    let renderer = match renderer {
+        Some(renderer) => renderer,
+        None => {
+            let gpu = Gpu::headless().await.unwrap_or_else(|_| window.clone());
+            renderer.insert(Renderer::new(gpu))
+        }
+    };
+    let mut run = async || {
+        let setup = job.still.setup(&mut Assets::of(&job.still.assets))?.value;
+        let plan = PlanOptions { size: job.size, samples: 1, time: job.still.time };
+        let options =
+            BenchOptions { plan, rounds: ROUNDS, nodes: MeasuredNodes::Tiered, truth: true };
+        bench(&setup, &job.still.library, renderer, &options, &job.progress)
+            .await
+            .map_err(Vec::from)
+    };
+    let result = run().await;
+    let stage = job.still.stage.as_ref().map(|stage| stage.version());
+    Done { of: Measured::of(&job.still.look, &job.still.orbit.mesh, stage), result }
+}

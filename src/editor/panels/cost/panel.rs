@@ -1,0 +1,285 @@
+//! The table of figures.
+
+use eframe::egui;
+use eframe::egui::{FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
+
+use super::{Cost, adopt, plot};
+use crate::accuracy::{Report, Row, Subject, report::tier_word};
+use crate::commands::{Command, PanelId};
+use crate::panels::table::{PanelPlace, PanelRow};
+use crate::state::problem_text::sentence;
+use crate::state::session::Session;
+use crate::state::worker::BackgroundJobs;
+use crate::tools::probe::picture_size;
+use crate::widgets::text::{cell, hint};
+use crate::widgets::theme;
+
+pub(in crate::panels) const PANEL: PanelRow = PanelRow::new(
+    PanelId::COST,
+    "Cost and accuracy",
+    "What each tier costs in time, and how far it is from the truth",
+    PanelPlace::BELOW_PICTURE,
+    |bench, ui, context| {
+        let rect = bench.viewport.rect();
+        let size = rect.map_or([0, 0], |rect| picture_size(rect, ui.pixels_per_point()));
+        bench.cost.show(ui, context.session, size)
+    },
+)
+.with_jobs(|bench| &bench.cost);
+
+const ROW: f32 = 20.0;
+/// Where columns begin, in parts of the width.
+const COLUMNS: [f32; 5] = [0.0, 0.22, 0.56, 0.7, 0.84];
+
+impl Cost {
+    /// The button, the plot and the table. `size` is the picture's, in pixels.
+    pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session, size: [u32; 2]) -> Vec<Command> {
+        self.update(session);
+        if self.worker.is_none() {
+            hint(ui, "This window has no GPU, so that there is nothing to measure");
+            return Vec::new();
+        }
+        self.head(ui, session, size);
+        let Some(done) = &self.done else {
+            hint(
+                ui,
+                "Measures time and error of the look and of each node in each tier. It takes a \
+                 while.",
+            );
+            return Vec::new();
+        };
+        let report = match &done.result {
+            Ok(report) => report,
+            Err(found) => {
+                for problem in found.iter().take(3) {
+                    ui.label(RichText::new(sentence(problem)).color(theme::of(ui).error));
+                }
+                return Vec::new();
+            }
+        };
+        let mut picked = None;
+        let area = ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+            let rows: Vec<&Row> = report
+                .rows
+                .iter()
+                .filter(|row| row.subject == self.subject && row.error.is_some())
+                .collect();
+            let plotted = plot::show(ui, &rows, name(&self.subject), |row| in_use(session, row));
+            ui.add_space(6.0);
+            ui.spacing_mut().item_spacing.y = 0.0;
+            table(ui, session, report, &self.subject, &mut picked).or(plotted)
+        });
+        if let Some(subject) = picked {
+            self.subject = subject;
+        }
+        area.inner
+            .and_then(|row| adopt(session.look(), &row))
+            .map(Command::Edit)
+            .into_iter()
+            .collect()
+    }
+
+    fn head(&mut self, ui: &mut Ui, session: &Session, size: [u32; 2]) {
+        ui.horizontal(|ui| {
+            if self.is_busy() {
+                let [done, total] = self.progress.steps();
+                let share = self.progress.share() as f32;
+                let text =
+                    if total == 0 { "starting".to_owned() } else { format!("{done} of {total}") };
+                ui.add(egui::ProgressBar::new(share).desired_width(160.0).text(text));
+                if ui.button("Stop").clicked() {
+                    self.stop();
+                }
+                return;
+            }
+            let help = "Draws the look and each of its nodes in each tier, and holds them against \
+                        the truth in f64";
+            if ui.button("Measure").on_hover_text(help).clicked() {
+                self.start(session, size);
+            }
+            let Some(report) = self.report() else { return };
+            if !self.is_current.1 {
+                let help = "The look was changed since, by more than its tiers";
+                ui.label(RichText::new("of before").color(theme::of(ui).warning))
+                    .on_hover_text(help);
+            }
+            let [width, height] = report.size;
+            let clock =
+                if report.has_timestamps { "GPU timestamps" } else { "the clock on the wall" };
+            let software = if report.is_software { "; software, not a GPU" } else { "" };
+            let text = format!("{width}×{height} on {}", report.adapter);
+            ui.add(egui::Label::new(RichText::new(&text).color(theme::of(ui).dim)).truncate())
+                .on_hover_text(format!("{text}\n{} rounds, {clock}{software}", report.rounds));
+        });
+        ui.add_space(2.0);
+    }
+}
+
+fn name(subject: &Subject) -> String {
+    match subject {
+        Subject::Whole => "Whole look".to_owned(),
+        Subject::Pass(kind) => format!("{} pass", kind.label()),
+        Subject::Node { name, .. } => name.clone(),
+    }
+}
+
+/// Whether the look has this row's tier now.
+fn in_use(session: &Session, row: &Row) -> bool {
+    row.tier.is_some() && subject_is_there(session, row) && adopt(session.look(), row).is_none()
+}
+
+/// Whether the look still has what this row measured.
+fn subject_is_there(session: &Session, row: &Row) -> bool {
+    match &row.subject {
+        Subject::Whole => true,
+        Subject::Pass(_) => false,
+        Subject::Node { id, .. } => session.look().graph.nodes.contains_key(id),
+    }
+}
+
+fn column(rect: Rect, index: usize) -> Rect {
+    let x = |part: f32| rect.left() + part * rect.width();
+    let end = COLUMNS.get(index + 1).copied().unwrap_or(1.0);
+    Rect::from_min_max(pos2(x(COLUMNS[index]), rect.top()), pos2(x(end) - 6.0, rect.bottom()))
+}
+
+/// The rows, by subject. A click on a subject plots it; one on a tier adopts that.
+fn table(
+    ui: &mut Ui,
+    session: &Session,
+    report: &Report,
+    plotted: &Subject,
+    picked: &mut Option<Subject>,
+) -> Option<Row> {
+    let (head, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
+    for (index, title) in
+        ["Tier", "Milliseconds (95%)", "Max error", "RMS", "> 1/255"].into_iter().enumerate()
+    {
+        cell(
+            ui,
+            column(head, index),
+            title,
+            FontId::proportional(theme::SMALL_TEXT),
+            theme::of(ui).dim,
+        );
+    }
+    let mut chosen = None;
+    let mut last: Option<&Subject> = None;
+    for row in report.rows.iter().filter(|row| !matches!(row.subject, Subject::Pass(_))) {
+        if last != Some(&row.subject) {
+            last = Some(&row.subject);
+            if subject(ui, &row.subject, row.subject == *plotted) {
+                *picked = Some(row.subject.clone());
+            }
+        }
+        if figures(ui, session, row) {
+            chosen = Some(row.clone());
+        }
+    }
+    chosen
+}
+
+fn subject(ui: &mut Ui, subject: &Subject, is_plotted: bool) -> bool {
+    let (rect, response) =
+        ui.allocate_exact_size(vec2(ui.available_width(), ROW + 2.0), Sense::click());
+    let name = name(subject);
+    response.widget_info(|| {
+        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Plot {name}"))
+    });
+    let color =
+        if is_plotted || response.hovered() { theme::of(ui).accent } else { theme::of(ui).text };
+    cell(ui, rect, &name, FontId::proportional(theme::TEXT_SIZE), color);
+    ui.painter().hline(
+        rect.x_range(),
+        rect.bottom() - 1.0,
+        egui::Stroke::new(1.0, theme::of(ui).grid),
+    );
+    response.on_hover_text("A click plots this one").clicked()
+}
+
+fn figures(ui: &mut Ui, session: &Session, row: &Row) -> bool {
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
+    let word = tier_word(row.tier);
+    let label = format!("Adopt {word} for {}", name(&row.subject));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, label.clone()));
+    let is_used = in_use(session, row);
+    if is_used {
+        ui.painter().rect_filled(rect, 2.0, theme::of(ui).accent_dim.gamma_multiply(0.4));
+    } else if response.hovered() && row.tier.is_some() {
+        ui.painter().rect_filled(rect, 2.0, theme::of(ui).field.gamma_multiply(0.6));
+    }
+    ui.painter().circle_filled(
+        pos2(rect.left() + 7.0, rect.center().y),
+        3.5,
+        theme::of(ui).of_tier(row.tier),
+    );
+    let mut first = column(rect, 0);
+    first.min.x += 16.0;
+    cell(ui, first, word, FontId::proportional(theme::TEXT_SIZE), theme::of(ui).text);
+    let time = &row.time;
+    let is_noise = matches!(row.subject, Subject::Node { .. }) && time.is_noise();
+    // As many places as the interval is sure of.
+    let places = if time.high - time.low > 1.0 {
+        0
+    } else if time.high - time.low > 0.1 {
+        1
+    } else {
+        2
+    };
+    let text =
+        format!("{:.places$}  ({:.places$} to {:.places$})", time.median, time.low, time.high);
+    let mono = FontId::monospace(11.0);
+    cell(
+        ui,
+        column(rect, 1),
+        &text,
+        mono.clone(),
+        if is_noise { theme::of(ui).dim } else { theme::of(ui).text },
+    );
+    if let Some(error) = &row.error {
+        let ink = |bad: bool| if bad { theme::of(ui).warning } else { theme::of(ui).text };
+        cell(ui, column(rect, 2), &small(error.max), mono.clone(), ink(error.max > 1.0 / 255.0));
+        cell(ui, column(rect, 3), &small(error.rms), mono.clone(), theme::of(ui).text);
+        cell(ui, column(rect, 4), &error.visible.to_string(), mono, ink(error.visible > 0));
+    }
+    let clicked = response.clicked() && row.tier.is_some();
+    response.on_hover_text(told(row, is_used));
+    clicked
+}
+
+/// A row in words.
+pub(super) fn told(row: &Row, is_used: bool) -> String {
+    let mut text = format!("{}, {}", name(&row.subject), tier_word(row.tier));
+    text += &format!(
+        "\n{:.3} ms, 95% from {:.3} to {:.3}",
+        row.time.median, row.time.low, row.time.high
+    );
+    if matches!(row.subject, Subject::Node { .. }) {
+        text +=
+            if row.time.is_noise() { "\nnothing seen beyond noise" } else { "\nadded by the node" };
+    }
+    if let Some(sizes) = &row.sizes {
+        let megabytes = sizes.traffic as f64 / f64::from(1 << 20);
+        text += &format!(
+            "\n{} instructions, {megabytes:.1} MiB moved in a frame, as counted",
+            sizes.instructions
+        );
+    }
+    if let Some(error) = &row.error {
+        let [x, y] = error.worst;
+        text += &format!(
+            "\nerror max {} at pixel {x}, {y}; rms {}",
+            small(error.max),
+            small(error.rms)
+        );
+        text += &format!("\n{} of {} pixels over 1/255", error.visible, error.pixels);
+    }
+    if row.tier.is_some() {
+        text += if is_used { "\nIn use" } else { "\nA click adopts it" };
+    }
+    text
+}
+
+fn small(number: f64) -> String {
+    if number == 0.0 { "0".to_owned() } else { format!("{number:.1e}") }
+}

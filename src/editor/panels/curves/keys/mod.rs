@@ -1,0 +1,460 @@
+//! Direction keys (BADF 3.4): the sphere of a light's or the view's directions with the keys on it,
+//! and what each key sets. Keys by drivers lie along one to three numbers instead, which are typed.
+
+mod drivers;
+mod jump;
+mod marks;
+mod sphere;
+mod table;
+
+use eframe::egui;
+use eframe::egui::{
+    Align2, Color32, ComboBox, CursorIcon, FontId, Rect, Role, ScrollArea, Sense, Stroke, TextEdit,
+    TextWrapMode, Ui, WidgetInfo, pos2, vec2,
+};
+use glam::DVec3;
+
+use crate::commands::{Command, PanelId, ViewCommand};
+use crate::document::{DirectionKey, DirectionKeys, Edit, KeyDirection, KeyScheme};
+use crate::fields::still_wires;
+use crate::panels::table::{PanelPlace, PanelRow};
+use crate::state::keying::rounded;
+use crate::state::orbit::Orbit;
+use crate::state::session::Session;
+use crate::widgets::text::hint;
+use crate::widgets::theme;
+use sphere::{Globe, Ground};
+
+pub(crate) const PANEL: PanelRow = PanelRow::new(
+    PanelId::KEYS,
+    "Keys",
+    "Values that change with the direction of a light or of the view",
+    PanelPlace::BELOW_PICTURE_WITH_CURVES,
+    |bench, ui, context| bench.memory.of::<Keys>().show(ui, context.session),
+);
+
+/// A step by an arrow key, in radians.
+const STEP: f64 = 2.0 * std::f64::consts::PI / 180.0;
+/// How far from its original a copied key lies, in radians.
+const BESIDE: f64 = 0.4;
+
+/// The panel.
+#[derive(Default)]
+pub(crate) struct Keys {
+    set: usize,
+    /// How the sphere is turned: yaw and pitch in radians, by the kind of direction.
+    turned: [Option<[f64; 2]>; 2],
+    ground: Ground,
+    /// The same of the small sphere that shows the other side.
+    other_side: Ground,
+    /// Where the light or the view was before it was sent to a key.
+    back: Option<Orbit>,
+}
+
+/// A set that is shown.
+struct Shown<'a> {
+    session: &'a Session,
+    set: usize,
+    keys: &'a DirectionKeys,
+    /// The key that values are set at.
+    key: usize,
+    weights: Vec<f64>,
+    now: DVec3,
+}
+
+impl Keys {
+    /// Shows a set of direction keys.
+    pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
+        let mut commands = Vec::new();
+        let sets = &session.look().direction_keys;
+        if let Some((set, _)) = session.key {
+            self.set = set;
+        }
+        self.set = self.set.min(sets.len().saturating_sub(1));
+        let Some(keys) = sets.get(self.set) else {
+            nothing(ui, session, &mut commands);
+            return commands;
+        };
+        let weights =
+            session.decided(self.set).map(|(_, weights)| weights.clone()).unwrap_or_default();
+        let now = session.direction_of(&keys.by);
+        let key = session.key_at(self.set);
+        let shown = Shown { session, set: self.set, keys, key, weights, now };
+        self.sets(ui, &shown, &mut commands);
+        let room = ui.available_size();
+        if let KeyDirection::Drivers(axes) = &keys.by {
+            drivers::show(ui, &shown, axes, &mut self.ground, &mut commands);
+            self.beside(ui, &shown, &mut commands);
+            return commands;
+        }
+        if room.x > 400.0 {
+            ui.horizontal_top(|ui| {
+                let side = room.y.min(room.x * 0.42).max(120.0);
+                ui.vertical(|ui| {
+                    ui.set_width(side);
+                    self.globe(ui, &shown, side, &mut commands);
+                });
+                ui.vertical(|ui| self.beside(ui, &shown, &mut commands));
+            });
+        } else {
+            let side = room.x.min((room.y * 0.5).max(140.0));
+            self.globe(ui, &shown, side, &mut commands);
+            self.beside(ui, &shown, &mut commands);
+        }
+        commands
+    }
+
+    fn beside(&mut self, ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
+        shares(ui, shown);
+        self.buttons(ui, shown, out);
+        ScrollArea::both()
+            .id_salt("values")
+            .auto_shrink([false, false])
+            .show(ui, |ui| table::show(ui, shown, out));
+    }
+
+    /// Which set, what decides between its keys, and how they are weighed.
+    fn sets(&mut self, ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
+        let Shown { session, set, keys, .. } = shown;
+        ui.horizontal_wrapped(|ui| {
+            let sets = &session.look().direction_keys;
+            if sets.len() > 1 {
+                let combo = ComboBox::from_id_salt("set").selected_text(format!(
+                    "{} of {}",
+                    set + 1,
+                    sets.len()
+                ));
+                let combo = combo.width(56.0).show_ui(ui, |ui| {
+                    for (index, keys) in sets.iter().enumerate() {
+                        if ui.selectable_label(index == *set, &keys.name).clicked() {
+                            self.set = index;
+                            self.back = None;
+                            out.push(Command::SelectKey(None));
+                        }
+                    }
+                });
+                name(&combo.response, Role::ComboBox, "Set of keys");
+            }
+            let mut called = keys.name.clone();
+            let edit = ui.add(
+                TextEdit::singleline(&mut called)
+                    .desired_width(104.0)
+                    .hint_text("Name")
+                    .char_limit(80),
+            );
+            name(&edit, Role::TextInput, "Name of the keys");
+            if edit.changed() {
+                out.push(Command::EditHeld(
+                    edit.id,
+                    session.change_set(*set, |keys| keys.name = called),
+                ));
+            }
+            if keys.by.axes().is_none() {
+                by(ui, shown, out);
+                scheme(ui, shown, out);
+            }
+            add_menu(ui, session, "Add set", out);
+            let help = "Removes these keys: every value is the look's own again";
+            if ui.button("Remove set").on_hover_text(help).clicked() {
+                out.push(Command::SelectKey(None));
+                out.push(Command::Edit(Edit::RemoveDirectionKeys { index: *set }));
+            }
+        });
+    }
+
+    /// What is done with the key that is selected.
+    fn buttons(&mut self, ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
+        let Shown { session, set, keys, key, .. } = shown;
+        let can_edit = !keys.keys.is_empty();
+        ui.horizontal_wrapped(|ui| {
+            let help = "Adds a key where the light or the view is now, with the values that are \
+                        seen now";
+            if ui.button("Add key here").on_hover_text(help).clicked() {
+                out.push(Command::Edit(add_here(shown)));
+                out.push(Command::SelectKey(Some((*set, keys.keys.len()))));
+            }
+            if ui.add_enabled(can_edit, egui::Button::new("Copy key")).on_hover_text("Beside it (D)").clicked() {
+                copy(shown, out);
+            }
+            let delete = ui.add_enabled(can_edit, egui::Button::new("Delete key"));
+            if delete.on_hover_text("Takes this key and its values away (Delete)").clicked() {
+                remove(shown, out);
+            }
+            let to = keys.keys.get(*key).and_then(|key| jump::to(session, &keys.by, key.direction.into()));
+            let help =
+                "Brings the light or the view to this key, to compare; Back returns. The document \
+                 is not changed";
+            let go = ui.add_enabled(to.is_some(), egui::Button::new("Go to key")).on_hover_text(help);
+            let help = "This light does not turn with the illumination frame: move it itself";
+            if go.on_disabled_hover_text(help).clicked()
+                && let Some(view) = to
+            {
+                self.back.get_or_insert_with(|| session.view.clone());
+                out.push(Command::View(ViewCommand::TurnTo(Box::new(view))));
+            }
+            let back = ui.add_enabled(self.back.is_some(), egui::Button::new("Back"));
+            if back.on_hover_text("To where it was").clicked()
+                && let Some(view) = self.back.take()
+            {
+                out.push(Command::View(ViewCommand::TurnTo(Box::new(view))));
+            }
+        });
+    }
+
+    fn globe(&mut self, ui: &mut Ui, shown: &Shown<'_>, side: f32, out: &mut Vec<Command>) {
+        let colors = theme::of(ui);
+        let (rect, response) = ui.allocate_exact_size(vec2(side, side), Sense::click_and_drag());
+        response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Sphere of directions"));
+        let is_view = shown.keys.by == KeyDirection::View;
+        let turned = self.turned[usize::from(is_view)].get_or_insert(if is_view {
+            [0.5, 0.35]
+        } else {
+            [0.0, 0.0]
+        });
+        if response.dragged() {
+            let delta = response.drag_delta() / side * 3.0;
+            let [yaw, pitch] = *turned;
+            *turned = [yaw - f64::from(delta.x), (pitch + f64::from(delta.y)).clamp(-1.5, 1.5)];
+        }
+        if response.double_clicked() {
+            *turned = [0.0, 0.0];
+        }
+        let turned = *turned;
+        let globe = Globe::new(rect.center(), side / 2.0 - 25.0, turned);
+        let inks: Vec<Color32> = (0..shown.keys.keys.len()).map(|key| colors.hue(key)).collect();
+        ui.painter().rect_filled(rect, 4.0, colors.canvas);
+        marks::graticule(ui, globe, false);
+        ui.painter().add(self.ground.mesh(shown.keys, globe, turned, &inks, colors.canvas));
+        marks::graticule(ui, globe, true);
+        ui.painter().circle_stroke(
+            globe.center,
+            globe.radius,
+            Stroke::new(1.0, colors.swatch_edge),
+        );
+        marks::names_of_places(ui, rect, globe, is_view);
+        response.on_hover_cursor(CursorIcon::Move).on_hover_text(
+            "Every direction of the light or the view, colored by the key that weighs there. Drag \
+             a key; drag beside \
+             the keys to turn the sphere, double-click to turn it back. Keys behind are rings.",
+        );
+        for is_front in [false, true] {
+            for (index, key) in shown.keys.keys.iter().enumerate() {
+                let Some(direction) = DVec3::from(key.direction).try_normalize() else { continue };
+                if globe.is_front(direction) == is_front {
+                    marks::key_handle(ui, shown, globe, index, direction, out);
+                }
+            }
+        }
+        marks::now_mark(ui, shown, globe);
+        self.other_side(ui, shown, rect, turned);
+    }
+
+    /// A small sphere in the corner as seen from the other side; a press turns the large one there.
+    fn other_side(&mut self, ui: &Ui, shown: &Shown<'_>, rect: Rect, [yaw, pitch]: [f64; 2]) {
+        let colors = theme::of(ui);
+        let radius = (rect.width() * 0.11).clamp(14.0, 34.0);
+        let turned = [yaw + std::f64::consts::PI, -pitch];
+        let globe =
+            Globe::new(rect.right_bottom() - vec2(radius + 5.0, radius + 5.0), radius, turned);
+        let place = Rect::from_center_size(globe.center, egui::Vec2::splat(2.0 * radius));
+        let response = ui.interact(place, ui.scope_id().with("other side"), Sense::click());
+        name(&response, Role::Button, "Turn to the other side");
+        let inks: Vec<Color32> = (0..shown.keys.keys.len()).map(|key| colors.hue(key)).collect();
+        ui.painter().circle_filled(globe.center, radius + 2.0, colors.canvas);
+        ui.painter().add(self.other_side.mesh(shown.keys, globe, turned, &inks, colors.canvas));
+        let edge = if response.hovered() || response.has_focus() {
+            colors.accent
+        } else {
+            colors.swatch_edge
+        };
+        ui.painter().circle_stroke(globe.center, radius, Stroke::new(1.0, edge));
+        for (index, key) in shown.keys.keys.iter().enumerate() {
+            let direction = DVec3::from(key.direction).normalize_or_zero();
+            if globe.is_front(direction) {
+                let stroke = Stroke::new(1.0, colors.canvas);
+                ui.painter().circle(globe.project(direction), 3.5, colors.hue(index), stroke);
+            }
+        }
+        if response.clicked() {
+            self.turned[usize::from(shown.keys.by == KeyDirection::View)] = Some(turned);
+        }
+        response.on_hover_text("The other side of the sphere; press to turn it to the front");
+    }
+}
+
+fn name(response: &egui::Response, role: Role, text: &str) {
+    response.widget_info(|| WidgetInfo::labeled(role, true, text));
+}
+
+/// Before there are any keys: what they are for, and how to begin.
+fn nothing(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+    hint(
+        ui,
+        "Direction keys change a look with where the light, or the view, is: a rim light that \
+         turns violet as it comes \
+         around, a highlight that goes out from behind. Begin with what decides, or with the \
+         diamond beside any value.",
+    );
+    add_menu(ui, session, "Add direction keys", out);
+}
+
+fn add_menu(ui: &mut Ui, session: &Session, text: &str, out: &mut Vec<Command>) {
+    ui.menu_button(text, |ui| {
+        let mut add = |ui: &mut Ui, text: String, by: KeyDirection| {
+            if ui.button(text).clicked() {
+                let index = session.look().direction_keys.len();
+                out.push(Command::Edit(session.new_set(by, None)));
+                out.push(Command::SelectKey(Some((index, 0))));
+            }
+        };
+        for id in session.look().lights.keys() {
+            add(
+                ui,
+                format!("By the light \"{}\"", session.light_name(id)),
+                KeyDirection::Light(id.clone()),
+            );
+        }
+        add(ui, "By the view".to_owned(), KeyDirection::View);
+        ui.separator();
+        for driver in session.drivers() {
+            add(ui, session.driver_name(&driver), KeyDirection::Drivers(vec![driver]));
+        }
+        let [wires, still] = session.wires(&[]);
+        if !wires.is_empty() || !still.is_empty() {
+            ui.separator();
+        }
+        ScrollArea::vertical().max_height(drivers::MENU).show(ui, |ui| {
+            for driver in wires {
+                add(ui, session.driver_name(&driver), KeyDirection::Drivers(vec![driver]));
+            }
+        });
+        still_wires::note(ui, session, &still);
+    })
+    .response
+    .on_hover_text(
+        "Another set of keys, by the direction of a light or of the view, by a number \
+                    of the scene, or by a wire of the \
+         look that is one number for the whole object",
+    );
+}
+
+fn by(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
+    let Shown { session, set, keys, .. } = shown;
+    let text = |by: &KeyDirection| match by {
+        KeyDirection::View => "By the view".to_owned(),
+        KeyDirection::Light(id) => format!("By \"{}\"", session.light_name(id)),
+        KeyDirection::Drivers(_) => String::new(),
+    };
+    let combo = ComboBox::from_id_salt("by")
+        .width(84.0)
+        .wrap_mode(TextWrapMode::Extend)
+        .selected_text(text(&keys.by))
+        .show_ui(ui, |ui| {
+            let lights = session.look().lights.keys().map(|id| KeyDirection::Light(id.clone()));
+            for by in lights.chain([KeyDirection::View]) {
+                if ui.selectable_label(keys.by == by, text(&by)).clicked() && keys.by != by {
+                    out.push(Command::Edit(session.change_set(*set, |keys| keys.by = by)));
+                }
+            }
+        });
+    name(&combo.response, Role::ComboBox, "What decides between the keys");
+    combo.response.on_hover_text(
+        "Whose direction decides: a light's as the camera sees it (it changes too when you orbit), \
+         or that to the eye",
+    );
+}
+
+fn scheme(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
+    let Shown { session, set, keys, .. } = shown;
+    let text = |scheme| match scheme {
+        KeyScheme::Biharmonic => {
+            ("Biharmonic", "The smoothest weights on a sphere, in closed form")
+        }
+        KeyScheme::AppendixB => {
+            ("Appendix B", "The energy of the BADF paper's Appendix B, in closed form")
+        }
+        KeyScheme::Tessellated => ("Tessellated", "The paper's own mesh; slow, for comparison"),
+    };
+    let combo = ComboBox::from_id_salt("scheme")
+        .width(84.0)
+        .wrap_mode(TextWrapMode::Extend)
+        .selected_text(text(keys.scheme).0)
+        .show_ui(ui, |ui| {
+            for choice in [KeyScheme::Biharmonic, KeyScheme::AppendixB, KeyScheme::Tessellated] {
+                let (label, help) = text(choice);
+                let is_it = keys.scheme == choice;
+                if ui.selectable_label(is_it, label).on_hover_text(help).clicked() && !is_it {
+                    out.push(Command::Edit(session.change_set(*set, |keys| keys.scheme = choice)));
+                }
+            }
+        });
+    name(&combo.response, Role::ComboBox, "Scheme of the weights");
+    combo.response.on_hover_text("How the weights between keys are found");
+}
+
+/// The weight of each key now, as a bar.
+fn shares(ui: &mut Ui, shown: &Shown<'_>) {
+    let colors = theme::of(ui);
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 12.0), Sense::hover());
+    response.widget_info(|| {
+        let each = shown
+            .weights
+            .iter()
+            .enumerate()
+            .map(|(key, weight)| format!("{} {:.0}%", key + 1, weight * 100.0));
+        let said = format!("Weights of the keys now: {}", each.collect::<Vec<_>>().join(", "));
+        WidgetInfo::labeled(Role::Image, true, said)
+    });
+    let painter = ui.painter();
+    painter.rect_filled(rect, 3.0, colors.canvas);
+    let mut left = rect.left();
+    for (key, weight) in shown.weights.iter().enumerate() {
+        let width = rect.width() * *weight as f32;
+        let part = Rect::from_min_size(pos2(left, rect.top()), vec2(width, rect.height()));
+        painter.rect_filled(part, 2.0, colors.hue(key));
+        if width > 34.0 {
+            let font = FontId::proportional(theme::SMALL_TEXT);
+            let text = format!("{}: {:.0}%", key + 1, weight * 100.0);
+            painter.text(part.center(), Align2::CENTER_CENTER, text, font, colors.canvas);
+        }
+        left += width;
+    }
+    response.on_hover_text("How much each key counts where the light or the view is now");
+}
+
+fn add_here(shown: &Shown<'_>) -> Edit {
+    let Shown { session, set, keys, now, .. } = shown;
+    let values = crate::state::keying::targets_of(keys)
+        .into_iter()
+        .filter_map(|target| Some((target.clone(), session.value_now(&target)?)))
+        .collect();
+    let direction = rounded(*now);
+    session.change_set(*set, |keys| {
+        keys.keys.push(DirectionKey { direction, values, unknown: Default::default() });
+    })
+}
+
+fn copy(shown: &Shown<'_>, out: &mut Vec<Command>) {
+    let Some(original) = shown.keys.keys.get(shown.key) else { return };
+    let direction = match shown.keys.by.axes() {
+        Some(_) => drivers::beside(original.direction),
+        None => {
+            let direction = DVec3::from(original.direction).try_normalize().unwrap_or(DVec3::Z);
+            let side = direction.any_orthonormal_vector();
+            rounded(direction * BESIDE.cos() + side * BESIDE.sin())
+        }
+    };
+    let copied = DirectionKey { direction, ..original.clone() };
+    out.push(Command::Edit(shown.session.change_set(shown.set, |keys| keys.keys.push(copied))));
+    out.push(Command::SelectKey(Some((shown.set, shown.keys.keys.len()))));
+}
+
+fn remove(shown: &Shown<'_>, out: &mut Vec<Command>) {
+    let key = shown.key;
+    out.push(Command::SelectKey(None));
+    out.push(Command::Edit(shown.session.change_set(shown.set, |keys| {
+        if key < keys.keys.len() {
+            keys.keys.remove(key);
+        }
+    })));
+}

@@ -1,0 +1,174 @@
+//! What the keys of a set change: a row for each value, a column for each key, edited in place.
+
+use eframe::egui;
+use eframe::egui::{Button, Grid, RichText, Ui, WidgetInfo};
+
+use super::Shown;
+use crate::commands::Command;
+use crate::document::{LightField, Target};
+use crate::library::Type;
+use crate::state::keying::{has_between, targets_of};
+use crate::widgets::text::hint;
+use crate::widgets::theme;
+use crate::widgets::value;
+
+/// Shows the table.
+pub(super) fn show(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
+    let targets = targets_of(shown.keys);
+    Grid::new(("keyed values", shown.set))
+        .num_columns(shown.keys.keys.len() + 2)
+        .spacing([10.0, 4.0])
+        .show(ui, |ui| {
+            head(ui, shown, out);
+            for target in &targets {
+                row(ui, shown, target, out);
+            }
+        });
+    if targets.is_empty() {
+        hint(
+            ui,
+            "These keys change nothing yet: add a value, or press the diamond beside one in the \
+             inspector.",
+        );
+    }
+    add_value(ui, shown, &targets, out);
+}
+
+fn head(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
+    let colors = theme::of(ui);
+    ui.label(RichText::new("Value").small().color(colors.dim));
+    // A key that is selected on the sphere comes into view.
+    let seen = egui::Id::unique("key in view");
+    let is_new = ui.data(|data| data.get_temp(seen)) != Some((shown.set, shown.key));
+    ui.data_mut(|data| data.insert_temp(seen, (shown.set, shown.key)));
+    for index in 0..shown.keys.keys.len() {
+        let is_it = shown.key == index;
+        let text = RichText::new(format!("Key {}", index + 1)).color(colors.hue(index)).strong();
+        let response = ui.add(Button::selectable(is_it, text).small());
+        response.widget_info(|| {
+            WidgetInfo::selected(
+                egui::Role::Button,
+                true,
+                is_it,
+                format!("Select key {}", index + 1),
+            )
+        });
+        if is_it && is_new {
+            response.scroll_to_me(Some(egui::Align::Center));
+        }
+        let help = "Values set elsewhere in the window are set at this key; press again to follow \
+                    the heaviest key";
+        if response.on_hover_text(help).clicked() {
+            let is_held = shown.session.key == Some((shown.set, index));
+            out.push(Command::SelectKey((!is_held).then_some((shown.set, index))));
+        }
+    }
+    ui.end_row();
+}
+
+fn row(ui: &mut Ui, shown: &Shown<'_>, target: &Target, out: &mut Vec<Command>) {
+    let Shown { session, set, keys, .. } = shown;
+    let [owner, what] = session.names_of(target);
+    let called = format!("{owner}: {what}");
+    let link = ui
+        .link(RichText::new(&called).color(theme::of(ui).text))
+        .on_hover_text("Shows what has this value");
+    if link.clicked()
+        && let Target::Input { node, .. } = target
+    {
+        out.push(Command::Show(node.clone()));
+    }
+    let Some(port) = session.port_at(target) else {
+        ui.end_row();
+        return;
+    };
+    for (index, key) in keys.keys.iter().enumerate() {
+        ui.push_id(index, |ui| {
+            ui.horizontal(|ui| {
+                let name = format!("{called} at key {}", index + 1);
+                let own = key.values.get(target);
+                let Some(now) = own.cloned().or_else(|| session.own_value(target)) else { return };
+                if own.is_none() {
+                    let help =
+                        "This key leaves the look's own value; press to give it one of its own";
+                    let text = RichText::new("the look's").color(theme::of(ui).dim);
+                    let response = ui.add(Button::new(text).small()).on_hover_text(help);
+                    response.widget_info(|| {
+                        WidgetInfo::labeled(egui::Role::Button, true, format!("Set {name}"))
+                    });
+                    if response.clicked() {
+                        out.push(Command::Edit(session.set_in_key(*set, index, target, now)));
+                    }
+                    return;
+                }
+                if let Some((id, value)) =
+                    value::cell(ui, &name, &port, &now, session.look().color_space)
+                {
+                    out.push(Command::EditHeld(id, session.set_in_key(*set, index, target, value)));
+                }
+                let is_only =
+                    keys.keys.iter().filter(|key| key.values.contains_key(target)).count() < 2;
+                let clear = ui.add_enabled(!is_only, Button::new("×").small().frame(false));
+                clear.widget_info(|| {
+                    WidgetInfo::labeled(egui::Role::Button, !is_only, format!("Clear {name}"))
+                });
+                if clear.on_hover_text("Leaves the look's own value at this key").clicked() {
+                    out.push(Command::Edit(session.change_set(*set, |keys| {
+                        keys.keys[index].values.shift_remove(target);
+                    })));
+                }
+            });
+        });
+    }
+    let unkey = ui.add(Button::new("Unkey").small());
+    unkey.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, format!("Unkey {called}")));
+    if unkey.on_hover_text("Keys change this no more; it keeps the value that it has now").clicked()
+    {
+        out.push(Command::Edit(session.unkey(target)));
+    }
+    ui.end_row();
+}
+
+/// A menu of what of the selected nodes, or of the lights, can be keyed.
+fn add_value(ui: &mut Ui, shown: &Shown<'_>, known: &[Target], out: &mut Vec<Command>) {
+    let session = shown.session;
+    ui.menu_button("Add value", |ui| {
+        egui::ScrollArea::vertical().max_height(320.0).show(ui, |ui| {
+            for id in &session.selection {
+                let kind = session.graph().nodes.get(id).and_then(|node| session.catalog.of(node));
+                let ports = kind.map(|kind| kind.inputs.as_slice()).unwrap_or_default();
+                for port in ports.iter().filter(|port| has_between(&port.ty)) {
+                    let is_free = session.graph().wire_into(id, &port.name).is_none();
+                    let target = session.target(id, &port.name);
+                    entry(ui, shown, &target, is_free && !known.contains(&target), out);
+                }
+            }
+            if session.selection.is_empty() {
+                hint(ui, "Select a node to key its values.");
+            }
+            for (id, light) in &session.look().lights {
+                // Where a light is, or shines from, is no value of a table; the diamond beside it
+                // keys it.
+                let is_cell = |field: &LightField| Type::of_light_field(*field) != Type::Vec3;
+                for field in LightField::of(light.kind).filter(is_cell) {
+                    let target =
+                        Target::Light { light: id.clone(), field: field.name().to_owned() };
+                    let is_new = !known.contains(&target);
+                    entry(ui, shown, &target, is_new, out);
+                }
+            }
+        });
+    })
+    .response
+    .on_hover_text("Keys another value: it has its present one at every key until you change it");
+}
+
+fn entry(ui: &mut Ui, shown: &Shown<'_>, target: &Target, is_new: bool, out: &mut Vec<Command>) {
+    let [owner, what] = shown.session.names_of(target);
+    if is_new
+        && shown.session.value_now(target).is_some()
+        && ui.button(format!("{owner}: {what}")).clicked()
+    {
+        out.extend(shown.session.key_in_set(shown.set, target).map(Command::Edit));
+    }
+}

@@ -1,0 +1,394 @@
+//! The profile of a layer as a curve over the angle, with its offset, fall-off and cut-off as
+//! handles, and the colors that come of it from convex to concave.
+
+mod plot;
+mod sample;
+mod strip;
+
+use std::collections::HashMap;
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use eframe::egui;
+use eframe::egui::{Button, ComboBox, DragValue, RichText, ScrollArea, Ui, vec2};
+
+use crate::catalog::Kind;
+use crate::commands::{Command, PanelId};
+use crate::document::{Node, Target, Tier, Value};
+use crate::fields::mark;
+use crate::ids::{NodeId, PortName};
+use crate::library::Library;
+use crate::panels::table::{PanelPlace, PanelRow};
+use crate::state::keying::KeyedBy;
+use crate::state::session::Session;
+use crate::values;
+use crate::widgets::text::hint;
+use crate::widgets::theme;
+use sample::{Bend, Sampler, Shape};
+
+pub(crate) const PANEL: PanelRow = PanelRow::new(
+    PanelId::PROFILE,
+    "Profile",
+    "How a layer's tone falls with the angle: drag offset, fall-off and cut-off",
+    PanelPlace::BELOW_PICTURE_WITH_CURVES,
+    |bench, ui, context| bench.memory.of::<Profile>().show(ui, context.session),
+);
+
+/// The inputs that make a profile, in order, with their marks.
+const PARTS: [Part; 3] = [
+    Part {
+        port: "offset",
+        label: "Offset",
+        symbol: "τ",
+        help: "Up to this angle the tone is full",
+    },
+    Part { port: "falloff", label: "Fall-off", symbol: "f", help: "Where the tone falls fastest" },
+    Part { port: "cutoff", label: "Cut-off", symbol: "c", help: "Where the tone reaches 0" },
+];
+
+struct Part {
+    port: &'static str,
+    label: &'static str,
+    /// As the BADF paper writes it, for its readers.
+    symbol: &'static str,
+    help: &'static str,
+}
+
+impl Part {
+    fn explained(&self) -> String {
+        format!("{}: {} ({} in the BADF paper)", self.label, self.help.to_lowercase(), self.symbol)
+    }
+}
+
+/// Sampled curves are kept while they are drawn; more than these are forgotten at once.
+const MOST_CURVES: usize = 96;
+
+/// A sampled curve: angles in radians, and the tones there.
+#[derive(Debug)]
+struct Curve {
+    angles: Vec<f64>,
+    tones: Vec<f64>,
+}
+
+/// The panel, and the curves that it drew.
+#[derive(Default)]
+pub(crate) struct Profile {
+    /// The node that was shown last: another selection that has no profile changes nothing.
+    shown: Option<NodeId>,
+    sampler: Option<(Arc<Library>, Tier, Option<Sampler>)>,
+    curves: HashMap<[u64; 4], Arc<Curve>>,
+    strip: strip::Strip,
+}
+
+/// A node with a profile.
+struct Layer<'a> {
+    session: &'a Session,
+    id: &'a NodeId,
+    node: &'a Node,
+    kind: &'a Kind,
+    /// As it is set where it is looked at.
+    shape: Shape,
+    /// Which of offset, fall-off and cut-off are fed by a wire.
+    wired: [bool; 3],
+}
+
+impl<'a> Layer<'a> {
+    fn new(session: &'a Session, id: &'a NodeId) -> Option<Self> {
+        let node = session.graph().nodes.get(id)?;
+        let kind: &Kind = session.catalog.of(node)?;
+        if !has_profile(kind) {
+            return None;
+        }
+        let of = |part: &Part| {
+            values::number(session.value_at(&session.target(id, &part.port.into())).as_ref())
+        };
+        let [offset, falloff, cutoff] = PARTS.each_ref().map(of);
+        let wired =
+            PARTS.each_ref().map(|part| session.graph().wire_into(id, &part.port.into()).is_some());
+        Some(Self { session, id, node, kind, shape: Shape { offset, falloff, cutoff }, wired })
+    }
+
+    fn target(&self, port: &str) -> Target {
+        self.session.target(self.id, &port.into())
+    }
+
+    /// A number that it has now, where it has such an input.
+    fn number(&self, port: &str) -> Option<f64> {
+        self.kind.input(port)?;
+        self.session.value_now(&self.target(port)).map(|value| values::number(Some(&value)))
+    }
+
+    /// How far curvature moves the profile at most, in radians; 0 where it moves nothing.
+    fn warp(&self) -> f64 {
+        let is_wired =
+            |port: &str| self.session.graph().wire_into(self.id, &PortName::from(port)).is_some();
+        let bends = is_wired("slope") || self.number("slope").is_some_and(|slope| slope != 0.0);
+        if bends { self.number("amount").unwrap_or(0.0).clamp(-PI, PI) } else { 0.0 }
+    }
+
+    fn name(&self) -> &str {
+        name_of(self.node, self.kind)
+    }
+
+    fn tier(&self) -> Tier {
+        self.node.tier.unwrap_or(self.session.look().tier)
+    }
+
+    /// The shape at each key of the set that moves it, with the key's place.
+    fn shapes_of_keys(&self) -> Vec<(usize, Shape)> {
+        let session = self.session;
+        let set = PARTS.iter().find_map(|part| match session.keyed_by(&self.target(part.port)) {
+            KeyedBy::Direction(set) => Some(set),
+            _ => None,
+        });
+        let Some(keys) = set.and_then(|set| session.look().direction_keys.get(set)) else {
+            return Vec::new();
+        };
+        let shape_at = |key: &crate::document::DirectionKey| {
+            let of = |part: &Part| {
+                let target = self.target(part.port);
+                let own = || session.own_value(&target);
+                values::number(key.values.get(&target).cloned().or_else(own).as_ref())
+            };
+            let [offset, falloff, cutoff] = PARTS.each_ref().map(of);
+            Shape { offset, falloff, cutoff }
+        };
+        keys.keys.iter().map(shape_at).enumerate().collect()
+    }
+}
+
+fn has_profile(kind: &Kind) -> bool {
+    PARTS
+        .iter()
+        .all(|part| kind.input(part.port).is_some_and(|index| kind.inputs[index].unit == "rad"))
+}
+
+fn name_of<'a>(node: &'a Node, kind: &'a Kind) -> &'a str {
+    if node.name.is_empty() { &kind.label } else { &node.name }
+}
+
+impl Profile {
+    /// Shows the profile of the node that is selected, or of the last one that had one.
+    pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
+        let mut commands = Vec::new();
+        let has_one = |id: &&NodeId| Layer::new(session, id).is_some();
+        let selected = session.selection.iter().rev().find(has_one);
+        let id = selected.or_else(|| self.shown.as_ref().filter(has_one)).cloned();
+        let id = id.or_else(|| session.graph().nodes.keys().find(has_one).cloned());
+        let layer = id.as_ref().and_then(|id| Layer::new(session, id));
+        let Some(layer) = layer else {
+            hint(
+                ui,
+                "Nothing here has a profile yet. Add a Light layer: its tone over the angle is \
+                 drawn here.",
+            );
+            return commands;
+        };
+        ScrollArea::vertical()
+            .auto_shrink([false, false])
+            .show(ui, |ui| self.layer(ui, &layer, &mut commands));
+        self.shown = id;
+        commands
+    }
+
+    fn layer(&mut self, ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
+        let can_edit = !layer.session.is_read_only();
+        ui.add_enabled_ui(can_edit, |ui| {
+            head(ui, layer, out);
+            numbers(ui, layer, out);
+        });
+        let notes = notes(layer, &self.curve(layer, layer.shape, 0.0));
+        let note_height = 18.0 * notes.len() as f32;
+        let strip = strip::HEIGHT + ui.spacing().item_spacing.y;
+        let height = (ui.available_height() - strip - note_height - 8.0).max(110.0);
+        let curves = plot::Curves {
+            own: self.curve(layer, layer.shape, 0.0),
+            warped: [1.0, -1.0]
+                .map(|way| layer.warp() * way)
+                .map(|shift| self.curve(layer, layer.shape, shift)),
+            keys: layer
+                .shapes_of_keys()
+                .into_iter()
+                .map(|(key, shape)| (key, self.curve(layer, shape, 0.0)))
+                .collect(),
+        };
+        let area =
+            plot::show(ui, layer, &curves, vec2(ui.available_width(), height), can_edit, out);
+        let rows = strip::ROWS.map(|convexity| {
+            let shift = (2.0 * convexity - 1.0) * layer.warp();
+            self.curve(layer, layer.shape, shift)
+        });
+        self.strip.show(ui, layer, area, &rows);
+        for note in notes {
+            ui.label(RichText::new(note).small().color(theme::of(ui).dim));
+        }
+    }
+
+    /// The curve of a shape; computed once.
+    fn curve(&mut self, layer: &Layer<'_>, shape: Shape, shift: f64) -> Arc<Curve> {
+        const COUNT: usize = 240;
+        let tier = layer.tier();
+        let library: &Arc<Library> = &layer.session.library;
+        if !self
+            .sampler
+            .as_ref()
+            .is_some_and(|(known, of, _)| Arc::ptr_eq(known, library) && *of == tier)
+        {
+            self.sampler = Some((library.clone(), tier, Sampler::new(library, tier)));
+            self.curves.clear();
+        }
+        let key = [shape.offset, shape.falloff, shape.cutoff, shift].map(f64::to_bits);
+        if let Some(known) = self.curves.get(&key) {
+            return known.clone();
+        }
+        let angles = sample::places(shape, shift, COUNT);
+        let sampler = self.sampler.as_ref().and_then(|(_, _, sampler)| sampler.as_ref());
+        let tones = sampler.map(|sampler| sampler.tones(shape, shift, &angles)).unwrap_or_default();
+        if self.curves.len() >= MOST_CURVES {
+            self.curves.clear();
+        }
+        let curve = Arc::new(Curve { angles, tones });
+        self.curves.insert(key, curve.clone());
+        curve
+    }
+}
+
+/// Which layer it is, and the presets of the profile's own node.
+fn head(ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
+    let session = layer.session;
+    ui.horizontal_wrapped(|ui| {
+        let name = |ui: &mut Ui| {
+            for (id, node) in &session.graph().nodes {
+                let kind = session.catalog.of(node).filter(|kind| has_profile(kind));
+                let Some(kind) = kind else { continue };
+                if ui.selectable_label(id == layer.id, name_of(node, kind)).clicked() {
+                    out.push(Command::Select(vec![id.clone()]));
+                }
+            }
+        };
+        let combo = ComboBox::from_id_salt("profile")
+            .selected_text(layer.name())
+            .width(84.0)
+            .show_ui(ui, name);
+        combo
+            .response
+            .on_hover_text("The layer whose profile this is; selecting a layer shows its own")
+            .widget_info(|| {
+                egui::WidgetInfo::labeled(
+                    egui::Role::ComboBox,
+                    true,
+                    format!("Profile of {}", layer.name()),
+                )
+            });
+        let presets =
+            session.catalog.get("profile").map(|kind| kind.presets.as_slice()).unwrap_or_default();
+        for preset in presets {
+            let is_it = preset.values.iter().all(|(port, value)| {
+                let now =
+                    PARTS.iter().zip([layer.shape.offset, layer.shape.falloff, layer.shape.cutoff]);
+                now.into_iter().any(|(part, now)| {
+                    part.port == port.as_str() && (now - values::number(Some(value))).abs() < 1e-6
+                })
+            });
+            let button = Button::new(&preset.label).small().selected(is_it);
+            let response =
+                ui.add(button).on_hover_text("Sets offset, fall-off and cut-off to this shading's");
+            response.widget_info(|| {
+                let name = format!("Profile preset {}", preset.label);
+                egui::WidgetInfo::selected(egui::Role::Button, true, is_it, name)
+            });
+            if response.clicked() {
+                let values = preset
+                    .values
+                    .iter()
+                    .map(|(port, value)| (layer.target(port.as_str()), value.clone()));
+                out.push(Command::Edit(session.set_all_at(values)));
+            }
+        }
+    });
+}
+
+/// Offset, fall-off and cut-off in degrees, typed or dragged.
+fn numbers(ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
+    let Shape { offset, falloff, cutoff } = layer.shape;
+    ui.horizontal_wrapped(|ui| {
+        for (index, (part, radians)) in PARTS.iter().zip([offset, falloff, cutoff]).enumerate() {
+            let color = plot::color_of(ui, index);
+            let help = part.explained();
+            let label = ui.label(RichText::new(part.label).color(color)).on_hover_text(&help).id;
+            if layer.wired[index] {
+                ui.label(RichText::new("by wire").color(theme::of(ui).dim));
+                continue;
+            }
+            let mut degrees = radians.to_degrees();
+            let drag = DragValue::new(&mut degrees)
+                .range(0.0..=180.0)
+                .clamp_existing_to_range(false)
+                .speed(0.5)
+                .max_decimals(1)
+                .suffix("°");
+            let response = ui.add(drag).labelled_by(label).on_hover_text(help);
+            if response.changed() && degrees.is_finite() {
+                let edit = layer
+                    .session
+                    .set_at(&layer.target(part.port), Value::Number(degrees.to_radians()));
+                out.push(Command::EditHeld(response.id, edit));
+            }
+            mark(ui, layer, part);
+        }
+    });
+}
+
+/// Says which key a number is of, where keys move it.
+fn mark(ui: &mut Ui, layer: &Layer<'_>, part: &Part) {
+    let target = layer.target(part.port);
+    if layer.session.keyed_by(&target) != KeyedBy::Nothing {
+        let name = format!("Keys of {}", part.label.to_lowercase());
+        mark::of(ui, layer.session, &target, &name)
+            .on_hover_text(mark::help(layer.session, &target));
+    }
+}
+
+/// What is odd about the curve.
+fn notes(layer: &Layer<'_>, curve: &Curve) -> Vec<String> {
+    let shape = layer.shape;
+    let sane = shape.sanitized();
+    let degrees = |radians: f64| format!("{}°", values::number_text(radians.to_degrees(), 1));
+    let mut notes = Vec::new();
+    let pairs = [shape.offset, shape.falloff, shape.cutoff].into_iter().zip([
+        sane.offset,
+        sane.falloff,
+        sane.cutoff,
+    ]);
+    for (part, (own, counts)) in PARTS.iter().zip(pairs) {
+        if (own - counts).abs() > 1e-9 && sane.offset < PI - 1e-5 {
+            notes.push(format!(
+                "{} {} counts as {}: offset, fall-off and cut-off come in this order.",
+                part.label,
+                degrees(own),
+                degrees(counts)
+            ));
+        }
+    }
+    let steepest =
+        || sample::steepest(&curve.angles, &curve.tones).map(degrees).unwrap_or_default();
+    match Bend::of(shape) {
+        Bend::Twice(second) => notes.push(format!(
+            "A fall-off more than 90° past the offset is not the only bend: the curve bends at {} \
+             and at {}, and is steepest at {}.",
+            degrees(sane.falloff),
+            degrees(second),
+            steepest()
+        )),
+        Bend::Elsewhere(only) => notes.push(format!(
+            "With fall-off and cut-off together the curve bends at {}, and is steepest there.",
+            degrees(only)
+        )),
+        Bend::Never => notes.push(format!(
+            "This fall-off is no bend: the curve falls ever faster, and is steepest at {}.",
+            steepest()
+        )),
+        _ => {}
+    }
+    notes
+}

@@ -1,0 +1,204 @@
+//! Above the tracks: play, frame rate, range, what to key; and the key that is selected.
+
+use eframe::egui;
+use eframe::egui::{Button, ComboBox, DragValue, RichText, Role, Ui, WidgetInfo};
+
+use super::Timeline;
+use crate::commands::Command;
+use crate::document::{Edit, Interpolation, LightField, Target};
+use crate::state::keying::changes_in_time;
+use crate::state::session::Session;
+use crate::values;
+use crate::widgets::text::hint;
+use crate::widgets::theme;
+use crate::widgets::value;
+
+const RATES: [f64; 7] = [8.0, 12.0, 15.0, 24.0, 25.0, 30.0, 60.0];
+
+/// Play, step, rate and range.
+pub(super) fn show(
+    timeline: &mut Timeline,
+    ui: &mut Ui,
+    session: &Session,
+    out: &mut Vec<Command>,
+) {
+    ui.horizontal_wrapped(|ui| {
+        let is_playing = timeline.playing.is_some();
+        let text = if is_playing { "Pause" } else { "Play" };
+        let help = "Plays the range in real time (Space over this panel)";
+        if ui.add(Button::new(text).selected(is_playing)).on_hover_text(help).clicked() {
+            timeline.toggle(ui, session);
+        }
+        for (text, help, way) in [
+            ("Previous key", "To the key before the playhead", -1.0),
+            ("Next key", "To the key after it", 1.0),
+        ] {
+            let found = neighbour(session, way);
+            let response = ui.add_enabled(found.is_some(), Button::new(text)).on_hover_text(help);
+            if let (true, Some(time)) = (response.clicked(), found) {
+                timeline.go(time, out);
+            }
+        }
+        let frame = (session.time * timeline.fps).round();
+        let text = format!("{} s, frame {frame}", values::number_text(session.time, 3));
+        ui.label(RichText::new(text).monospace()).on_hover_text("Where the playhead is");
+        ui.separator();
+        rate(timeline, ui);
+        ui.checkbox(&mut timeline.snaps, "Snap")
+            .on_hover_text("Keys and the playhead stay on frames");
+        ui.checkbox(&mut timeline.loops, "Loop")
+            .on_hover_text("Begins again at the end of the range");
+        range(timeline, ui);
+        if ui.button("Fit").on_hover_text("Brings all keys and the range into view").clicked() {
+            timeline.fit(session);
+        }
+        ui.separator();
+        add_value(ui, session, out);
+    });
+}
+
+/// The nearest key before or after the playhead.
+fn neighbour(session: &Session, way: f64) -> Option<f64> {
+    let times = session.look().time_keys.iter().flat_map(|track| &track.keys).map(|key| key.time);
+    let beyond = times.filter(|time| (time - session.time) * way > super::LEAST / 2.0);
+    beyond.min_by(|a, b| (a * way).total_cmp(&(b * way)))
+}
+
+fn rate(timeline: &mut Timeline, ui: &mut Ui) {
+    let text = |fps: f64| format!("{} fps", values::number_text(fps, 2));
+    let combo = ComboBox::from_id_salt("fps")
+        .width(58.0)
+        .selected_text(text(timeline.fps))
+        .show_ui(ui, |ui| {
+            for fps in RATES {
+                ui.selectable_value(&mut timeline.fps, fps, text(fps));
+            }
+        });
+    combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Frame rate"));
+    combo.response.on_hover_text("Frames a second: what is played and snapped to");
+}
+
+fn range(timeline: &mut Timeline, ui: &mut Ui) {
+    let [mut start, mut end] = timeline.range;
+    let gap = 1.0 / timeline.fps;
+    for (time, name) in [(&mut start, "Range from"), (&mut end, "Range to")] {
+        let drag = DragValue::new(time).speed(0.05).max_decimals(3).suffix(" s");
+        let response = ui.add(drag).on_hover_text(name);
+        response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
+    }
+    if start.is_finite() && end.is_finite() && end - start >= gap - 1e-9 {
+        timeline.range = [start, end];
+    }
+}
+
+/// A menu of what can be keyed: inputs of the selected nodes, and the lights.
+fn add_value(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+    let menu = ui.menu_button("Key a value", |ui| {
+        egui::ScrollArea::vertical().max_height(320.0).show(ui, |ui| {
+            for id in &session.selection {
+                let kind = session.graph().nodes.get(id).and_then(|node| session.catalog.of(node));
+                for port in kind.map(|kind| kind.inputs.as_slice()).unwrap_or_default() {
+                    if changes_in_time(&port.ty)
+                        && session.graph().wire_into(id, &port.name).is_none()
+                    {
+                        entry(ui, session, &session.target(id, &port.name), out);
+                    }
+                }
+            }
+            if session.selection.is_empty() {
+                hint(ui, "Select a node to key its values.");
+            }
+            for (id, light) in &session.look().lights {
+                for field in LightField::of(light.kind).map(|field| field.name().to_owned()) {
+                    entry(ui, session, &Target::Light { light: id.clone(), field }, out);
+                }
+            }
+        });
+    });
+    menu.response.on_hover_text("Begins a track with the value that is seen now, at the playhead");
+}
+
+fn entry(ui: &mut Ui, session: &Session, target: &Target, out: &mut Vec<Command>) {
+    let is_new = session.look().time_keys.iter().all(|track| track.target != *target);
+    let Some(edit) = session.key_in_time(target).filter(|_| is_new) else { return };
+    let [owner, what] = session.names_of(target);
+    if ui.button(format!("{owner}: {what}")).clicked() {
+        out.push(Command::Edit(edit));
+    }
+}
+
+/// The key that is selected: when, what, and how it goes on.
+pub(super) fn key(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+    let Some((track_at, key_at)) = timeline.selected else { return };
+    let Some(track) = session.look().time_keys.get(track_at) else { return };
+    let (Some(key), Some(port)) = (track.keys.get(key_at), session.port_at(&track.target)) else {
+        return;
+    };
+    ui.horizontal_wrapped(|ui| {
+        let [owner, what] = session.names_of(&track.target);
+        ui.label(RichText::new(format!("{owner}: {what}")).color(theme::of(ui).accent));
+        let mut time = key.time;
+        let response = ui
+            .add(DragValue::new(&mut time).speed(1.0 / timeline.fps).max_decimals(4).suffix(" s"));
+        response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Time of the key"));
+        if response.on_hover_text("When").changed() && time.is_finite() {
+            let edit = moved(timeline, session, track_at, key_at, time);
+            out.push(Command::EditHeld(ui.scope_id().with("time"), edit));
+        }
+        let space = session.look().color_space;
+        if let Some((id, value)) = value::cell(ui, "Value of the key", &port, &key.value, space) {
+            let edit = session.change_track(track_at, |track| track.keys[key_at].value = value);
+            out.push(Command::EditHeld(id, edit));
+        }
+        for (choice, text, help) in [
+            (Interpolation::Smooth, "Smooth", "Eases to the next key (a circle)"),
+            (Interpolation::Linear, "Straight", "Goes evenly to the next key (a diamond)"),
+            (Interpolation::Stepped, "Stepped", "Holds until the next key (a square)"),
+        ] {
+            let is_it = key.interpolation == choice;
+            if ui.add(Button::selectable(is_it, text)).on_hover_text(help).clicked() && !is_it {
+                let edit = session
+                    .change_track(track_at, |track| track.keys[key_at].interpolation = choice);
+                out.push(Command::Edit(edit));
+            }
+        }
+        if ui.button("Delete time key").on_hover_text("Takes this key away (Delete)").clicked() {
+            out.push(Command::Edit(removed(session, track_at, key_at)));
+        }
+    });
+}
+
+/// The edit that moves a key in time; it stays between its neighbours.
+pub(super) fn moved(
+    timeline: &Timeline,
+    session: &Session,
+    track: usize,
+    key: usize,
+    time: f64,
+) -> Edit {
+    let gap = if timeline.snaps { 1.0 / timeline.fps } else { super::LEAST };
+    let time = timeline.snapped(time);
+    session.change_track(track, |track| {
+        let low =
+            key.checked_sub(1).map_or(f64::NEG_INFINITY, |before| track.keys[before].time + gap);
+        let high = track.keys.get(key + 1).map_or(f64::INFINITY, |after| after.time - gap);
+        if low <= high {
+            track.keys[key].time = super::tidy(time.clamp(low, high));
+        }
+    })
+}
+
+/// The edit that takes a key away; with the last one the value is the look's own again.
+pub(super) fn removed(session: &Session, track: usize, key: usize) -> Edit {
+    let Some(of) = session.look().time_keys.get(track) else {
+        return Edit::Group { edits: Vec::new() };
+    };
+    if of.keys.len() < 2 {
+        return session.unkey(&of.target);
+    }
+    session.change_track(track, |track| {
+        if key < track.keys.len() {
+            track.keys.remove(key);
+        }
+    })
+}

@@ -1,0 +1,290 @@
+//! The timeline: values over time, one row for each value that is keyed, played in real time.
+//!
+//! The playhead is the window's, not the look's: nothing of the document changes while it plays.
+//! Frames are shown at the rate that is chosen, and asked for no more often; at rest nothing is.
+
+mod axis;
+mod bar;
+mod rows;
+
+use std::time::Duration;
+
+use eframe::egui;
+use eframe::egui::{Key, Modifiers, Rect, ScrollArea, Sense, Stroke, Ui, pos2, vec2};
+
+use crate::commands::{Command, PanelId, keyboard};
+use crate::document::TimeRange;
+use crate::panels::table::{PanelPlace, PanelRow, Presence};
+use crate::state::session::Session;
+use crate::widgets::text::hint;
+use crate::widgets::theme;
+use axis::Axis;
+
+pub(crate) const PANEL: PanelRow = PanelRow::new(
+    PanelId::TIMELINE,
+    "Timeline",
+    "Values that change with time: keys, play, scrub",
+    PanelPlace { is_below_graph: true, ..PanelPlace::BELOW_PICTURE_WITH_CURVES.closed() },
+    |bench, ui, context| bench.memory.of::<Timeline>().show(ui, context.session),
+)
+.with_each_frame(|bench, ui, _, presence| {
+    let timeline = bench.memory.of::<Timeline>();
+    if presence == Presence::Absent {
+        timeline.stop();
+        return Vec::new();
+    }
+    timeline.tick(ui).map(Command::SetTime).into_iter().collect()
+});
+
+/// How wide the names of values are.
+const NAMES: f32 = 190.0;
+/// How high the ruler is.
+const RULER: f32 = 24.0;
+/// How high a row is.
+const ROW: f32 = 32.0;
+/// Times are told apart down to this, in seconds.
+const LEAST: f64 = 1e-3;
+
+/// The panel, the clock, and what of time is seen.
+pub(crate) struct Timeline {
+    /// While it plays: where it is, not on frames, and what the window's clock said then.
+    playing: Option<(f64, f64)>,
+    fps: f64,
+    snaps: bool,
+    loops: bool,
+    /// What is played, in seconds.
+    range: [f64; 2],
+    /// What is seen, in seconds.
+    seen: [f64; 2],
+    /// The key that is selected: its track and its place there.
+    selected: Option<(usize, usize)>,
+}
+
+impl Default for Timeline {
+    fn default() -> Self {
+        Self {
+            playing: None,
+            fps: TimeRange::default().fps,
+            snaps: true,
+            loops: true,
+            range: [0.0, 4.0],
+            seen: [-0.2, 4.4],
+            selected: None,
+        }
+    }
+}
+
+impl Timeline {
+    /// The moment that the playhead moves on to while it plays; asks for the next frame when that is
+    /// due.
+    fn tick(&mut self, ui: &Ui) -> Option<f64> {
+        let (at, then) = self.playing?;
+        let now = ui.input(|input| input.time);
+        let [start, end] = self.range;
+        let length = (end - start).max(LEAST);
+        let mut at = at + (now - then).max(0.0);
+        let is_over = at >= end;
+        if is_over && self.loops {
+            at = start + (at - start).rem_euclid(length);
+        }
+        self.playing = (!is_over || self.loops).then_some((at, now));
+        let time = self.on_frame(at.min(end));
+        if self.playing.is_some() {
+            let next = ((at * self.fps).floor() + 1.0) / self.fps - at;
+            let wait = if self.snaps { next.clamp(0.001, 1.0) } else { 0.0 };
+            ui.ctx().request_repaint_after(Duration::from_secs_f64(wait));
+        }
+        Some(time)
+    }
+
+    /// Stops where it is.
+    fn stop(&mut self) {
+        self.playing = None;
+    }
+
+    /// A time that is shown: the frame before it where times snap to frames.
+    fn on_frame(&self, time: f64) -> f64 {
+        if self.snaps { tidy((time * self.fps + 1e-6).floor() / self.fps) } else { tidy(time) }
+    }
+
+    /// A time that a hand chose: the nearest frame where times snap to frames.
+    fn snapped(&self, time: f64) -> f64 {
+        if self.snaps { tidy((time * self.fps).round() / self.fps) } else { tidy(time) }
+    }
+
+    fn toggle(&mut self, ui: &Ui, session: &Session) {
+        let now = ui.input(|input| input.time);
+        let [start, end] = self.range;
+        // From the end it starts again.
+        let at =
+            if session.time >= end - LEAST || session.time < start { start } else { session.time };
+        self.playing = if self.playing.is_some() { None } else { Some((at, now)) };
+        ui.ctx().request_repaint();
+    }
+
+    /// Asks for another time, also while it plays.
+    fn go(&mut self, time: f64, out: &mut Vec<Command>) {
+        if let Some((at, _)) = &mut self.playing {
+            *at = time;
+        }
+        out.push(Command::SetTime(time));
+    }
+
+    /// Shows what is keyed over time.
+    pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
+        let mut commands = Vec::new();
+        let tracks = &session.look().time_keys;
+        let is_there = |&(track, key): &(usize, usize)| {
+            tracks.get(track).is_some_and(|track| key < track.keys.len())
+        };
+        self.selected = self.selected.filter(is_there);
+        let panel = ui.max_rect();
+        bar::show(self, ui, session, &mut commands);
+        bar::key(self, ui, session, &mut commands);
+        let (ruler, _) = ui.allocate_exact_size(vec2(ui.available_width(), RULER), Sense::hover());
+        let lane = Rect::from_min_max(
+            pos2(ruler.left() + NAMES, ruler.top()),
+            ruler.max - vec2(10.0, 0.0),
+        );
+        let axis = Axis { lane, seen: self.seen };
+        axis.ruler(ui, self.fps, self.range);
+        self.scrub(ui, session, axis, &mut commands);
+        let top = ui.cursor().top();
+        if tracks.is_empty() {
+            ui.add_space(6.0);
+            hint(
+                ui,
+                "Nothing changes with time yet. Press the diamond beside a value in the inspector \
+                 and choose \"Key in \
+                 time\", or add a value above; then move the playhead and set it to something \
+                 else.",
+            );
+        } else {
+            ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+                ui.spacing_mut().item_spacing.y = 2.0;
+                for track in 0..tracks.len() {
+                    rows::show(self, ui, session, axis, track, &mut commands);
+                }
+            });
+        }
+        let rows = Rect::from_min_max(pos2(lane.left(), top), pos2(lane.right(), panel.bottom()));
+        self.navigate(ui, panel, axis, rows);
+        playhead(ui, session, axis, rows);
+        let is_over = ui.rect_contains_pointer(panel) && !keyboard::is_keyboard_taken(ui.ctx());
+        if is_over && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Space)) {
+            self.toggle(ui, session);
+        }
+        commands
+    }
+
+    /// Drags on the ruler move the playhead, drags of its ends the range.
+    fn scrub(&mut self, ui: &mut Ui, session: &Session, axis: Axis, out: &mut Vec<Command>) {
+        let id = ui.scope_id().with("ruler");
+        let response = ui.interact(axis.lane, id, Sense::click_and_drag());
+        let time = session.time;
+        response.widget_info(|| egui::WidgetInfo::slider(true, time, "Playhead"));
+        if let Some(pointer) =
+            response.interact_pointer_pos().filter(|_| response.dragged() || response.clicked())
+        {
+            let time = self.snapped(axis.time(pointer.x));
+            if time != session.time {
+                self.go(time, out);
+            }
+        }
+        response.on_hover_text("Drag to scrub. The wheel zooms in time; a drag below pans.");
+        for (end, name) in [(0, "Start of the range"), (1, "End of the range")] {
+            let at = pos2(axis.x(self.range[end]), axis.lane.bottom() - 5.0);
+            if !axis.lane.expand(2.0).contains(at) {
+                continue;
+            }
+            let handled = crate::widgets::handle::handle(
+                ui,
+                ui.scope_id().with(name),
+                at,
+                name,
+                self.range[end],
+                true,
+            );
+            let wished = handled.to.map(|to| axis.time(to.x));
+            let step = f64::from(handled.steps.x) / self.fps;
+            if let Some(time) = wished.or((step != 0.0).then_some(self.range[end] + step)) {
+                let gap = 1.0 / self.fps;
+                let other = self.range[1 - end];
+                let time = self.snapped(time);
+                self.range[end] =
+                    if end == 0 { time.min(other - gap) } else { time.max(other + gap) };
+            }
+            axis::flag(ui, at, end == 1, &handled.response);
+            handled.response.on_hover_text(format!("{name}: what is played"));
+        }
+    }
+
+    /// The wheel zooms over the ruler, and everywhere with Ctrl; a drag where no key is pans.
+    fn navigate(&mut self, ui: &Ui, panel: Rect, axis: Axis, rows: Rect) {
+        let Some(pointer) =
+            ui.input(|input| input.pointer.hover_pos()).filter(|at| panel.contains(*at))
+        else {
+            return;
+        };
+        if !ui.rect_contains_pointer(panel) {
+            return;
+        }
+        let (scroll, zoom) = ui.input(|input| (input.smooth_scroll_delta, input.zoom_delta()));
+        let is_ruler = axis.lane.contains(pointer);
+        let factor =
+            f64::from(zoom) * if is_ruler { f64::from(scroll.y / 200.0).exp() } else { 1.0 };
+        if factor != 1.0 && (is_ruler || rows.contains(pointer)) {
+            self.seen = axis.zoomed(pointer.x, factor);
+        }
+        if scroll.x != 0.0 {
+            self.seen = axis.panned(scroll.x);
+        }
+    }
+
+    /// All keys and the range in view.
+    fn fit(&mut self, session: &Session) {
+        let times =
+            session.look().time_keys.iter().flat_map(|track| &track.keys).map(|key| key.time);
+        let [mut low, mut high] = self.range;
+        for time in times {
+            (low, high) = (low.min(time), high.max(time));
+        }
+        let margin = 0.05 * (high - low).max(0.1);
+        self.seen = [low - margin, high + margin];
+    }
+}
+
+/// Microseconds are enough, and read better in a file.
+fn tidy(time: f64) -> f64 {
+    (time * 1e6).round() / 1e6
+}
+
+fn playhead(ui: &Ui, session: &Session, axis: Axis, rows: Rect) {
+    let x = axis.x(session.time);
+    if !(axis.lane.left() - 1.0..=axis.lane.right() + 1.0).contains(&x) {
+        return;
+    }
+    let color = theme::of(ui).accent;
+    ui.painter().vline(x, axis.lane.top() + 8.0..=rows.bottom(), Stroke::new(1.5, color));
+    let top = pos2(x, axis.lane.top() + 10.0);
+    let points =
+        [vec2(-6.0, -8.0), vec2(6.0, -8.0), vec2(6.0, -2.0), vec2(0.0, 5.0), vec2(-6.0, -2.0)];
+    let shape = points.map(|d| top + d).to_vec();
+    ui.painter().add(egui::Shape::convex_polygon(shape, color, Stroke::NONE));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_snap_to_frames() {
+        let mut timeline = Timeline { fps: 24.0, ..Timeline::default() };
+        assert_eq!(timeline.snapped(0.5), 0.5);
+        assert_eq!(timeline.snapped(0.51), 0.5, "frame 12.24");
+        assert_eq!(timeline.on_frame(0.54), 0.5, "a frame holds until the next");
+        assert_eq!(timeline.on_frame(13.0 / 24.0), tidy(13.0 / 24.0));
+        timeline.snaps = false;
+        assert_eq!(timeline.snapped(0.512_345_678), 0.512_346);
+    }
+}

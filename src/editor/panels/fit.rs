@@ -1,0 +1,12 @@
+//! What is fitted to the light that is painted on the picture.
+
+use super::table::{PanelPlace, PanelRow};
+use crate::commands::PanelId;
+
+pub(super) const PANEL: PanelRow = PanelRow::new(
+    PanelId::FIT,
+    "Paint light",
+    "Paint on the picture where it should be lighter or darker: the look is fitted to that (L)",
+    PanelPlace::BELOW_PICTURE.closed(),
+    |bench, ui, context| bench.tools.fitting.show(ui, context.session),
+);

@@ -1,0 +1,20 @@
+//! The graph of the look, with what is dragged onto it.
+
+use super::library;
+use super::table::{PanelPlace, PanelRow, Stack};
+use crate::commands::{Command, PanelId};
+
+pub(super) const PANEL: PanelRow = PanelRow::new(
+    PanelId::GRAPH,
+    "Graph",
+    "The nodes of the look and their wires",
+    PanelPlace { stack: Some(Stack::Graph), fills_room: true, ..PanelPlace::CLOSED },
+    |bench, ui, context| {
+        let rect = ui.max_rect();
+        let mut commands = bench.canvas.show(ui, context.session);
+        let dropped = library::dropped(ui, rect);
+        commands.extend(dropped.map(|(kind, at)| Command::AddNode { kind, at: Some(at) }));
+        commands
+    },
+)
+.with_jobs(|bench| &bench.canvas);

@@ -1,0 +1,400 @@
+//! The inspector: everything of the selected node that can be set, with names, units and help.
+
+mod interface;
+
+use eframe::egui;
+use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
+
+use crate::catalog::Kind;
+use crate::commands::{Command, PanelId};
+use crate::document::{ColorSpace, Edit, Target, Tier, Value};
+use crate::fields::lighting::Owner;
+use crate::fields::{Subject, marks, row};
+use crate::ids::LightId;
+use crate::library::Type;
+use crate::panels::lights;
+use crate::panels::table::{PanelPlace, PanelRow, Stack};
+use crate::state::session::Session;
+use crate::state::wire::{ShownWire, Style};
+use crate::values;
+use crate::widgets::spots::{self, Spot};
+use crate::widgets::theme;
+
+pub(super) const PANEL: PanelRow = PanelRow::new(
+    PanelId::INSPECTOR,
+    "Inspector",
+    "The values of what is selected",
+    PanelPlace { stack: Some(Stack::Inspector), ..PanelPlace::CLOSED },
+    |_, ui, context| show(ui, context.session),
+);
+
+/// Shows the node that was selected last, or the look itself.
+pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
+    let mut commands = Vec::new();
+    let selected =
+        session.selection.last().and_then(|id| Some((id, session.graph().nodes.get(id)?)));
+    ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+        // Room for the scroll bar.
+        ui.set_max_width((ui.available_width() - 8.0).max(0.0));
+        if session.is_read_only() {
+            let text = "This group is of the library. Make it the look's own to change it.";
+            ui.label(RichText::new(text).color(theme::of(ui).dim));
+            if ui.button("Make it the look's own").clicked() {
+                commands.extend(session.own_group().map(Command::Edit));
+            }
+            ui.add_space(4.0);
+            ui.disable();
+        }
+        match selected {
+            Some((id, node)) => match session.catalog.of(node) {
+                Some(kind) => show_node(ui, &Subject { session, id, node, kind }, &mut commands),
+                None => {
+                    ui.heading(id.as_str());
+                    ui.label(format!("There is no node of kind \"{}\".", node.kind));
+                }
+            },
+            None if session.definition().is_some() => interface::show(ui, session, &mut commands),
+            None => show_look(ui, session, &mut commands),
+        }
+    });
+    commands
+}
+
+fn show_node(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
+    let Subject { session, id, node, kind } = subject;
+    ui.horizontal(|ui| {
+        let label = ui.label(RichText::new(&*kind.label).heading());
+        let count = session.selection.len();
+        if count > 1 {
+            let help = "What is set here is set in every selected node that has it";
+            let text = RichText::new(format!("and {} more", count - 1)).color(theme::of(ui).dim);
+            ui.label(text).on_hover_text(help);
+        }
+        label.on_hover_text(format!("kind {}, id {id}", node.kind));
+    });
+    if !kind.help.is_empty() {
+        let first = kind.help.split("\n\n").next().unwrap_or_default();
+        ui.label(RichText::new(first).color(theme::of(ui).dim)).on_hover_text(&kind.help);
+    }
+    if !kind.sources.is_empty() {
+        ui.label(RichText::new(kind.sources.join(" · ")).small().color(theme::of(ui).dim));
+    }
+    ui.add_space(4.0);
+    name_row(ui, subject, out);
+    presets(ui, subject, out);
+    ui.separator();
+    let wanted = search(ui, kind);
+    for port in kind.inputs.iter().filter(|port| fits(port, &wanted)) {
+        let top = ui.cursor().top();
+        row::show(ui, subject, port, out);
+        let rect = egui::Rect::from_x_y_ranges(
+            ui.max_rect().x_range(),
+            top..=ui.cursor().top() - ui.spacing().item_spacing.y,
+        );
+        spots::note(ui, Spot::Input(port.name.clone()), rect);
+    }
+    let hidden = kind.inputs.iter().filter(|port| !fits(port, &wanted)).count();
+    if hidden > 0 {
+        ui.horizontal(|ui| {
+            let text = RichText::new(format!("{hidden} more hidden")).color(theme::of(ui).dim);
+            ui.label(text).on_hover_text("The search above hides them");
+            if ui.small_button("Show all values").on_hover_text("Ends the search").clicked() {
+                ui.data_mut(|data| data.remove::<String>(search_id(kind)));
+            }
+        });
+    }
+    tier_row(ui, subject, out);
+    shown_row(ui, subject, out);
+    let path = session.path_of(id);
+    marks::list(
+        ui,
+        session,
+        |target| matches!(target, Target::Input { node, .. } if *node == path),
+        out,
+    );
+    lights_of(ui, subject, out);
+}
+
+/// Inputs from which on there is a search.
+const LONG: usize = 10;
+
+/// What is searched for in a node with many inputs, in small letters.
+fn search(ui: &mut Ui, kind: &Kind) -> String {
+    if kind.inputs.len() < LONG {
+        return String::new();
+    }
+    let id = search_id(kind);
+    let mut text = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_default();
+    let response = ui.add(
+        TextEdit::singleline(&mut text)
+            .id(id)
+            .hint_text("Find a value")
+            .desired_width(f32::INFINITY),
+    );
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Find a value"));
+    if response.changed() {
+        ui.data_mut(|data| data.insert_temp(id, text.clone()));
+    }
+    text.trim().to_lowercase()
+}
+
+fn search_id(kind: &Kind) -> egui::Id {
+    egui::Id::unique(("inspector search", &kind.id))
+}
+
+fn fits(port: &crate::catalog::Port, wanted: &str) -> bool {
+    let has_it = |text: &str| text.to_lowercase().contains(wanted);
+    wanted.is_empty() || has_it(&port.label) || has_it(port.name.as_str()) || has_it(&port.help)
+}
+
+fn name_row(
+    ui: &mut Ui,
+    Subject { session, id, node, kind }: &Subject<'_>,
+    out: &mut Vec<Command>,
+) {
+    row::labelled(ui, "Name", "What you call it; the generated code uses it", |ui, label| {
+        let mut name = node.name.clone();
+        let edit = TextEdit::singleline(&mut name)
+            .hint_text(&*kind.label)
+            .desired_width(f32::INFINITY)
+            .char_limit(80);
+        let response = ui.add(edit).labelled_by(label);
+        if response.changed() {
+            let edit = Edit::SetName { graph: session.graph_id().clone(), id: (*id).clone(), name };
+            out.push(Command::EditHeld(response.id, edit));
+        }
+    });
+}
+
+fn presets(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: &mut Vec<Command>) {
+    if kind.presets.is_empty() {
+        return;
+    }
+    ui.horizontal_wrapped(|ui| {
+        for preset in &kind.presets {
+            if ui.button(&preset.label).on_hover_text("Sets the values of this preset").clicked() {
+                let values = preset
+                    .values
+                    .iter()
+                    .map(|(port, value)| (session.target(id, port), value.clone()));
+                out.push(Command::Edit(session.set_all_at(values)));
+            }
+        }
+    });
+}
+
+fn tier_row(
+    ui: &mut Ui,
+    Subject { session, node, kind, .. }: &Subject<'_>,
+    out: &mut Vec<Command>,
+) {
+    if kind.tiers.len() < 2 {
+        return;
+    }
+    row::labelled(
+        ui,
+        "Tier",
+        "Which implementation: exact, or faster with a measured error",
+        |ui, label| {
+            let name = |tier: Option<Tier>| tier.map_or("As the look", tier_name);
+            let combo = egui::ComboBox::from_id_salt("tier")
+                .selected_text(name(node.tier))
+                .show_ui(ui, |ui| {
+                    for tier in std::iter::once(None).chain(kind.tiers.iter().copied().map(Some)) {
+                        let response = ui
+                            .selectable_label(node.tier == tier, name(tier))
+                            .on_hover_text(error_of(session, kind, tier));
+                        if response.clicked() {
+                            let alike = session.selection.iter().filter(|id| {
+                                let other = session
+                                    .graph()
+                                    .nodes
+                                    .get(*id)
+                                    .and_then(|node| session.catalog.of(node));
+                                other.is_some_and(|other| other.tiers == kind.tiers)
+                            });
+                            let graph = session.graph_id();
+                            let edits = alike.map(|id| Edit::SetTier {
+                                graph: graph.clone(),
+                                id: id.clone(),
+                                tier,
+                            });
+                            out.push(Command::Edit(Edit::Group { edits: edits.collect() }));
+                        }
+                    }
+                });
+            combo.response.labelled_by(label);
+        },
+    );
+}
+
+/// How far a tier may be from the exact one, as its node's file says.
+fn error_of(session: &Session, kind: &Kind, tier: Option<Tier>) -> String {
+    let def = session.library.nodes.get(&kind.id);
+    match tier {
+        None => format!("As the look is: {}", tier_name(session.look().tier).to_lowercase()),
+        Some(Tier::Exact) => "The truth, as near as f32 comes".to_owned(),
+        Some(tier) => match def.and_then(|def| def.error_of(tier)) {
+            Some(error) => format!("At most {:e} off: {}", error.bound, error.help),
+            None => "Faster, with the error that the Cost and accuracy panel measures".to_owned(),
+        },
+    }
+}
+
+/// Which output is shown in place of the picture, and how.
+fn shown_row(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: &mut Vec<Command>) {
+    if kind.outputs.is_empty() {
+        return;
+    }
+    let shown = session.wire().filter(|wire| wire.node == session.path_of(id));
+    row::labelled(
+        ui,
+        "View wire",
+        "Shows an output of this node in place of the picture",
+        |ui, label| {
+            let name = |port: &crate::catalog::Port| port.label.to_string();
+            let port =
+                shown.and_then(|wire| kind.outputs.iter().find(|port| port.name == wire.port));
+            let text = port.map_or("Not shown".to_owned(), name);
+            let combo = egui::ComboBox::from_id_salt("wire")
+                .selected_text(text)
+                .width(90.0)
+                .show_ui(ui, |ui| {
+                    if ui.selectable_label(shown.is_none(), "Not shown").clicked() {
+                        out.push(Command::ShowWire(None));
+                    }
+                    for port in &kind.outputs {
+                        let is_it = shown.is_some_and(|wire| wire.port == port.name);
+                        if ui.selectable_label(is_it, &*port.label).clicked() {
+                            let style = shown.map(|wire| wire.style).unwrap_or_default();
+                            out.push(Command::ShowWire(Some(ShownWire {
+                                node: session.path_of(id),
+                                port: port.name.clone(),
+                                style,
+                            })));
+                        }
+                    }
+                });
+            combo.response.labelled_by(label);
+        },
+    );
+    let Some(wire) = shown else { return };
+    row::labelled(ui, "Seen as", "How its numbers are seen", |ui, _| {
+        for style in Style::ALL {
+            if ui
+                .selectable_label(wire.style == style, style.label())
+                .on_hover_text(style.help())
+                .clicked()
+            {
+                out.push(Command::ShowWire(Some(ShownWire { style, ..wire.clone() })));
+            }
+        }
+    });
+}
+
+/// The lights that a node names.
+fn lights_of(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
+    for port in subject.kind.inputs.iter().filter(|port| port.ty == Type::LightName) {
+        let Some(Value::Text(id)) = values::current(port, subject.node.values.get(&port.name))
+        else {
+            continue;
+        };
+        let id = LightId::from(id.as_str());
+        let lamp =
+            subject.session.lamp(&id).filter(|_| subject.session.look().lights.contains_key(&id));
+        if let Some(lamp) = lamp {
+            ui.separator();
+            let whose = if lamp.owner == Owner::Scene { " of the scene" } else { "" };
+            ui.label(RichText::new(format!("The light \"{}\"{whose}", lamp.name())).strong());
+            lights::edit(ui, subject.session, &lamp, out);
+        }
+    }
+}
+
+fn tier_name(tier: Tier) -> &'static str {
+    match tier {
+        Tier::Exact => "Exact",
+        Tier::Balanced => "Balanced",
+        Tier::Fast => "Fast",
+    }
+}
+
+/// Leads to the lights, which have a panel of their own.
+fn lights_row(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+    row::labelled(ui, "Lights", "What shines on the look", |ui, _| {
+        let count = session.look().lights.len();
+        let text = format!("{count} {}", if count == 1 { "light" } else { "lights" });
+        if ui.link(text).on_hover_text("Opens the list of lights").clicked() {
+            out.push(Command::ShowPanel(PanelId::LIGHTS));
+        }
+    });
+}
+
+/// With nothing selected: the look itself.
+fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+    let look = session.look();
+    ui.heading("Look");
+    ui.label(RichText::new("Select a node to set its values.").color(theme::of(ui).dim));
+    ui.add_space(4.0);
+    row::labelled(ui, "Name", "What you call this look", |ui, label| {
+        let mut name = look.name.clone();
+        let response =
+            ui.add(TextEdit::singleline(&mut name).desired_width(f32::INFINITY)).labelled_by(label);
+        if response.changed() {
+            out.push(Command::EditHeld(response.id, Edit::SetLookName { name }));
+        }
+    });
+    row::labelled(
+        ui,
+        "About",
+        "What it shows and how it is built, for who finds it",
+        |ui, label| {
+            let mut about = look.about.clone();
+            let field =
+                TextEdit::multiline(&mut about).desired_width(f32::INFINITY).desired_rows(2);
+            let response =
+                ui.add(field.hint_text("What it shows, how it is built")).labelled_by(label);
+            if response.changed() {
+                out.push(Command::EditHeld(response.id, Edit::SetLookAbout { about }));
+            }
+        },
+    );
+    row::labelled(ui, "Colors", "What the numbers of a color mean", |ui, label| {
+        let name = |space| match space {
+            ColorSpace::Display => "As shown",
+            ColorSpace::Linear => "Linear light",
+        };
+        let combo = egui::ComboBox::from_id_salt("space")
+            .selected_text(name(look.color_space))
+            .show_ui(ui, |ui| {
+                for color_space in [ColorSpace::Display, ColorSpace::Linear] {
+                    if ui
+                        .selectable_label(look.color_space == color_space, name(color_space))
+                        .clicked()
+                    {
+                        out.push(Command::Edit(Edit::SetColorSpace { color_space }));
+                    }
+                }
+            });
+        combo.response.labelled_by(label);
+    });
+    row::labelled(
+        ui,
+        "Tier",
+        "Which implementation nodes have that do not say their own",
+        |ui, label| {
+            let combo = egui::ComboBox::from_id_salt("tier")
+                .selected_text(tier_name(look.tier))
+                .show_ui(ui, |ui| {
+                    for tier in [Tier::Exact, Tier::Balanced, Tier::Fast] {
+                        if ui.selectable_label(look.tier == tier, tier_name(tier)).clicked() {
+                            out.push(Command::Edit(Edit::SetLookTier { tier }));
+                        }
+                    }
+                });
+            combo.response.labelled_by(label);
+        },
+    );
+    marks::list(ui, session, |_| true, out);
+    lights_row(ui, session, out);
+}

@@ -1,0 +1,18 @@
+//! The picture of the look, with its tools.
+
+use super::table::{PanelPlace, PanelRow, Stack};
+use crate::commands::PanelId;
+
+pub(super) const PANEL: PanelRow = PanelRow::new(
+    PanelId::PICTURE,
+    "Picture",
+    "The look on a mesh: drag the lights and the camera",
+    PanelPlace { stack: Some(Stack::Picture), ..PanelPlace::CLOSED },
+    |bench, ui, context| {
+        bench.viewport.show(ui, context.session, bench.picture.as_mut(), &mut bench.tools)
+    },
+)
+.with_interaction(|bench, ui, context| {
+    bench.viewport.interact(ui, context.session, &mut bench.tools)
+})
+.with_jobs(|bench| &bench.viewport);

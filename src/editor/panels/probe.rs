@@ -1,0 +1,13 @@
+//! The values that the probe reads.
+
+use super::table::{PanelPlace, PanelRow};
+use crate::commands::PanelId;
+
+pub(super) const PANEL: PanelRow = PanelRow::new(
+    PanelId::PROBE,
+    "Probe",
+    "The value on every wire at a pixel, f32 beside f64 (I)",
+    PanelPlace::BELOW_PICTURE,
+    |bench, ui, context| bench.tools.probe.show(ui, context.session),
+)
+.with_jobs(|bench| &bench.tools);

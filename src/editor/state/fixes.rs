@@ -1,0 +1,386 @@
+//! What one click does about a problem, where one edit is enough: offered on the node and in the
+//! list of problems.
+
+use crate::catalog::{CODE, CUSTOM_CODE, Kind, Port};
+use crate::diag::{Diagnostic, Severity, nearest};
+use crate::document::{Edit, Endpoint, Graph, GraphId, Light, Node, Value, Wire};
+use crate::ids::{LightId, NodeId, PortName, is_slug, make_slug};
+use crate::library::Type;
+use crate::state::session::Session;
+use crate::values;
+
+/// As many lights are offered in place of one that there is not.
+const MOST_LIGHTS: usize = 4;
+
+/// A remedy.
+#[derive(Clone)]
+pub(crate) struct Fix {
+    /// What its button says.
+    pub(crate) label: String,
+    /// What it does, in a sentence without a full stop.
+    pub(crate) help: String,
+    pub(crate) edit: Edit,
+}
+
+impl Fix {
+    fn new(label: impl Into<String>, help: impl Into<String>, edit: Edit) -> Self {
+        Self { label: label.into(), help: help.into(), edit }
+    }
+}
+
+/// Where a problem is.
+struct Spot<'a> {
+    session: &'a Session,
+    id: GraphId,
+    graph: &'a Graph,
+    node_id: NodeId,
+    node: &'a Node,
+    port: Option<PortName>,
+}
+
+/// The remedies of a problem, the likeliest first.
+pub(crate) fn of(session: &Session, problem: &Diagnostic) -> Vec<Fix> {
+    if problem.code == "no-output" {
+        return vec![add_output(session)];
+    }
+    let Some(spot) = Spot::of(session, problem) else { return Vec::new() };
+    let one = match problem.code {
+        "unknown-kind" => return spot.known_kinds(),
+        "unknown-light" => return spot.known_lights(),
+        "unknown-port" => spot.known_port(),
+        "unwired" => spot.feed(),
+        "out-of-range" => spot.clamp(),
+        "unknown-choice" => spot.known_choice(),
+        "missing-code" => Some(spot.set(
+            CODE,
+            Value::Text(CUSTOM_CODE.to_owned()),
+            "Give it code",
+            "Writes a small function to begin with",
+        )),
+        "many-outputs" => Some(spot.remove("Removes this Output and keeps the first")),
+        "recursive-group" => Some(spot.remove("Removes the group from within itself")),
+        _ if problem.severity == Severity::Error => spot.unwire().or_else(|| spot.use_default()),
+        _ => spot.use_default(),
+    };
+    one.into_iter().collect()
+}
+
+impl<'a> Spot<'a> {
+    fn of(session: &'a Session, problem: &Diagnostic) -> Option<Self> {
+        let path = problem.place.node.as_ref()?;
+        let found = session.look().find(path)?;
+        Some(Self {
+            session,
+            graph: session.look().graph_of(&found.graph)?,
+            id: found.graph,
+            node_id: path.last()?.clone(),
+            node: found.node,
+            port: problem.place.port.clone(),
+        })
+    }
+
+    fn kind(&self) -> Option<&Kind> {
+        self.session.catalog.of(self.node).map(|kind| &**kind)
+    }
+
+    fn input(&self) -> Option<&Port> {
+        let (kind, port) = (self.kind()?, self.port.as_ref()?);
+        Some(&kind.inputs[kind.input(port.as_str())?])
+    }
+
+    fn wire_into(&self) -> Option<&Wire> {
+        self.graph.wire_into(&self.node_id, self.port.as_ref()?)
+    }
+
+    fn set(
+        &self,
+        port: &str,
+        value: Value,
+        label: impl Into<String>,
+        help: impl Into<String>,
+    ) -> Fix {
+        let (graph, id) = (self.id.clone(), self.node_id.clone());
+        Fix::new(label, help, Edit::SetValue { graph, id, port: port.into(), value, index: None })
+    }
+
+    fn remove(&self, help: &str) -> Fix {
+        Fix::new(
+            "Remove this one",
+            help,
+            Edit::RemoveNode { graph: self.id.clone(), id: self.node_id.clone() },
+        )
+    }
+
+    fn known_kinds(&self) -> Vec<Fix> {
+        let known = self.session.catalog.all().map(|kind| kind.id.as_str());
+        let fix = |near: &str| {
+            let label = self.session.catalog.get(near).map_or(near, |kind| &kind.label);
+            let edit = Edit::SetKind {
+                graph: self.id.clone(),
+                id: self.node_id.clone(),
+                kind: near.to_owned(),
+            };
+            Fix::new(
+                format!("Make it {label}"),
+                format!("Changes the kind to `{near}`; values and wires stay"),
+                edit,
+            )
+        };
+        nearest(&self.node.kind, known).into_iter().map(fix).collect()
+    }
+
+    /// A value, a wire from or a wire into a port that there is not: the nearest that there is, or
+    /// else away with it.
+    fn known_port(&self) -> Option<Fix> {
+        let (kind, port) = (self.kind()?, self.port.as_ref()?);
+        let (graph, id) = (self.id.clone(), self.node_id.clone());
+        let near = |ports: &[Port]| {
+            let names: Vec<&str> = ports.iter().map(|port| port.name.as_str()).collect();
+            nearest(port.as_str(), names).first().map(|name| PortName::from(*name))
+        };
+        if let Some(value) = self.node.values.get(port) {
+            let clear =
+                Edit::ClearValue { graph: graph.clone(), id: id.clone(), port: port.clone() };
+            let free = near(&kind.inputs).filter(|near| !self.node.values.contains_key(near));
+            return Some(match free {
+                Some(near) => {
+                    let label = format!("Use {near}");
+                    let set =
+                        Edit::SetValue { graph, id, port: near, value: value.clone(), index: None };
+                    Fix::new(
+                        label,
+                        "Gives the value to the input of the nearest name",
+                        Edit::Group { edits: vec![clear, set] },
+                    )
+                }
+                None => {
+                    Fix::new("Remove the value", "The node has nothing of a name like this", clear)
+                }
+            });
+        }
+        let (old, is_input) = match self.wire_into() {
+            Some(wire) => (wire, true),
+            None => (
+                self.graph
+                    .wires
+                    .iter()
+                    .find(|w| w.from.node == self.node_id && w.from.port == *port)?,
+                false,
+            ),
+        };
+        let remove = Edit::RemoveWire { graph: graph.clone(), wire: old.clone() };
+        let near = near(if is_input { &kind.inputs } else { &kind.outputs });
+        let is_free = |near: &PortName| !is_input || self.graph.wire_into(&id, near).is_none();
+        Some(match near.filter(is_free) {
+            Some(near) => {
+                let mut wire = old.clone();
+                let end = if is_input { &mut wire.to } else { &mut wire.from };
+                end.port = near.clone();
+                let add = Edit::AddWire { graph, wire, index: None };
+                Fix::new(
+                    format!("Wire {near}"),
+                    "Moves the wire to the port of the nearest name",
+                    Edit::Group { edits: vec![remove, add] },
+                )
+            }
+            None => Fix::new("Remove the wire", "The node has nothing of a name like this", remove),
+        })
+    }
+
+    /// A node for an input that must be wired.
+    fn feed(&self) -> Option<Fix> {
+        let (port, ty) = (self.port.as_ref()?, self.input()?.ty.clone());
+        let kind = match &ty {
+            Type::Composite => "base",
+            Type::Color => "color_value",
+            Type::Angle => "parametrization",
+            Type::Light => "light",
+            Type::Vec2 | Type::Vec3 | Type::Vec4 => "vector_value",
+            _ if Type::Float.convert_to(&ty).is_some() => "number",
+            _ => return None,
+        };
+        // An Output takes what was made for it, if that is there and feeds nothing yet.
+        let loose = self.loose_end().filter(|_| ty == Type::Composite);
+        let (mut edits, from, label, help) = match loose {
+            Some(id) => {
+                let title = self.session.title(&id);
+                (
+                    Vec::new(),
+                    id,
+                    format!("Wire {title}"),
+                    format!("Wires {title}, which feeds nothing yet"),
+                )
+            }
+            None => {
+                let label = self
+                    .session
+                    .catalog
+                    .get(kind)
+                    .map_or(kind.to_owned(), |kind| kind.label.to_string());
+                let (id, edits) = self.new_node(kind);
+                (
+                    edits,
+                    id,
+                    format!("Add {label}"),
+                    format!("Adds a {label} node and wires it here"),
+                )
+            }
+        };
+        let to = Endpoint { node: self.node_id.clone(), port: port.clone() };
+        let wire = Wire { from: Endpoint::new(from, ""), to };
+        edits.push(Edit::AddWire { graph: self.id.clone(), wire, index: None });
+        Some(Fix::new(label, help, Edit::Group { edits }))
+    }
+
+    fn new_node(&self, kind: &str) -> (NodeId, Vec<Edit>) {
+        let id = NodeId::new(make_slug(kind, |slug| self.graph.nodes.contains_key(slug)));
+        let [x, y] = self.node.position;
+        let mut node =
+            Node { kind: kind.to_owned(), position: [x - 260.0, y + 60.0], ..Node::default() };
+        if let ("light", Some(light)) = (kind, self.session.look().lights.keys().next()) {
+            node.values.insert("light".into(), Value::Text(light.to_string()));
+        }
+        (id.clone(), vec![Edit::AddNode { graph: self.id.clone(), id, node, index: None }])
+    }
+
+    /// The last node that makes a stack or a color which nothing takes.
+    fn loose_end(&self) -> Option<NodeId> {
+        loose_end(self.session, self.graph, &self.node_id)
+    }
+
+    fn clamp(&self) -> Option<Fix> {
+        let port = self.input()?;
+        let (min, max) = (port.min.unwrap_or(f64::NEG_INFINITY), port.max.unwrap_or(f64::INFINITY));
+        let value = match self.node.values.get(&port.name)? {
+            Value::Number(x) => Value::Number(x.clamp(min, max)),
+            Value::Vector(v) => Value::Vector(v.iter().map(|x| x.clamp(min, max)).collect()),
+            _ => return None,
+        };
+        let label = format!("Set {}", values::short(port, &value));
+        let name = port.name.to_string();
+        Some(self.set(&name, value, label, "Takes the nearest value in range"))
+    }
+
+    fn known_choice(&self) -> Option<Fix> {
+        let port = self.input()?;
+        let Value::Text(word) = self.node.values.get(&port.name)? else { return None };
+        let words = port.options.iter().map(|(word, _)| word.as_str());
+        let Some(near) = nearest(word, words).first().map(|word| (*word).to_owned()) else {
+            return self.use_default();
+        };
+        let label = port
+            .options
+            .iter()
+            .find(|(known, _)| *known == near)
+            .map_or(&near, |(_, label)| label)
+            .clone();
+        let name = port.name.to_string();
+        Some(self.set(
+            &name,
+            Value::Text(near),
+            format!("Use {label}"),
+            "Takes the nearest word that it knows",
+        ))
+    }
+
+    fn known_lights(&self) -> Vec<Fix> {
+        let port =
+            self.kind().and_then(|kind| kind.inputs.iter().find(|port| port.ty == Type::LightName));
+        let Some(port) = port else { return Vec::new() };
+        let lights = &self.session.look().lights;
+        let wrong = match self.node.values.get(&port.name) {
+            Some(Value::Text(id)) => id.as_str(),
+            _ => "",
+        };
+        let near =
+            nearest(wrong, lights.keys().map(AsRef::as_ref)).first().map(|id| (*id).to_owned());
+        let is_near = |id: &LightId| near.as_deref() == Some(id.as_ref());
+        let (nearest, others): (Vec<_>, Vec<_>) = lights.iter().partition(|(id, _)| is_near(id));
+        let fixes: Vec<Fix> = nearest
+            .into_iter()
+            .chain(others)
+            .take(MOST_LIGHTS)
+            .map(|(id, light)| {
+                let name = if light.name.is_empty() { id.as_ref() } else { light.name.as_str() };
+                let value = Value::Text(id.to_string());
+                self.set(
+                    port.name.as_str(),
+                    value,
+                    format!("Use {name}"),
+                    "Names a light that the look has",
+                )
+            })
+            .collect();
+        if !fixes.is_empty() {
+            return fixes;
+        }
+        let id = LightId::new(if is_slug(wrong) { wrong } else { "key" });
+        let light = Light { direction: [-0.5, 0.7, 0.6], ..Light::default() };
+        let label = format!("Add light {id}");
+        let help = "Adds a light of this name, from the upper left";
+        vec![Fix::new(label, help, Edit::AddLight { id, light, index: None })]
+    }
+
+    fn unwire(&self) -> Option<Fix> {
+        let edit = Edit::RemoveWire { graph: self.id.clone(), wire: self.wire_into()?.clone() };
+        Some(Fix::new(
+            "Remove the wire",
+            "Takes the wire away, so that the input has its own value",
+            edit,
+        ))
+    }
+
+    fn use_default(&self) -> Option<Fix> {
+        let has = |port: &PortName| self.node.values.contains_key(port) && port.as_str() != CODE;
+        let port = self.port.clone().filter(has)?;
+        let edit = Edit::ClearValue { graph: self.id.clone(), id: self.node_id.clone(), port };
+        Some(Fix::new(
+            "Use the default",
+            "Takes the value away, so that the input has its default",
+            edit,
+        ))
+    }
+}
+
+/// The last node that makes a stack or a color which nothing takes.
+fn loose_end(session: &Session, graph: &Graph, except: &NodeId) -> Option<NodeId> {
+    let is_loose =
+        |id: &NodeId| id != except && !graph.wires.iter().any(|wire| wire.from.node == *id);
+    let makes = |node: &Node, wanted: &Type| {
+        let kind = session.catalog.of(node);
+        kind.and_then(|kind| kind.outputs.first()).is_some_and(|output| output.ty == *wanted)
+    };
+    let of = |wanted: &Type| {
+        graph.nodes.iter().rev().find(|(id, node)| is_loose(id) && makes(node, wanted))
+    };
+    // Bottom-most last: a Base that nothing takes is no finished stack, unless there is nothing
+    // else.
+    let stack =
+        graph.nodes.iter().rev().find(|(id, node)| {
+            is_loose(id) && makes(node, &Type::Composite) && node.kind != "base"
+        });
+    stack.or_else(|| of(&Type::Color)).or_else(|| of(&Type::Composite)).map(|(id, _)| id.clone())
+}
+
+fn add_output(session: &Session) -> Fix {
+    let graph = &session.look().graph;
+    let id = NodeId::new(make_slug("output", |slug| graph.nodes.contains_key(slug)));
+    let from = loose_end(session, graph, &id);
+    let place =
+        from.as_ref().and_then(|id| graph.nodes.get(id)).map_or([0.0; 2], |node| node.position);
+    let node = Node {
+        kind: "output".to_owned(),
+        position: [place[0] + 260.0, place[1]],
+        ..Node::default()
+    };
+    let mut edits = vec![Edit::AddNode { graph: GraphId::Look, id: id.clone(), node, index: None }];
+    edits.extend(from.map(|from| {
+        let wire = Wire { from: Endpoint::new(from, ""), to: Endpoint::new(id, "color") };
+        Edit::AddWire { graph: GraphId::Look, wire, index: None }
+    }));
+    Fix::new(
+        "Add an Output",
+        "Adds an Output node, wired to what feeds nothing yet",
+        Edit::Group { edits },
+    )
+}

@@ -1,0 +1,102 @@
+//! What drives keys: numbers of the scene and wires of the look, what each is now, and what it is
+//! called.
+
+use crate::compile::{Live, Options, compile};
+use crate::document::{DirectionKeys, Driver, KeyDirection, OutputPort, Target};
+use crate::frame::{Rig, Wires, driver_value};
+use crate::ids::{NodePath, PortName};
+use crate::state::session::Session;
+use crate::values::number_text;
+
+impl Session {
+    /// What a driver is now. A wire that drives nothing yet is compiled for it, once.
+    pub(crate) fn driver_now(&self, driver: &Driver) -> f64 {
+        if let Driver::Wire(wire) = driver {
+            return self.known_wire(wire).or_else(|| self.new_wire(wire)).unwrap_or(0.0);
+        }
+        let lights = &self.keyed.now.lights;
+        let lights = if lights.is_empty() { &self.look().lights } else { lights };
+        self.at_this_moment(|moment| driver_value(driver, lights, moment))
+    }
+
+    /// What a wire is now that drives keys already.
+    fn known_wire(&self, wire: &OutputPort) -> Option<f64> {
+        let sets = self.look().direction_keys.iter().zip(&self.keyed.now.decided);
+        let mut found = sets.filter_map(|(keys, (now, _))| {
+            let KeyDirection::Drivers(drivers) = &keys.by else { return None };
+            let axis = drivers.iter().position(|driver| driver.output() == Some(wire))?;
+            Some(now[axis])
+        });
+        found.next()
+    }
+
+    fn new_wire(&self, wire: &OutputPort) -> Option<f64> {
+        let by = KeyDirection::Drivers(vec![Driver::Wire(wire.clone())]);
+        let (name, scheme, unknown) = (String::new(), Default::default(), Default::default());
+        let mut trial = self.look().clone();
+        trial.direction_keys.push(DirectionKeys { name, by, scheme, keys: Vec::new(), unknown });
+        let options = Options { live: Live::Exposed, ..Options::default() };
+        let shader = compile(&trial, &self.library, &options).ok()?;
+        let base = |node: &NodePath, port: &PortName| {
+            self.own_value(&Target::Input { node: node.clone(), port: port.clone() })
+        };
+        let rig = Rig::new(&trial).value;
+        let now = self
+            .at_this_moment(|moment| rig.keyed_values(&base, Some(Wires::of(&shader)), moment))
+            .ok()?;
+        now.decided.last().map(|(now, _)| now.x)
+    }
+
+    /// What a driver is called.
+    pub(crate) fn driver_name(&self, driver: &Driver) -> String {
+        match driver {
+            Driver::Distance => "Distance to the eye".to_owned(),
+            Driver::Facing => "Turned from the eye".to_owned(),
+            Driver::Height(light) => format!("Height of \"{}\"", self.light_name(light)),
+            Driver::Near(object) => format!("Distance to \"{object}\""),
+            Driver::Wire(wire) => self.wire_name(wire),
+        }
+    }
+
+    /// What an output is called: by its own name, and its node's.
+    fn wire_name(&self, wire: &OutputPort) -> String {
+        let path = wire.node.to_string();
+        let Some(node) = self.node_at(&wire.node) else { return wire.to_string() };
+        let kind = self.catalog.of(node);
+        let label = kind.map_or(path.as_str(), |kind| &*kind.label);
+        let called = if node.name.is_empty() { label } else { &node.name };
+        let port = kind.and_then(|kind| kind.outputs.iter().find(|port| port.name == wire.port));
+        format!("{} of \"{called}\"", port.map_or(wire.port.as_str(), |port| &*port.label))
+    }
+
+    /// Everything that can drive keys.
+    pub(crate) fn drivers(&self) -> Vec<Driver> {
+        let heights = self.look().lights.keys().map(|id| Driver::Height(id.clone()));
+        let objects = self.stage().into_iter().flat_map(|stage| stage.scene().objects.keys());
+        let near = objects.map(|id| Driver::Near(id.clone()));
+        [Driver::Distance, Driver::Facing].into_iter().chain(heights).chain(near).collect()
+    }
+
+    /// The wires that can drive keys of these targets: first those that may change while the look
+    /// stays as it is, then those that never do, and so would hold every key where it is.
+    pub(crate) fn wires(&self, moved: &[Target]) -> [Vec<Driver>; 2] {
+        let look = self.look();
+        let exposed = look.exposed.iter().map(|exposed| &exposed.target);
+        let in_time = look.time_keys.iter().map(|track| &track.target);
+        let by_direction = look
+            .direction_keys
+            .iter()
+            .flat_map(|keys| &keys.keys)
+            .flat_map(|key| key.values.keys());
+        let set: Vec<Target> = exposed.chain(in_time).chain(by_direction).cloned().collect();
+        let found = self.typed().map(|typed| typed.drivable(moved, &set)).unwrap_or_default();
+        // The compiler may be a step behind.
+        let is_there = |wire: &OutputPort| self.node_at(&wire.node).is_some();
+        found.map(|wires| wires.into_iter().filter(is_there).map(Driver::Wire).collect())
+    }
+}
+
+/// What a driver is, as people read it.
+pub(crate) fn said(driver: &Driver, value: f64) -> String {
+    if driver.is_angle() { format!("{:.1}°", value.to_degrees()) } else { number_text(value, 3) }
+}

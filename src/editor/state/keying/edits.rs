@@ -1,0 +1,202 @@
+//! The edits that key values, and that set them where they are looked at.
+
+use indexmap::IndexMap;
+
+use super::{KeyedBy, rounded};
+use crate::document::{
+    DirectionKey, DirectionKeys, Edit, GraphId, Interpolation, KeyDirection, KeyScheme, Target,
+    TimeKey, TimeKeys, Unknown, Value,
+};
+use crate::frame::set_light_field;
+use crate::ids::NodeId;
+use crate::library::Fallback;
+use crate::state::session::Session;
+
+impl Session {
+    /// The edit by which a target has a value where it is looked at: at the playhead, at the
+    /// direction key that is selected or followed, or at all.
+    pub(crate) fn set_at(&self, target: &Target, value: Value) -> Edit {
+        self.set_all_at([(target.clone(), value)])
+    }
+
+    /// The same of several targets.
+    pub(crate) fn set_all_at(&self, values: impl IntoIterator<Item = (Target, Value)>) -> Edit {
+        let mut edits = self.set_each_at(values);
+        if edits.len() == 1 { edits.remove(0) } else { Edit::Group { edits } }
+    }
+
+    /// Edits replace whole sets, tracks and lights: what several values change of one of them is
+    /// gathered.
+    fn set_each_at(&self, values: impl IntoIterator<Item = (Target, Value)>) -> Vec<Edit> {
+        let look = self.look();
+        let (mut sets, mut lights, mut edits) = (IndexMap::new(), IndexMap::new(), Vec::new());
+        for (target, value) in values {
+            match (self.keyed_by(&target), &target) {
+                (KeyedBy::Direction(set), _) => {
+                    let keys = sets.entry(set).or_insert_with(|| look.direction_keys[set].clone());
+                    if let Some(key) = keys.keys.get_mut(self.key_at(set)) {
+                        key.values.insert(target, value);
+                    }
+                }
+                (KeyedBy::Time(track), _) => edits.push(self.set_in_time(track, self.time, value)),
+                (KeyedBy::Nothing, Target::Light { light, field }) => {
+                    let of = look.lights.get(light).cloned().unwrap_or_default();
+                    set_light_field(lights.entry(light.clone()).or_insert(of), field, &value);
+                }
+                (KeyedBy::Nothing, _) => edits.push(self.set_own(&target, value)),
+            }
+        }
+        edits.extend(sets.into_iter().map(|(index, keys)| Edit::SetDirectionKeys { index, keys }));
+        edits.extend(lights.into_iter().map(|(id, light)| Edit::SetLight { id, light }));
+        edits
+    }
+
+    /// The edit that sets what a target has without keys.
+    pub(crate) fn set_own(&self, target: &Target, value: Value) -> Edit {
+        match target {
+            Target::Input { node, port } => {
+                let found = self.look().find(node);
+                let graph = found.map_or(GraphId::Look, |found| found.graph);
+                let id = node.last().cloned().unwrap_or_else(|| NodeId::new(""));
+                Edit::SetValue { graph, id, port: port.clone(), value, index: None }
+            }
+            Target::Light { light, field } => {
+                let mut changed = self.look().lights.get(light).cloned().unwrap_or_default();
+                set_light_field(&mut changed, field, &value);
+                Edit::SetLight { id: light.clone(), light: changed }
+            }
+        }
+    }
+
+    /// The edit that sets a target's value in one direction key.
+    pub(crate) fn set_in_key(&self, set: usize, key: usize, target: &Target, value: Value) -> Edit {
+        self.change_set(set, |keys| {
+            if let Some(key) = keys.keys.get_mut(key) {
+                key.values.insert(target.clone(), value);
+            }
+        })
+    }
+
+    /// The edit that changes a set of direction keys.
+    pub(crate) fn change_set(&self, set: usize, change: impl FnOnce(&mut DirectionKeys)) -> Edit {
+        let Some(keys) = self.look().direction_keys.get(set) else {
+            return Edit::Group { edits: Vec::new() };
+        };
+        let mut keys = keys.clone();
+        change(&mut keys);
+        Edit::SetDirectionKeys { index: set, keys }
+    }
+
+    /// The edit that changes a track.
+    pub(crate) fn change_track(&self, track: usize, change: impl FnOnce(&mut TimeKeys)) -> Edit {
+        let Some(keys) = self.look().time_keys.get(track) else {
+            return Edit::Group { edits: Vec::new() };
+        };
+        let mut keys = keys.clone();
+        change(&mut keys);
+        Edit::SetTimeKeys { index: track, keys }
+    }
+
+    /// The edit that sets a track's value at a time: of the key there, or of a new one, that goes
+    /// on as the one before.
+    pub(crate) fn set_in_time(&self, track: usize, time: f64, value: Value) -> Edit {
+        self.change_track(track, |keys| put(keys, time, value))
+    }
+
+    /// The edit that keys a target at the playhead, with the value that it has there.
+    pub(crate) fn key_in_time(&self, target: &Target) -> Option<Edit> {
+        let value = self.value_now(target)?;
+        if let Some(track) = self.look().time_keys.iter().position(|track| track.target == *target)
+        {
+            return Some(self.set_in_time(track, self.time, value));
+        }
+        let mut keys =
+            TimeKeys { target: target.clone(), keys: Vec::new(), unknown: Unknown::new() };
+        put(&mut keys, self.time, value);
+        Some(self.grounded(Some(target), Edit::AddTimeKeys { keys, index: None }))
+    }
+
+    /// The edit that keys a target in a set: at all of its keys with the value that it has now, so
+    /// that nothing changes yet.
+    pub(crate) fn key_in_set(&self, set: usize, target: &Target) -> Option<Edit> {
+        let value = self.value_now(target)?;
+        let edit = self.change_set(set, |keys| {
+            keys.keys
+                .iter_mut()
+                .for_each(|key| drop(key.values.insert(target.clone(), value.clone())));
+        });
+        Some(self.grounded(Some(target), edit))
+    }
+
+    /// An edit that names a target in a list, after one that gives the target a value of its own
+    /// where it has neither that nor a default: what reads its surroundings, or is as another
+    /// input, cannot be moved or exposed.
+    pub(crate) fn grounded(&self, target: Option<&Target>, edit: Edit) -> Edit {
+        let Some(target @ Target::Input { node, port }) = target else { return edit };
+        let has_own = self.node_at(node).is_some_and(|node| node.values.contains_key(port));
+        let has_default =
+            self.port_at(target).is_some_and(|port| matches!(port.fallback, Fallback::Value(_)));
+        match self.own_value(target).filter(|_| !has_own && !has_default) {
+            Some(value) => Edit::Group { edits: vec![self.set_own(target, value), edit] },
+            None => edit,
+        }
+    }
+
+    /// The edit that begins a set with one key where the light or the view is now.
+    pub(crate) fn new_set(&self, by: KeyDirection, target: Option<&Target>) -> Edit {
+        let direction = self.direction_of(&by);
+        let values = target
+            .and_then(|target| Some((target.clone(), self.value_now(target)?)))
+            .into_iter()
+            .collect();
+        let name = match &by {
+            KeyDirection::View => "By the view".to_owned(),
+            KeyDirection::Light(light) => format!("By \"{}\"", self.light_name(light)),
+            KeyDirection::Drivers(drivers) => {
+                drivers.iter().map(|driver| self.driver_name(driver)).collect::<Vec<_>>().join(", ")
+            }
+        };
+        let key = DirectionKey { direction: rounded(direction), values, unknown: Unknown::new() };
+        let scheme = KeyScheme::default();
+        let keys = DirectionKeys { name, by, scheme, keys: vec![key], unknown: Unknown::new() };
+        self.grounded(target, Edit::AddDirectionKeys { keys, index: None })
+    }
+
+    /// The edit that takes a target out of everything that moves it; it keeps the value that it has
+    /// now.
+    pub(crate) fn unkey(&self, target: &Target) -> Edit {
+        let mut edits = Vec::new();
+        for (index, keys) in self.look().direction_keys.iter().enumerate() {
+            if keys.keys.iter().any(|key| key.values.contains_key(target)) {
+                edits.push(self.change_set(index, |keys| {
+                    keys.keys.iter_mut().for_each(|key| drop(key.values.shift_remove(target)));
+                }));
+            }
+        }
+        if let Some(index) = self.look().time_keys.iter().position(|track| track.target == *target)
+        {
+            edits.push(Edit::RemoveTimeKeys { index });
+        }
+        edits.extend(self.value_now(target).map(|value| self.set_own(target, value)));
+        Edit::Group { edits }
+    }
+}
+
+/// Puts a key at a time, or changes the one that is there.
+fn put(keys: &mut TimeKeys, time: f64, value: Value) {
+    let is_there = |key: &TimeKey| (key.time - time).abs() < 1e-6;
+    if let Some(key) = keys.keys.iter_mut().find(|key| is_there(key)) {
+        key.value = value;
+        return;
+    }
+    let index = keys.keys.partition_point(|key| key.time < time);
+    let before = index
+        .checked_sub(1)
+        .or((!keys.keys.is_empty()).then_some(0))
+        .and_then(|i| keys.keys.get(i));
+    let has_between =
+        matches!(value, Value::Number(_) | Value::Vector(_)) || value.color().is_some();
+    let otherwise = if has_between { Interpolation::Smooth } else { Interpolation::Stepped };
+    let interpolation = before.map_or(otherwise, |key| key.interpolation);
+    keys.keys.insert(index, TimeKey { time, value, interpolation, unknown: Unknown::new() });
+}

@@ -1,0 +1,52 @@
+//! At which key of a set a hand on a value sets it.
+
+use crate::document::OutputPort;
+use crate::state::session::Session;
+
+/// By how much another key must outweigh the one that is followed before that is followed: near a
+/// tie nothing flickers.
+const MARGIN: f64 = 0.2;
+
+impl Session {
+    /// Follows the heaviest key of each set, slowly; never while a hand holds something, which
+    /// would go on at another key, nor while the shader does not have the wires yet that drive a
+    /// set.
+    pub(crate) fn follow_keys(&mut self, is_held: bool) {
+        let sets = &self.look().direction_keys;
+        let followed = sets.iter().enumerate().map(|(set, keys)| {
+            let heaviest = self.heaviest(set);
+            let known = self.keyed.followed.get(set).copied().filter(|&key| key < keys.keys.len());
+            let Some(known) = known else { return heaviest };
+            let knows = keys.by.outputs().all(|wire| self.knows_wire(wire));
+            let weight =
+                |key: usize| self.decided(set).and_then(|(_, weights)| weights.get(key)).copied();
+            let outweighs = weight(heaviest).unwrap_or(0.0) - weight(known).unwrap_or(0.0) > MARGIN;
+            if outweighs && !is_held && knows { heaviest } else { known }
+        });
+        self.keyed.followed = followed.collect();
+    }
+
+    /// The key of a set at which values are set: the one that is selected, or else the one that is
+    /// followed.
+    pub(crate) fn key_at(&self, set: usize) -> usize {
+        if let Some((_, key)) = self.key.filter(|(selected, _)| *selected == set) {
+            return key;
+        }
+        let count = self.look().direction_keys.get(set).map_or(0, |keys| keys.keys.len());
+        let followed = self.keyed.followed.get(set).copied().filter(|&key| key < count);
+        followed.unwrap_or_else(|| self.heaviest(set))
+    }
+
+    fn heaviest(&self, set: usize) -> usize {
+        let weights = self.decided(set).map(|(_, weights)| weights.as_slice()).unwrap_or_default();
+        let first_of_most = |best: (usize, f64), (key, &weight): (usize, &f64)| {
+            if weight > best.1 { (key, weight) } else { best }
+        };
+        weights.iter().enumerate().fold((0, f64::MIN), first_of_most).0
+    }
+
+    fn knows_wire(&self, wire: &OutputPort) -> bool {
+        self.current_shader()
+            .is_some_and(|shader| shader.host.drivers.iter().any(|known| known.wire == *wire))
+    }
+}

@@ -1,0 +1,296 @@
+//! Keyed values: what keys make of a value now, what else is said of it, and which edit sets it.
+//!
+//! Who changes a value need not know whether it is keyed: [`Session::set_at`] gives the edit that
+//! shows, which is one of the key at the playhead, of the direction key that is selected, or of the
+//! document's own value.
+
+mod drivers;
+mod edits;
+mod follow;
+
+pub(crate) use drivers::said;
+
+use std::collections::HashMap;
+
+use glam::{DMat3, DQuat, DVec3};
+use indexmap::IndexMap;
+
+use crate::catalog::Port;
+use crate::document::{
+    DirectionKeys, KeyDirection, Light, LightField, LightKind, Node, Object, Scene, Target, Value,
+    Values,
+};
+use crate::frame::{KeyedValues, Rig, RigInputs, Wires};
+use crate::ids::{LightId, NodeId, NodePath, ObjectId, PortName};
+use crate::library::Type;
+use crate::state::orbit::Orbit;
+use crate::state::session::Session;
+use crate::state::still::Stamp;
+
+/// What keys come to, kept until anything changes.
+#[derive(Default)]
+pub(crate) struct Keyed {
+    stamp: Option<Stamp>,
+    /// The object that it is of.
+    own: Option<ObjectId>,
+    rig: Option<Rig>,
+    now: KeyedValues,
+    /// By set of keys: the one at which values are set while none is selected.
+    followed: Vec<usize>,
+}
+
+/// What moves a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum KeyedBy {
+    /// Nothing.
+    Nothing,
+    /// A set of direction keys, by its place.
+    Direction(usize),
+    /// A track, by its place.
+    Time(usize),
+}
+
+impl Session {
+    /// Computes what keys come to, where anything changed since.
+    pub(crate) fn refresh_keys(&mut self) {
+        let stamp = self.stamp();
+        let own = self.own_object();
+        let sets_values = own.is_some_and(|(_, object)| !object.values.is_empty());
+        let own = own.map(|(own, _)| own.clone());
+        if self.keyed.stamp.as_ref() == Some(&stamp) && self.keyed.own == own {
+            return;
+        }
+        let look = self.look();
+        let rig = match &self.keyed.rig {
+            Some(rig) => rig.renewed(look),
+            None => Rig::new(look).value,
+        };
+        let base = |node: &NodePath, port: &PortName| {
+            self.own_value(&Target::Input { node: node.clone(), port: port.clone() })
+        };
+        let wires = self.shader_of_wires(sets_values).map(Wires::of);
+        // What runs without end is told by the compiler and the picture.
+        let now = self
+            .at_this_moment(|moment| rig.keyed_values(&base, wires, moment))
+            .unwrap_or_default();
+        let followed = std::mem::take(&mut self.keyed.followed);
+        self.keyed = Keyed { stamp: Some(stamp), own, rig: Some(rig), now, followed };
+        let sets = &self.look().direction_keys;
+        let is_there =
+            |&(set, key): &(usize, usize)| sets.get(set).is_some_and(|keys| key < keys.keys.len());
+        self.key = self.key.filter(is_there);
+    }
+
+    /// The object of the scene that stands for all that wear the open look: the one that is
+    /// selected, or else the first.
+    fn own_object(&self) -> Option<(&ObjectId, &Object)> {
+        let stage = self.stage()?;
+        let seen = || stage.scene().objects.iter().filter(|(_, object)| object.visible);
+        let wears = |(_, object): &(&ObjectId, &Object)| stage.wears_open(object);
+        let selected = stage.selected().filter(|(_, object)| object.visible).filter(wears);
+        selected.or_else(|| seen().find(wears)).or_else(|| seen().next())
+    }
+
+    /// Asks something of this moment, of the object that stands for all that wear the look.
+    fn at_this_moment<R>(&self, ask: impl FnOnce(&RigInputs<'_>) -> R) -> R {
+        let scene = self.stage().map(crate::state::stage::Stage::scene);
+        let place = |object: &Object| DVec3::from(object.transform.translate);
+        let own = self.own_object();
+        let own_place = own.map_or(DVec3::ZERO, |(_, object)| place(object));
+        let front = own
+            .map_or(DVec3::Z, |(_, object)| DQuat::from_array(object.transform.rotate) * DVec3::Z);
+        let others = scene.into_iter().flat_map(|scene| &scene.objects);
+        let others = others.filter(|(id, _)| own.is_none_or(|(own, _)| own != *id));
+        let near =
+            others.map(|(id, object)| (id.clone(), place(object).distance(own_place))).collect();
+        let (none, no_values) = (IndexMap::new(), Values::new());
+        ask(&RigInputs {
+            time: self.time,
+            illumination: self.view.illumination,
+            camera_from_world: camera_from_world(&self.view),
+            view: from_center_to_eye(&self.view),
+            center: DVec3::ZERO,
+            distance: eye_of(&self.view).distance(own_place),
+            front,
+            near: &near,
+            exposed: own.map_or(&no_values, |(_, object)| &object.values),
+            lights: scene.map_or(&none, |scene| &scene.lights),
+            // What the picture's size says about wires is not asked for here.
+            viewport: [1.0; 2],
+            frame: (self.time * scene.map_or(24.0, |scene| scene.time.fps)).round(),
+            object_id: own.map_or(0.0, |(own, _)| place_of(scene, own)),
+        })
+    }
+
+    /// What was known of keys may be another now.
+    pub(crate) fn forget_keys(&mut self) {
+        self.keyed.stamp = None;
+    }
+
+    /// What keys come to now.
+    pub(crate) fn keyed_now(&self) -> &KeyedValues {
+        &self.keyed.now
+    }
+
+    /// The direction that decides between the keys of a set now, and the weights.
+    pub(crate) fn decided(&self, set: usize) -> Option<&(DVec3, Vec<f64>)> {
+        self.keyed.now.decided.get(set)
+    }
+
+    /// How much each key of a set weighs now.
+    pub fn key_weights(&self, set: usize) -> Vec<f64> {
+        self.decided(set).map(|(_, weights)| weights.clone()).unwrap_or_default()
+    }
+
+    /// An input of a node of the open graph, as keys name it.
+    pub(crate) fn target(&self, node: &NodeId, port: &PortName) -> Target {
+        Target::Input { node: self.path_of(node), port: port.clone() }
+    }
+
+    /// The node at a path, through the groups of the look and of the library.
+    pub(crate) fn node_at(&self, path: &NodePath) -> Option<&Node> {
+        self.reading().node_at(path)
+    }
+
+    /// What is known of a target: its label, type, unit, range.
+    pub(crate) fn port_at(&self, target: &Target) -> Option<Port> {
+        self.reading().port_at(target)
+    }
+
+    /// What a target is called: what it belongs to, and what of it.
+    pub(crate) fn names_of(&self, target: &Target) -> [String; 2] {
+        self.reading().names_of(target)
+    }
+
+    /// What a light is called.
+    pub(crate) fn light_name(&self, id: &LightId) -> String {
+        self.reading().light_name(id)
+    }
+
+    /// What a target has without keys.
+    pub(crate) fn own_value(&self, target: &Target) -> Option<Value> {
+        self.reading().own_value(target)
+    }
+
+    /// What a target has now.
+    pub(crate) fn value_now(&self, target: &Target) -> Option<Value> {
+        self.keyed.now.values.get(target).cloned().or_else(|| self.own_value(target))
+    }
+
+    /// What moves a target. Direction keys lie over those of time.
+    pub(crate) fn keyed_by(&self, target: &Target) -> KeyedBy {
+        let look = self.look();
+        let has_it =
+            |keys: &DirectionKeys| keys.keys.iter().any(|key| key.values.contains_key(target));
+        if let Some(set) = look.direction_keys.iter().rposition(has_it) {
+            return KeyedBy::Direction(set);
+        }
+        match look.time_keys.iter().position(|track| track.target == *target) {
+            Some(track) => KeyedBy::Time(track),
+            None => KeyedBy::Nothing,
+        }
+    }
+
+    /// What a hand on a target sets: the value of the key that is set there, or the document's own.
+    pub(crate) fn value_at(&self, target: &Target) -> Option<Value> {
+        match self.keyed_by(target) {
+            KeyedBy::Direction(set) => {
+                let key = self.look().direction_keys.get(set)?.keys.get(self.key_at(set))?;
+                key.values.get(target).cloned().or_else(|| self.own_value(target))
+            }
+            KeyedBy::Time(_) => self.value_now(target),
+            KeyedBy::Nothing => self.own_value(target),
+        }
+    }
+
+    /// The direction that decides now, or the drivers' values, as the keys of a set by it would be
+    /// given.
+    pub(crate) fn direction_of(&self, by: &KeyDirection) -> DVec3 {
+        match by {
+            KeyDirection::View => from_center_to_eye(&self.view),
+            KeyDirection::Light(id) => {
+                self.light(id).map_or(DVec3::Z, |light| light_in_camera(light, &self.view))
+            }
+            KeyDirection::Drivers(drivers) => {
+                let mut values = [0.0; 3];
+                values
+                    .iter_mut()
+                    .zip(drivers)
+                    .for_each(|(value, driver)| *value = self.driver_now(driver));
+                values.into()
+            }
+        }
+    }
+}
+
+/// Counts objects of a scene from 0.
+fn place_of(scene: Option<&Scene>, own: &ObjectId) -> f64 {
+    let index = scene.and_then(|scene| scene.objects.get_index_of(own));
+    index.unwrap_or_default() as f64
+}
+
+/// Toward a light from the object, in camera axes.
+pub(crate) fn light_in_camera(light: &Light, view: &Orbit) -> DVec3 {
+    let camera = camera_from_world(view);
+    let resolved = crate::compile::LightValues::new(light, view.illumination, camera);
+    let toward = match light.kind {
+        LightKind::Directional => resolved.direction(),
+        LightKind::Point | LightKind::Spot => {
+            resolved.position().try_normalize().unwrap_or(DVec3::Z)
+        }
+    };
+    camera * toward
+}
+
+/// From world to camera axes: x right, y up, z toward the viewer.
+pub(crate) fn camera_from_world(view: &Orbit) -> DMat3 {
+    let (right, up) = view.right_and_up();
+    DMat3::from_cols(right, up, view.direction()).transpose()
+}
+
+/// From the object's centre to the eye, in world space.
+fn from_center_to_eye(view: &Orbit) -> DVec3 {
+    eye_of(view).try_normalize().unwrap_or_else(|| view.direction())
+}
+
+fn eye_of(view: &Orbit) -> DVec3 {
+    view.target + view.direction() * view.distance
+}
+
+/// A direction as files have it: four decimals are less than a hundredth of a degree.
+pub(crate) fn rounded(direction: DVec3) -> [f64; 3] {
+    direction.to_array().map(|x| (x * 1e4).round() / 1e4)
+}
+
+/// Whether direction keys can blend values of a type.
+pub(crate) fn has_between(ty: &Type) -> bool {
+    use Type::{Angle, Color, Composite, Float, Int, Vec2, Vec3, Vec4};
+    matches!(ty, Float | Int | Angle | Vec2 | Vec3 | Vec4 | Color | Composite)
+}
+
+/// Whether values of a type can change with time.
+pub(crate) fn changes_in_time(ty: &Type) -> bool {
+    has_between(ty) || matches!(ty, Type::Bool | Type::Choice | Type::Curve | Type::Ramp)
+}
+
+/// A field of a light as if it were a port.
+pub(crate) fn field_port(field: LightField) -> Port {
+    let range = field.range();
+    // What bounds lengths and factors in files is no end of a slider.
+    let max = range.filter(|_| !field.unit().is_empty()).map(|[_, max]| max);
+    Port {
+        label: field.label().into(),
+        ty: Type::of_light_field(field),
+        unit: field.unit().to_owned(),
+        min: range.map(|[min, _]| min),
+        max,
+        ..Port::named(field.name())
+    }
+}
+
+/// The targets that the keys of a set change, each once, in the order in which they first come.
+pub(crate) fn targets_of(keys: &DirectionKeys) -> Vec<Target> {
+    let mut seen = HashMap::new();
+    let all = keys.keys.iter().flat_map(|key| key.values.keys());
+    all.filter(|target| seen.insert((*target).clone(), ()).is_none()).cloned().collect()
+}

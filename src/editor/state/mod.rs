@@ -1,0 +1,22 @@
+//! What the window knows, without egui: the open documents with their past, the view on them, what
+//! is selected, the shaders made of them, and the journals that keep unsaved work.
+
+pub(crate) mod compiling;
+pub(crate) mod fixes;
+pub(crate) mod interface;
+pub(crate) mod keying;
+pub(crate) mod orbit;
+pub(crate) mod painting;
+pub(crate) mod paths;
+pub(crate) mod problem_text;
+pub(crate) mod reading;
+pub(crate) mod safety;
+pub(crate) mod session;
+pub mod settings;
+pub(crate) mod sketch;
+pub(crate) mod solo;
+pub(crate) mod stack;
+pub(crate) mod stage;
+pub(crate) mod still;
+pub(crate) mod wire;
+pub(crate) mod worker;

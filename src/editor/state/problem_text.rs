@@ -1,0 +1,13 @@
+//! What is wrong, in words.
+
+use crate::diag::Diagnostic;
+
+/// A problem with what to do about it, for people.
+pub(crate) fn sentence(problem: &Diagnostic) -> String {
+    let mut text = problem.message.clone();
+    for hint in &problem.hints {
+        text += "\n";
+        text += hint;
+    }
+    text
+}

@@ -1,0 +1,202 @@
+//! A look as people read it: what its nodes, their inputs and its lights are called, what they
+//! have, and what it exposes.
+
+use crate::catalog::{Catalog, Port};
+use crate::document::{ColorSpace, Definition, Light, Look, Node, Target, Value};
+use crate::frame::light_field;
+use crate::ids::{LightId, NodePath, PortName};
+use crate::library::{Fallback, Library, Type};
+use crate::state::keying::field_port;
+use crate::state::session::Session;
+use crate::values;
+
+/// A look with the kinds of its nodes.
+#[derive(Clone, Copy)]
+pub(crate) struct Reading<'a> {
+    pub(crate) look: &'a Look,
+    pub(crate) catalog: &'a Catalog,
+    pub(crate) library: &'a Library,
+}
+
+/// An exposed parameter, as whoever sets it needs to know it.
+#[derive(Clone, Debug)]
+pub(crate) struct Parameter {
+    pub(crate) name: PortName,
+    pub(crate) label: String,
+    pub(crate) help: String,
+    pub(crate) port: Port,
+    /// What the look itself has there.
+    pub(crate) value: Option<Value>,
+    /// What the numbers of a color mean.
+    pub(crate) space: ColorSpace,
+}
+
+impl Session {
+    /// The open look.
+    pub(crate) fn reading(&self) -> Reading<'_> {
+        Reading { look: self.look(), catalog: &self.catalog, library: &self.library }
+    }
+}
+
+impl<'a> Reading<'a> {
+    /// The group of a kind, the look's own before the library's.
+    pub(crate) fn definition_of(self, kind: &str) -> Option<&'a Definition> {
+        let own = self.look.definitions.get(kind);
+        own.or_else(|| self.library.groups.get(kind).map(|group| &group.definition))
+    }
+
+    /// The node at a path, through the groups of the look and of the library.
+    pub(crate) fn node_at(self, path: &NodePath) -> Option<&'a Node> {
+        let (last, groups) = path.ids().split_last()?;
+        let mut graph = &self.look.graph;
+        for group in groups {
+            graph = &self.definition_of(&graph.nodes.get(group)?.kind)?.graph;
+        }
+        graph.nodes.get(last)
+    }
+
+    /// What is known of a target: its label, type, unit, range.
+    pub(crate) fn port_at(self, target: &Target) -> Option<Port> {
+        match target {
+            Target::Input { node, port } => {
+                let kind = self.catalog.of(self.node_at(node)?)?;
+                kind.inputs.get(kind.input(port.as_str())?).cloned()
+            }
+            Target::Light { .. } => target.light_field().map(field_port),
+        }
+    }
+
+    /// What a target is called: what it belongs to, and what of it.
+    pub(crate) fn names_of(self, target: &Target) -> [String; 2] {
+        let port = self.port_at(target);
+        match target {
+            Target::Input { node, port: name } => {
+                let owner = self.node_at(node).map(|found| {
+                    let kind = self.catalog.of(found).map(|kind| kind.label.to_string());
+                    if found.name.is_empty() {
+                        kind.unwrap_or_default()
+                    } else {
+                        found.name.clone()
+                    }
+                });
+                let name = port.map_or_else(|| name.to_string(), |port| port.label.to_string());
+                [owner.unwrap_or_else(|| node.to_string()), name]
+            }
+            Target::Light { light, field } => [
+                self.light_name(light),
+                port.map_or_else(|| field.clone(), |port| port.label.to_string()),
+            ],
+        }
+    }
+
+    /// What a light is called.
+    pub(crate) fn light_name(self, id: &LightId) -> String {
+        self.look.lights.get(id).map_or(id.as_str(), |light| light_name(id, light)).to_owned()
+    }
+
+    /// What a target has without keys.
+    pub(crate) fn own_value(self, target: &Target) -> Option<Value> {
+        match target {
+            Target::Input { node, port: name } => {
+                let node = self.node_at(node)?;
+                if let Some(value) = node.values.get(name) {
+                    return Some(value.clone());
+                }
+                let kind = self.catalog.of(node)?;
+                let port = &kind.inputs[kind.input(name.as_str())?];
+                let same = match &port.fallback {
+                    Fallback::Same(other) => &kind.inputs[kind.input(other.as_str())?],
+                    _ => port,
+                };
+                values::current(same, node.values.get(&same.name)).cloned()
+            }
+            Target::Light { light, field } => light_field(self.look.lights.get(light)?, field),
+        }
+    }
+
+    /// What objects may set by name, in the look's order.
+    pub(crate) fn parameters(self) -> Vec<Parameter> {
+        let parameter = |exposed: &crate::document::Exposed| {
+            let mut port = self.port_at(&exposed.target)?;
+            if port.ty == Type::LightName {
+                // A choice like any other, of this look's lights.
+                port.ty = Type::Choice;
+                port.options = self
+                    .look
+                    .lights
+                    .keys()
+                    .map(|id| (id.to_string(), self.light_name(id)))
+                    .collect();
+            }
+            let [owner, what] = self.names_of(&exposed.target);
+            let mut help = format!("{owner}: {what}, exposed as \"{}\"", exposed.name);
+            if !port.help.is_empty() {
+                help = format!("{}\n{help}", port.help);
+            }
+            if self.look.time_keys.iter().any(|track| track.target == exposed.target) {
+                help += "\nThe look keys it in time, which goes over what is set here";
+            }
+            let label = if exposed.label.is_empty() {
+                spoken(exposed.name.as_str())
+            } else {
+                exposed.label.clone()
+            };
+            let (name, value, space) =
+                (exposed.name.clone(), self.own_value(&exposed.target), self.look.color_space);
+            Some(Parameter { name, label, help, port, value, space })
+        };
+        self.look.exposed.iter().filter_map(parameter).collect()
+    }
+}
+
+/// What a light is called.
+pub(crate) fn light_name<'a>(id: &'a LightId, light: &'a Light) -> &'a str {
+    if light.name.is_empty() { id.as_str() } else { &light.name }
+}
+
+/// A name of code as a label: `rim_width` is "Rim width".
+fn spoken(name: &str) -> String {
+    let words = values::words(name);
+    let mut letters = words.chars();
+    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LOOK: &str = r#"{"lights": {"key": {"name": "Sun"}, "back": {}},
+      "nodes": [{"id": "base", "kind": "base", "values": {"color": [1, 0, 0]}},
+        {"id": "rim", "kind": "light_layer", "name": "Rim", "values": {"light": "key"}},
+        {"id": "output", "kind": "output"}],
+      "wires": [{"from": "base", "to": "rim.below"}, {"from": "rim", "to": "output.color"}],
+      "exposed": [{"name": "rim_cutoff", "target": "rim.cutoff"}, {"name": "by", "target": "rim.light"},
+        {"name": "sun", "target": "lights.key.intensity", "label": "The sun"}],
+      "time_keys": [{"target": "lights.key.intensity", "keys": [{"time": 0, "value": 1}]}]}"#;
+
+    #[test]
+    fn what_a_look_exposes_is_called_typed_and_valued() {
+        let loaded = Look::read(LOOK, "test");
+        assert!(!loaded.has_errors(), "{:?}", loaded.diagnostics);
+        let look = loaded.value.unwrap();
+        let library = Library::built_in();
+        let mut catalog = Catalog::new(library);
+        catalog.sync(&look, library);
+        let found = Reading { look: &look, catalog: &catalog, library }.parameters();
+        let labels: Vec<&str> = found.iter().map(|parameter| parameter.label.as_str()).collect();
+        assert_eq!(labels, ["Rim cutoff", "By", "The sun"]);
+        assert!(
+            found[0].port.unit == "rad" && matches!(found[0].value, Some(Value::Number(_))),
+            "its default"
+        );
+        assert_eq!(
+            found[1].port.options,
+            [("key".into(), "Sun".into()), ("back".into(), "back".into())]
+        );
+        assert!(
+            found[2].help.contains("goes over") && found[2].help.starts_with("Sun: Intensity"),
+            "{}",
+            found[2].help
+        );
+    }
+}

@@ -1,0 +1,337 @@
+//! Files that the look and the scene around it live on, changed by other programs: their own, the
+//! project's nodes, the scene's other looks, meshes and images, and what is painted.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::{Duration, SystemTime};
+
+use super::watch::{Watch, Watched};
+use crate::compile::CompiledShader;
+use crate::frame::SHAPE_PREFIX;
+use crate::library::node_files;
+use crate::state::painting::work::{self, Work};
+use crate::state::session::Session;
+use crate::state::session::keeping::OnDisk;
+use crate::state::stage::Stage;
+
+/// After a change nothing is read for so long, in seconds: whoever writes may not be done.
+const CALM: f64 = 0.15;
+
+type Stamp = Option<(SystemTime, u64)>;
+
+/// The look's own file is not what it was.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Conflict {
+    /// Both sides have changed it; the text is theirs.
+    Changed(String),
+    /// Another program wrote what cannot be read without an error.
+    Broken(String),
+    /// It was removed or moved away.
+    Gone,
+}
+
+/// The file of what is painted is not what it was.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum PaintingConflict {
+    /// Both sides have changed it.
+    Changed,
+    /// Another program wrote what cannot be read.
+    Broken,
+    /// It was removed or moved away.
+    Gone,
+}
+
+/// What decides which files there are.
+#[derive(Clone, Default)]
+struct Use {
+    document: u64,
+    path: Option<PathBuf>,
+    mesh: String,
+    stage: Option<u64>,
+    shader: Option<Arc<CompiledShader>>,
+    painting: Option<PathBuf>,
+}
+
+impl Use {
+    fn is(&self, session: &Session) -> bool {
+        let same_shader = match (&self.shader, session.baked()) {
+            (Some(old), Some(new)) => Arc::ptr_eq(old, new),
+            (None, None) => true,
+            _ => false,
+        };
+        same_shader
+            && self.document == session.document_number()
+            && self.path.as_deref() == session.path()
+            && self.mesh == session.view.mesh
+            && self.stage == session.stage_version()
+            && self.painting.as_deref() == session.painting().and_then(Work::path)
+    }
+}
+
+/// Looks after files.
+pub(crate) struct Disk {
+    watch: Watch,
+    of: Use,
+    is_new: bool,
+    look: Option<PathBuf>,
+    /// The folders of the project's nodes, of the look's and of the scene's.
+    nodes: Vec<PathBuf>,
+    project_nodes: ProjectNodes,
+    assets: BTreeMap<PathBuf, Stamp>,
+    /// When to look, on the window's clock.
+    due: Option<f64>,
+    /// What is to be decided.
+    pub(crate) conflict: Option<Conflict>,
+    /// What another program made of the scene's file, which has changes here too.
+    pub(crate) scene_conflict: Option<String>,
+    /// What happened to the file of what is painted.
+    pub(crate) painting_conflict: Option<PaintingConflict>,
+    /// Whether there was a file, and nobody knows yet that it is gone.
+    was_there: bool,
+}
+
+impl Disk {
+    /// `wake` is called from another thread when something happened.
+    pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
+        Self {
+            watch: Watch::new(wake),
+            of: Use::default(),
+            is_new: true,
+            look: None,
+            nodes: Vec::new(),
+            project_nodes: ProjectNodes::default(),
+            assets: BTreeMap::new(),
+            due: None,
+            conflict: None,
+            scene_conflict: None,
+            painting_conflict: None,
+            was_there: false,
+        }
+    }
+
+    /// Looks at files when it is time to. Returns what to tell, and when to call again.
+    pub(crate) fn tick(
+        &mut self,
+        session: &mut Session,
+        now: f64,
+        came_back: bool,
+    ) -> (Option<String>, Option<Duration>) {
+        if (self.is_new || !self.of.is(session)) && self.use_of(session) {
+            // Work that is taken back may be older than its file.
+            self.due = Some(now);
+        }
+        if self.watch.take() {
+            self.due = Some(now + CALM);
+        }
+        if came_back {
+            self.due = Some(now);
+        }
+        match self.due {
+            // A stroke is ended first.
+            Some(_) if session.painting().is_some_and(Work::is_live) => {
+                (None, Some(Duration::from_secs_f64(CALM)))
+            }
+            Some(due) if now >= due => {
+                self.due = None;
+                (self.check(session), None)
+            }
+            Some(due) => (None, Some(Duration::from_secs_f64((due - now).max(0.01)))),
+            None => (None, None),
+        }
+    }
+
+    /// Finds out which files there are now. Returns whether they are another look's.
+    fn use_of(&mut self, session: &Session) -> bool {
+        let is_other = self.is_new
+            || self.of.document != session.document_number()
+            || self.of.path.as_deref() != session.path();
+        self.is_new = false;
+        self.of = Use {
+            document: session.document_number(),
+            path: session.path().map(Path::to_path_buf),
+            mesh: session.view.mesh.clone(),
+            stage: session.stage_version(),
+            shader: session.baked().cloned(),
+            painting: session.painting().and_then(Work::path).map(Path::to_path_buf),
+        };
+        if is_other {
+            self.conflict = None;
+            self.look = session.path().and_then(|path| std::path::absolute(path).ok());
+            self.was_there = self.look.as_ref().is_some_and(|path| path.exists());
+        }
+        let nodes: Vec<PathBuf> = session
+            .node_folders()
+            .iter()
+            .filter_map(|folder| std::path::absolute(folder).ok())
+            .collect();
+        if is_other || self.nodes != nodes {
+            self.nodes = nodes;
+            self.project_nodes = ProjectNodes::below(&self.nodes);
+        }
+        let folder = session.folder();
+        let images = session
+            .baked()
+            .into_iter()
+            .flat_map(|shader| &shader.named_images)
+            .map(|image| image.path.as_str());
+        let mesh = Some(session.view.mesh.as_str()).filter(|mesh| !mesh.starts_with(SHAPE_PREFIX));
+        let of_scene = session.stage().map(Stage::files).unwrap_or_default();
+        let paths =
+            images.map(|path| folder.join(path)).chain(mesh.map(PathBuf::from)).chain(of_scene);
+        let paths = paths.filter_map(|path| std::path::absolute(path).ok());
+        let known = std::mem::take(&mut self.assets);
+        self.assets = paths
+            .map(|path| (path.clone(), known.get(&path).copied().unwrap_or_else(|| stamp(&path))))
+            .collect();
+        let links = self.look.iter().filter_map(|path| path.canonicalize().ok());
+        let scene = session.stage().and_then(|stage| std::path::absolute(stage.path()?).ok());
+        let painting = self.of.painting.clone();
+        let files = self.assets.keys().cloned().chain(self.look.clone());
+        let files = files.chain(links).chain(scene).chain(painting).collect();
+        let folders = self.nodes.iter().cloned().collect();
+        let below = self.project_nodes.folders.clone();
+        self.watch.set(Watched { files, folders, below });
+        is_other
+    }
+
+    /// The note that the file is gone was read.
+    pub(crate) fn forget_gone(&mut self) {
+        if self.conflict == Some(Conflict::Gone) {
+            self.conflict = None;
+            self.was_there = false;
+        }
+    }
+
+    /// Looks at all files. Returns what to tell.
+    pub(crate) fn check(&mut self, session: &mut Session) -> Option<String> {
+        let mut told = self.check_look(session).or_else(|| self.check_scene(session));
+        let of_painting = self.check_painting(session);
+        told = told.or(of_painting);
+        let nodes = ProjectNodes::below(&self.nodes);
+        let is_changed = nodes.stamps != self.project_nodes.stamps;
+        if is_changed || nodes.folders != self.project_nodes.folders {
+            // A folder that is new is watched from now on.
+            self.watch.renew(nodes.folders.clone());
+        }
+        self.project_nodes = nodes;
+        if is_changed {
+            session.reload_library();
+            told = told.or_else(|| Some("The project's nodes were loaded again".to_owned()));
+        }
+        let mut changed = None;
+        for (path, old) in &mut self.assets {
+            let new = stamp(path);
+            if *old != new {
+                *old = new;
+                changed = path.file_name().map(|name| name.to_string_lossy().into_owned());
+            }
+        }
+        if let Some(name) = changed {
+            session.files_changed();
+            told = told.or_else(|| Some(format!("{name} was loaded again")));
+        }
+        told
+    }
+
+    fn check_scene(&mut self, session: &mut Session) -> Option<String> {
+        let text = match session.stage().map(Stage::on_disk) {
+            Some(OnDisk::Changed(text)) => text,
+            _ => {
+                self.scene_conflict = None;
+                return None;
+            }
+        };
+        if session.stage().is_some_and(Stage::is_dirty) {
+            self.scene_conflict = Some(text);
+            return None;
+        }
+        let name = session.stage().map(Stage::name).unwrap_or_default();
+        // What cannot be read yet is told where problems are, and looked at again when the file
+        // changes.
+        session
+            .reload_scene(&text)
+            .then(|| format!("{name} was changed by another program and loaded again"))
+    }
+
+    fn check_painting(&mut self, session: &mut Session) -> Option<String> {
+        use work::OnDisk;
+        let work = session.painting()?;
+        let name = work.name();
+        let mut told = None;
+        self.painting_conflict = match work.on_disk() {
+            OnDisk::Same => None,
+            OnDisk::Gone => Some(PaintingConflict::Gone),
+            OnDisk::Changed if work.is_dirty() => Some(PaintingConflict::Changed),
+            OnDisk::Changed => match session.reload_painting() {
+                Ok(is_other) => {
+                    told = is_other
+                        .then(|| format!("{name} was changed by another program and loaded again"));
+                    None
+                }
+                Err(_) => Some(PaintingConflict::Broken),
+            },
+        };
+        told
+    }
+
+    fn check_look(&mut self, session: &mut Session) -> Option<String> {
+        match session.on_disk() {
+            OnDisk::Same => {
+                self.was_there |= self.look.is_some();
+                if let Some(Conflict::Broken(_)) = self.conflict.take() {
+                    session.load_problems.clear();
+                }
+                None
+            }
+            OnDisk::Gone => {
+                self.conflict = self.was_there.then_some(Conflict::Gone);
+                None
+            }
+            OnDisk::Unreadable => None,
+            OnDisk::Changed(text) if session.is_look_dirty() => {
+                self.conflict = Some(Conflict::Changed(text));
+                None
+            }
+            OnDisk::Changed(text) => {
+                if !session.reload(&text) {
+                    self.conflict = Some(Conflict::Broken(text));
+                    return None;
+                }
+                self.conflict = None;
+                let name = self
+                    .look
+                    .as_ref()
+                    .and_then(|path| path.file_name())
+                    .map(|name| name.to_string_lossy());
+                Some(format!(
+                    "{} was changed by another program and loaded again",
+                    name.unwrap_or_default()
+                ))
+            }
+        }
+    }
+}
+
+fn stamp(path: &Path) -> Stamp {
+    let data = std::fs::metadata(path).ok()?;
+    Some((data.modified().ok()?, data.len()))
+}
+
+/// The files of a project's nodes with their stamps, and the folders that they lie in.
+#[derive(Debug, Default, PartialEq, Eq)]
+struct ProjectNodes {
+    stamps: BTreeMap<PathBuf, Stamp>,
+    folders: BTreeSet<PathBuf>,
+}
+
+impl ProjectNodes {
+    fn below(roots: &[PathBuf]) -> Self {
+        let mut nodes = Self::default();
+        for found in roots.iter().map(|root| node_files(root)) {
+            nodes.stamps.extend(found.files.into_iter().map(|path| (path.clone(), stamp(&path))));
+            nodes.folders.extend(found.folders);
+        }
+        nodes
+    }
+}

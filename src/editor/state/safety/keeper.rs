@@ -1,0 +1,502 @@
+//! Writes the journal of an open document, on a thread of its own: a slow disk holds up no hand.
+//!
+//! Edits of one gesture that set the same thing again and again, such as all of a drag, are joined
+//! for a moment before they are written, and the disk itself is waited for only when nothing was
+//! done for a while.
+
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::{Arc, Condvar, Mutex, PoisonError};
+use std::thread::JoinHandle;
+use std::time::Duration;
+
+use crate::clock::Clock;
+use crate::diag::Diagnostic;
+use crate::document::History;
+use crate::document::journal::{About, Journal, Journaled, Op, Slot};
+use crate::state::worker::start;
+
+/// As long as a gesture goes on, what was done is written so often.
+const OFTEN: Duration = Duration::from_millis(100);
+/// After such a rest the disk is made to write.
+const REST: Duration = Duration::from_secs(1);
+/// After a failure, the next attempt is made when so many seconds have passed.
+const RETRY: f64 = 3.0;
+
+/// What a window wants back beside a document is written as often at most, in seconds: a turntable
+/// changes it in every frame.
+const WINDOW: f64 = 0.25;
+
+/// What a window wants back beside a document, by name.
+type Members = serde_json::Map<String, serde_json::Value>;
+
+/// A document as it stands, for a journal to begin with.
+pub(crate) struct Standing<D: Journaled> {
+    pub(crate) about: About,
+    pub(crate) source: Option<Arc<str>>,
+    pub(crate) history: History<D>,
+    /// The slot that it was in, if it was taken back.
+    pub(crate) slot: Option<Slot>,
+}
+
+enum Message<D: Journaled> {
+    Begin(Box<Standing<D>>),
+    /// What the window wants back beside the document, from now on.
+    Window(Members),
+    /// What was done, and whether the gesture goes on.
+    Ops(Vec<Op<D::Edit>>, bool),
+    /// The journal stays where it is, for whoever wants it; whether the window is closed in peace.
+    Leave(bool),
+    /// The journal is not needed any more.
+    Discard,
+}
+
+#[derive(Default)]
+struct Shared {
+    /// Messages that are dealt with.
+    handled: Mutex<u64>,
+    changed: Condvar,
+    wants_to_begin: AtomicBool,
+    problem: Mutex<Option<Diagnostic>>,
+}
+
+/// Keeps a journal of what is done.
+pub(crate) struct Keeper<D: Journaled> {
+    sender: Option<Sender<Message<D>>>,
+    sent: u64,
+    shared: Arc<Shared>,
+    thread: Option<JoinHandle<()>>,
+    /// Whether there is a journal of the document, as far as this side knows.
+    pub(crate) has_begun: bool,
+    /// Whether what was sent last may wait for more of its gesture.
+    goes_on: bool,
+}
+
+impl<D> Keeper<D>
+where
+    D: Journaled + Send + 'static,
+    D::Edit: Send,
+{
+    /// Keeps journals in `folder`. `wake` is called from another thread when there is a problem, or
+    /// none any more.
+    pub(crate) fn new(folder: PathBuf, wake: impl Fn() + Send + 'static) -> Self {
+        let (sender, receiver) = channel();
+        let shared = Arc::new(Shared::default());
+        let mut writer: Writer<D> = Writer {
+            folder,
+            slot: None,
+            journal: None,
+            waiting: Waiting::default(),
+            is_synced: true,
+            window: Members::new(),
+            is_noted: true,
+            noted: None,
+            shared: shared.clone(),
+            failed: None,
+            wake: Box::new(wake),
+        };
+        let thread = start("journal", move || writer.run(&receiver));
+        Self { sender: Some(sender), sent: 0, shared, thread, has_begun: false, goes_on: false }
+    }
+
+    fn send(&mut self, message: Message<D>) {
+        self.sent += 1;
+        // Without a thread nothing is kept, which `problem` tells.
+        let _ = self.sender.as_ref().map(|sender| sender.send(message));
+    }
+
+    /// Whether the document as it stands is wanted rather than what was done.
+    pub(crate) fn wants_to_begin(&self) -> bool {
+        !self.has_begun || self.shared.wants_to_begin.load(Ordering::Relaxed)
+    }
+
+    /// Begins the journal, or begins it anew.
+    pub(crate) fn begin(&mut self, standing: Standing<D>) {
+        self.has_begun = true;
+        self.shared.wants_to_begin.store(false, Ordering::Relaxed);
+        self.send(Message::Begin(Box::new(standing)));
+    }
+
+    /// Adds what was done. While the gesture goes on it may wait for a moment.
+    pub(crate) fn add(&mut self, ops: Vec<Op<D::Edit>>, goes_on: bool) {
+        if !ops.is_empty() || self.goes_on && !goes_on {
+            self.goes_on = goes_on;
+            self.send(Message::Ops(ops, goes_on));
+        }
+    }
+
+    /// Notes what the window wants back beside the document, whichever that is. It alone is worth
+    /// no journal, and goes into the one that there is.
+    pub(crate) fn note_window(&mut self, members: Members) {
+        self.send(Message::Window(members));
+    }
+
+    /// Leaves the journal where it is.
+    pub(crate) fn leave(&mut self, in_peace: bool) {
+        self.has_begun = false;
+        self.send(Message::Leave(in_peace));
+    }
+
+    /// Removes the journal.
+    pub(crate) fn discard(&mut self) {
+        self.has_begun = false;
+        self.send(Message::Discard);
+    }
+
+    /// Waits until the system has all of it.
+    pub(crate) fn wait(&self) {
+        if self.thread.is_some() {
+            let handled = self.shared.handled.lock().unwrap_or_else(PoisonError::into_inner);
+            drop(self.shared.changed.wait_while(handled, |handled| *handled < self.sent));
+        }
+    }
+
+    /// Why work is not kept, if it is not.
+    pub(crate) fn problem(&self) -> Option<Diagnostic> {
+        if self.thread.is_none() {
+            return Some(problem("the system gives no thread to write it"));
+        }
+        self.shared.problem.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+}
+
+impl<D: Journaled> Drop for Keeper<D> {
+    fn drop(&mut self) {
+        // The thread ends when nobody can send any more, and after it has written what was sent.
+        self.sender = None;
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}
+
+fn problem(why: impl std::fmt::Display) -> Diagnostic {
+    let message = format!("a crash now would lose what is not saved: {why}");
+    Diagnostic::warning("not-kept", message)
+        .hint("editing goes on; save often, or make room on the disk")
+}
+
+/// What is about to be written.
+struct Waiting<D: Journaled> {
+    ops: Vec<Op<D::Edit>>,
+    /// Whether the last of them is the first of its gesture. Others of the same gesture never take
+    /// its place: it is what makes the undo step, and what takes away what could be redone.
+    is_first: bool,
+}
+
+impl<D: Journaled> Default for Waiting<D> {
+    fn default() -> Self {
+        Self { ops: Vec::new(), is_first: false }
+    }
+}
+
+impl<D: Journaled> Waiting<D> {
+    /// Puts an edit after what waits, or in the place of the last that waits, if it sets the same
+    /// anyway.
+    fn join(&mut self, op: Op<D::Edit>) {
+        let last = self.ops.last_mut();
+        let (goes_on, sets_the_same) = match (&last, &op) {
+            (
+                Some(Op::Edit { gesture: Some(old), edit: covered }),
+                Op::Edit { gesture: Some(new), edit },
+            ) if old == new => (true, D::covers(covered, edit)),
+            _ => (false, false),
+        };
+        match last {
+            Some(last) if sets_the_same && !self.is_first => *last = op,
+            _ => {
+                self.is_first = !goes_on;
+                self.ops.push(op);
+            }
+        }
+    }
+}
+
+/// Lives on the thread.
+struct Writer<D: Journaled> {
+    folder: PathBuf,
+    slot: Option<Slot>,
+    journal: Option<Journal>,
+    waiting: Waiting<D>,
+    is_synced: bool,
+    window: Members,
+    /// Whether the journal has `window` as it is now.
+    is_noted: bool,
+    /// Since when it was written last.
+    noted: Option<Clock>,
+    shared: Arc<Shared>,
+    failed: Option<Clock>,
+    wake: Box<dyn Fn() + Send>,
+}
+
+impl<D: Journaled> Writer<D> {
+    fn run(&mut self, receiver: &Receiver<Message<D>>) {
+        let mut since: Option<Clock> = None;
+        loop {
+            let pause = match &since {
+                Some(since) => OFTEN.saturating_sub(Duration::from_secs_f64(since.seconds())),
+                None if self.failed.is_some() => Duration::from_secs_f64(RETRY),
+                None if self.is_to_note() => Duration::from_secs_f64(WINDOW),
+                None if !self.is_synced => REST,
+                None => Duration::MAX,
+            };
+            let message = match pause {
+                Duration::MAX => receiver.recv().map_err(|_| RecvTimeoutError::Disconnected),
+                pause => receiver.recv_timeout(pause),
+            };
+            match message {
+                Ok(message) => {
+                    let goes_on = matches!(message, Message::Ops(_, true) | Message::Window(_));
+                    self.handle(message);
+                    let is_due = |noted: &Clock| noted.seconds() >= WINDOW;
+                    if self.is_to_note() && self.noted.as_ref().is_none_or(is_due) {
+                        self.note_window();
+                    }
+                    if !goes_on
+                        || since
+                            .as_ref()
+                            .is_some_and(|since| since.seconds() >= OFTEN.as_secs_f64())
+                    {
+                        self.write();
+                    }
+                    *self.shared.handled.lock().unwrap_or_else(PoisonError::into_inner) += 1;
+                    self.shared.changed.notify_all();
+                }
+                Err(RecvTimeoutError::Timeout) if since.is_some() => self.write(),
+                Err(RecvTimeoutError::Timeout) if self.failed.is_some() => self.ask_to_begin(),
+                Err(RecvTimeoutError::Timeout) if self.is_to_note() => self.note_window(),
+                Err(RecvTimeoutError::Timeout) => self.sync(),
+                Err(RecvTimeoutError::Disconnected) => {
+                    self.write();
+                    self.note_window();
+                    return;
+                }
+            }
+            since = if self.waiting.ops.is_empty() {
+                None
+            } else {
+                since.or_else(|| Some(Clock::start()))
+            };
+        }
+    }
+
+    fn handle(&mut self, message: Message<D>) {
+        match message {
+            Message::Begin(standing) => {
+                // It holds what waits.
+                self.waiting.ops.clear();
+                let begun = self.begin(*standing);
+                self.is_synced = true;
+                self.take(begun);
+            }
+            Message::Window(members) => {
+                self.window = members;
+                self.is_noted = false;
+            }
+            Message::Ops(ops, _) => ops.into_iter().for_each(|op| self.waiting.join(op)),
+            Message::Leave(in_peace) => {
+                self.write();
+                self.note_window();
+                let closed = match self.journal.as_mut() {
+                    Some(journal) if in_peace => journal.close(),
+                    _ => Ok(()),
+                };
+                self.take(closed);
+                (self.journal, self.slot) = (None, None);
+            }
+            Message::Discard => {
+                self.waiting.ops.clear();
+                self.journal = None;
+                if let Some(slot) = self.slot.take() {
+                    slot.discard();
+                }
+                self.take(Ok(()));
+            }
+        }
+    }
+
+    fn begin(
+        &mut self,
+        Standing { about, source, history, slot }: Standing<D>,
+    ) -> std::io::Result<()> {
+        self.journal = None;
+        if slot.is_some() {
+            self.slot = slot;
+        }
+        if self.slot.is_none() {
+            self.slot = Some(Slot::new(&self.folder)?);
+        }
+        if let Some(slot) = &self.slot {
+            self.journal = Some(Journal::begin(slot, &about, source.as_deref(), &history)?);
+            self.is_noted = self.window.is_empty();
+            self.note_window();
+        }
+        Ok(())
+    }
+
+    fn write(&mut self) {
+        let ops = std::mem::take(&mut self.waiting.ops);
+        if ops.is_empty() {
+            return;
+        }
+        let Some(journal) = &mut self.journal else {
+            // It could not be begun; after a while that is tried again, by who has the document.
+            if self.failed.as_ref().is_none_or(|failed| failed.seconds() > RETRY) {
+                self.ask_to_begin();
+            }
+            return;
+        };
+        let written = journal.append(&ops);
+        self.is_synced = false;
+        if journal.is_grown() {
+            self.shared.wants_to_begin.store(true, Ordering::Relaxed);
+        }
+        self.take(written);
+    }
+
+    /// Whether there is a journal that does not know what the window wants back.
+    fn is_to_note(&self) -> bool {
+        !self.is_noted && self.journal.is_some()
+    }
+
+    /// Writes what the window wants back, where the journal does not have it. It is nobody's work:
+    /// where that fails, nothing is told, and the next edit tells it.
+    fn note_window(&mut self) {
+        if !self.is_noted
+            && let Some(journal) = &mut self.journal
+        {
+            self.is_noted = true;
+            self.noted = Some(Clock::start());
+            self.is_synced = false;
+            let _ = journal.note_window(&self.window);
+        }
+    }
+
+    fn ask_to_begin(&mut self) {
+        self.failed = self.failed.is_some().then(Clock::start);
+        self.shared.wants_to_begin.store(true, Ordering::Relaxed);
+        (self.wake)();
+    }
+
+    fn sync(&mut self) {
+        self.is_synced = true;
+        let synced = self.journal.as_ref().map_or(Ok(()), Journal::sync);
+        self.take(synced);
+    }
+
+    /// Tells a failure once, and once that it is over. What is missing in a journal cannot be made
+    /// up for, so it is begun anew then.
+    fn take(&mut self, result: std::io::Result<()>) {
+        let problem = result.err().map(|error| problem(reason(&error)));
+        if problem.is_some() {
+            self.journal = None;
+            self.failed = Some(Clock::start());
+        } else if self.journal.is_some() {
+            self.failed = None;
+        }
+        let mut told = self.shared.problem.lock().unwrap_or_else(PoisonError::into_inner);
+        let is_new = told.is_some() != problem.is_some();
+        *told = problem;
+        drop(told);
+        if is_new {
+            (self.wake)();
+        }
+    }
+}
+
+fn reason(error: &std::io::Error) -> String {
+    match error.kind() {
+        std::io::ErrorKind::StorageFull => "the disk is full".to_owned(),
+        std::io::ErrorKind::PermissionDenied | std::io::ErrorKind::ReadOnlyFilesystem => {
+            "the folder for unsaved work may not be written".to_owned()
+        }
+        _ => format!("the folder for unsaved work cannot be written ({error})"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::journal::LookOp;
+    use crate::document::{Edit, GraphId, Look, Node, Value};
+
+    /// The document, and all that undo and redo lead through.
+    fn all_of(mut history: History<Look>) -> Vec<String> {
+        let mut all = vec![history.document().to_text()];
+        while history.undo().is_some() {
+            all.push(history.document().to_text());
+        }
+        while history.redo().is_some() {
+            all.push(history.document().to_text());
+        }
+        all
+    }
+
+    fn done(ops: &[LookOp]) -> History<Look> {
+        let mut look = Look::default();
+        look.graph.nodes.insert("a".into(), Node::default());
+        let mut history = History::new(look);
+        ops.iter().for_each(|op| apply(&mut history, op));
+        history
+    }
+
+    fn apply(history: &mut History<Look>, op: &LookOp) {
+        match op.clone() {
+            Op::Edit { gesture: Some(gesture), edit } => history.apply_in(gesture, edit).unwrap(),
+            Op::Edit { gesture: None, edit } => history.apply(edit).unwrap(),
+            Op::Undo => drop(history.undo()),
+            Op::Redo => drop(history.redo()),
+        }
+    }
+
+    #[test]
+    fn joined_edits_come_to_the_same() {
+        let mut fewer = 0;
+        for seed in 0..400_u64 {
+            let mut bits = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1;
+            let mut below = |count: u64| {
+                bits ^= bits << 13;
+                bits ^= bits >> 7;
+                bits ^= bits << 17;
+                (bits >> 11) % count
+            };
+            let (mut ops, mut plain) = (Vec::new(), done(&[]));
+            let mut gesture = 0;
+            for _ in 0..12 {
+                gesture += u64::from(below(5) == 0);
+                let set = |port: &str, value: u64| Edit::SetValue {
+                    graph: GraphId::Look,
+                    id: "a".into(),
+                    port: port.into(),
+                    value: Value::Number(value as f64),
+                    index: None,
+                };
+                let op = match below(12) {
+                    0 => Op::Undo,
+                    1 => Op::Redo,
+                    2 => Op::Edit {
+                        gesture: Some(gesture),
+                        edit: Edit::SetLookName { name: below(3).to_string() },
+                    },
+                    3 => Op::Edit { gesture: None, edit: set("a", below(3)) },
+                    4..7 => Op::Edit { gesture: Some(gesture), edit: set("b", below(3)) },
+                    _ => Op::Edit { gesture: Some(gesture), edit: set("a", below(3)) },
+                };
+                // Only what did something is noted.
+                let before = plain.revision();
+                apply(&mut plain, &op);
+                if plain.revision() > before {
+                    ops.push(op);
+                }
+            }
+            let mut waiting = Waiting::<Look>::default();
+            ops.iter().cloned().for_each(|op| waiting.join(op));
+            fewer += ops.len() - waiting.ops.len();
+            let joined = done(&waiting.ops);
+            assert_eq!(plain.steps(), joined.steps(), "{ops:?}");
+            assert_eq!(all_of(plain), all_of(joined), "{ops:?}");
+        }
+        assert!(fewer > 200, "edits are joined: {fewer}");
+    }
+}

@@ -1,0 +1,328 @@
+//! Nothing is ever lost: unsaved work is kept in a journal and offered again, files changed by
+//! other programs are noticed, and what the window remembers is saved. All of it is told in a bar
+//! below the top one, and nothing asks in the middle of the work.
+
+pub(crate) mod crashes;
+pub(crate) mod disk;
+pub(crate) mod keeper;
+pub(crate) mod offers;
+pub(crate) mod places;
+pub(crate) mod unopened;
+mod watch;
+
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use crate::diag::Diagnostic;
+use crate::document::Look;
+use crate::frame::SHAPE_PREFIX;
+use crate::state::painting::look;
+use crate::state::session::Session;
+use crate::state::settings::{Settings, Theme};
+use crate::state::stage::real;
+use disk::Disk;
+use offers::Offers;
+use places::Places;
+use unopened::Unopened;
+
+/// When, in seconds of the window's clock, it looks for left work once more: a program that was
+/// killed may take a while to let go of its own.
+const LOOKS: [f64; 3] = [2.0, 6.0, 20.0];
+
+/// What looks after a window's work.
+pub(crate) struct Safety {
+    places: Option<Places>,
+    pub(crate) disk: Disk,
+    pub(crate) offers: Offers,
+    pub(crate) settings: Settings,
+    /// The theme and the scale that the window had in the last frame.
+    window: Option<(Theme, f32)>,
+    /// Whether the note that nothing is kept was read.
+    pub(crate) is_problem_read: bool,
+    /// How many of [`LOOKS`] were made.
+    looks: usize,
+    /// The file that could not be opened last.
+    pub(crate) unopened: Option<Unopened>,
+    /// The files of scenes, and of looks within them, that this window has put aside: their work
+    /// comes back with them.
+    aside: HashSet<PathBuf>,
+}
+
+impl Safety {
+    /// One that notices changed files, and keeps nothing until it is told where. `wake` is called
+    /// from another thread when a file may have changed.
+    pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
+        Self {
+            places: None,
+            disk: Disk::new(wake),
+            offers: Offers::default(),
+            settings: Settings::default(),
+            window: None,
+            is_problem_read: false,
+            looks: 0,
+            unopened: None,
+            aside: HashSet::new(),
+        }
+    }
+
+    /// Keeps journals and settings here from now on, and looks for what was left behind.
+    pub(crate) fn keep_in(
+        &mut self,
+        places: Places,
+        session: &mut Session,
+        wake: impl Fn() + Send + Sync + 'static,
+    ) {
+        session.keep_in(&places.journals(), wake);
+        session.crashes.keep_in(&places.running());
+        self.settings = Settings::load(&places.settings());
+        if let Some(mesh) = &self.settings.mesh
+            && (mesh.starts_with(SHAPE_PREFIX) || Path::new(mesh).exists())
+        {
+            mesh.clone_into(&mut session.view.mesh);
+            session.view.z_is_up = self.settings.z_is_up;
+        }
+        self.places = Some(places);
+        self.look();
+    }
+
+    /// Tells that a file could not be opened, until another one is.
+    pub(crate) fn could_not_open(
+        &mut self,
+        path: &Path,
+        problems: &[Diagnostic],
+        session: &Session,
+    ) {
+        self.unopened = Some(Unopened::new(path, problems, session));
+    }
+
+    /// Tells that a file is not read, because the last program ended over that, until another one
+    /// is opened.
+    pub(crate) fn was_interrupted(&mut self, path: &Path, session: &Session) {
+        self.unopened = Some(Unopened::interrupted(path, session));
+    }
+
+    /// The file that is not read for that.
+    pub(crate) fn interrupted(&mut self) -> Option<PathBuf> {
+        self.unopened.take().and_then(|unopened| unopened.interrupted)
+    }
+
+    /// Which file could not be opened, why, and where it was looked for.
+    pub(crate) fn unopened(&self) -> Option<String> {
+        self.unopened.as_ref().map(|unopened| format!("{}\n  {}", unopened.text, unopened.help))
+    }
+
+    /// Looks for work that nobody holds.
+    pub(crate) fn look(&mut self) {
+        if let Some(places) = &self.places {
+            self.offers.look(&places.journals());
+        }
+    }
+
+    /// Goes on where the last window was closed, if anything was not saved then. A window that
+    /// crashed is not gone on with unasked: what it was at may be what broke it.
+    pub(crate) fn resume(&mut self, session: &mut Session) -> Option<String> {
+        let look = self.resume_look(session);
+        let painting =
+            self.offers.closed_painting().filter(|number| !self.is_suspect(*number, session));
+        let painting = painting.map(|number| self.take_back(number, session));
+        look.or(painting)
+    }
+
+    /// Whether the last program ended over what is offered, or over the scene around it: only a
+    /// hand goes on with that.
+    fn is_suspect(&self, number: usize, session: &Session) -> bool {
+        let offer = self.offers.get(number);
+        let files = offer.into_iter().flat_map(|offer| offer.path.iter().chain(&offer.beside));
+        files.into_iter().any(|path| session.crashes.suspect_in(path).is_some())
+    }
+
+    fn resume_look(&mut self, session: &mut Session) -> Option<String> {
+        let number = self.offers.closed()?;
+        // What a scene was closed with comes back by the scene.
+        let number = self.offers.scene_closed_with(number).unwrap_or(number);
+        if self.is_suspect(number, session) {
+            return None;
+        }
+        let told = self.take_back(number, session);
+        session.look_as_kept(true);
+        Some(told)
+    }
+
+    /// Remembers that the scene that is open, and the look in it, are about to be put aside.
+    pub(crate) fn put_aside(&mut self, session: &Session) {
+        let Some(stage) = session.stage() else { return };
+        self.aside.extend([stage.path(), session.path()].into_iter().flatten().map(real));
+    }
+
+    /// Remembers that a file was put aside, and is wanted back with the work on it.
+    pub(crate) fn want_back(&mut self, path: &Path) {
+        self.aside.insert(real(path));
+    }
+
+    /// Takes a look without a file back that was put aside as it is here. Returns whether there was
+    /// one.
+    pub(crate) fn take_back_look(&mut self, look: &Look, session: &mut Session) -> bool {
+        self.look();
+        let text = look.to_text();
+        let number = self.offers.of_look(|other, path| path.is_none() && other.to_text() == text);
+        number.map(|number| self.take_back(number, session)).is_some()
+    }
+
+    /// Takes the look back that was left behind and shows what is painted. Returns whether there
+    /// was one.
+    pub(crate) fn take_back_look_of_painting(&mut self, session: &mut Session) -> bool {
+        self.look();
+        let is_it = |look: &Look, path: Option<&Path>| look::shows_in(session, look, path);
+        let number = self.offers.of_look(is_it);
+        if let Some(number) = number {
+            self.take_back(number, session);
+            session.look_as_kept(true);
+        }
+        number.is_some()
+    }
+
+    /// Takes the look back that was put aside with a scene, and that has no file.
+    pub(crate) fn take_back_unsaved(&mut self, session: &mut Session) {
+        if let Some(number) = self.offers.unsaved_of_scene() {
+            self.take_back(number, session);
+        }
+    }
+
+    /// Opens a file with the past or the unsaved work that a journal has of it, where the file is
+    /// what that was based on. Returns what to tell; `None` where the file is to be read.
+    pub(crate) fn reopen(&mut self, path: &Path, session: &mut Session) -> Option<String> {
+        let is_aside = self.aside.contains(&real(path));
+        if let Some(number) = self.offers.of_file(path, false, is_aside) {
+            let told = self.take_back(number, session);
+            // Whoever goes from one look of a scene to another stays where they are.
+            session.look_as_kept(session.stage().is_none());
+            return Some(told);
+        }
+        let number = self.offers.of_file(path, true, is_aside)?;
+        self.take_back(number, session);
+        session.look_as_kept(session.stage().is_none());
+        Some(String::new())
+    }
+
+    pub(crate) fn take_back(&mut self, number: usize, session: &mut Session) -> String {
+        if self.offers.get(number).is_some_and(|offer| offer.is_painting) {
+            return self.take_back_painting(number, session);
+        }
+        if session.is_dirty() && !session.keeps_work() {
+            return "Save this look first: its changes cannot be put aside now".to_owned();
+        }
+        self.open_scene_of(number, session);
+        session.leave_journal(false);
+        let told = match self.offers.take_back(number, session) {
+            Ok(name) => format!("{name} is as it was, with all its changes"),
+            Err(problem) => problem.message,
+        };
+        self.look();
+        told
+    }
+
+    /// The look that is open stays: what is painted is seen beside it.
+    fn take_back_painting(&mut self, number: usize, session: &mut Session) -> String {
+        if session.is_painting_dirty() && !session.keeps_painting() {
+            return "Save what you paint first: its changes cannot be put aside now".to_owned();
+        }
+        let told = match self.offers.take_back(number, session) {
+            Ok(name) => format!("{name} is as it was, with all its changes"),
+            Err(problem) => problem.message,
+        };
+        self.look();
+        told
+    }
+
+    /// Opens the scene that a look was in when it was put aside, if that is not open.
+    fn open_scene_of(&self, number: usize, session: &mut Session) {
+        let Some(offer) = self.offers.get(number).filter(|offer| !offer.is_scene) else { return };
+        let is_open = |path: &Path| {
+            session
+                .stage()
+                .and_then(|stage| stage.path())
+                .is_some_and(|open| real(open) == real(path))
+        };
+        if let Some(scene) = offer.beside.clone().filter(|path| path.is_file() && !is_open(path)) {
+            // Where it cannot be read the look comes back without it.
+            let _ = session.open(&scene);
+        }
+    }
+
+    /// Remembers that a file was opened or saved.
+    pub(crate) fn opened(&mut self, path: &Path) {
+        self.change_settings(|settings| settings.opened(path));
+    }
+
+    /// Remembers a mesh, and whether it was stood up.
+    pub(crate) fn shown_on(&mut self, mesh: &str, z_is_up: bool) {
+        let path = std::path::absolute(mesh).ok().filter(|_| !mesh.starts_with(SHAPE_PREFIX));
+        let mesh = path
+            .and_then(|path| path.to_str().map(str::to_owned))
+            .unwrap_or_else(|| mesh.to_owned());
+        self.change_settings(|settings| {
+            settings.mesh = Some(mesh);
+            settings.z_is_up = z_is_up;
+        });
+    }
+
+    /// Whether anything is remembered from one time to the next.
+    pub(crate) fn remembers(&self) -> bool {
+        self.places.is_some()
+    }
+
+    /// Remembers theme and scale, and an arrangement of panels, where this window has changed them.
+    pub(crate) fn remember(&mut self, now: (Theme, f32), layout: Option<serde_json::Value>) {
+        let is_other = self.window.replace(now).is_some_and(|before| before != now);
+        if self.remembers() && (is_other || layout.is_some()) {
+            self.change_settings(|settings| {
+                if is_other {
+                    (settings.theme, settings.scale) = now;
+                }
+                settings.layout = layout.or(settings.layout.take());
+            });
+        }
+    }
+
+    /// Changes what is remembered, and saves it.
+    pub(crate) fn change_settings(&mut self, change: impl FnOnce(&mut Settings)) {
+        match self.places.as_ref().map(Places::settings) {
+            // Where they cannot be saved, the window goes on with what it knew: nothing of
+            // anybody's work is lost.
+            Some(path) => self.settings = Settings::change(&path, &self.settings, change),
+            None => change(&mut self.settings),
+        }
+    }
+
+    /// Lets go of notes that hold no more: another file was opened, or work is kept again.
+    pub(crate) fn forget_old_notes(&mut self, session: &Session) {
+        self.is_problem_read &= session.keeping_problem().is_some();
+        self.unopened = self.unopened.take().filter(|unopened| unopened.is_new(session));
+    }
+
+    /// Looks at files when it is time to, which is in seconds of the window's clock, or when the
+    /// window has the focus again. Returns what to tell, and when to call again.
+    pub(crate) fn tick(
+        &mut self,
+        now: f64,
+        has_come_back: bool,
+        session: &mut Session,
+    ) -> (Option<String>, Option<Duration>) {
+        if LOOKS.get(self.looks).is_some_and(|&time| now >= time) {
+            self.looks += 1;
+            self.look();
+        }
+        self.disk.tick(session, now, has_come_back)
+    }
+
+    /// Looks at files now. Returns what to tell.
+    pub(crate) fn look_at_files(&mut self, session: &mut Session) -> Option<String> {
+        self.disk.check(session)
+    }
+
+    /// The files that were open, the newest first, each with whether it is still there.
+    pub(crate) fn recent(&self) -> impl Iterator<Item = (&PathBuf, bool)> {
+        self.settings.recent.iter().map(|path| (path, path.exists()))
+    }
+}

@@ -1,0 +1,336 @@
+//! Work that was left behind: by a window that crashed, by one that was closed, or put aside for
+//! another document.
+
+use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime};
+
+use crate::clock;
+use crate::diag::Diagnostic;
+use crate::document::journal::{Found, Journaled, Recovered, Slot, left_behind, recover_any};
+use crate::document::{Look, Scene, read_text};
+use crate::state::session::Session;
+
+/// Nobody asks any more what could be undone in a saved look after so long.
+const FORGOTTEN: Duration = Duration::from_secs(7 * 24 * 60 * 60);
+
+/// Unsaved work that can be taken back.
+#[derive(Debug)]
+pub(crate) struct Offer {
+    slot: Slot,
+    /// What people call it.
+    pub(crate) name: String,
+    /// Its file, if it has one.
+    pub(crate) path: Option<PathBuf>,
+    /// How many undo steps would be lost; `None` where nobody knows.
+    pub(crate) steps: Option<usize>,
+    /// When it was worked on last.
+    pub(crate) written: Option<SystemTime>,
+    /// Whether the window was closed as windows are.
+    pub(crate) is_closed: bool,
+    /// Whether it is to be thrown away when this window closes.
+    pub(crate) is_thrown: bool,
+    /// What is wrong with the journal.
+    pub(crate) damage: Vec<Diagnostic>,
+    /// Whether anything can be taken back.
+    pub(crate) is_readable: bool,
+    /// Whether its file holds it all: only its past is worth anything, to who opens the file again.
+    is_saved: bool,
+    /// Whether it is a scene, and no look.
+    pub(crate) is_scene: bool,
+    /// Whether it is an HCBTF that was being painted.
+    pub(crate) is_painting: bool,
+    /// What was open with it: of a look the scene, of a scene the look.
+    pub(crate) beside: Option<PathBuf>,
+    /// Whether it is a look that was in a scene.
+    is_staged: bool,
+}
+
+/// What a journal says of either kind of document.
+struct Outline {
+    name: String,
+    path: Option<PathBuf>,
+    source: Option<String>,
+    /// Whether it was saved, and the journal knows.
+    is_saved: bool,
+    /// Whether the file holds it, in whatever way that came.
+    is_in_file: bool,
+    steps: Option<usize>,
+    damage: Vec<Diagnostic>,
+    is_closed: bool,
+    is_scene: bool,
+    is_painting: bool,
+    beside: Option<PathBuf>,
+    is_staged: bool,
+}
+
+impl Outline {
+    fn read(path: &Path) -> Result<Self, Box<Diagnostic>> {
+        Ok(match recover_any(path)? {
+            Found::Look(found) => {
+                let is_in_file = is_in_file(
+                    &found,
+                    |text| Some(Look::read(text, "").value?.to_text()),
+                    Look::to_text,
+                );
+                let beside = text_of(&found.about.window, "scene");
+                Self { is_in_file, beside, ..Self::of(*found) }
+            }
+            Found::Scene(found) => {
+                let is_in_file = is_in_file(
+                    &found,
+                    |text| Some(Scene::read(text, "").value?.to_text()),
+                    Scene::to_text,
+                );
+                let beside = text_of(&found.about.window, "look");
+                Self { is_in_file, beside, is_scene: true, ..Self::of(*found) }
+            }
+            Found::Hcbtf(found) => Self { is_painting: true, ..Self::of(*found) },
+        })
+    }
+
+    fn of<D: Journaled>(found: Recovered<D>) -> Self {
+        Self {
+            name: found.about.name,
+            path: found.about.path.map(PathBuf::from),
+            source: found.source,
+            is_saved: found.history.is_saved(),
+            is_in_file: false,
+            steps: found.history.unsaved_steps().or(Some(found.history.steps().0)),
+            damage: found.damage,
+            is_closed: found.is_closed,
+            is_scene: false,
+            is_painting: false,
+            beside: None,
+            is_staged: found
+                .about
+                .window
+                .get("staged")
+                .and_then(serde_json::Value::as_bool)
+                .unwrap_or(false),
+        }
+    }
+}
+
+fn text_of(window: &serde_json::Value, key: &str) -> Option<PathBuf> {
+    window.get(key).and_then(serde_json::Value::as_str).map(PathBuf::from)
+}
+
+impl Offer {
+    fn of(slot: Slot) -> Option<Self> {
+        let written = slot.written();
+        match Outline::read(slot.path()) {
+            Ok(found) => {
+                let is_saved = found.is_saved || found.is_in_file;
+                if is_saved && written.is_none_or(|written| clock::age(written) > FORGOTTEN) {
+                    slot.discard();
+                    return None;
+                }
+                Some(Self {
+                    slot,
+                    name: found.name,
+                    path: found.path,
+                    steps: found.steps,
+                    written,
+                    is_closed: found.is_closed,
+                    is_thrown: false,
+                    damage: found.damage,
+                    is_readable: true,
+                    is_saved,
+                    is_scene: found.is_scene,
+                    is_painting: found.is_painting,
+                    beside: found.beside,
+                    is_staged: found.is_staged,
+                })
+            }
+            Err(problem) => Some(Self {
+                name: "a damaged journal".to_owned(),
+                path: None,
+                steps: None,
+                written,
+                is_closed: false,
+                is_thrown: false,
+                damage: vec![*problem],
+                is_readable: false,
+                is_saved: false,
+                is_scene: false,
+                is_painting: false,
+                beside: None,
+                is_staged: false,
+                slot,
+            }),
+        }
+    }
+
+    /// What people are told of it.
+    pub(crate) fn summary(&self) -> String {
+        let steps = match self.steps {
+            Some(1) => "1 change, ".to_owned(),
+            Some(count) => format!("{count} changes, "),
+            None => String::new(),
+        };
+        let ago = self.written.map_or_else(String::new, |written| ago(clock::age(written)));
+        let damaged = match (self.damage.is_empty(), self.is_readable) {
+            (true, _) => "",
+            (false, true) => "; a part of it was damaged and is lost",
+            (false, false) => "; nothing in it can be read",
+        };
+        format!("{}, {steps}{ago}{damaged}", self.name)
+    }
+}
+
+/// Whether the file holds the document as it is: it was saved, and the journal did not come to
+/// know. `canonical` is the canonical form of a text.
+fn is_in_file<D: Journaled>(
+    found: &Recovered<D>,
+    canonical: impl Fn(&str) -> Option<String>,
+    to_text: impl Fn(&D) -> String,
+) -> bool {
+    let text = found.about.path.as_ref().and_then(|path| read_text(Path::new(path)).ok());
+    text.and_then(|text| canonical(&text))
+        .is_some_and(|text| text == to_text(found.history.document()))
+}
+
+/// How long ago, as people say it.
+fn ago(age: Duration) -> String {
+    let count = |number: u64, unit: &str| {
+        format!("{number} {unit}{} ago", if number == 1 { "" } else { "s" })
+    };
+    match age.as_secs() {
+        0..60 => "just now".to_owned(),
+        seconds @ 60..3600 => count(seconds / 60, "minute"),
+        seconds @ 3600..86_400 => count(seconds / 3600, "hour"),
+        seconds => count(seconds / 86_400, "day"),
+    }
+}
+
+/// What was left behind, the newest first.
+#[derive(Debug, Default)]
+pub(crate) struct Offers {
+    all: Vec<Offer>,
+}
+
+impl Offers {
+    /// Looks for what nobody holds.
+    pub(crate) fn look(&mut self, folder: &Path) {
+        let mut all: Vec<Offer> = left_behind(folder).into_iter().filter_map(Offer::of).collect();
+        all.append(&mut self.all);
+        self.all = all;
+    }
+
+    /// What is offered, each with its number.
+    pub(crate) fn shown(&self) -> impl Iterator<Item = (usize, &Offer)> {
+        self.all.iter().enumerate().filter(|(_, offer)| !offer.is_saved)
+    }
+
+    /// The newest that a window left when it was closed.
+    pub(crate) fn closed(&self) -> Option<usize> {
+        let is_it = |offer: &Offer| offer.is_closed && offer.is_readable && !offer.is_painting;
+        self.shown().find(|(_, offer)| is_it(offer)).map(|(number, _)| number)
+    }
+
+    /// The newest painting that a window left when it was closed.
+    pub(crate) fn closed_painting(&self) -> Option<usize> {
+        let is_it = |offer: &Offer| offer.is_closed && offer.is_readable && offer.is_painting;
+        self.shown().find(|(_, offer)| is_it(offer)).map(|(number, _)| number)
+    }
+
+    /// What was left of the look in this file, if the file is still what it was based on:
+    /// `is_saved` asks for the past of a saved look, else for unsaved work of a window that was
+    /// closed, or with `is_aside` of whichever.
+    pub(crate) fn of_file(&self, path: &Path, is_saved: bool, is_aside: bool) -> Option<usize> {
+        let path = std::path::absolute(path).ok()?;
+        let is_it = |offer: &Offer| {
+            let is_free = is_saved || offer.is_closed || is_aside;
+            let is_of_it = offer.path.as_ref() == Some(&path) && !offer.is_painting;
+            is_of_it && offer.is_saved == is_saved && is_free
+        };
+        let number = self.all.iter().position(is_it)?;
+        let found = Outline::read(self.all[number].slot.path()).ok()?;
+        let text = read_text(&path).ok()?;
+        let is_same = found.source.as_ref() == Some(&text) && (found.is_saved || !is_saved);
+        is_same.then_some(number)
+    }
+
+    /// The newest that was left of a look for which `is_it` is true; that is told its file, if it
+    /// has one.
+    pub(crate) fn of_look(&self, is_it: impl Fn(&Look, Option<&Path>) -> bool) -> Option<usize> {
+        self.all.iter().position(|offer| {
+            let may_be =
+                offer.is_readable && !offer.is_scene && !offer.is_painting && !offer.is_thrown;
+            let found = may_be.then(|| recover_any(offer.slot.path()).ok()).flatten();
+            let Some(Found::Look(found)) = found else { return false };
+            is_it(found.history.document(), offer.path.as_deref())
+        })
+    }
+
+    /// What is offered under a number.
+    pub(crate) fn get(&self, number: usize) -> Option<&Offer> {
+        self.all.get(number)
+    }
+
+    /// The scene that was closed with a look, if it was not saved then.
+    pub(crate) fn scene_closed_with(&self, number: usize) -> Option<usize> {
+        let look = self.all.get(number).filter(|offer| !offer.is_scene && !offer.is_painting)?;
+        let is_it = |offer: &Offer| offer.is_scene && offer.is_closed && offer.beside == look.path;
+        self.shown().find(|(_, offer)| is_it(offer)).map(|(number, _)| number)
+    }
+
+    /// The look without a file that was put aside with a scene.
+    pub(crate) fn unsaved_of_scene(&self) -> Option<usize> {
+        let is_look = |offer: &Offer| !offer.is_scene && !offer.is_painting;
+        let is_it = |offer: &Offer| {
+            is_look(offer) && offer.is_staged && offer.path.is_none() && offer.is_readable
+        };
+        self.all.iter().position(is_it)
+    }
+
+    /// Opens what is offered in the window, in place of the open look, which the caller has put
+    /// aside.
+    ///
+    /// # Errors
+    /// Why it cannot be read; it is still offered then.
+    pub(crate) fn take_back(
+        &mut self,
+        number: usize,
+        session: &mut Session,
+    ) -> Result<String, Box<Diagnostic>> {
+        let Some(offer) = self.all.get(number) else { return Ok(String::new()) };
+        let found = recover_any(offer.slot.path())?;
+        let offer = self.all.remove(number);
+        match found {
+            Found::Look(found) => session.take_back(*found, offer.slot),
+            Found::Scene(found) => session.take_back_scene(*found, offer.slot),
+            Found::Hcbtf(found) => session.take_back_painting(*found, offer.slot),
+        }
+        Ok(offer.name)
+    }
+
+    /// Marks it to be thrown away, or not.
+    pub(crate) fn throw(&mut self, number: usize, is_thrown: bool) {
+        if let Some(offer) = self.all.get_mut(number) {
+            offer.is_thrown = is_thrown;
+        }
+    }
+}
+
+impl Drop for Offers {
+    fn drop(&mut self) {
+        for offer in self.all.drain(..).filter(|offer| offer.is_thrown) {
+            offer.slot.discard();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ages_are_said_as_people_say_them() {
+        let said = |seconds| ago(Duration::from_secs(seconds));
+        assert_eq!(said(59), "just now");
+        assert_eq!(said(60), "1 minute ago");
+        assert_eq!(said(7199), "1 hour ago");
+        assert_eq!(said(200_000), "2 days ago");
+    }
+}

@@ -1,0 +1,64 @@
+//! The note of a file that could not be opened: which, why, and what to do.
+
+use std::path::{Path, PathBuf};
+
+use crate::diag::{Diagnostic, LineColumn};
+use crate::state::paths::absolute;
+use crate::state::session::Session;
+
+/// A file that could not be opened.
+pub(crate) struct Unopened {
+    /// Which, and why.
+    pub(crate) text: String,
+    /// Where it was looked for, and what to do.
+    pub(crate) help: String,
+    /// Its path, where it was not even tried, as the last program ended over that.
+    pub(crate) interrupted: Option<PathBuf>,
+    /// What was open meanwhile: the note goes with that.
+    open: (u64, Option<u64>),
+}
+
+impl Unopened {
+    pub(super) fn new(path: &Path, problems: &[Diagnostic], session: &Session) -> Self {
+        let problem = problems.iter().find(|problem| problem.is_error()).or(problems.first());
+        let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+        let why = problem.map(|problem| problem.message.as_str()).unwrap_or_default();
+        let why = why.strip_prefix("cannot read the file: ").unwrap_or(why);
+        let at = problem.and_then(|problem| problem.place.at);
+        let at = at
+            .map(|LineColumn { line, column }| format!(" (line {line}, column {column})"))
+            .unwrap_or_default();
+        let whole = absolute(path);
+        let hints = problem.map(|problem| problem.hints.join("; ")).unwrap_or_default();
+        let help = if hints.is_empty() { String::new() } else { format!(": {hints}") };
+        Self {
+            text: format!("{name} could not be opened: {why}{at}"),
+            help: format!("{}{help}", whole.display()),
+            interrupted: None,
+            open: Self::open(session),
+        }
+    }
+
+    /// A file that is not read by itself.
+    pub(super) fn interrupted(path: &Path, session: &Session) -> Self {
+        let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+        Self {
+            text: format!("{name} was not opened: Chiaro ended while reading it the last time"),
+            help: format!("{}: save your other work, then try again", absolute(path).display()),
+            interrupted: Some(path.to_owned()),
+            open: Self::open(session),
+        }
+    }
+
+    fn open(session: &Session) -> (u64, Option<u64>) {
+        (
+            session.document_number(),
+            session.painting().map(crate::state::painting::work::Work::number),
+        )
+    }
+
+    /// Whether nothing else was opened since.
+    pub(super) fn is_new(&self, session: &Session) -> bool {
+        self.open == Self::open(session)
+    }
+}

@@ -1,0 +1,84 @@
+//! A document over which the last program ended is neither compiled nor drawn until somebody says
+//! so.
+
+use std::path::PathBuf;
+
+use super::Session;
+use crate::diag::Diagnostic;
+use crate::state::safety::crashes::{DocumentOrigin, Suspect};
+use crate::state::stage::Stage;
+
+/// What is held back.
+#[derive(Default)]
+pub(super) struct Holding {
+    /// For which document, in which scene, and after how many changes of what is suspected it was
+    /// looked.
+    looked_for: Option<(u64, Option<PathBuf>, u64)>,
+    suspect: Option<Suspect>,
+}
+
+impl Session {
+    /// The look that is open.
+    fn look_origin(&self) -> DocumentOrigin {
+        DocumentOrigin::new(&self.name(), self.path(), self.look())
+    }
+
+    /// What the picture is of, by its name and its file: the scene, where there is one.
+    pub(crate) fn shown_file(&self) -> (String, Option<PathBuf>) {
+        let (name, path) = match &self.stage {
+            Some(stage) => (stage.name(), stage.path()),
+            None => (self.name(), self.path()),
+        };
+        (name, path.map(PathBuf::from))
+    }
+
+    /// What the picture is of.
+    pub(crate) fn shown_origin(&self) -> DocumentOrigin {
+        let (name, path) = self.shown_file();
+        DocumentOrigin::new(&name, path.as_deref(), self.look())
+    }
+
+    /// Holds what is open back, if the last program ended over it.
+    pub(super) fn hold_suspect(&mut self) {
+        let stage = self.stage.as_ref().and_then(Stage::path).map(PathBuf::from);
+        let now = Some((self.document_number, stage, self.crashes.changes()));
+        if self.holding.looked_for == now {
+            return;
+        }
+        self.holding.looked_for = now;
+        let suspect = self.crashes.is_any().then(|| {
+            let of_look = self.crashes.suspect(&self.look_origin());
+            of_look.or_else(|| self.crashes.suspect(&self.shown_origin()))
+        });
+        let suspect = suspect.flatten();
+        if suspect == self.holding.suspect && suspect.is_none() {
+            return;
+        }
+        self.problems = suspect.iter().map(problem).collect();
+        self.problems_number += 1;
+        self.holding.suspect = suspect;
+    }
+
+    /// Over what the last program ended, where what is open is held back for it.
+    pub(crate) fn held(&self) -> Option<&Suspect> {
+        self.holding.suspect.as_ref()
+    }
+
+    /// Compiles and draws what was held back.
+    pub(crate) fn try_again(&mut self) {
+        if let Some(suspect) = self.holding.suspect.clone() {
+            self.crashes.trust(&suspect.document);
+        }
+    }
+}
+
+fn problem(suspect: &Suspect) -> Diagnostic {
+    let Suspect { document, step, .. } = suspect;
+    let message = format!(
+        "Chiaro ended while {} {} the last time, so it is open without being drawn",
+        step.doing(),
+        document.name
+    );
+    let hint = "press Try again above to draw it, or change it first and save it";
+    Diagnostic::error("not-drawn", message).hint(hint)
+}

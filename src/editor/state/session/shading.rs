@@ -1,0 +1,273 @@
+//! Which shader shows the look: requests to the compiler, what it answers, and which of both
+//! shaders serves now.
+
+use std::collections::HashSet;
+use std::sync::Arc;
+use std::time::Duration;
+
+use super::Session;
+use crate::compile::{CompiledShader, Live, TypedGraph};
+use crate::document::{Edit, GraphId, Look};
+use crate::ids::{NodePath, PortName};
+use crate::state::compiling::{Answer, Request};
+
+/// What a look is after nothing was done to it for so long, in seconds, is compiled without
+/// uniforms.
+const REST: f64 = 0.8;
+
+/// How many edited values a long look keeps as uniforms before it begins anew.
+const MOST_TOUCHED: usize = 512;
+
+/// The shaders that are shown, and how they relate to the document.
+#[derive(Default)]
+pub(super) struct Shown {
+    /// The look that a shader can show: the document, or, while that does not compile, as it was
+    /// when it last did.
+    pub(super) good: Option<Arc<Look>>,
+    pub(super) live: Option<Arc<CompiledShader>>,
+    /// The structure that the live shader has.
+    pub(super) live_structure: Option<u64>,
+    pub(super) baked: Option<Arc<CompiledShader>>,
+    /// What both were made from.
+    pub(super) typed: Option<Arc<TypedGraph>>,
+    /// The revision that the baked one says.
+    pub(super) baked_revision: Option<u64>,
+    /// The revision of the last edit that a live shader cannot show.
+    pub(super) structure: u64,
+    pub(super) requested: Option<u64>,
+    pub(super) requested_structure: Option<u64>,
+    /// The values that were edited since the look was opened: what a long look's live shader keeps
+    /// as uniforms.
+    pub(super) touched: Arc<HashSet<(NodePath, PortName)>>,
+    /// How many of them there were when a live shader was asked for last.
+    pub(super) requested_touched: usize,
+    /// When the document changed last, in seconds of the window's clock.
+    pub(super) changed_at: f64,
+    pub(super) seen_revision: u64,
+}
+
+/// A look with a shader that shows it.
+pub(crate) struct Showing {
+    pub(crate) look: Arc<Look>,
+    pub(crate) shader: Arc<CompiledShader>,
+    pub(crate) live: Live,
+}
+
+impl Shown {
+    /// What nodes there are is another than before, so that whatever was compiled is of no use.
+    pub(super) fn structure_changed(&mut self) {
+        self.requested_structure = None;
+        self.live_structure = None;
+        self.baked_revision = None;
+    }
+
+    /// Whether the live shader of a long look has folded a value that is edited now, and none was
+    /// asked for since.
+    fn lacks_a_uniform(&self) -> bool {
+        let Some(Live::Touched(known)) = self.live.as_ref().map(|shader| &shader.live) else {
+            return false;
+        };
+        self.requested_touched != self.touched.len()
+            && self.touched.iter().any(|value| !known.contains(value))
+    }
+
+    /// Whether only the values that were touched are uniforms.
+    pub(super) fn is_long(&self) -> bool {
+        self.live.as_ref().is_some_and(|shader| matches!(shader.live, Live::Touched(_)))
+    }
+
+    /// Remembers which inputs an edit sets.
+    pub(super) fn touch(&mut self, edit: &Edit) {
+        match edit {
+            Edit::Group { edits } => edits.iter().for_each(|edit| self.touch(edit)),
+            Edit::SetValue { graph: GraphId::Look, id, port, .. } => {
+                let value = (NodePath::root(id.clone()), port.clone());
+                if !self.touched.contains(&value) {
+                    let touched = Arc::make_mut(&mut self.touched);
+                    if touched.len() >= MOST_TOUCHED {
+                        touched.clear();
+                    }
+                    touched.insert(value);
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+impl Session {
+    /// Asks for what must be compiled, takes what is. `now` is the window's clock. Returns when to
+    /// look again.
+    pub(crate) fn tick(&mut self, now: f64) -> Option<Duration> {
+        for answer in self.compiler.answers() {
+            self.take(answer);
+        }
+        self.hold_suspect();
+        if self.held().is_some() {
+            return None;
+        }
+        let revision = self.kept.history.revision();
+        if self.shaders.seen_revision != revision {
+            self.shaders.seen_revision = revision;
+            self.shaders.changed_at = now;
+        }
+        let is_another = self.shaders.requested_structure != Some(self.shaders.structure);
+        if is_another || self.shaders.lacks_a_uniform() {
+            self.request(false);
+            return None;
+        }
+        if self.shaders.requested == Some(revision) {
+            return None;
+        }
+        let rested = now - self.shaders.changed_at;
+        if rested >= REST {
+            self.request(true);
+            return None;
+        }
+        Some(Duration::from_secs_f64((REST - rested).max(0.01)))
+    }
+
+    fn request(&mut self, only_baked: bool) {
+        self.shaders.requested = Some(self.kept.history.revision());
+        self.shaders.requested_structure = Some(self.shaders.structure);
+        if !only_baked {
+            self.shaders.requested_touched = self.shaders.touched.len();
+        }
+        let request = Request {
+            look: match &self.preview {
+                Some(preview) => preview.clone(),
+                None => Arc::new(self.solo.alone(self.look(), &self.catalog).into_owned()),
+            },
+            document: self.document_number,
+            revision: self.kept.history.revision(),
+            structure: self.shaders.structure,
+            touched: self.shaders.touched.clone(),
+            wire: self.wire.clone().map(|wire| {
+                let ty = wire.ty(self.look(), &self.library, &self.catalog);
+                (wire, ty)
+            }),
+            library: self.library.clone(),
+            only_baked,
+            solo: self.solo_number,
+            preview: self.preview_number,
+            name: self.name(),
+            path: self.path.clone(),
+        };
+        // What waited for both must not be lost to a wish for less.
+        self.compiler.request(|waiting| Request {
+            only_baked: request.only_baked && waiting.is_none_or(|waiting| waiting.only_baked),
+            ..request
+        });
+    }
+
+    fn take(&mut self, Answer { request, result }: Answer) {
+        let is_current =
+            request.document == self.document_number && request.structure == self.shaders.structure;
+        let is_current =
+            is_current && request.wire.as_ref().map(|(wire, _)| wire) == self.wire.as_ref();
+        let is_current = is_current
+            && request.solo == self.solo_number
+            && request.preview == self.preview_number;
+        if !is_current {
+            // A newer one is on its way, and what this one is about is gone.
+            return;
+        }
+        self.problems_number += 1;
+        match result {
+            Ok(shaders) => {
+                self.problems.clone_from(&shaders.baked.warnings);
+                if let Some(live) = shaders.live {
+                    self.shaders.live = Some(live);
+                    self.shaders.live_structure = Some(request.structure);
+                }
+                self.shaders.baked = Some(shaders.baked);
+                self.shaders.typed = Some(shaders.typed);
+                self.forget_keys();
+                self.shaders.baked_revision = Some(request.revision);
+                self.shaders.good = Some(request.look);
+                self.picture += 1;
+            }
+            // The last good picture stays.
+            Err(problems) => self.problems = problems,
+        }
+        if self.kept.history.revision() == 0 {
+            self.source.locate_all(&mut self.problems);
+        }
+    }
+
+    /// Whether something is being compiled, or is and was not taken yet.
+    pub fn is_compiling(&self) -> bool {
+        self.compiler.owes()
+    }
+
+    /// Waits for the compiler; for tests.
+    pub fn wait(&self) {
+        self.compiler.wait();
+    }
+
+    /// Grows whenever the picture may be another.
+    pub(crate) fn picture(&self) -> u64 {
+        self.picture
+    }
+
+    /// Whether the baked shader shows the look as it is.
+    fn is_baked(&self) -> bool {
+        self.shaders.baked_revision == Some(self.kept.history.revision())
+    }
+
+    /// Takes the look as it is for what is shown, where the live shader can show that.
+    pub(crate) fn refresh_shown_look(&mut self) {
+        let revision = (self.document_number, self.kept.history.revision());
+        let is_live = self.shaders.live_structure == Some(self.shaders.structure);
+        if self.is_baked() || !is_live || self.good_revision == revision {
+            return;
+        }
+        if let Some(good) = &mut self.shaders.good {
+            *good =
+                Arc::new(self.solo.alone(self.kept.history.document(), &self.catalog).into_owned());
+            self.good_revision = revision;
+        }
+    }
+
+    /// What can be shown: the look as it was refreshed last, by the baked shader where nothing
+    /// changed since, else by the live one; or the last look that could be compiled.
+    pub(crate) fn showing(&self) -> Option<Showing> {
+        let good = self.solo.lit(self.shaders.good.as_ref()?);
+        let (shader, live) = match self.is_baked() {
+            true => (&self.shaders.baked, Live::Keyed),
+            false => (&self.shaders.live, Live::All),
+        };
+        Some(Showing { look: good, shader: shader.clone()?, live })
+    }
+
+    /// The shader whose text is shown.
+    pub fn baked(&self) -> Option<&Arc<CompiledShader>> {
+        self.shaders.baked.as_ref()
+    }
+
+    /// The look as it was compiled last.
+    pub(crate) fn typed(&self) -> Option<&TypedGraph> {
+        self.shaders.typed.as_deref()
+    }
+
+    /// The shader that knows the values of now: the baked one where nothing changed since, else the
+    /// live one.
+    pub(crate) fn current_shader(&self) -> Option<&CompiledShader> {
+        let is_baked = self.shaders.baked_revision == Some(self.kept.history.revision());
+        let shader = if is_baked { &self.shaders.baked } else { &self.shaders.live };
+        shader.as_deref()
+    }
+
+    /// What computes wires for an object, which may set exposed values: a baked shader has those of
+    /// the look in it.
+    pub(crate) fn shader_of_wires(&self, sets_values: bool) -> Option<&CompiledShader> {
+        let is_there = sets_values && self.shaders.live_structure == Some(self.shaders.structure);
+        let live = self.shaders.live.as_deref().filter(|_| is_there);
+        live.or_else(|| self.current_shader())
+    }
+
+    /// The shader whose values are uniforms.
+    pub fn live(&self) -> Option<&Arc<CompiledShader>> {
+        self.shaders.live.as_ref()
+    }
+}

@@ -1,0 +1,217 @@
+//! What the window remembers from one time to the next. A setting that cannot be understood has its
+//! default, and what this version does not know stays in the file.
+
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+
+use crate::diag::Diagnostic;
+use crate::document::{read_text, write_atomic};
+use crate::state::paths::absolute;
+
+/// As many files are remembered.
+const MAX_RECENT: usize = 20;
+/// What the interface may be scaled by.
+pub(crate) const SCALE: std::ops::RangeInclusive<f32> = 0.5..=3.0;
+
+/// Dark, light, or as the system is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Theme {
+    /// Light on dark.
+    #[default]
+    Dark,
+    /// Dark on light.
+    Light,
+    /// What the desktop has.
+    System,
+}
+
+/// What is remembered.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// Looks, scenes and paintings that were open, the newest first.
+    pub recent: Vec<PathBuf>,
+    /// Colors.
+    pub theme: Theme,
+    /// How large everything is: 1 is as the system says.
+    pub scale: f32,
+    /// How panels are laid out, as the panels themselves write it.
+    pub layout: Option<Value>,
+    /// What looks were seen on last: a path, or `shape:` and a name.
+    pub mesh: Option<String>,
+    /// Whether that lies on its back and was stood up: its z axis points up.
+    pub z_is_up: bool,
+    /// What other versions remember.
+    unknown: Map<String, Value>,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            recent: Vec::new(),
+            theme: Theme::default(),
+            scale: 1.0,
+            layout: None,
+            mesh: None,
+            z_is_up: false,
+            unknown: Map::new(),
+        }
+    }
+}
+
+impl Settings {
+    /// Reads settings; whatever is missing or damaged has its default.
+    pub fn load(path: &Path) -> Self {
+        read_text(path).map_or_else(|_| Self::default(), |text| Self::read(&text))
+    }
+
+    fn read(text: &str) -> Self {
+        let Ok(Value::Object(mut members)) = serde_json::from_str(text) else {
+            return Self::default();
+        };
+        let mut take = |name: &str| members.remove(name).unwrap_or_default();
+        let recent = take("recent").as_array().map_or_else(Vec::new, |paths| {
+            let files = paths.iter().filter_map(Value::as_str).map(PathBuf::from);
+            files.filter(|path| crate::examples::file(path).is_none()).take(MAX_RECENT).collect()
+        });
+        let theme = serde_json::from_value(take("theme")).unwrap_or_default();
+        let scale = take("scale").as_f64().map_or(1.0, |scale| scale as f32);
+        let scale = if SCALE.contains(&scale) { scale } else { 1.0 };
+        let layout = Some(take("layout")).filter(|layout| !layout.is_null());
+        let mesh = take("mesh").as_str().map(str::to_owned);
+        let z_is_up = take("z_is_up").as_bool().unwrap_or_default();
+        Self { recent, theme, scale, layout, mesh, z_is_up, unknown: members }
+    }
+
+    fn to_text(&self) -> String {
+        let mut members = Map::new();
+        let recent = self.recent.iter().filter_map(|path| path.to_str()).map(Value::from).collect();
+        members.insert("recent".into(), Value::Array(recent));
+        members.insert("theme".into(), serde_json::to_value(self.theme).unwrap_or_default());
+        members.insert("scale".into(), self.scale.into());
+        members.extend(self.layout.clone().map(|layout| ("layout".into(), layout)));
+        members.extend(self.mesh.clone().map(|mesh| ("mesh".into(), mesh.into())));
+        if self.z_is_up {
+            members.insert("z_is_up".into(), true.into());
+        }
+        members.extend(self.unknown.clone());
+        let mut text = serde_json::to_string_pretty(&Value::Object(members)).unwrap_or_default();
+        text.push('\n');
+        text
+    }
+
+    /// Saves them, whole or not at all.
+    ///
+    /// # Errors
+    /// Why they cannot be written; the window works without.
+    pub fn save(&self, path: &Path) -> Result<(), Box<Diagnostic>> {
+        if let Some(folder) = path.parent() {
+            // If it cannot be made, writing tells why.
+            let _ = std::fs::create_dir_all(folder);
+        }
+        write_atomic(path, self.to_text().as_bytes())
+    }
+
+    /// Changes the settings in a file: what another window has changed meanwhile stays. Returns
+    /// them as they are then. Where they cannot be saved the change holds for this window, over
+    /// what it knew: no work of anybody's is lost.
+    pub fn change(path: &Path, known: &Self, change: impl FnOnce(&mut Self)) -> Self {
+        let before = if path.exists() { Self::load(path) } else { known.clone() };
+        let mut settings = before.clone();
+        change(&mut settings);
+        if settings != before {
+            // Next time it is tried again.
+            let _ = settings.save(path);
+        }
+        settings
+    }
+
+    /// Puts a file first among those that were open. An example is no file.
+    pub fn opened(&mut self, path: &Path) {
+        if crate::examples::file(path).is_some() {
+            return;
+        }
+        let path = absolute(path);
+        self.recent.retain(|other| *other != path);
+        self.recent.insert(0, path);
+        self.recent.truncate(MAX_RECENT);
+    }
+
+    /// Takes a file off those that were open.
+    pub fn forget(&mut self, path: &Path) {
+        self.recent.retain(|other| other != path);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn settings_are_read_back() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("made/settings.json");
+        assert_eq!(Settings::load(&path), Settings::default());
+        let mut settings = Settings { theme: Theme::Light, scale: 1.5, ..Settings::default() };
+        settings.layout = Some(serde_json::json!({"left": 0.3}));
+        settings.mesh = Some("shape:torus".to_owned());
+        settings.opened(Path::new("/a/one.json"));
+        settings.save(&path).unwrap();
+        assert_eq!(Settings::load(&path), settings);
+    }
+
+    #[test]
+    fn the_newest_file_comes_first_and_once() {
+        let mut settings = Settings::default();
+        for index in 0..30 {
+            settings.opened(Path::new(&format!("/a/{index}.json")));
+        }
+        settings.opened(Path::new("/a/25.json"));
+        assert_eq!(settings.recent.len(), MAX_RECENT);
+        let first: Vec<_> =
+            settings.recent.iter().take(3).map(|path| path.to_str().unwrap()).collect();
+        assert_eq!(first, ["/a/25.json", "/a/29.json", "/a/28.json"]);
+    }
+
+    #[test]
+    fn examples_are_not_remembered_as_files() {
+        let mut settings = Settings::default();
+        settings.opened(Path::new("example:hcbtf/pencil.hcbtf"));
+        assert_eq!(settings, Settings::default());
+        let before =
+            Settings::read(r#"{"recent": ["/home/me/example:hcbtf/pencil.hcbtf", "/a.json"]}"#);
+        assert_eq!(
+            before.recent,
+            [PathBuf::from("/a.json")],
+            "what was remembered once is forgotten"
+        );
+    }
+
+    #[test]
+    fn damage_costs_only_what_is_damaged() {
+        for text in
+            ["", "[]", "{", "null", "{\"recent\": 5, \"theme\": 7, \"scale\": \"x\", \"mesh\": []}"]
+        {
+            assert_eq!(Settings::read(text), Settings::default(), "{text}");
+        }
+        let settings = Settings::read(
+            r#"{"recent": ["/a", 3, "/b"], "theme": "mauve", "scale": 900, "mine": 1}"#,
+        );
+        assert_eq!(settings.recent, [PathBuf::from("/a"), PathBuf::from("/b")]);
+        assert_eq!((settings.theme, settings.scale), (Theme::Dark, 1.0));
+        assert!(settings.to_text().contains("\"mine\": 1"), "what others remember stays");
+    }
+
+    #[test]
+    fn two_windows_do_not_undo_each_other() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("settings.json");
+        let nothing = Settings::default();
+        Settings::change(&path, &nothing, |settings| settings.opened(Path::new("/a.json")));
+        Settings::change(&path, &nothing, |settings| settings.theme = Theme::System);
+        let settings = Settings::load(&path);
+        assert_eq!((settings.recent.len(), settings.theme), (1, Theme::System));
+    }
+}

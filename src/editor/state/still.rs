@@ -1,0 +1,160 @@
+//! What the viewport shows, as something that a thread can take with it, and a stamp that tells
+//! whether it still holds.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use glam::DQuat;
+
+use crate::diag::{Diagnostic, Warned};
+use crate::document::{Look, SourceMap};
+use crate::frame::{AssetStore, Assets, Overlay, Planner, Setup, SetupLook, default_setup};
+use crate::library::Library;
+use crate::state::orbit::Orbit;
+use crate::state::painting::work::Work;
+use crate::state::session::Session;
+use crate::state::solo::Solo;
+use crate::state::stage::Staged;
+
+/// A look with everything that its picture depends on, but for the size.
+#[derive(Clone)]
+pub(crate) struct Still {
+    pub(crate) look: Arc<Look>,
+    pub(crate) source: Arc<SourceMap>,
+    /// What the look's assets are relative to.
+    pub(crate) folder: PathBuf,
+    pub(crate) library: Arc<Library>,
+    pub(crate) orbit: Orbit,
+    /// In seconds.
+    pub(crate) time: f64,
+    /// The scene around the look; without one it is on a mesh of its own.
+    pub(crate) stage: Option<Arc<Staged>>,
+    /// The HCBTF that is being painted, in place of its file.
+    pub(crate) painting: Option<Overlay>,
+    /// What all pictures of the window share.
+    pub(crate) assets: AssetStore,
+}
+
+impl Still {
+    /// Without what does not wear the look.
+    #[must_use]
+    pub(crate) fn alone(self) -> Self {
+        let stage = self.stage.map(|stage| Arc::new(stage.alone()));
+        Self { stage, ..self }
+    }
+
+    /// As a scene, with what was odd about the mesh. The look is the first of its looks. Of a stage
+    /// what is missing is left out and told.
+    ///
+    /// # Errors
+    /// What is wrong with the mesh, without a stage.
+    pub(crate) fn setup(&self, assets: &mut Assets) -> Result<Warned<Setup>, Vec<Diagnostic>> {
+        assets.share(&self.assets);
+        assets.begin_picture();
+        assets.overlay(self.painting.clone());
+        let look = SetupLook {
+            look: (*self.look).clone(),
+            source: self.source.clone(),
+            folder: self.folder.clone(),
+        };
+        let (mut setup, notes) = match &self.stage {
+            Some(stage) => stage.setup(look, assets),
+            None => default_setup(look, &self.orbit.mesh, assets)?,
+        }
+        .into_parts();
+        if self.orbit.z_is_up && self.stage.is_none() {
+            setup.stand_up();
+        }
+        setup.scene.camera = self.orbit.camera();
+        setup.scene.backdrop = self.orbit.backdrop.or(setup.scene.backdrop);
+        setup.scene.illumination = DQuat::to_array(&self.orbit.illumination);
+        Ok(Warned::new(setup, notes))
+    }
+}
+
+/// A planner that keeps meshes and images, and of what it compiled only what is of the last look.
+pub(crate) struct Reused {
+    planner: Planner,
+    make: fn(Assets) -> Planner,
+    last: Option<(Arc<Look>, Arc<Library>)>,
+}
+
+impl Reused {
+    /// `make` makes a planner of assets.
+    pub(crate) fn new(make: fn(Assets) -> Planner) -> Self {
+        Self { planner: make(Assets::default()), make, last: None }
+    }
+
+    /// The planner, for this look and these nodes.
+    pub(crate) fn of(&mut self, look: &Arc<Look>, library: &Arc<Library>) -> &mut Planner {
+        let is_same =
+            |(last, of): &(Arc<Look>, Arc<Library>)| **last == **look && Arc::ptr_eq(of, library);
+        if !self.last.as_ref().is_some_and(is_same) {
+            self.planner = (self.make)(std::mem::take(&mut self.planner.assets));
+            self.last = Some((look.clone(), library.clone()));
+        }
+        &mut self.planner
+    }
+}
+
+/// Tells one moment of a session from another: the same stamp is the same look in the same view.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Stamp {
+    document: u64,
+    revision: u64,
+    files: u64,
+    orbit: Orbit,
+    time: f64,
+    solo: Solo,
+    preview: u64,
+    /// Of what there is of a scene.
+    stage: Option<u64>,
+    painting: Option<u64>,
+}
+
+impl Session {
+    /// The document as it is shown, in the view as it is.
+    pub(crate) fn still(&self) -> Still {
+        self.still_of(Arc::new(self.shown_look().into_owned()))
+    }
+
+    /// Another look in its place.
+    pub(crate) fn still_of(&self, look: Arc<Look>) -> Still {
+        Still {
+            look,
+            source: self.source().clone(),
+            folder: self.folder(),
+            library: self.library.clone(),
+            orbit: self.view.clone(),
+            time: self.time,
+            stage: self.stage().map(|stage| self.solo().lit_stage(stage.staged())),
+            painting: self.painting().map(Work::overlay),
+            assets: self.assets.clone(),
+        }
+    }
+
+    /// What tells the scene as it is from what it was, if there is one.
+    pub(crate) fn stage_version(&self) -> Option<u64> {
+        self.stage().map(|stage| stage.staged().version())
+    }
+
+    /// What the look's assets are relative to.
+    pub(crate) fn folder(&self) -> PathBuf {
+        self.path().and_then(Path::parent).map(Path::to_path_buf).unwrap_or_default()
+    }
+
+    /// What changes whenever [`still`](Self::still) does.
+    pub(crate) fn stamp(&self) -> Stamp {
+        Stamp {
+            document: self.document_number(),
+            revision: self.revision(),
+            files: self.files(),
+            orbit: self.view.clone(),
+            time: self.time,
+            solo: self.solo().clone(),
+            preview: self.preview_number(),
+            stage: self.stage_version(),
+            painting: self.painting().map(Work::version),
+        }
+    }
+}

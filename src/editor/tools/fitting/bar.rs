@@ -1,0 +1,131 @@
+//! The brushes, above the picture.
+
+use eframe::egui::{
+    self, DragValue, Response, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
+};
+
+use super::Fitting;
+use super::tools::SIZES;
+use crate::commands::{Command, FitCommand, LightBrush, Switch};
+use crate::document::ColorSpace;
+use crate::widgets::color;
+use crate::widgets::theme;
+
+/// A field with its name is no wider, in points.
+const PERCENT: f32 = 110.0;
+/// The width of the button that begins it, in points.
+const SUN: f32 = 28.0;
+
+impl Fitting {
+    /// FitGoal turns painting on and off.
+    pub(crate) fn toggle(&self, ui: &mut Ui, out: &mut Vec<Command>) {
+        let help = "Paint on the picture where it should be lighter or darker, and fit the look to \
+                    that (L)";
+        if sun(ui, self.is_on).on_hover_text(help).clicked() {
+            out.push(Command::Fit(FitCommand::Turn(Switch::Toggle)));
+        }
+    }
+
+    /// A second row of controls while the picture is painted on.
+    pub(crate) fn bar(&mut self, ui: &mut Ui) {
+        if !self.is_on {
+            return;
+        }
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing.x = 4.0;
+            for kind in LightBrush::ALL {
+                let is_it = self.tools.kind == kind;
+                let response = ui.selectable_label(is_it, kind.label()).on_hover_text(kind.help());
+                let name = format!("Brush: {}", kind.label());
+                response
+                    .widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_it, &name));
+                if response.clicked() {
+                    self.tools.kind = kind;
+                }
+            }
+            let [r, g, b] = self.tools.color;
+            let swatch = color::named_swatch(
+                ui,
+                "Color to paint",
+                [r, g, b, 1.0],
+                ColorSpace::Display,
+                false,
+            );
+            if let Some((_, [r, g, b, _])) = swatch {
+                self.tools.color = [r, g, b];
+                self.tools.kind = LightBrush::Color;
+            }
+            ui.separator();
+            let help = "The brush's diameter, in percent of the picture's height ([ and ] change \
+                        it)";
+            percent(ui, true, "Size", help, &mut self.tools.size, SIZES);
+            percent(
+                ui,
+                true,
+                "Hardness",
+                "How sharp the brush's edge is",
+                &mut self.tools.hardness,
+                0.0..=1.0,
+            );
+            // All tools have all controls: a bar that grew would push the picture, which would be
+            // read anew.
+            let has_amount = matches!(self.tools.kind, LightBrush::Light | LightBrush::Dark);
+            let help = "How much lighter or darker Light and Dark make it, as an eye sees it: from \
+                        black to white is 100%. A \
+                        stroke that crosses itself makes no more of it; another stroke goes on \
+                        from there";
+            percent(ui, has_amount, "Amount", help, &mut self.tools.amount, 0.01..=1.0);
+        });
+    }
+}
+
+/// A button with a sun, half of it painted: above the picture there is no room for words.
+fn sun(ui: &mut Ui, is_on: bool) -> Response {
+    let (rect, response) =
+        ui.allocate_exact_size(vec2(SUN, ui.spacing().interact_size.y), Sense::click());
+    response.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, is_on, "Paint light"));
+    let colors = theme::of(ui);
+    let fill = match (is_on, response.hovered()) {
+        (true, _) => colors.accent_dim,
+        (false, true) => colors.field_hovered,
+        (false, false) => colors.field,
+    };
+    let painter = ui.painter();
+    painter.rect_filled(rect, 4.0, fill);
+    if is_on || response.has_focus() {
+        painter.rect_stroke(rect, 4.0, Stroke::new(1.0, colors.accent), StrokeKind::Inside);
+    }
+    let (at, stroke) = (rect.center(), Stroke::new(1.4, colors.text));
+    painter.circle_stroke(at, 3.6, stroke);
+    painter.with_clip_rect(rect.split_left_right_at_x(at.x).1).circle_filled(at, 3.6, colors.text);
+    for ray in 0..8_u8 {
+        let way = egui::Vec2::angled(f32::from(ray) * std::f32::consts::FRAC_PI_4);
+        painter.line_segment([at + way * 5.6, at + way * 8.0], stroke);
+    }
+    response
+}
+
+/// A part of a whole, shown in percent.
+fn percent(
+    ui: &mut Ui,
+    is_enabled: bool,
+    label: &str,
+    help: &str,
+    value: &mut f64,
+    range: std::ops::RangeInclusive<f64>,
+) {
+    let mut shown = *value * 100.0;
+    let range = range.start() * 100.0..=range.end() * 100.0;
+    let drag = DragValue::new(&mut shown).range(range).speed(0.5).max_decimals(0).suffix("%");
+    // A narrow picture wraps them, each with its name.
+    if ui.available_size_before_wrap().x < PERCENT {
+        ui.end_row();
+        // A row is as high as its first thing, and a name is lower than what stands beside it.
+        ui.allocate_exact_size(vec2(0.0, ui.spacing().interact_size.y), Sense::hover());
+    }
+    let id = ui.add_enabled(is_enabled, egui::Label::new(label)).on_hover_text(help).id;
+    let field = ui.add_enabled(is_enabled, drag).labelled_by(id);
+    if field.on_hover_text(help).on_disabled_hover_text(help).changed() {
+        *value = shown / 100.0;
+    }
+}

@@ -1,0 +1,203 @@
+//! A fit from its beginning to what becomes of it: asked for, stopped, previewed, applied or let
+//! go.
+
+use std::sync::Arc;
+
+use super::work::Done;
+use super::work::Job;
+use super::{ENOUGH, Fitting, LEAST_PAINTED};
+use crate::commands::{Command, FitGoal};
+use crate::diag::Diagnostic;
+use crate::document::{Edit, Look, Tile};
+use crate::fit::{FitOptions, FitResult, Keep, Report, Target};
+use crate::progress::Progress;
+use crate::state::problem_text::sentence;
+use crate::state::session::Session;
+
+/// Which look something is about: another revision is another look.
+pub(super) type Of = (u64, u64, Option<u64>);
+
+/// What was painted when something was asked for.
+#[derive(Clone)]
+pub(super) struct Strokes(Option<Arc<Tile>>);
+
+impl Strokes {
+    pub(super) fn of(session: &Session) -> Self {
+        Self(session.sketch().tile().cloned())
+    }
+
+    /// Whether that is what is painted now.
+    pub(super) fn are(&self, session: &Session) -> bool {
+        match (&self.0, session.sketch().tile()) {
+            (Some(one), Some(other)) => Arc::ptr_eq(one, other),
+            (None, None) => true,
+            _ => false,
+        }
+    }
+}
+
+/// A smaller gain is seen by nobody, and shows in no figure that is told.
+const LEAST_GAIN: f64 = 0.05 / 255.0;
+/// What is told of a fit that was stopped too soon.
+const STOPPED: &str = "The fit was stopped before it came nearer: the look is as it was";
+
+pub(super) struct Running {
+    pub(super) of: Of,
+    pub(super) strokes: Strokes,
+    pub(super) progress: Progress,
+}
+
+/// What was fitted.
+pub(super) struct Outcome {
+    pub(super) what: FitGoal,
+    pub(super) strokes: Strokes,
+    pub(super) edit: Edit,
+    pub(super) report: Report,
+    /// The look that it was applied to, once it is: what is told of it holds for no other.
+    pub(super) applied: Option<Of>,
+}
+
+impl Fitting {
+    /// Begins a fit; tells where that cannot be.
+    pub(crate) fn fit(&mut self, what: FitGoal, session: &Session) {
+        self.told = self.try_fit(what, session).err().map(str::to_owned);
+    }
+
+    fn try_fit(&mut self, what: FitGoal, session: &Session) -> Result<(), &'static str> {
+        if session.sketch().is_empty() {
+            return Err("Nothing is painted yet: take Light or Dark and drag on the object");
+        }
+        if let Some(obstacle) = self.obstacle(session) {
+            return Err(obstacle);
+        }
+        let Some(ground) = self.ground() else {
+            return Err("The picture is still being read: fit in a moment");
+        };
+        let painted = match self.wishes() {
+            [] => return Err("No stroke lies well inside of an object that wears this look"),
+            few if few.len() < LEAST_PAINTED => {
+                return Err(
+                    "Too little is painted to tell anything of lights: paint a larger spot",
+                );
+            }
+            wishes => wishes.to_vec(),
+        };
+        let target = Target { size: ground.size, wishes: painted };
+        let wake = self.wake.clone();
+        let progress = Progress::observed(move |_| wake());
+        let keep = if what == FitGoal::ThisLook { self.how.keep } else { Keep::default() };
+        let options = FitOptions {
+            time: session.time,
+            keep,
+            keep_rest: self.how.keep_rest,
+            starts: self.how.starts,
+            enough: ENOUGH,
+        };
+        let still = session.still_of(Arc::new(session.look().clone()));
+        self.outcome = None;
+        let strokes = Strokes::of(session);
+        self.running = Some(Running { of: of(session), strokes, progress: progress.clone() });
+        self.fitter.request(|_| Job { what, still, target, options, progress });
+        Ok(())
+    }
+
+    /// Ends the fit that is going on: what it has come to is shown soon after. Again, that is given
+    /// up too.
+    pub(crate) fn stop(&mut self) {
+        let Some(running) = &self.running else { return };
+        if running.progress.is_stopped() {
+            self.give_up();
+            self.told = Some(STOPPED.to_owned());
+        } else {
+            running.progress.stop();
+            self.told = Some("Stopping".to_owned());
+        }
+    }
+
+    /// Gives up the fit that is going on, with what it has come to.
+    pub(super) fn give_up(&mut self) {
+        if let Some(running) = self.running.take() {
+            running.progress.stop();
+        }
+    }
+
+    /// Takes what a fit came to: the look to be shown in place of the open one, if any.
+    pub(super) fn take(&mut self, done: Done, session: &Session) -> Option<Arc<Look>> {
+        // What was given up, or is of a look that is gone, is nobody's.
+        if !self.running.as_ref().is_some_and(|running| running.progress.is_same(&done.progress)) {
+            return None;
+        }
+        let running = self.running.take();
+        match done.result {
+            Err(problems) => self.told = Some(why(&problems)),
+            Ok(_) if running.is_some_and(|running| running.of != of(session)) => {
+                self.told = Some("The look was changed while it was fitted: fit again".to_owned());
+            }
+            Ok(fitted) if fitted.look == *done.look || gains_nothing(&fitted.report) => {
+                let tried = fitted.report.tried.told().unwrap_or_else(|| "nothing".to_owned());
+                let help = self.advice(done.what, &fitted.report);
+                self.told = Some(format!(
+                    "Nothing was turned: {tried} of this look bring it no nearer to the strokes. \
+                     {help}"
+                ));
+            }
+            Ok(FitResult { look, edit, report, .. }) => {
+                self.told =
+                    report.is_stopped.then(|| "Stopped: this is the best so far".to_owned());
+                let strokes = Strokes::of(session);
+                self.outcome =
+                    Some(Outcome { what: done.what, strokes, edit, report, applied: None });
+                return Some(Arc::new(look));
+            }
+        }
+        None
+    }
+
+    /// Takes on what was fitted: the edit, one step.
+    pub(crate) fn take_on(&mut self, session: &Session) -> Option<Edit> {
+        let outcome = self.outcome.as_mut().filter(|outcome| outcome.applied.is_none())?;
+        outcome.applied = Some(of(session));
+        self.told = None;
+        Some(outcome.edit.clone())
+    }
+
+    /// What was fitted has been taken on: from now on it is about the look as it is.
+    pub(crate) fn is_taken_on(&mut self, session: &Session) {
+        if let Some(applied) = self.outcome.as_mut().and_then(|outcome| outcome.applied.as_mut()) {
+            *applied = of(session);
+        }
+    }
+
+    /// Lets go of what was fitted.
+    pub(crate) fn discard(&mut self) -> Vec<Command> {
+        self.outcome = self.outcome.take().filter(|outcome| outcome.applied.is_some());
+        self.told = None;
+        vec![super::preview(None)]
+    }
+}
+
+/// Which look is open.
+pub(super) fn of(session: &Session) -> Of {
+    (session.document_number(), session.revision(), session.stage_version())
+}
+
+/// Whether a whole search came no nearer than anybody sees.
+fn gains_nothing(report: &Report) -> bool {
+    !report.is_stopped && report.before - report.after < LEAST_GAIN
+}
+
+/// Why a fit came to nothing, for who paints.
+fn why(problems: &[Diagnostic]) -> String {
+    let Some(first) = problems.first() else { return "Nothing could be fitted".to_owned() };
+    match first.code {
+        "stopped" => STOPPED.to_owned(),
+        "fit-nothing" => {
+            "The look has no light, profile or color that may change: keep less, or fit new \
+             layers. What is \
+                          wired or keyed stays as it is."
+                .to_owned()
+        }
+        "fit-target" => "No stroke lies well inside of an object that wears this look".to_owned(),
+        _ => sentence(first),
+    }
+}

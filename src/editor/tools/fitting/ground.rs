@@ -1,0 +1,230 @@
+//! The picture under the strokes: small, and by the reference, so that what is compared is what the
+//! fit itself sees.
+//!
+//! A wish for more light is a wish for a color, made of the one that is seen. So the look's
+//! picture is drawn once for each look and view, on a thread, at the size that is fitted at;
+//! strokes read it between its pixels.
+
+use eframe::egui::ColorImage;
+
+use crate::compile::Live;
+use crate::diag::Diagnostic;
+use crate::frame::{Cull, PlanOptions, Planner, Setup};
+use crate::interp::Precision;
+use crate::progress::{Progress, Stopped};
+use crate::reference::{Modules, Options, execute};
+use crate::state::session::Session;
+use crate::state::still::{Reused, Stamp, Still};
+use crate::state::worker::Worker;
+
+/// What a ground is of: the same again is known.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Moment {
+    stamp: Stamp,
+    size: [u32; 2],
+}
+
+impl Moment {
+    pub(super) fn new(session: &Session, size: [u32; 2]) -> Self {
+        Self { stamp: session.stamp(), size }
+    }
+}
+
+/// What the look shows at each pixel of a small picture. Lists have a pixel each, rows from the
+/// top.
+pub(super) struct Ground {
+    pub(super) size: [u32; 2],
+    /// Straight RGB as shown.
+    pub(super) colors: Vec<[f64; 3]>,
+    /// Whether something that wears the open look is there.
+    wears: Vec<bool>,
+    /// The same, and nothing else beside it: at outlines a smooth picture has mixed what is there.
+    pub(super) counts: Vec<bool>,
+    /// As a picture of the window.
+    pub(super) image: ColorImage,
+}
+
+impl Ground {
+    /// The color of the pixel at a place in pixels, and how much of what is around there wears the
+    /// look, from 0 to 1. It is not mixed of pixels: what is to stay as it is would be a wish for
+    /// another picture.
+    pub(super) fn at(&self, x: f64, y: f64) -> ([f64; 3], f64) {
+        let [width, height] = self.size.map(|side| side as usize);
+        let pixel = |at: f64, side: usize| (at.max(0.0) as usize).min(side - 1);
+        let color = self.colors[pixel(y, height) * width + pixel(x, width)];
+        let (x, y) = (x - 0.5, y - 0.5);
+        let mut share = 0.0;
+        for (down, weight_y) in [(0.0, 1.0 - (y - y.floor())), (1.0, y - y.floor())] {
+            for (across, weight_x) in [(0.0, 1.0 - (x - x.floor())), (1.0, x - x.floor())] {
+                let place =
+                    pixel(y.floor() + down, height) * width + pixel(x.floor() + across, width);
+                share += weight_x * weight_y * f64::from(u8::from(self.wears[place]));
+            }
+        }
+        (color, share)
+    }
+}
+
+#[cfg(test)]
+impl Ground {
+    /// One color all over, on something that wears the look.
+    pub(super) fn flat(size: [u32; 2], color: [f64; 3]) -> Self {
+        let count = (size[0] * size[1]) as usize;
+        let image =
+            ColorImage::filled(size.map(|side| side as usize), eframe::egui::Color32::BLACK);
+        Self {
+            size,
+            colors: vec![color; count],
+            wears: vec![true; count],
+            counts: vec![true; count],
+            image,
+        }
+    }
+}
+
+struct Job {
+    moment: Moment,
+    still: Still,
+    progress: Progress,
+}
+
+struct Done {
+    moment: Moment,
+    result: Result<Ground, Vec<Diagnostic>>,
+}
+
+/// Keeps the ground up to date.
+pub(super) struct Grounds {
+    worker: Worker<Job, Done>,
+    asked: Option<Moment>,
+    progress: Progress,
+    known: Option<Done>,
+}
+
+impl Grounds {
+    /// `wake` is called from another thread when there is another ground.
+    pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
+        let mut planner = Reused::new(|assets| Planner::new(assets).culling(Cull::Objects));
+        let draw = move |job: Job| Done { result: draw(&mut planner, &job), moment: job.moment };
+        Self {
+            worker: Worker::new("ground", wake, draw),
+            asked: None,
+            progress: Progress::new(),
+            known: None,
+        }
+    }
+
+    /// Takes what was drawn, and asks for what is shown now.
+    pub(super) fn update(&mut self, session: &Session, moment: &Moment) {
+        for done in self.worker.answers() {
+            // The same may have been given up and asked for again.
+            let is_whole =
+                done.result.as_ref().err().is_none_or(|problems| !Stopped::is_among(problems));
+            if is_whole && self.asked.as_ref() == Some(&done.moment) {
+                self.known = Some(done);
+            }
+        }
+        if self.asked.as_ref() != Some(moment) {
+            self.rest();
+            self.progress = Progress::new();
+            self.asked = Some(moment.clone());
+            let job = Job {
+                moment: moment.clone(),
+                still: session.still(),
+                progress: self.progress.clone(),
+            };
+            self.worker.request(|_| job);
+        }
+    }
+
+    /// Gives up what is being drawn: nobody sees it.
+    pub(super) fn rest(&mut self) {
+        self.progress.stop();
+        if self.asked.as_ref() != self.known.as_ref().map(|known| &known.moment) {
+            self.asked = None;
+        }
+    }
+
+    /// The ground of what is shown now.
+    pub(super) fn current(&self) -> Option<&Ground> {
+        let known =
+            self.known.as_ref().filter(|known| Some(&known.moment) == self.asked.as_ref())?;
+        known.result.as_ref().ok()
+    }
+
+    /// The last one that there was, of whatever.
+    pub(super) fn latest(&self) -> Option<&Ground> {
+        self.known.as_ref()?.result.as_ref().ok()
+    }
+
+    /// Why there is none.
+    pub(super) fn problem(&self) -> Option<&Diagnostic> {
+        let known =
+            self.known.as_ref().filter(|known| Some(&known.moment) == self.asked.as_ref())?;
+        known.result.as_ref().err()?.first()
+    }
+
+    /// The moment of the last one.
+    pub(super) fn moment(&self) -> Option<&Moment> {
+        self.known.as_ref().map(|known| &known.moment)
+    }
+
+    pub(super) fn is_busy(&self) -> bool {
+        self.worker.is_busy()
+    }
+
+    pub(super) fn wait(&self) {
+        self.worker.wait();
+    }
+}
+
+impl Drop for Grounds {
+    fn drop(&mut self) {
+        self.rest();
+    }
+}
+
+fn draw(planner: &mut Reused, job: &Job) -> Result<Ground, Vec<Diagnostic>> {
+    let one = |problem| vec![problem];
+    let Job { moment: Moment { size, .. }, still, progress } = job;
+    let planner = planner.of(&still.look, &still.library);
+    let setup = still.setup(&mut planner.assets)?.value;
+    let options = PlanOptions { size: *size, samples: 1, time: still.time };
+    let plan = planner.plan(&setup, &still.library, &Live::Keyed, &options)?;
+    let modules = Modules::new(&plan, Precision::F64).map_err(one)?;
+    let picture = execute(&plan, &modules, &Options::default(), progress).map_err(one)?;
+    let is_worn: Vec<bool> = plan.draws.iter().map(|draw| is_of_open_look(&setup, draw)).collect();
+    let [width, height] = *size;
+    let places = || (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+    let on_top = |x: u32, y: u32| picture.coverage(x, y).draw;
+    let wears: Vec<bool> =
+        places().map(|(x, y)| on_top(x, y).is_some_and(|draw| is_worn[draw as usize])).collect();
+    let is_inner = |(x, y): (u32, u32)| {
+        let around = |at: u32, side: u32| at.saturating_sub(1)..(at + 2).min(side);
+        around(y, height).all(|v| around(x, width).all(|u| on_top(u, v) == on_top(x, y)))
+    };
+    let counts = places().zip(&wears).map(|(at, wears)| *wears && is_inner(at)).collect();
+    let backdrop = plan.backdrop.unwrap_or_default();
+    // Over the backdrop where the look is transparent, as the picture is seen.
+    let seen = |(x, y): (u32, u32)| -> [f64; 3] {
+        let [r, g, b, a] = picture.straight(x, y);
+        let rgb = [r, g, b];
+        std::array::from_fn(|channel| {
+            rgb[channel] * a + backdrop[channel] * backdrop[3] * (1.0 - a)
+        })
+    };
+    let colors: Vec<[f64; 3]> = places().map(seen).collect();
+    let bytes: Vec<u8> =
+        colors.iter().flatten().map(|x| x.clamp(0.0, 1.0).mul_add(255.0, 0.5) as u8).collect();
+    let image = ColorImage::from_rgb(size.map(|side| side as usize), &bytes);
+    Ok(Ground { size: *size, colors, wears, counts, image })
+}
+
+/// Whether a draw wears the open look, which is the first.
+fn is_of_open_look(setup: &Setup, draw: &crate::frame::Draw) -> bool {
+    let object = setup.objects.iter().find(|object| object.id == draw.object);
+    object.is_some_and(|object| {
+        let part = object.mesh.parts.iter().position(|part| part.indices == draw.indices);
+        part.and_then(|part| object.looks.get(part)).is_some_and(|look| *look == Some(0))
+    })
+}

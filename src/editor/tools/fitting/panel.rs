@@ -1,0 +1,313 @@
+//! The panel of painted light: what is painted, how it is fitted, and what came of it.
+
+use eframe::egui;
+use eframe::egui::{
+    Button, Color32, DragValue, ProgressBar, RichText, Role, ScrollArea, Slider, Ui, WidgetInfo,
+    vec2,
+};
+
+use super::fit::Outcome;
+use super::{Fitting, target};
+use crate::commands::{Command, FitCommand, FitGoal, Switch};
+use crate::document::parse_hex;
+use crate::fit::{Changed, Report};
+use crate::state::problem_text::sentence;
+use crate::state::session::Session;
+use crate::widgets::text::hint;
+use crate::widgets::theme;
+
+/// The most layers that are fitted from nothing here.
+pub(super) const MOST_LAYERS: usize = 5;
+
+impl Fitting {
+    /// The panel's content.
+    pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
+        let mut out = Vec::new();
+        if !self.is_on {
+            let help = "Paint on the picture where it should be lighter or darker (L)";
+            if ui.button("Paint light on the picture").on_hover_text(help).clicked() {
+                out.push(Command::Fit(FitCommand::Turn(Switch::On)));
+            }
+            hint(
+                ui,
+                "Paint on the picture where it should be lighter, darker or of a color (L). The \
+                 lights, profiles and \
+                 colors of the look are then fitted to that, and stay an ordinary look.",
+            );
+            return out;
+        }
+        ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+            self.painted_row(ui, session, &mut out);
+            ui.separator();
+            // What waits for an answer comes first, and there is nothing else to be chosen then.
+            if !self.awaits() {
+                self.how_rows(ui);
+                self.fit_row(ui, &mut out);
+            }
+            if let Some(told) = &self.told {
+                ui.label(RichText::new(told).color(theme::of(ui).accent));
+            }
+            if let Some(outcome) = &self.outcome {
+                if outcome.applied.is_some() {
+                    ui.separator();
+                }
+                self.result(ui, outcome, session, &mut out);
+            }
+        });
+        out
+    }
+
+    fn painted_row(&mut self, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+        let is_empty = session.sketch().is_empty();
+        ui.horizontal_wrapped(|ui| {
+            let ground = self.grounds.latest();
+            if let Some(problem) = self.grounds.problem() {
+                ui.label(RichText::new(sentence(problem)).color(theme::of(ui).error));
+                return;
+            }
+            let text = match (is_empty, ground) {
+                (true, _) => "Nothing is painted yet: drag on the object".to_owned(),
+                (false, Some(ground)) => {
+                    let off =
+                        target::off(self.wishes(), |pixel| Some(target::shown(ground, pixel)));
+                    format!("{} pixels painted, off by {}", self.wishes().len(), steps(off))
+                }
+                (false, None) => "Reading the picture".to_owned(),
+            };
+            let [width, height] = self.size(session);
+            let help = format!(
+                "It is fitted at {width} by {height} pixels. Errors are RMS of a channel over what \
+                 is painted, as the \
+                 picture shows it now"
+            );
+            ui.label(text).on_hover_text(help);
+        });
+        ui.horizontal_wrapped(|ui| {
+            ui.toggle_value(&mut self.shows.strokes, "Strokes")
+                .on_hover_text("Shows what the strokes wish");
+            let help = "Where the picture is not as painted: black where it is, over red and \
+                        yellow to white";
+            ui.toggle_value(&mut self.shows.misses, "Misses").on_hover_text(help);
+            let help = "Takes all strokes away; undo brings them back";
+            if ui.add_enabled(!is_empty, Button::new("Clear")).on_hover_text(help).clicked() {
+                out.push(Command::Fit(FitCommand::Clear));
+            }
+        });
+    }
+
+    fn how_rows(&mut self, ui: &mut Ui) {
+        ui.horizontal_wrapped(|ui| {
+            ui.label("Keep")
+                .on_hover_text("FitGoal of this look stays as it is; all else is turned");
+            let keep = &mut self.how.keep;
+            for (kept, label, help) in [
+                (&mut keep.lights, "Lights", "Directions of directional lights stay"),
+                (&mut keep.profiles, "Profiles", "Offsets, fall-offs and cut-offs stay"),
+                (&mut keep.colors, "Colors", "Colors stay: of layers, ramps and the base"),
+                (&mut keep.base, "Base", "The color of the base stays"),
+            ] {
+                let name = format!("Keep: {label}");
+                let response = ui.checkbox(kept, label).on_hover_text(help);
+                response.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, *kept, &name));
+            }
+        });
+        ui.horizontal_wrapped(|ui| {
+            let help = "How far what is not painted stays as it is: at 0% only strokes count, and \
+                        the rest becomes what it \
+                        will; at 100% it moves only where strokes cannot be met otherwise";
+            let label = ui.label("Keep the rest").on_hover_text(help);
+            let mut percent = self.how.keep_rest * 100.0;
+            let slider = Slider::new(&mut percent, 0.0..=100.0).max_decimals(0).suffix("%");
+            if ui.add(slider).labelled_by(label.id).on_hover_text(help).changed() {
+                self.how.keep_rest = percent / 100.0;
+            }
+        });
+    }
+
+    /// FitGoal came of a fit.
+    fn result(&self, ui: &mut Ui, outcome: &Outcome, session: &Session, out: &mut Vec<Command>) {
+        let report = &outcome.report;
+        errors(ui, report);
+        if outcome.applied.is_none() && report.is_far_off() {
+            let tried = report.tried.told().unwrap_or_else(|| "nothing".to_owned());
+            let text = format!(
+                "Turning {tried} found nothing nearer: Misses shows where it is off. {}",
+                self.advice(outcome.what, report)
+            );
+            ui.label(RichText::new(text).color(theme::of(ui).accent));
+        }
+        choice(ui, outcome, out);
+        changes(ui, report, session);
+    }
+
+    /// FitGoal else may bring a look nearer to the strokes.
+    pub(super) fn advice(&self, what: FitGoal, report: &Report) -> String {
+        let mut ways = Vec::new();
+        if let Some(kept) = report.kept.told().filter(|_| what == FitGoal::ThisLook) {
+            ways.push(format!("keep less ({kept} did not take part)"));
+        }
+        if self.how.keep_rest > 0.0 {
+            ways.push("keep less of the rest".to_owned());
+        }
+        ways.push(match what {
+            FitGoal::ThisLook => "fit new layers".to_owned(),
+            FitGoal::Layers(_) => "allow more layers".to_owned(),
+        });
+        let last = ways.pop().unwrap_or_default();
+        let ways = if ways.is_empty() { last } else { format!("{}, or {last}", ways.join(", ")) };
+        let wired =
+            if what == FitGoal::ThisLook { " What is wired or keyed stays as it is." } else { "" };
+        format!("What may help: {ways}.{wired}")
+    }
+
+    fn fit_row(&mut self, ui: &mut Ui, out: &mut Vec<Command>) {
+        if let Some(running) = &self.running {
+            let share = running.progress.share() as f32;
+            ui.horizontal(|ui| {
+                let help = "Ends the fit, and shows the best that it has come to (Esc)";
+                if ui.button("Stop").on_hover_text(help).clicked() {
+                    out.push(Command::Fit(FitCommand::Stop));
+                }
+                ui.add(ProgressBar::new(share).text(format!("fitting, {:.0} %", 100.0 * share)));
+            });
+            return;
+        }
+        ui.horizontal_wrapped(|ui| {
+            let help = "Turns lights, profiles and colors of this look until it shows what is \
+                        painted. Its nodes and wires stay";
+            if ui.button("Fit this look").on_hover_text(help).clicked() {
+                out.push(Command::Fit(FitCommand::Fit(FitGoal::ThisLook)));
+            }
+            let help = "Begins from nothing: light layers over a base, as many as help, in place \
+                        of all nodes of this look";
+            if ui.button("Fit new layers").on_hover_text(help).clicked() {
+                out.push(Command::Fit(FitCommand::Fit(FitGoal::Layers(self.how.layers))));
+            }
+            let label = ui.label("at most");
+            ui.add(DragValue::new(&mut self.how.layers).range(1..=MOST_LAYERS).speed(0.05))
+                .labelled_by(label.id);
+        });
+    }
+}
+
+/// How far off it was and is.
+fn errors(ui: &mut Ui, report: &Report) {
+    ui.horizontal_wrapped(|ui| {
+        let text = format!("Off by {}, before {}", steps(report.after), steps(report.before));
+        let help = "RMS of a channel over what is painted, in steps of eight bits";
+        ui.label(RichText::new(text).strong()).on_hover_text(help);
+        if let Some(rest) = report.rest {
+            let help = "How far what is not painted went off, though it was to stay";
+            ui.label(
+                RichText::new(format!("the rest moved by {}", steps(rest)))
+                    .color(theme::of(ui).dim),
+            )
+            .on_hover_text(help);
+        }
+    });
+}
+
+/// What is to be done with what was fitted.
+fn choice(ui: &mut Ui, outcome: &Outcome, out: &mut Vec<Command>) {
+    ui.horizontal(|ui| {
+        if outcome.applied.is_some() {
+            ui.label(RichText::new("Applied; undo takes it back").color(theme::of(ui).dim));
+            return;
+        }
+        if ui.button("Apply").on_hover_text("Changes the look, as one step").clicked() {
+            out.push(Command::Fit(FitCommand::Apply));
+        }
+        if ui.button("Discard").on_hover_text("Leaves the look as it is (Esc)").clicked() {
+            out.push(Command::Fit(FitCommand::Discard));
+        }
+        if let FitGoal::Layers(_) = outcome.what {
+            ui.label(
+                RichText::new("New layers take the place of all nodes").color(theme::of(ui).dim),
+            );
+        }
+    });
+}
+
+/// Everything that is another now.
+fn changes(ui: &mut Ui, report: &Report, session: &Session) {
+    let mut last = None;
+    for change in &report.changed {
+        let (whose, what) = named(change, session);
+        if last.as_ref() != Some(&whose) {
+            ui.label(RichText::new(&whose).strong());
+            last = Some(whose);
+        }
+        ui.horizontal(|ui| {
+            ui.add_space(10.0);
+            ui.label(what);
+            if change.what == "light" {
+                ui.label(turned(change)).on_hover_text(format!("Toward {}", change.to));
+            } else {
+                value(ui, &change.from);
+                if !change.from.is_empty() {
+                    ui.label(RichText::new("to").color(theme::of(ui).dim));
+                }
+                value(ui, &change.to);
+            }
+        });
+    }
+}
+
+/// Whose it is and what of it, as people call them.
+fn named(change: &Changed, session: &Session) -> (String, String) {
+    if change.what == "light" {
+        let light = session.look().lights.get(change.place.as_str());
+        let name = light.map(|light| light.name.clone()).filter(|name| !name.is_empty());
+        return (
+            format!("Light {}", name.unwrap_or_else(|| change.place.clone())),
+            "direction".to_owned(),
+        );
+    }
+    let (node, port) = match change.what {
+        "color" => change.place.rsplit_once('.').unwrap_or((change.place.as_str(), "color")),
+        _ => (change.place.as_str(), "profile"),
+    };
+    let port = match port.strip_suffix(']').and_then(|port| port.split_once('[')) {
+        Some((ramp, index)) => {
+            format!("{ramp}, stop {}", index.parse::<usize>().unwrap_or_default() + 1)
+        }
+        None => port.to_owned(),
+    };
+    let id = node.split('/').next().unwrap_or(node);
+    // New layers are not in the open look yet.
+    let fitted =
+        session.preview().and_then(|look| look.graph.nodes.get(id)).map(|node| node.name.clone());
+    let title = fitted.filter(|name| !name.is_empty()).unwrap_or_else(|| session.title(&id.into()));
+    (title, port.replace('_', " "))
+}
+
+/// How far a light was turned, where it was there before.
+fn turned(change: &Changed) -> String {
+    let direction = |text: &str| -> Option<glam::DVec3> {
+        let numbers: Vec<f64> = text.split(' ').filter_map(|word| word.parse().ok()).collect();
+        <[f64; 3]>::try_from(numbers).ok().map(glam::DVec3::from)?.try_normalize()
+    };
+    match (direction(&change.from), direction(&change.to)) {
+        (Some(from), Some(to)) => format!("turned by {:.0}°", from.angle_between(to).to_degrees()),
+        _ => format!("from {}", change.to),
+    }
+}
+
+/// A value; of a color its swatch.
+fn value(ui: &mut Ui, text: &str) {
+    if let Some([r, g, b, _]) = text.starts_with('#').then(|| parse_hex(text)).flatten() {
+        let byte = |x: f64| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
+        let (rect, response) = ui.allocate_exact_size(vec2(26.0, 12.0), egui::Sense::hover());
+        ui.painter().rect_filled(rect, 2.0, Color32::from_rgb(byte(r), byte(g), byte(b)));
+        let edge = egui::Stroke::new(1.0, theme::of(ui).swatch_edge);
+        ui.painter().rect_stroke(rect, 2.0, edge, egui::StrokeKind::Inside);
+        response.on_hover_text(text);
+    } else if !text.is_empty() {
+        ui.label(text);
+    }
+}
+
+/// An error in steps of an eight-bit channel.
+fn steps(error: f64) -> String {
+    format!("{:.1}/255", 255.0 * error)
+}

@@ -1,0 +1,50 @@
+//! The fit itself, on a thread.
+
+use std::sync::Arc;
+
+use crate::commands::FitGoal;
+use crate::diag::Diagnostic;
+use crate::document::Look;
+use crate::fit::{FitOptions, FitResult, Target, fit_layers, fit_look};
+use crate::frame::Assets;
+use crate::progress::Progress;
+use crate::state::still::Still;
+use crate::state::worker::Worker;
+
+/// A fit that is asked for.
+pub(super) struct Job {
+    pub(super) what: FitGoal,
+    pub(super) still: Still,
+    pub(super) target: Target,
+    pub(super) options: FitOptions,
+    pub(super) progress: Progress,
+}
+
+/// FitGoal became of it.
+pub(super) struct Done {
+    pub(super) what: FitGoal,
+    pub(super) look: Arc<Look>,
+    pub(super) progress: Progress,
+    pub(super) result: Result<FitResult, Vec<Diagnostic>>,
+}
+
+/// A thread that fits.
+pub(super) fn start(wake: impl Fn() + Send + 'static) -> Worker<Job, Done> {
+    let mut assets = Assets::default();
+    Worker::new("fit", wake, move |job: Job| {
+        let result = fit(&mut assets, &job);
+        Done { what: job.what, look: job.still.look, progress: job.progress, result }
+    })
+}
+
+fn fit(assets: &mut Assets, job: &Job) -> Result<FitResult, Vec<Diagnostic>> {
+    let Job { what, still, target, options, progress, .. } = job;
+    let setup = still.setup(assets)?.value;
+    // The open look is the first.
+    match what {
+        FitGoal::ThisLook => fit_look(&setup, 0, &still.library, target, options, progress),
+        FitGoal::Layers(count) => {
+            fit_layers(&setup, 0, &still.library, target, *count, options, progress)
+        }
+    }
+}

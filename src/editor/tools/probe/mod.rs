@@ -1,0 +1,263 @@
+//! The probe: what every wire carries at the pixel under the pointer, computed in the background by
+//! the reference, once as a GPU rounds and once in f64.
+
+mod panel;
+
+pub(crate) use panel::wire_name;
+
+use eframe::egui;
+use eframe::egui::{Pos2, Rect, Stroke, Ui, pos2, vec2};
+
+use crate::compile::Live;
+use crate::diag::Diagnostic;
+use crate::frame::{Draw, PlanOptions, Planner, Setup};
+use crate::progress::Progress;
+use crate::reference::{Options, WireValue, probe_wires};
+use crate::state::session::Session;
+use crate::state::still::{Reused, Stamp, Still};
+use crate::state::worker::{BackgroundJobs, Worker};
+use crate::widgets::theme;
+
+/// The pointer rests after so many seconds.
+const REST: f64 = 0.15;
+
+/// Where and when something was probed: the same again is known.
+#[derive(Clone, Debug, PartialEq)]
+struct Spot {
+    stamp: Stamp,
+    pixel: [u32; 2],
+    size: [u32; 2],
+}
+
+struct Query {
+    spot: Spot,
+    still: Still,
+    progress: Progress,
+}
+
+struct Found {
+    spot: Spot,
+    /// `None` where nothing is drawn.
+    result: Result<Option<Vec<WireValue>>, Vec<Diagnostic>>,
+}
+
+/// The probe and what it found last.
+pub struct Probe {
+    worker: Worker<Query, Found>,
+    is_on: bool,
+    /// Whether the pixel stays where it is while the pointer moves on.
+    is_pinned: bool,
+    pixel: Option<[u32; 2]>,
+    seen: Option<Spot>,
+    seen_at: f64,
+    asked: Option<Spot>,
+    progress: Progress,
+    found: Option<Found>,
+    jump: bool,
+}
+
+impl Probe {
+    /// A probe that is off. `wake` is called from another thread when something was found.
+    pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
+        let mut planner = Reused::new(Planner::for_truth);
+        Self {
+            worker: Worker::new("probe", wake, move |query| probe(&mut planner, query)),
+            is_on: false,
+            is_pinned: false,
+            pixel: None,
+            seen: None,
+            seen_at: 0.0,
+            asked: None,
+            progress: Progress::new(),
+            found: None,
+            jump: false,
+        }
+    }
+
+    /// Whether the pointer probes.
+    pub fn is_on(&self) -> bool {
+        self.is_on
+    }
+
+    /// The pixel that stays, if one was clicked.
+    pub fn pinned(&self) -> Option<[u32; 2]> {
+        self.pixel.filter(|_| self.is_pinned)
+    }
+
+    /// What was found last, in the order of computing.
+    pub fn wires(&self) -> &[WireValue] {
+        self.found
+            .as_ref()
+            .and_then(|found| found.result.as_ref().ok()?.as_deref())
+            .unwrap_or_default()
+    }
+
+    pub(crate) fn turn(&mut self, on: bool) {
+        self.is_on = on;
+        self.is_pinned = false;
+        if !on {
+            self.progress.stop();
+            self.asked = None;
+            self.pixel = None;
+            self.seen = None;
+        }
+    }
+
+    /// Lets go of the pixel, or else leaves.
+    pub(crate) fn escape(&mut self) {
+        if self.is_pinned {
+            self.is_pinned = false;
+        } else {
+            self.turn(false);
+        }
+    }
+
+    /// Takes what was found, and asks for what is under the pointer once that rests. `pointer` is
+    /// over the picture in `rect`.
+    pub(crate) fn update(
+        &mut self,
+        ui: &Ui,
+        session: &Session,
+        rect: Rect,
+        pointer: Option<Pos2>,
+        is_click: bool,
+    ) {
+        for found in self.worker.answers() {
+            if self.asked.as_ref() == Some(&found.spot) {
+                self.found = Some(found);
+            }
+        }
+        if !self.is_on {
+            return;
+        }
+        let scale = ui.pixels_per_point();
+        let size = picture_size(rect, scale);
+        if let Some(at) = pointer.filter(|at| rect.contains(*at) && (is_click || !self.is_pinned)) {
+            let offset = (at - rect.min) * scale;
+            self.pixel = Some([
+                (offset.x as u32).min(size[0].max(1) - 1),
+                (offset.y as u32).min(size[1].max(1) - 1),
+            ]);
+        }
+        if is_click && self.pixel.is_some() {
+            self.is_pinned = true;
+        }
+        let Some(pixel) = self.pixel.filter(|pixel| pixel[0] < size[0] && pixel[1] < size[1])
+        else {
+            return;
+        };
+        let spot = Spot { stamp: session.stamp(), pixel, size };
+        let now = ui.input(|input| input.time);
+        if self.seen.as_ref() != Some(&spot) {
+            self.seen = Some(spot.clone());
+            self.seen_at = now;
+        }
+        if self.asked.as_ref() == Some(&spot) {
+            return;
+        }
+        let rested = now - self.seen_at;
+        if is_click || rested >= REST {
+            self.ask(session, spot);
+        } else {
+            ui.ctx().request_repaint_after_secs((REST - rested).max(0.01) as f32);
+        }
+    }
+
+    fn ask(&mut self, session: &Session, spot: Spot) {
+        self.progress.stop();
+        self.progress = Progress::new();
+        self.asked = Some(spot.clone());
+        let query = Query { spot, still: session.still(), progress: self.progress.clone() };
+        self.worker.request(|_| query);
+    }
+
+    /// Whether what was found is what is there now.
+    fn is_current(&self) -> bool {
+        self.found.as_ref().is_some_and(|found| Some(&found.spot) == self.seen.as_ref())
+    }
+
+    /// The cross-hair over the picture.
+    pub(crate) fn mark(&self, ui: &Ui, rect: Rect) {
+        let Some(pixel) = self.pixel.filter(|_| self.is_on) else { return };
+        let at =
+            rect.min + vec2(pixel[0] as f32 + 0.5, pixel[1] as f32 + 0.5) / ui.pixels_per_point();
+        let color = if self.is_pinned { theme::of(ui).accent } else { egui::Color32::WHITE };
+        let painter = ui.painter_at(rect);
+        for (width, color) in [(3.0, egui::Color32::from_black_alpha(120)), (1.0, color)] {
+            let stroke = Stroke::new(width, color);
+            for (near, far) in [(5.0, 14.0), (-5.0, -14.0)] {
+                painter.line_segment([at + vec2(near, 0.0), at + vec2(far, 0.0)], stroke);
+                painter.line_segment([at + vec2(0.0, near), at + vec2(0.0, far)], stroke);
+            }
+            if self.is_pinned {
+                painter.rect_stroke(
+                    Rect::from_center_size(at, vec2(6.0, 6.0)),
+                    0.0,
+                    stroke,
+                    egui::StrokeKind::Middle,
+                );
+            }
+        }
+        let text = format!("{}, {}", pixel[0], pixel[1]);
+        let is_right = at.x > rect.center().x;
+        let align = if is_right { egui::Align2::RIGHT_TOP } else { egui::Align2::LEFT_TOP };
+        let corner = pos2(at.x + if is_right { -8.0 } else { 8.0 }, at.y + 8.0);
+        let galley = painter.layout_no_wrap(text, egui::FontId::monospace(11.0), color);
+        let place = align.anchor_size(corner, galley.size());
+        painter.rect_filled(place.expand(2.0), 2.0, egui::Color32::from_black_alpha(150));
+        painter.galley(place.min, galley, color);
+    }
+}
+
+impl BackgroundJobs for Probe {
+    fn is_busy(&self) -> bool {
+        self.worker.is_busy()
+    }
+
+    fn wait(&self) {
+        self.worker.wait();
+    }
+}
+
+impl Drop for Probe {
+    fn drop(&mut self) {
+        self.progress.stop();
+    }
+}
+
+/// The pixels of a picture that fills `rect`.
+pub(crate) fn picture_size(rect: Rect, scale: f32) -> [u32; 2] {
+    [rect.width(), rect.height()].map(|side| (side * scale).round().clamp(0.0, 8192.0) as u32)
+}
+
+/// What is told where the object that is seen wears another look than the open one, whose nodes are
+/// not on the canvas.
+fn other_look(setup: &Setup, draw: &Draw) -> Option<Diagnostic> {
+    let object = setup.objects.iter().find(|object| object.id == draw.object)?;
+    let part = object.mesh.parts.iter().position(|part| part.indices == draw.indices)?;
+    // The open look is the first.
+    let is_other = *object.looks.get(part)? != Some(0);
+    is_other.then(|| {
+        let message = format!("`{}` wears another look, {}", draw.object, draw.look_name);
+        Diagnostic::note("other-look", message)
+            .hint("leave the probe and click the object to open its look")
+    })
+}
+
+fn probe(planner: &mut Reused, Query { spot, still, progress }: Query) -> Found {
+    let planner = planner.of(&still.look, &still.library);
+    let mut find = || {
+        let setup = still.setup(&mut planner.assets)?.value;
+        let options = PlanOptions { size: spot.size, samples: 1, time: still.time };
+        let plan = planner.plan(&setup, &still.library, &Live::All, &options)?;
+        let wires = probe_wires(&plan, spot.pixel, &Options::default(), &progress)
+            .map_err(|problem| vec![problem])?;
+        let seen = wires.as_ref().and_then(|wires| plan.draws.get(wires.first()?.draw));
+        match seen.and_then(|draw| other_look(&setup, draw)) {
+            Some(problem) => Err(vec![problem]),
+            None => Ok(wires),
+        }
+    };
+    let result = find();
+    Found { spot, result }
+}

@@ -1,0 +1,256 @@
+//! What the probe found, as a table.
+
+use eframe::egui;
+use eframe::egui::{Color32, FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
+
+use super::Probe;
+use crate::commands::Command;
+use crate::ids::NodePath;
+use crate::progress::Stopped;
+use crate::reference::WireValue;
+use crate::state::problem_text::sentence;
+use crate::state::session::Session;
+use crate::state::wire::{ShownWire, Style, node_at};
+use crate::values::number_text;
+use crate::widgets::text::{cell, hint};
+use crate::widgets::theme;
+
+const ROW: f32 = 20.0;
+
+/// Where columns begin, in parts of the width.
+const COLUMNS: [f32; 4] = [0.0, 0.3, 0.57, 0.84];
+
+impl Probe {
+    /// The table, or why there is none.
+    pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
+        let mut commands = Vec::new();
+        self.head(ui, &mut commands);
+        if !self.is_on {
+            hint(
+                ui,
+                "Turn on the probe (I) and point at the picture: every wire's value at that pixel \
+                 is listed here.",
+            );
+            return commands;
+        }
+        match self.found.as_ref().map(|found| &found.result) {
+            None => hint(ui, "Rest the pointer on the picture, or click to keep a pixel."),
+            Some(Ok(None)) => hint(ui, "Nothing is drawn there."),
+            Some(Ok(Some(wires))) => {
+                commands.extend(table(ui, session, wires, std::mem::take(&mut self.jump)));
+            }
+            Some(Err(found)) => {
+                for problem in found.iter().filter(|problem| problem.code != Stopped::CODE).take(3)
+                {
+                    ui.label(RichText::new(sentence(problem)).color(theme::of(ui).error));
+                }
+            }
+        }
+        commands
+    }
+
+    fn head(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
+        ui.horizontal(|ui| {
+            let mut is_on = self.is_on;
+            let toggle = ui.toggle_value(&mut is_on, "Probe the picture");
+            if toggle
+                .on_hover_text("Reads every wire's value at a pixel (I); Esc leaves it")
+                .changed()
+            {
+                commands.push(Command::Probe(is_on.into()));
+            }
+            if !self.is_on {
+                return;
+            }
+            if let Some([x, y]) = self.pixel {
+                let kept = if self.is_pinned { " · kept" } else { "" };
+                ui.label(RichText::new(format!("pixel {x}, {y}{kept}")).color(theme::of(ui).dim));
+            }
+            if self.worker.is_busy() {
+                ui.label(RichText::new("computing").color(theme::of(ui).accent));
+            } else if self.found.is_some() && !self.is_current() {
+                ui.label(RichText::new("of before").color(theme::of(ui).dim));
+            }
+            let broken = self.wires().iter().find(|wire| !wire.is_finite());
+            let node = broken.and_then(|wire| wire.node.outermost().cloned());
+            if let Some(node) = node {
+                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                    let text = RichText::new("Go to first broken wire").color(theme::of(ui).error);
+                    let help =
+                        "Shows the node whose value is the first that is not a finite number";
+                    if ui.button(text).on_hover_text(help).clicked() {
+                        self.jump = true;
+                        commands.push(Command::Show(NodePath::root(node)));
+                    }
+                });
+            }
+        });
+        ui.add_space(2.0);
+    }
+}
+
+fn column(rect: Rect, index: usize) -> Rect {
+    let inner = Rect::from_min_max(rect.min + vec2(10.0, 0.0), rect.max);
+    let end = COLUMNS.get(index + 1).copied().unwrap_or(1.0);
+    let x = |part: f32| inner.left() + part * inner.width();
+    Rect::from_min_max(pos2(x(COLUMNS[index]), rect.top()), pos2(x(end) - 8.0, rect.bottom()))
+}
+
+fn table(ui: &mut Ui, session: &Session, wires: &[WireValue], jump: bool) -> Vec<Command> {
+    ui.spacing_mut().item_spacing.y = 0.0;
+    let (head, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
+    for (index, title) in ["Node", "f32", "f64", "Difference"].into_iter().enumerate() {
+        cell(
+            ui,
+            column(head, index),
+            title,
+            FontId::proportional(theme::SMALL_TEXT),
+            theme::of(ui).dim,
+        );
+    }
+    ui.painter().hline(
+        head.x_range(),
+        head.bottom() - 1.0,
+        egui::Stroke::new(1.0, theme::of(ui).grid),
+    );
+    let first_broken = wires.iter().position(|wire| !wire.is_finite());
+    let mut area = ScrollArea::vertical().auto_shrink([false, false]);
+    if let Some(row) = first_broken.filter(|_| jump) {
+        area = area.vertical_scroll_offset((row as f32 - 2.0).max(0.0) * ROW);
+    }
+    let mut commands = Vec::new();
+    area.show_rows(ui, ROW, wires.len(), |ui, rows| {
+        for index in rows {
+            commands.extend(row(ui, session, &wires[index], Some(index) == first_broken));
+        }
+    });
+    commands
+}
+
+fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) -> Option<Command> {
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
+    response.widget_info(|| {
+        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Wire of {}", wire.node))
+    });
+    let is_selected = wire.node.outermost().is_some_and(|id| session.selection.contains(id));
+    if is_first_broken {
+        ui.painter().rect_filled(rect, 2.0, theme::of(ui).error.gamma_multiply(0.25));
+    } else if is_selected {
+        ui.painter().rect_filled(rect, 2.0, theme::of(ui).accent_dim.gamma_multiply(0.55));
+    } else if response.hovered() {
+        ui.painter().rect_filled(rect, 2.0, theme::of(ui).field.gamma_multiply(0.6));
+    }
+    if !wire.is_finite() {
+        ui.painter().circle_filled(
+            pos2(rect.left() + 4.0, rect.center().y),
+            3.0,
+            theme::of(ui).error,
+        );
+    }
+    let ink = if wire.is_finite() { theme::of(ui).text } else { theme::of(ui).error };
+    cell(
+        ui,
+        column(rect, 0),
+        &wire_name(session, &wire.node),
+        FontId::proportional(theme::TEXT_SIZE),
+        ink,
+    );
+    for (index, numbers) in [(1, &wire.single), (2, &wire.double)] {
+        let mut place = column(rect, index);
+        if let Some(color) = color_of(numbers) {
+            let swatch =
+                Rect::from_min_size(pos2(place.left(), rect.center().y - 5.0), vec2(10.0, 10.0));
+            ui.painter().rect_filled(swatch, 2.0, color);
+            let edge = egui::Stroke::new(1.0, theme::of(ui).swatch_edge);
+            ui.painter().rect_stroke(swatch, 2.0, edge, egui::StrokeKind::Inside);
+            place.min.x += 16.0;
+        }
+        cell(ui, place, &short(numbers), FontId::monospace(11.0), ink);
+    }
+    let difference = wire.difference();
+    let far = difference > 1.0 / 255.0;
+    let ink = if !wire.is_finite() {
+        theme::of(ui).error
+    } else if far {
+        theme::of(ui).warning
+    } else {
+        theme::of(ui).dim
+    };
+    let text = if difference == 0.0 { "0".to_owned() } else { format!("{difference:.1e}") };
+    cell(ui, column(rect, 3), &text, FontId::monospace(11.0), ink);
+    let mut command = response
+        .clicked()
+        .then(|| wire.node.outermost().cloned().map(|id| Command::Show(NodePath::root(id))))
+        .flatten();
+    response.context_menu(|ui| {
+        let node = node_at(session.look(), &session.library, wire.node.ids());
+        let Some(kind) = node.and_then(|node| session.catalog.of(node)) else { return };
+        for (port, style) in
+            kind.outputs.iter().flat_map(|port| Style::ALL.map(|style| (port, style)))
+        {
+            let text = format!("Show {} as {}", port.label, style.label().to_lowercase());
+            if ui.button(text).on_hover_text(style.help()).clicked() {
+                let shown = ShownWire { node: wire.node.clone(), port: port.name.clone(), style };
+                command = Some(Command::ShowWire(Some(shown)));
+            }
+        }
+    });
+    response.on_hover_ui(|ui| in_full(ui, wire));
+    command
+}
+
+/// What the artist calls a node, with the groups that it lies in.
+pub(crate) fn wire_name(session: &Session, path: &NodePath) -> String {
+    let [outer, inner @ ..] = path.ids() else { return String::new() };
+    let node = session.look().graph.nodes.get(outer);
+    let kind = || Some(session.catalog.of(node?)?.label.to_string());
+    let own = node.map(|node| node.name.clone()).filter(|name| !name.is_empty());
+    let mut name = own.or_else(kind).unwrap_or_else(|| outer.to_string());
+    for id in inner {
+        name += " / ";
+        name += id.as_str();
+    }
+    name
+}
+
+/// Four or five scalars are a color with its alpha.
+fn color_of(numbers: &[f64]) -> Option<Color32> {
+    let [r, g, b, a, ..] = *numbers else { return None };
+    let byte = |x: f64| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
+    let is_one = numbers.len() <= 5 && numbers.iter().all(|x| x.is_finite());
+    is_one.then(|| Color32::from_rgba_unmultiplied(byte(r), byte(g), byte(b), byte(a)))
+}
+
+fn short(numbers: &[f64]) -> String {
+    let text = |x: f64| match numbers.len() {
+        _ if x.is_nan() => "NaN".to_owned(),
+        _ if x.is_infinite() => if x > 0.0 { "inf" } else { "-inf" }.to_owned(),
+        1 => number_text(x, 7),
+        2 => number_text(x, 5),
+        _ => number_text(x, 2),
+    };
+    numbers.iter().map(|&x| text(x)).collect::<Vec<_>>().join(" ")
+}
+
+/// Every scalar with all its digits.
+fn in_full(ui: &mut Ui, wire: &WireValue) {
+    ui.label(RichText::new(wire.node.to_string()).strong());
+    ui.label(RichText::new(format!("{} in the WGSL", wire.name)).color(theme::of(ui).dim));
+    egui::Grid::new("in full").num_columns(3).spacing([16.0, 2.0]).show(ui, |ui| {
+        for (single, double) in wire.single.iter().zip(&wire.double) {
+            let monospace = |text: String| RichText::new(text).monospace();
+            ui.label(monospace(format!("{single:.9}")));
+            ui.label(monospace(format!("{double:.15}")));
+            let off = if single == double { 0.0 } else { (single - double).abs() };
+            ui.label(monospace(format!("{off:.1e}")).color(theme::of(ui).dim));
+            ui.end_row();
+        }
+    });
+    ui.label(
+        RichText::new(
+            "f32, f64 and their difference; a click shows the node, a right click shows the wire \
+             in the picture",
+        )
+        .color(theme::of(ui).dim),
+    );
+}

@@ -1,0 +1,101 @@
+//! Makes both pictures, on the thread.
+
+use eframe::egui::ColorImage;
+
+use super::{Against, Compared, Done, Job};
+use crate::accuracy::{Colors, Truth, Variant, compare};
+use crate::compile::Live;
+use crate::diag::Diagnostic;
+use crate::document::Tier;
+use crate::frame::{Assets, Cull, Picture, PlanOptions, Planner, Setup};
+use crate::render::{Gpu, Renderer};
+use crate::state::still::Reused;
+
+/// What it keeps between comparisons.
+pub(super) struct Comparer {
+    /// Made when first needed, on a device of its own: the window's may not blend 32-bit floats,
+    /// and the rounding of a 16-bit picture would show in the difference.
+    renderer: Option<Renderer>,
+    window: Gpu,
+    planner: Reused,
+}
+
+impl Comparer {
+    pub(super) fn new(window: Gpu) -> Self {
+        let planner = Reused::new(|assets| Planner::new(assets).culling(Cull::Objects));
+        Self { renderer: None, window, planner }
+    }
+
+    pub(super) async fn run(&mut self, job: Job) -> Done {
+        let result = self.try_run(&job).await;
+        Done { moment: job.moment, result }
+    }
+
+    async fn try_run(&mut self, job: &Job) -> Result<Compared, Vec<Diagnostic>> {
+        let library = &job.still.library;
+        let options = PlanOptions { size: job.moment.size, samples: 1, time: job.still.time };
+        let planner = self.planner.of(&job.still.look, &job.still.library);
+        let setup = job.still.setup(&mut planner.assets)?.value;
+        let renderer = match &mut self.renderer {
+            Some(renderer) => renderer,
+            none => {
+                let gpu = Gpu::headless().await.unwrap_or_else(|_| self.window.clone());
+                none.insert(Renderer::new(gpu.precise()))
+            }
+        };
+        let mut draw = async |setup: &Setup| -> Result<Picture, Vec<Diagnostic>> {
+            let plan = planner.plan(setup, library, &Live::Keyed, &options)?;
+            renderer.picture(&plan).await.map_err(|error| vec![error.into()])
+        };
+        let present = draw(&setup).await?;
+        match job.moment.against {
+            Against::Tier(tier) => {
+                let other = draw(&Variant::Looks(tier).of(&setup)).await?;
+                Ok(together(&present, &other, &Colors::from(&other), |_| false))
+            }
+            Against::Truth => {
+                let truth = truth(job, &Variant::Looks(Tier::Exact).of(&setup), &options)?;
+                let wanted = truth.picture().to_picture();
+                Ok(together(&present, &wanted, &truth.colors(), |index| truth.is_edge(index)))
+            }
+        }
+    }
+}
+
+fn truth(job: &Job, setup: &Setup, options: &PlanOptions) -> Result<Truth, Vec<Diagnostic>> {
+    let mut planner = Planner::for_truth(Assets::of(&job.still.assets));
+    let truth = Truth::of(setup, &job.still.library, &mut planner, options, &job.progress);
+    Ok(truth?)
+}
+
+fn together(
+    present: &Picture,
+    other: &Picture,
+    wanted: &Colors<'_>,
+    is_edge: impl Fn(usize) -> bool,
+) -> Compared {
+    let got = Colors::from(present);
+    let figures = compare(&got, wanted, &is_edge);
+    let channels = |(index, (a, b)): (usize, (&[f64; 4], &[f64; 4]))| {
+        let of = |channel: usize| {
+            let difference = (a[channel] - b[channel]).abs();
+            if is_edge(index) {
+                0.0
+            } else if difference.is_finite() {
+                difference as f32
+            } else {
+                f32::MAX
+            }
+        };
+        [of(0), of(1), of(2)]
+    };
+    let difference = got.rgba.iter().zip(wanted.rgba.iter()).enumerate().map(channels).collect();
+    let image = |picture: &Picture| {
+        ColorImage::from_rgba_unmultiplied(
+            picture.size.map(|side| side as usize),
+            &picture.to_rgba8(),
+        )
+    };
+    let pictures = [image(present), image(other)];
+    Compared { pictures, difference, figures }
+}

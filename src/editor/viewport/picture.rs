@@ -1,0 +1,515 @@
+//! The picture in the viewport: planned and drawn on a thread of its own, on the window's device,
+//! so that neither a slow GPU nor a shader being built holds up a hand. The newest wish wins; what
+//! was drawn last stays until then.
+
+use std::path::PathBuf;
+use std::sync::{Arc, Weak};
+use std::time::Duration;
+
+use eframe::egui::TextureId;
+use eframe::egui_wgpu::RenderState;
+
+use crate::compile::{CompiledShader, Live};
+use crate::diag::{Diagnostic, has_errors};
+use crate::document::Look;
+use crate::frame::{Cull, Effect, PlanOptions, Planner, effects};
+use crate::library::Library;
+use crate::milestones;
+use crate::render::{Gpu, Renderer, set_times};
+use crate::state::orbit::Orbit;
+use crate::state::safety::crashes::{CrashLog, CrashMark, DocumentOrigin, Step};
+use crate::state::session::{Session, Showing};
+use crate::state::still::Still;
+use crate::state::worker::Worker;
+
+/// What a picture is of: with another look or another mesh it is another one.
+#[derive(Clone, PartialEq)]
+struct Subject {
+    document: u64,
+    mesh: String,
+}
+
+impl Subject {
+    fn of(session: &Session) -> Self {
+        // A scene has meshes of its own.
+        let mesh =
+            if session.stage().is_some() { String::new() } else { session.view.mesh.clone() };
+        Self { document: session.document_number(), mesh }
+    }
+}
+
+/// What is missing for the first picture of what is open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Awaited {
+    /// The look is being compiled.
+    Shader,
+    /// It is being drawn.
+    Picture,
+    /// Nothing is done: there is something wrong with it.
+    Mended,
+}
+
+/// What is to be drawn.
+struct Wish {
+    subject: Subject,
+    showing: Showing,
+    still: Still,
+    size: [u32; 2],
+    /// Whether its effects are to be told.
+    tells_effects: bool,
+    /// The name and the file of what it is of, where that is drawn for the first time.
+    first_of: Option<(String, Option<PathBuf>)>,
+}
+
+/// What a picture was wished for: the same again needs no new one.
+#[derive(PartialEq)]
+struct Wished {
+    picture: u64,
+    orbit: Orbit,
+    time: f64,
+    size: [u32; 2],
+    folder: PathBuf,
+    tells_effects: bool,
+}
+
+/// What was drawn: a texture where it could be.
+struct Drawn {
+    subject: Subject,
+    texture: Option<wgpu::TextureView>,
+    /// What was made ready for it, and need not be made for the next one.
+    ready: Option<Ready>,
+    problems: Vec<Diagnostic>,
+    effects: Option<Vec<Effect>>,
+    /// Lives until the GPU has done what was handed to it, where that was for the first time.
+    unfinished: Option<Weak<CrashMark>>,
+}
+
+/// What takes long to make: a shader's pipelines, and what a mesh is on the GPU.
+#[derive(Clone)]
+struct Ready {
+    shader: Arc<CompiledShader>,
+    library: Arc<Library>,
+    mesh: String,
+}
+
+impl Ready {
+    fn of(showing: &Showing, still: &Still) -> Self {
+        Self {
+            shader: showing.shader.clone(),
+            library: still.library.clone(),
+            mesh: still.orbit.mesh.clone(),
+        }
+    }
+
+    fn is(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.shader, &other.shader)
+            && Arc::ptr_eq(&self.library, &other.library)
+            && self.mesh == other.mesh
+    }
+}
+
+/// How long a frame waits for the picture of its own edit to be handed to the GPU. With everything
+/// ready that takes a few milliseconds; a software GPU draws on the same cores, and takes its time.
+const HURRY: Duration = Duration::from_millis(60);
+/// After so many frames whose picture came too late, waiting is given up for a while.
+const MOST_LATE: u32 = 4;
+/// Frames that take longer than this, in seconds, are too slow for a hand at work.
+const SLOW: f32 = 1.0 / 25.0;
+/// Frames that take less leave room for a finer picture.
+const QUICK: f32 = 1.0 / 100.0;
+/// As many slow frames in a row make the picture coarser.
+const PATIENCE: u32 = 2;
+/// As many quick ones finer.
+const TRUST: u32 = 20;
+/// The coarsest picture, in parts of the screen's pixels along each side.
+const COARSEST: u32 = 4;
+
+/// How coarse a picture may be drawn while a hand is at work, so that it keeps up with the hand.
+#[derive(Debug)]
+struct Pace {
+    /// 1 at rest.
+    coarseness: u32,
+    /// What the last hand came to: the next one begins with it.
+    last: u32,
+    slow: u32,
+    quick: u32,
+    /// Whether the last frame asked for a picture: only then its time tells anything.
+    has_wished: bool,
+}
+
+impl Default for Pace {
+    fn default() -> Self {
+        Self { coarseness: 1, last: 1, slow: 0, quick: 0, has_wished: false }
+    }
+}
+
+impl Pace {
+    fn tell(&mut self, is_at_work: bool, dt: f32) {
+        if !is_at_work {
+            *self = Self { last: self.last, ..Self::default() };
+            return;
+        }
+        if self.has_wished {
+            self.slow = if dt > SLOW { self.slow + 1 } else { 0 };
+            self.quick = if dt < QUICK { self.quick + 1 } else { 0 };
+        }
+        if self.slow >= PATIENCE {
+            self.last = (self.last * 2).min(COARSEST);
+            self.slow = 0;
+        } else if self.quick >= TRUST {
+            self.last = (self.last / 2).max(1);
+            self.quick = 0;
+        }
+        self.coarseness = self.last;
+    }
+}
+
+/// The viewport's picture.
+pub(crate) struct Picture {
+    state: RenderState,
+    gpu: Gpu,
+    worker: Worker<Wish, Drawn>,
+    texture: Option<TextureId>,
+    /// What it shows.
+    shown: Option<Subject>,
+    wished: Option<Wished>,
+    pace: Pace,
+    /// What the last picture was drawn with.
+    ready: Option<Ready>,
+    /// Whether all that is asked for needs only to be drawn: nothing is to be built, and no mesh to
+    /// be read.
+    is_quick: bool,
+    /// The longest that a frame waits.
+    pub(crate) patience: Duration,
+    /// How many frames in a row went without the picture of their own edit.
+    late: u32,
+    /// The size that was asked for last, before it was made coarser.
+    size: [u32; 2],
+    /// Lives while the GPU is at something that it never drew before: the compilers of drivers may
+    /// be at work as well.
+    unfinished: Weak<CrashMark>,
+    /// How many pictures were asked for.
+    pub(crate) wishes: u64,
+    /// What keeps the picture from being drawn, or was odd about it.
+    pub(crate) problems: Vec<Diagnostic>,
+    /// Whether somebody wants to know what the picture costs.
+    pub(crate) tells_effects: bool,
+    /// What the last picture of a look at rest cost, where that was wanted.
+    pub(crate) effects: Arc<Vec<Effect>>,
+}
+
+impl Picture {
+    /// A picture on the window's device. `wake` is called from another thread when there is a new
+    /// one; what goes on is noted in `crashes`.
+    pub(crate) fn new(
+        state: RenderState,
+        crashes: CrashLog,
+        wake: impl Fn() + Send + 'static,
+    ) -> Self {
+        let gpu = Gpu::new(state.device.clone(), state.queue.clone(), state.adapter.get_info());
+        // Lights are edited: a look is not compiled anew when one goes out.
+        let planner = Planner::default().culling(Cull::Objects);
+        let renderer = Renderer::new(gpu.clone());
+        let mut artist = Artist { renderer, planner, provided: None, library: None, crashes };
+        let worker = Worker::waiting("picture", wake, async move |wish| artist.draw(&wish).await);
+        Self {
+            state,
+            gpu,
+            worker,
+            texture: None,
+            shown: None,
+            wished: None,
+            pace: Pace::default(),
+            ready: None,
+            is_quick: true,
+            patience: HURRY,
+            late: 0,
+            size: [0; 2],
+            unfinished: Weak::new(),
+            wishes: 0,
+            problems: Vec::new(),
+            tells_effects: false,
+            effects: Arc::default(),
+        }
+    }
+
+    /// The window's device.
+    pub(crate) fn gpu(&self) -> &Gpu {
+        &self.gpu
+    }
+
+    /// Asks for a picture of `size` pixels if anything changed, and returns the newest there is.
+    /// While a hand is at work the picture may be coarser, if frames come too slowly otherwise;
+    /// `dt` is how long the last one took, in seconds.
+    pub(crate) fn update(
+        &mut self,
+        session: &Session,
+        size: [u32; 2],
+        is_at_work: bool,
+        dt: f32,
+    ) -> Option<TextureId> {
+        self.take();
+        self.size = size;
+        self.pace.tell(is_at_work, dt);
+        self.pace.has_wished = self.ask(session);
+        self.texture
+    }
+
+    /// Asks for what an edit of this very frame changes, and waits until it is handed to the GPU,
+    /// where that needs only to be drawn. The GPU does what it is given in order, so that this
+    /// frame shows the picture already: it need not be finished, only be handed over before the
+    /// frame is.
+    pub(crate) fn hurry(&mut self, session: &Session) {
+        self.pace.has_wished |= self.ask(session);
+        if !self.worker.is_busy() {
+            return;
+        }
+        if self.is_quick && (self.late < MOST_LATE || self.late.is_multiple_of(MOST_LATE * 8)) {
+            self.worker.wait_at_most(self.patience);
+            self.late = if self.worker.is_busy() { self.late.saturating_add(1) } else { 0 };
+        }
+        self.take();
+    }
+
+    fn take(&mut self) {
+        for drawn in self.worker.answers() {
+            if let Some(view) = drawn.texture {
+                self.show(&view);
+                self.shown = Some(drawn.subject);
+            }
+            self.ready = drawn.ready.or(self.ready.take());
+            self.problems = drawn.problems;
+            self.unfinished = drawn.unfinished.unwrap_or_else(|| self.unfinished.clone());
+            if let Some(effects) = drawn.effects {
+                self.effects = Arc::new(effects);
+            }
+        }
+    }
+
+    fn ask(&mut self, session: &Session) -> bool {
+        let size = self
+            .size
+            .map(|side| if side > 0 { side.div_ceil(self.pace.coarseness).max(1) } else { 0 });
+        let wished = Some(Wished {
+            picture: session.picture(),
+            orbit: session.view.clone(),
+            time: session.time,
+            size,
+            folder: session.folder(),
+            tells_effects: self.tells_effects,
+        });
+        if self.wished != wished
+            && size.iter().all(|&side| side > 0)
+            && let Some(showing) = session.showing()
+        {
+            self.wished = wished;
+            self.wishes += 1;
+            let still = session.still_of(showing.look.clone());
+            let wanted = Ready::of(&showing, &still);
+            let is_ready = self.ready.as_ref().is_some_and(|ready| ready.is(&wanted));
+            self.is_quick = is_ready && (self.is_quick || !self.worker.is_busy());
+            let first_of = (!is_ready).then(|| session.shown_file());
+            let (subject, tells_effects) = (Subject::of(session), self.tells_effects);
+            self.worker.request(|_| Wish {
+                subject,
+                showing,
+                still,
+                size,
+                tells_effects,
+                first_of,
+            });
+            return true;
+        }
+        false
+    }
+
+    /// How many times coarser than the screen the picture is; 1 at rest.
+    pub(crate) fn coarseness(&self) -> u32 {
+        self.pace.coarseness
+    }
+
+    /// Whether one is being made.
+    pub(crate) fn is_busy(&self) -> bool {
+        self.worker.is_busy()
+    }
+
+    /// Whether the GPU is at something that it never drew before; asks, and does not wait.
+    pub(crate) fn is_unfinished(&self) -> bool {
+        if self.unfinished.strong_count() > 0 {
+            // A device that is lost calls back as well.
+            let _ = self.state.device.poll(wgpu::PollType::Poll);
+        }
+        self.unfinished.strong_count() > 0
+    }
+
+    /// Whether there is one.
+    pub(crate) fn is_there(&self) -> bool {
+        self.texture.is_some()
+    }
+
+    /// What is missing for the first picture of what is open, while the one that is there shows
+    /// something else.
+    pub(crate) fn awaited(&self, session: &Session) -> Option<Awaited> {
+        let subject = Subject::of(session);
+        let shown = self.shown.as_ref().filter(|shown| **shown != subject && self.is_there())?;
+        if session.is_compiling() {
+            return Some(Awaited::Shader);
+        }
+        // One that is drawn and not taken yet is awaited, too: a sign that goes and comes again
+        // would flicker.
+        if self.worker.owes() {
+            return Some(Awaited::Picture);
+        }
+        // On a mesh that cannot be read the last good picture stays.
+        let is_broken = shown.document != subject.document;
+        let is_broken = is_broken && (!self.problems.is_empty() || has_errors(session.problems()));
+        is_broken.then_some(Awaited::Mended)
+    }
+
+    /// Waits for it.
+    pub(crate) fn wait(&self) {
+        self.worker.wait();
+        if self.unfinished.strong_count() > 0 {
+            let _ = self.state.device.poll(wgpu::PollType::wait_indefinitely());
+        }
+    }
+
+    fn show(&mut self, view: &wgpu::TextureView) {
+        let filter = wgpu::FilterMode::Linear;
+        let mut renderer = self.state.renderer.write();
+        match self.texture {
+            Some(id) => {
+                renderer.update_egui_texture_from_wgpu_texture(
+                    &self.state.device,
+                    view,
+                    filter,
+                    id,
+                );
+            }
+            None => {
+                self.texture =
+                    Some(renderer.register_native_texture(&self.state.device, view, filter));
+            }
+        }
+    }
+}
+
+/// Lives on the thread.
+struct Artist {
+    renderer: Renderer,
+    planner: Planner,
+    /// The shader that the planner was given last.
+    provided: Option<(Arc<CompiledShader>, Arc<Look>)>,
+    /// The nodes that the planner compiled with.
+    library: Option<Arc<Library>>,
+    crashes: CrashLog,
+}
+
+impl Artist {
+    async fn draw(&mut self, wish: &Wish) -> Drawn {
+        let subject = wish.subject.clone();
+        let going = wish.first_of.as_ref().map(|(name, path)| {
+            let origin = || DocumentOrigin::new(name, path.as_deref(), &wish.showing.look);
+            self.crashes.begin(Step::Draw, origin)
+        });
+        let drawn = self.try_draw(wish).await;
+        let unfinished = going.map(|going| self.hand_to_gpu(going));
+        match drawn {
+            Ok(effects) => {
+                let problems = std::mem::take(&mut self.planner.warnings);
+                let ready = Some(Ready::of(&wish.showing, &wish.still));
+                Drawn {
+                    subject,
+                    texture: self.renderer.picture_view(),
+                    ready,
+                    problems,
+                    effects,
+                    unfinished,
+                }
+            }
+            Err(problems) => {
+                Drawn { subject, texture: None, ready: None, problems, effects: None, unfinished }
+            }
+        }
+    }
+
+    /// Keeps a mark until the GPU has done everything that was handed to it. Some drivers compile
+    /// only then.
+    fn hand_to_gpu(&self, going: CrashMark) -> Weak<CrashMark> {
+        let going = Arc::new(going);
+        let unfinished = Arc::downgrade(&going);
+        self.renderer.gpu().queue.on_submitted_work_done(move || drop(going));
+        unfinished
+    }
+
+    /// Draws, and tells the effects where they are wanted and the look is at rest: of a look that
+    /// is being edited nothing is left out, which would only flicker.
+    async fn try_draw(&mut self, wish: &Wish) -> Result<Option<Vec<Effect>>, Vec<Diagnostic>> {
+        let showing = &wish.showing;
+        if !self.library.as_ref().is_some_and(|library| Arc::ptr_eq(library, &wish.still.library)) {
+            self.planner =
+                Planner::new(std::mem::take(&mut self.planner.assets)).culling(Cull::Objects);
+            (self.library, self.provided) = (Some(wish.still.library.clone()), None);
+        }
+        let (mut setup, notes) = wish.still.setup(&mut self.planner.assets)?.into_parts();
+        setup.edited = Some(0);
+        if !self.provided.as_ref().is_some_and(|(shader, look)| {
+            Arc::ptr_eq(shader, &showing.shader) && same_keys(look, &showing.look)
+        }) {
+            self.planner.provide(&showing.look, &showing.live, showing.shader.clone());
+            self.provided = Some((showing.shader.clone(), showing.look.clone()));
+        }
+        let options = PlanOptions { size: wish.size, samples: 4, time: wish.still.time };
+        let plan = self.planner.plan(&setup, &wish.still.library, &showing.live, &options)?;
+        self.planner.warnings.extend(notes);
+        self.planner.warnings.extend(self.renderer.gpu().warnings(&plan));
+        let is_told = wish.tells_effects && showing.live == Live::Keyed;
+        let mut effects = is_told.then(|| effects(&plan, self.renderer.done()));
+        self.renderer.draw(&plan).await.map_err(|error| vec![error.into()])?;
+        if milestones::are_told() {
+            self.renderer
+                .gpu()
+                .queue
+                .on_submitted_work_done(|| milestones::reached("first picture"));
+        }
+        if let Some(effects) = &mut effects {
+            // Once more with a clock, everything anew: what was drawn just now may have been
+            // little, or the first time.
+            let times = self.renderer.measure(&plan).await.map_err(|error| vec![error.into()])?;
+            set_times(effects, &times);
+        }
+        Ok(effects)
+    }
+}
+
+/// Whether a planner that knows the keys of one knows those of the other.
+fn same_keys(a: &Look, b: &Look) -> bool {
+    (&a.direction_keys, &a.time_keys, &a.exposed) == (&b.direction_keys, &b.time_keys, &b.exposed)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_slow_picture_is_coarser_while_a_hand_is_at_work() {
+        let mut pace = Pace::default();
+        let mut frames = |is_at_work: bool, dt: f32, count: u32| {
+            for _ in 0..count {
+                pace.tell(is_at_work, dt);
+                pace.has_wished = true;
+            }
+            pace.coarseness
+        };
+        assert_eq!(frames(true, 0.016, 10), 1);
+        assert_eq!(frames(true, 0.1, 2), 2);
+        assert_eq!(frames(true, 0.1, 9), 4, "and no coarser");
+        assert_eq!(frames(false, 0.1, 1), 1, "at rest it is whole");
+        assert_eq!(frames(true, 0.016, 1), 4, "the next hand begins where the last one ended");
+        assert_eq!(frames(true, 0.005, TRUST), 2);
+        // A hand that rests in between took no long frame.
+        pace.has_wished = false;
+        pace.tell(true, 3.0);
+        assert_eq!(pace.slow, 0);
+    }
+}

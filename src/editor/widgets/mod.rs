@@ -1,0 +1,14 @@
+//! Parts of the interface that know nothing of what the window holds: fields, rows, icons, the
+//! theme.
+
+pub(crate) mod color;
+pub(crate) mod confirm;
+pub(crate) mod curve;
+pub(crate) mod handle;
+pub(crate) mod picker;
+pub(crate) mod ramp;
+pub(crate) mod rows;
+pub(crate) mod spots;
+pub(crate) mod text;
+pub(crate) mod theme;
+pub(crate) mod value;

@@ -1,0 +1,127 @@
+//! Puts every file of a folder into a crate, found by walking the folder, so that none is
+//! forgotten and no list of files has to be kept.
+//!
+//! A crate's build script names its folders as rows of one table:
+//!
+//! ```no_run
+//! use chiaro_embed::{Content, Table, embed};
+//!
+//! embed(&[Table {
+//!     name: "NODES",
+//!     base: "",
+//!     folders: &["nodes"],
+//!     extensions: &["wgsl", "json"],
+//!     content: Content::Text,
+//!     order: None,
+//! }]);
+//! ```
+//!
+//! and the crate includes what comes of a row:
+//! `include!(concat!(env!("OUT_DIR"), "/nodes.rs"));`
+
+use std::collections::HashMap;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+/// How a file's content stands in the crate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Content {
+    /// As `&str`.
+    Text,
+    /// As `&[u8]`.
+    Bytes,
+}
+
+/// Folders whose files are embedded, as one static slice of `(path, content)`.
+#[derive(Clone, Copy, Debug)]
+pub struct Table<'a> {
+    /// The name of the slice; in small letters, that of the file that declares it.
+    pub name: &'a str,
+    /// Where the paths of the slice begin, from the crate's manifest on.
+    pub base: &'a str,
+    /// The folders below `base` that are walked. Links are followed, so that a folder that lies
+    /// elsewhere in the repository travels along with a package of the crate.
+    pub folders: &'a [&'a str],
+    /// The extensions of the files that are embedded.
+    pub extensions: &'a [&'a str],
+    /// How the content stands in the crate.
+    pub content: Content,
+    /// A file below `base` of paths, one a line, that come first; others follow by their names.
+    pub order: Option<&'a str>,
+}
+
+/// Writes a file `NAME.rs` for each table into the build's `OUT_DIR`.
+///
+/// # Panics
+///
+/// Where cargo does not run it, and where a file cannot be read or written: a build script has
+/// nobody else to tell.
+pub fn embed(tables: &[Table<'_>]) {
+    let root = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("cargo sets it"));
+    let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it"));
+    for table in tables {
+        let file = out.join(format!("{}.rs", table.name.to_lowercase()));
+        fs::write(&file, slice(&root, table))
+            .unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+    }
+}
+
+/// The source of one table's slice.
+fn slice(root: &Path, table: &Table<'_>) -> String {
+    let base = root.join(table.base);
+    let mut files = Vec::new();
+    for folder in table.folders {
+        walk(&base.join(folder), table.extensions, &mut files);
+    }
+    let mut files: Vec<(String, PathBuf)> =
+        files.into_iter().map(|file| (short(&base, &file), file)).collect();
+    let ranks = table.order.map(|order| ranks(&base.join(order))).unwrap_or_default();
+    files.sort_by_cached_key(|(name, _)| {
+        (ranks.get(name).copied().unwrap_or(usize::MAX), name.clone())
+    });
+    let (ty, include) = match table.content {
+        Content::Text => ("&str", "include_str!"),
+        Content::Bytes => ("&[u8]", "include_bytes!"),
+    };
+    let (name, folders) = (table.name, table.folders.join("/`, `"));
+    let mut text = format!(
+        "/// The path and the content of every file under `{folders}/`.\n\
+         pub static {name}: &[(&str, {ty})] = &[\n"
+    );
+    for (name, file) in &files {
+        let _ = writeln!(text, "    ({name:?}, {include}({:?})),", file.to_string_lossy());
+    }
+    text + "];\n"
+}
+
+/// The path of a file below a folder, with `/` on every system.
+fn short(folder: &Path, file: &Path) -> String {
+    let short = file.strip_prefix(folder).expect("the file was found there");
+    short.to_string_lossy().replace('\\', "/")
+}
+
+/// The place of each path of a file that says an order.
+fn ranks(file: &Path) -> HashMap<String, usize> {
+    println!("cargo::rerun-if-changed={}", file.display());
+    let text =
+        fs::read_to_string(file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+    text.lines().map(str::to_owned).zip(0..).collect()
+}
+
+/// Every file below a folder that has one of the extensions.
+fn walk(folder: &Path, extensions: &[&str], files: &mut Vec<PathBuf>) {
+    println!("cargo::rerun-if-changed={}", folder.display());
+    let entries =
+        fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    for entry in entries {
+        let path = entry.unwrap_or_else(|error| panic!("{}: {error}", folder.display())).path();
+        let is_wanted =
+            || path.extension().is_some_and(|name| extensions.iter().any(|wanted| name == *wanted));
+        if path.is_dir() {
+            walk(&path, extensions, files);
+        } else if is_wanted() {
+            files.push(path);
+        }
+    }
+}

@@ -1,0 +1,8 @@
+/// Half
+///
+/// Half of it.
+///
+/// @param x "Value" default=0 : A number.
+fn third(x: f32) -> f32 {
+    return 0.5 * x;
+}

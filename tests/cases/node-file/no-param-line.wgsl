@@ -1,0 +1,8 @@
+/// Half
+///
+/// Half of it.
+///
+/// @return half "Half" : Half.
+fn half(x: f32) -> f32 {
+    return 0.5 * x;
+}

@@ -1,0 +1,8 @@
+/// Half
+///
+/// Half of it.
+///
+/// @param x "Value" defualt=0 : A number.
+fn half(x: f32) -> f32 {
+    return 0.5 * x;
+}

@@ -1,0 +1,2 @@
+// Ours.
+fn f(x: f32) -> f32 { workgroupBarrier(); return x; }

@@ -1,0 +1,189 @@
+//! Surface samples and pictures through the library, as `chiaro eval` and `chiaro render` run them.
+
+use std::path::PathBuf;
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError, TryLockError};
+
+use chiaro_compiler::compile::{Live, Options};
+use chiaro_compiler::document::{Look, Scene};
+use chiaro_compiler::library::{Library, Type};
+use chiaro_language::diag::Diagnostic;
+use chiaro_language::ids::{NodePath, ObjectId, PortName};
+use chiaro_render::{Gpu, Picture, Renderer};
+use chiaro_scene::frame::{
+    Assets, EvalSample, PlanOptions, Planner, Setup, SetupLook, SetupObject, eval_batches,
+    object_matrix,
+};
+use chiaro_scene::geometry::Mesh;
+use chiaro_test_support::wait::block_on;
+
+/// One of the test program's devices, whichever is free; with more tests at once than devices they
+/// take turns.
+pub fn renderer() -> MutexGuard<'static, Renderer> {
+    static RENDERERS: [OnceLock<Mutex<Renderer>>; 2] = [const { OnceLock::new() }; 2];
+    let make = || {
+        Mutex::new(Renderer::new(
+            block_on(Gpu::headless()).expect("a Vulkan device, lavapipe for one"),
+        ))
+    };
+    for renderer in &RENDERERS {
+        match renderer.get_or_init(make).try_lock() {
+            Ok(free) => return free,
+            Err(TryLockError::Poisoned(poisoned)) => return poisoned.into_inner(),
+            Err(TryLockError::WouldBlock) => {}
+        }
+    }
+    RENDERERS[0].get_or_init(make).lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// A look that must be flawless.
+pub fn look(json: &serde_json::Value) -> SetupLook {
+    let text = serde_json::to_string_pretty(json).expect("JSON");
+    let loaded = Look::read(&text, "test.json");
+    let problems: Vec<String> = loaded.diagnostics.iter().map(ToString::to_string).collect();
+    assert!(problems.is_empty(), "{}\n{text}", problems.join("\n"));
+    SetupLook {
+        look: loaded.value.expect("a look"),
+        source: loaded.source.into(),
+        folder: PathBuf::new(),
+    }
+}
+
+/// Options that show one output, `node.port`, and keep exposed parameters live.
+pub fn options(output: &str) -> Options {
+    let (node, port) = output.rsplit_once('.').unwrap_or((output, ""));
+    let root = (!output.is_empty()).then(|| (NodePath::parse(node), PortName::from(port)));
+    Options { root, live: Live::Exposed, ..Options::default() }
+}
+
+/// The first problems as one text.
+pub fn told(problems: &[Diagnostic]) -> String {
+    problems.iter().take(10).map(ToString::to_string).collect::<Vec<_>>().join("\n")
+}
+
+/// The look's value at each sample, or an output's (`node.port`).
+pub fn eval(look: &SetupLook, output: &str, samples: &[EvalSample]) -> Vec<[f64; 4]> {
+    eval_with(look, Library::built_in(), &options(output), samples)
+}
+
+/// [`eval`] with all choices open. An angle is given in radians, in the first number.
+pub fn eval_with(
+    look: &SetupLook,
+    library: &Library,
+    options: &Options,
+    samples: &[EvalSample],
+) -> Vec<[f64; 4]> {
+    eval_on(&mut renderer(), look, library, options, samples)
+}
+
+/// Hands over everything that decides on what samples of a look come to, but for the engines that
+/// run it: modules, numbers and images.
+pub fn content(
+    look: &SetupLook,
+    library: &Library,
+    options: &Options,
+    samples: &[EvalSample],
+    sink: &mut dyn FnMut(&[u8]),
+) {
+    let batches = eval_batches(look, library, samples, options, &mut Assets::default())
+        .unwrap_or_else(|problems| panic!("{}\n{}", told(&problems), look.look.to_text()));
+    for batch in &batches {
+        sink(batch.shader.wgsl.as_bytes());
+        let numbers = batch.samples.numbers.iter().flat_map(|number| number.to_le_bytes());
+        sink(&numbers.collect::<Vec<u8>>());
+        batch.images.iter().for_each(|image| sink(&image.bytes));
+    }
+}
+
+/// The same on any device.
+pub fn eval_on(
+    renderer: &mut Renderer,
+    look: &SetupLook,
+    library: &Library,
+    options: &Options,
+    samples: &[EvalSample],
+) -> Vec<[f64; 4]> {
+    let batches = eval_batches(look, library, samples, options, &mut Assets::default())
+        .unwrap_or_else(|problems| panic!("{}\n{}", told(&problems), look.look.to_text()));
+    let mut answers = vec![[f64::NAN; 4]; samples.len()];
+    for batch in &batches {
+        let values = block_on(renderer.evaluate(batch)).unwrap_or_else(|error| {
+            panic!("{error}\n{}\n{}", look.look.to_text(), batch.shader.wgsl)
+        });
+        for (&index, value) in batch.indices.iter().zip(values) {
+            let [a, b, ..] = value.map(f64::from);
+            answers[index] = match batch.shader.root_type {
+                Type::Angle => [2.0 * a.atan2(b), 0.0, 0.0, 0.0],
+                _ => value.map(f64::from),
+            };
+        }
+    }
+    answers
+}
+
+/// [`eval`] on the reference in f64, of the exact tier as it is written: nothing folded, every
+/// value in f64.
+pub fn truth(look: &SetupLook, output: &str, samples: &[EvalSample]) -> Vec<[f64; 4]> {
+    let options = Options { unspecialized: true, ..options(output) };
+    let batches =
+        eval_batches(look, Library::built_in(), samples, &options, &mut Assets::default())
+            .unwrap_or_else(|problems| panic!("{}\n{}", told(&problems), look.look.to_text()));
+    let mut answers = vec![[f64::NAN; 4]; samples.len()];
+    for batch in &batches {
+        let values = chiaro_reference::evaluate(batch, chiaro_language::interp::Precision::F64)
+            .unwrap_or_else(|problem| panic!("{problem}\n{}", batch.shader.wgsl));
+        for (&index, value) in batch.indices.iter().zip(values) {
+            let [a, b, ..] = value;
+            answers[index] = match batch.shader.root_type {
+                Type::Angle => [2.0 * a.atan2(b), 0.0, 0.0, 0.0],
+                _ => value,
+            };
+        }
+    }
+    answers
+}
+
+/// A scene of one mesh as it is (not fitted) that wears `look`.
+pub fn scene(look: SetupLook, mesh: Mesh, scene: Scene) -> Setup {
+    scene_of(vec![(look, mesh, glam::DMat4::IDENTITY)], scene)
+}
+
+/// A scene of several meshes.
+pub fn scene_of(parts: Vec<(SetupLook, Mesh, glam::DMat4)>, scene: Scene) -> Setup {
+    let mut setup = Setup { scene, ..Setup::default() };
+    for (index, (look, mesh, world_from_object)) in parts.into_iter().enumerate() {
+        setup.objects.push(SetupObject {
+            id: ObjectId::new(format!("object_{index}")),
+            looks: vec![Some(index); mesh.parts.len()],
+            mesh: mesh.into(),
+            world_from_object,
+            values: Default::default(),
+        });
+        setup.looks.push(look);
+    }
+    setup
+}
+
+/// An own shape, fitted into a sphere of radius 1.
+pub fn shape(name: &str) -> (Mesh, glam::DMat4) {
+    let mesh = Assets::default()
+        .mesh(std::path::Path::new(""), &format!("shape:{name}"))
+        .expect("a shape")
+        .value;
+    let matrix = object_matrix(&chiaro_compiler::document::Transform::default(), &mesh);
+    (Mesh::clone(&mesh), matrix)
+}
+
+/// Draws a picture.
+pub fn draw(
+    setup: &Setup,
+    library: &Library,
+    live: &Live,
+    size: [u32; 2],
+    samples: u32,
+) -> Picture {
+    let options = PlanOptions { size, samples, time: 0.0 };
+    let plan = Planner::default()
+        .plan(setup, library, live, &options)
+        .unwrap_or_else(|problems| panic!("{}", told(&problems)));
+    block_on(renderer().picture(&plan)).unwrap_or_else(|error| panic!("{error}"))
+}

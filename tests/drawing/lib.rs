@@ -1,0 +1,11 @@
+//! What the test programs share that draw: looks and nodes evaluated on the GPU and in the
+//! reference, and scenes made for a test. All of `chiaro-test-support` goes by here as well.
+
+pub use chiaro_test_support::*;
+
+pub mod eval;
+pub mod examples;
+pub mod halved;
+pub mod handwritten;
+pub mod held;
+pub mod stacks;

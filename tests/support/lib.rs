@@ -1,0 +1,22 @@
+//! What several test programs share and what knows no more of Chiaro than its words: formulas in
+//! f64, random numbers, cases in files, ledgers, outside validators,
+//! waiting for a GPU. `tests/drawing` is what draws.
+
+use std::path::Path;
+
+pub mod badf;
+pub mod cases;
+pub mod color;
+pub mod files;
+pub mod ledger;
+pub mod noise;
+pub mod random;
+pub mod report;
+pub mod validators;
+pub mod wait;
+
+/// The root of the repository, which a test program of any crate may be run from.
+pub fn root() -> &'static Path {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+    folder.ancestors().nth(2).expect("this crate lies two folders below")
+}
