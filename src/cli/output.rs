@@ -83,7 +83,6 @@ impl Output {
 
     /// Does long work that waits for a GPU, and shows how far it has come as [`watch`](Self::watch)
     /// does.
-    #[cfg(feature = "gpu")]
     pub(super) async fn watch_async<T>(
         &self,
         label: &'static str,

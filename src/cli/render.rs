@@ -13,11 +13,13 @@ use super::tier;
 use crate::clock::Clock;
 use crate::compile::Live;
 use crate::diag::Diagnostic;
-use crate::document::{Camera, OutputKind, Scene, Tier, parse_hex};
-use crate::frame::{self, Assets, FramePlan, PassId, Picture, PlanOptions, Planner, open};
-use crate::interp::Precision;
+use crate::document::{Camera, Scene, Tier, parse_hex};
+use crate::files::OutputKind;
+use crate::frame::{
+    self, Assets, Executor, FramePlan, PassId, Picture, PlanOptions, Planner, open,
+};
 use crate::milestones;
-use crate::reference::{self, Modules, execute};
+use crate::reference::Reference;
 #[cfg(feature = "gpu")]
 use chiaro_render::{Gpu, Renderer};
 
@@ -204,28 +206,25 @@ async fn draw(
     on: Option<On>,
     output: &Output,
 ) -> Result<RenderedPicture, Diagnostic> {
+    let mut executor = executor(on, output).await?;
+    let warnings = executor.warnings(plan);
+    let picture = output
+        .watch_async("drawing", async |progress| executor.picture(plan, progress).await)
+        .await?;
+    milestones::reached("first picture");
+    let passes = plan.passes.iter().map(|pass| pass.id).collect();
+    Ok(RenderedPicture { picture, passes, adapter: executor.name(), warnings })
+}
+
+/// Who draws: a GPU where there is one and nobody asked otherwise, else the reference.
+async fn executor(on: Option<On>, output: &Output) -> Result<Box<dyn Executor>, Diagnostic> {
     #[cfg(feature = "gpu")]
     if on != Some(On::Reference) {
         match Gpu::headless().await {
-            Ok(gpu) => {
-                let warnings = gpu.warnings(plan);
-                let mut renderer = Renderer::new(gpu);
-                let passes = renderer.draw(plan).await?;
-                // Nothing is drawn again: every pass has what it would draw.
-                let picture = renderer.picture(plan).await?;
-                milestones::reached("first picture");
-                return Ok(RenderedPicture {
-                    picture,
-                    passes,
-                    adapter: renderer.gpu().name(),
-                    warnings,
-                });
-            }
-            Err(error) if on.is_none() => {
-                output.message(&format!(
-                    "{error}: drawing on the reference, in software, which takes seconds"
-                ));
-            }
+            Ok(gpu) => return Ok(Box::new(Renderer::new(gpu))),
+            Err(error) if on.is_none() => output.message(&format!(
+                "{error}: drawing on the reference, in software, which takes seconds"
+            )),
             Err(error) => return Err(error.into()),
         }
     }
@@ -235,17 +234,9 @@ async fn draw(
             Diagnostic::error("no-gpu", "this chiaro was built without the `gpu` feature");
         return Err(problem.hint("leave --on out, or build it with the feature"));
     }
-    let modules = Modules::new(plan, Precision::F64)?;
-    let options = reference::Options::default();
-    let drawn = output.watch("drawing", |progress| execute(plan, &modules, &options, progress));
-    let picture = drawn?.to_picture();
-    let passes = plan.passes.iter().map(|pass| pass.id).collect();
-    Ok(RenderedPicture {
-        picture,
-        passes,
-        adapter: "the reference, in f64".to_owned(),
-        warnings: Vec::new(),
-    })
+    #[cfg(not(feature = "gpu"))]
+    let _ = output;
+    Ok(Box::new(Reference::default()))
 }
 
 pub(super) fn parse_time(text: &str) -> Result<f64, String> {

@@ -10,7 +10,8 @@ use glam::{DMat3, DQuat, DVec2, DVec3};
 use serde_json::{Map, Value as Json};
 
 use crate::diag::{Diagnostic, LineColumn};
-use crate::document::{Value, read_text};
+use crate::document::Value;
+use crate::files::read_text;
 use crate::frame::{EvalSample, LightOverride};
 use crate::ids::{ObjectId, PortName};
 use crate::library::{Context, ContextSample};

@@ -6,11 +6,12 @@
 //! runs the program or a thread of its window waits.
 
 use chiaro_compiler::compile;
-use chiaro_language::{clock, diag, milestones};
+use chiaro_language::{clock, diag, milestones, progress};
 use chiaro_scene::{frame, geometry, hcbtf};
 
 mod error;
 mod eval;
+mod executor;
 mod gpu;
 mod image;
 mod mesh;
@@ -96,7 +97,7 @@ impl Renderer {
                 continue;
             }
             match pass.id.stage() {
-                None => self.draw_screen(plan, pass.id, &mut encoder),
+                None => self.draw_screen(plan, pass.id, &mut encoder)?,
                 Some(Stage::Draw) => self.draw_look(plan, &mut encoder)?,
                 Some(stage) => self.draw_meshes(plan, (pass.id, stage), &mut encoder)?,
             }

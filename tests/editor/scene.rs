@@ -78,7 +78,7 @@ const TWO: &str = r#"{
 }
 "#;
 
-fn stage(hand: &Hand) -> &chiaro::editor::Stage {
+fn stage(hand: &Hand) -> &chiaro::editor::OpenScene {
     hand.app().session().stage().expect("a scene is open")
 }
 

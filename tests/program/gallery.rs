@@ -13,7 +13,7 @@ use crate::support::random::Random;
 use crate::support::wait::block_on;
 
 use chiaro::diag::{Diagnostic, has_errors};
-use chiaro::document::Outputs;
+use chiaro::files::Outputs;
 use chiaro::gallery::nodes::{SIDE, draw_nodes, write_nodes};
 use chiaro::gallery::{
     GalleryDocument, GalleryReport, List, Options, Section, build, content, list,

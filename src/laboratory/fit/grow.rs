@@ -25,7 +25,7 @@ use super::stack::{Layer, MAX_LAYERS, Mode, Search};
 use super::state::{Shape, even_directions};
 use super::target::{PixelGoal, Target};
 use super::turn::{Polished, polished};
-use super::{FitOptions, FitResult};
+use super::{FitOptions, FittedLook};
 use crate::diag::Diagnostic;
 use crate::document::Edit;
 use crate::frame::Setup;
@@ -68,7 +68,7 @@ pub fn fit_layers(
     layers: usize,
     options: &FitOptions,
     progress: &Progress,
-) -> Result<FitResult, Vec<Diagnostic>> {
+) -> Result<FittedLook, Vec<Diagnostic>> {
     let one = |problem| vec![problem];
     if !(1..=MAX_LAYERS).contains(&layers) {
         let message = format!("{layers} layers cannot be laid; it is 1 to {MAX_LAYERS}");
@@ -124,7 +124,7 @@ pub fn fit_layers(
     let report = Report::new(&shot, &fitted, target, &before, &after, options)?;
     let report = Report { is_stopped: progress.is_stopped(), ..report };
     let misses = painted(&after);
-    Ok(FitResult {
+    Ok(FittedLook {
         edit: Edit::Replace { look: Box::new(fitted.clone()) },
         look: fitted,
         report,

@@ -72,7 +72,7 @@ impl Default for FitOptions {
 
 /// A look that was fitted.
 #[derive(Clone, Debug)]
-pub struct FitResult {
+pub struct FittedLook {
     /// The look.
     pub look: Look,
     /// What makes it of the look that was given, to be undone as one.

@@ -9,7 +9,7 @@ use super::rest::Rest;
 use super::solve::{Minimum, StopRule, descend, stopped};
 use super::state::Setting;
 use super::target::{PixelGoal, Target};
-use super::{FitOptions, FitResult};
+use super::{FitOptions, FittedLook};
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Look};
 use crate::frame::Setup;
@@ -45,7 +45,7 @@ pub fn fit_look(
     target: &Target,
     options: &FitOptions,
     progress: &Progress,
-) -> Result<FitResult, Vec<Diagnostic>> {
+) -> Result<FittedLook, Vec<Diagnostic>> {
     let one = |problem| vec![problem];
     progress.begin(options.starts.max(1) as u64 + GOING_ON as u64 + 1);
     let shot = Shot { setup, look, library, size: target.size, time: options.time };
@@ -102,7 +102,7 @@ pub fn fit_look(
             Report::new(&shot, &setup.looks[look].look, target, &before, &before, options)?;
         let misses = painted_of(&before);
         let edit = Edit::Group { edits: Vec::new() };
-        return Ok(FitResult { edit, look: setup.looks[look].look.clone(), report, misses });
+        return Ok(FittedLook { edit, look: setup.looks[look].look.clone(), report, misses });
     }
     let report =
         Report { is_stopped, ..Report::new(&shot, &fitted, target, &before, &after, options)? };
@@ -112,7 +112,7 @@ pub fn fit_look(
     }
     let edit = Edit::Group { edits: first.into_iter().chain(edits).collect() };
     let misses = painted_of(&after);
-    Ok(FitResult { edit, look: fitted, report, misses })
+    Ok(FittedLook { edit, look: fitted, report, misses })
 }
 
 /// A look that was turned to where it is nearest.

@@ -135,7 +135,7 @@ pub fn open(
     assets: &mut Assets,
 ) -> Result<Warned<Setup>, Vec<Diagnostic>> {
     let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
-    match Document::load(path) {
+    match Document::load(&crate::files::Disk, path) {
         Document::Look(loaded) => {
             let mut problems = loaded.diagnostics.clone();
             let Some(look) = loaded.value.clone().filter(|_| !has_errors(&problems)) else {
@@ -392,7 +392,7 @@ impl Wardrobe for LookFiles<'_> {
             // Told with the object that names it.
             return None;
         }
-        let loaded = Look::load(&path);
+        let loaded = Look::load(&crate::files::Disk, &path);
         problems.extend(loaded.diagnostics.iter().cloned());
         let look = loaded.value.clone()?;
         let own_folder = path.parent().map(Path::to_path_buf).unwrap_or_default();

@@ -21,11 +21,12 @@ use std::io::{self, BufWriter, Seek as _, SeekFrom, Write as _};
 
 use serde::Serialize;
 
-use super::edit::{History, Step};
+use crate::document::{History, Step};
 use record::{Record, VERSION};
 
+pub use crate::document::Journaled;
 pub use read::{Found, Recovered, recover, recover_any};
-pub use record::{About, HcbtfOp, Journaled, LookOp, Op, SceneOp};
+pub use record::{About, HcbtfOp, LookOp, Op, SceneOp};
 pub use slot::{Slot, left_behind};
 
 /// A journal may grow by so many bytes, or by as much as it began with, before it is begun anew.

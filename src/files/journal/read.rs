@@ -5,10 +5,9 @@ use std::io::{self, BufReader};
 use std::path::Path;
 
 use super::line::{Line, Lines};
-use super::record::{About, Journaled, Op, Record, VERSION};
+use super::record::{About, Op, Record, VERSION};
 use crate::diag::Diagnostic;
-use crate::document::edit::{Editable, History, Numbers, Step};
-use crate::document::{Hcbtf, Look, Scene};
+use crate::document::{Editable, Hcbtf, History, HistoryNumbers, Journaled, Look, Scene, Step};
 
 /// A longer image of a document is refused: that of the largest HCBTF is shorter.
 const MAX_IMAGE: usize = 3 << 29;
@@ -92,7 +91,7 @@ fn damage(message: impl Into<String>) -> Diagnostic {
 
 /// What stands before the edits.
 struct Beginning<D: Editable> {
-    numbers: Numbers,
+    numbers: HistoryNumbers,
     about: About,
     source: Option<String>,
     document: D,

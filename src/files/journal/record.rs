@@ -4,9 +4,7 @@ use std::borrow::Cow;
 
 use serde::{Deserialize, Serialize};
 
-use crate::document::edit::{Editable, Numbers, Step};
-use crate::document::image::HcbtfImage;
-use crate::document::{Edit, Hcbtf, HcbtfEdit, Look, Scene, SceneEdit};
+use crate::document::{Edit, HcbtfEdit, HistoryNumbers, SceneEdit, Step};
 
 /// The version of the journal that this Chiaro writes, and the only one that it reads.
 pub(super) const VERSION: u32 = 1;
@@ -17,7 +15,7 @@ pub(super) const VERSION: u32 = 1;
 #[serde(rename_all = "snake_case", bound(deserialize = "E: Clone + Deserialize<'de>"))]
 pub(super) enum Record<'a, E: Clone> {
     /// What the journal is of.
-    Begin { version: u32, kind: Cow<'a, str>, numbers: Numbers, about: Cow<'a, About> },
+    Begin { version: u32, kind: Cow<'a, str>, numbers: HistoryNumbers, about: Cow<'a, About> },
     /// The text that the file held when it was read or saved last.
     Source { text: Cow<'a, str> },
     /// The document's image; of a large one the next part, several lines following each other.
@@ -68,59 +66,6 @@ pub struct About {
     /// What else a window wants back, such as the mesh; the journal does not look at it.
     #[serde(skip_serializing_if = "serde_json::Value::is_null")]
     pub window: serde_json::Value,
-}
-
-/// A document that a journal can be of.
-pub trait Journaled:
-    Editable<Edit: Serialize + serde::de::DeserializeOwned + 'static> + Clone
-{
-    /// What kind of document it is, as files say it.
-    const KIND: &'static str;
-
-    /// All of the document, as JSON.
-    ///
-    /// # Errors
-    /// It holds what JSON cannot, which no document does.
-    fn to_image(&self) -> serde_json::Result<String>;
-
-    /// The document that [`to_image`](Self::to_image) wrote.
-    ///
-    /// # Errors
-    /// The text is something else.
-    fn from_image(text: &str) -> serde_json::Result<Self>;
-}
-
-macro_rules! journaled {
-    ($document:ty, $kind:literal) => {
-        impl Journaled for $document {
-            const KIND: &'static str = $kind;
-
-            fn to_image(&self) -> serde_json::Result<String> {
-                serde_json::to_string(self)
-            }
-
-            fn from_image(text: &str) -> serde_json::Result<Self> {
-                serde_json::from_str(text)
-            }
-        }
-    };
-}
-
-journaled!(Look, "look");
-journaled!(Scene, "scene");
-
-impl Journaled for Hcbtf {
-    const KIND: &'static str = "hcbtf";
-
-    fn to_image(&self) -> serde_json::Result<String> {
-        let mut text = Vec::new();
-        HcbtfImage::serialize(self, &mut serde_json::Serializer::new(&mut text))?;
-        Ok(String::from_utf8_lossy(&text).into_owned())
-    }
-
-    fn from_image(text: &str) -> serde_json::Result<Self> {
-        HcbtfImage::deserialize(&mut serde_json::Deserializer::from_str(text))
-    }
 }
 
 /// What is done to looks.
