@@ -109,7 +109,7 @@ fn another_grid_is_a_step_that_tells_what_stays() {
 }
 
 /// What the rules and the painter made of every sample.
-fn all(hcbtf: &Hcbtf) -> hcbtf::Filled {
+fn all(hcbtf: &Hcbtf) -> hcbtf::FilledSamples {
     hcbtf::fill::fill(hcbtf, &Progress::new()).unwrap()
 }
 
@@ -151,7 +151,7 @@ fn a_new_tile_is_seen_before_it_is_begun_and_the_painted_one_stays() {
     assert_eq!(hcbtf::load(&path).unwrap().value, source);
     // Every texel is one of the source, in all samples the same one.
     let (old, new) = (all(&source), all(&expected));
-    let texel = |filled: &hcbtf::Filled, address, at: usize| {
+    let texel = |filled: &hcbtf::FilledSamples, address, at: usize| {
         <[u8; 4]>::try_from(&filled.tile(address).unwrap().bytes()[4 * at..4 * at + 4]).unwrap()
     };
     for at in 0..24 * 16 {

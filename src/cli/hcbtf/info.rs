@@ -9,7 +9,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Hcbtf, Storage};
 use crate::figures::{bytes, count};
 use crate::output::Output;
-use chiaro_scene::hcbtf::{Device, Filled, Limits, Provenance, needs, needs_at_most, sheet};
+use chiaro_scene::hcbtf::{Device, FilledSamples, Limits, Provenance, needs, needs_at_most, sheet};
 
 /// What `chiaro hcbtf info` is given.
 #[derive(Debug, clap::Args)]
@@ -58,7 +58,7 @@ struct Counts {
 }
 
 impl Counts {
-    fn of(hcbtf: &Hcbtf, filled: &Filled) -> Self {
+    fn of(hcbtf: &Hcbtf, filled: &FilledSamples) -> Self {
         let mut counts = Self { painted: 0, empty: 0, by_rule: vec![0; hcbtf.rules.len()] };
         for (_, _, provenance) in filled.iter() {
             match provenance {
@@ -75,7 +75,7 @@ impl Counts {
     }
 }
 
-async fn as_text(hcbtf: &Hcbtf, filled: &Filled) -> String {
+async fn as_text(hcbtf: &Hcbtf, filled: &FilledSamples) -> String {
     let grid = hcbtf.grid;
     let Counts { painted, empty, by_rule } = Counts::of(hcbtf, filled);
     let [width, height] = sheet::size(&grid);
@@ -127,7 +127,7 @@ async fn as_text(hcbtf: &Hcbtf, filled: &Filled) -> String {
     text + &format!("device   {}: {side} texels a side, {layers} layers, {blocks}\n", device.name)
 }
 
-async fn as_json(hcbtf: &Hcbtf, filled: &Filled) -> Json {
+async fn as_json(hcbtf: &Hcbtf, filled: &FilledSamples) -> Json {
     let Counts { painted, empty, by_rule } = Counts::of(hcbtf, filled);
     let rules = hcbtf
         .rules

@@ -15,7 +15,7 @@ use super::output::Output;
 use crate::diag::Diagnostic;
 use crate::document::{Directions, Grid, Hcbtf};
 use crate::files::{OutputKind, Outputs};
-use chiaro_scene::hcbtf::{Filled, fill::fill, load, write};
+use chiaro_scene::hcbtf::{FilledSamples, fill::fill, load, write};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -86,7 +86,7 @@ fn open(path: &Path, output: &Output) -> Result<Hcbtf, Vec<Diagnostic>> {
 }
 
 /// Runs the rules, and tells how far they are.
-fn filled(hcbtf: &Hcbtf, path: &Path, output: &Output) -> Result<Filled, Vec<Diagnostic>> {
+fn filled(hcbtf: &Hcbtf, path: &Path, output: &Output) -> Result<FilledSamples, Vec<Diagnostic>> {
     let filled = output.watch("filling", |progress| fill(hcbtf, progress));
     filled.map_err(|why| vec![Diagnostic::from(why).in_file(path.display().to_string())])
 }

@@ -14,7 +14,7 @@ use crate::document::{Address, Grid, Hcbtf, Tile};
 use crate::files::write_atomic;
 use crate::frame::{Assets, Overlay, SetupLook, tile_assets};
 use crate::hcbtf::fill::{fill, sample};
-use crate::hcbtf::{Filled, Synthesis, synthesize_filled, write};
+use crate::hcbtf::{FilledSamples, Synthesis, synthesize_filled, write};
 use crate::ids::LightId;
 use crate::library::Library;
 use crate::progress::Progress;
@@ -35,7 +35,7 @@ pub(super) enum MakeRequest {
     /// sample `at` as it will look.
     Synthesize {
         hcbtf: Arc<Hcbtf>,
-        filled: Option<Arc<Filled>>,
+        filled: Option<Arc<FilledSamples>>,
         how: Synthesis,
         at: Address,
     },
@@ -233,7 +233,7 @@ impl MakeRequest {
 
 fn tile(
     hcbtf: &Hcbtf,
-    filled: Option<Arc<Filled>>,
+    filled: Option<Arc<FilledSamples>>,
     how: &Synthesis,
     at: Address,
     [ready, made]: &Stages,

@@ -12,7 +12,7 @@ use crate::diag::{Diagnostic, Warned};
 use crate::document::{Address, Directions, Grid, Hcbtf, Tile};
 use crate::files::{self, ReadError};
 use crate::geometry::{self, Mesh};
-use crate::hcbtf::{self, Coding, Filled, LayerOptions, Layers, Region};
+use crate::hcbtf::{self, Coding, FilledSamples, LayerOptions, Layers, Region};
 use crate::progress::Progress;
 
 /// What an object's mesh begins with where it is an own shape.
@@ -103,7 +103,7 @@ pub struct Overlay {
     /// What is painted.
     pub hcbtf: Arc<Hcbtf>,
     /// What the rules made of the rest, as far as that is known.
-    pub filled: Option<Arc<Filled>>,
+    pub filled: Option<Arc<FilledSamples>>,
 }
 
 impl Overlay {
@@ -520,7 +520,7 @@ mod tests {
         let progress = Progress::new();
         let filled = hcbtf::fill::fill(&hcbtf, &progress).unwrap();
         let mut assets = Assets::default();
-        let mut baked = |version: u64, hcbtf: &Hcbtf, filled: &Filled| {
+        let mut baked = |version: u64, hcbtf: &Hcbtf, filled: &FilledSamples| {
             let (hcbtf, filled) = (Arc::new(hcbtf.clone()), Some(Arc::new(filled.clone())));
             let overlay = Overlay { path: None, version, hcbtf, filled };
             assets.overlay(Some(overlay.clone()));

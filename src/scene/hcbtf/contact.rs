@@ -6,7 +6,7 @@
 //! ring by ring. Between tiles there may be a gap, which is transparent and not read.
 
 use super::MAX_PAINTED_BYTES;
-use super::fill::{Filled, SampleChoice};
+use super::fill::{FilledSamples, SampleChoice};
 use super::picture::{Picture, decode, reduced};
 use super::report::Report;
 use super::sheet::{gathered, painted};
@@ -53,7 +53,11 @@ fn place(grid: &Grid, address: Address, gap: u32) -> [usize; 2] {
 ///
 /// # Errors
 /// As [`size`].
-pub fn export(filled: &Filled, gap: u32, which: SampleChoice) -> Result<Picture, Box<Diagnostic>> {
+pub fn export(
+    filled: &FilledSamples,
+    gap: u32,
+    which: SampleChoice,
+) -> Result<Picture, Box<Diagnostic>> {
     let grid = filled.grid();
     let size = size(&grid, gap).map_err(|why| {
         let problem =

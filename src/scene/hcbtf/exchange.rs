@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 
 use super::blocks::{Loss, loss};
-use super::fill::{Filled, NotFilled, SampleChoice};
+use super::fill::{FilledSamples, NotFilled, SampleChoice};
 use super::layers::{LayerOptions, from_layers, stored};
 use super::{contact, folder, ktx2, read_bytes, sheet};
 use crate::diag::{Diagnostic, Warned};
@@ -137,7 +137,7 @@ pub struct Manner {
 /// # Errors
 /// Where it would be too large, cannot be written, or is stopped.
 pub fn export(
-    filled: &Filled,
+    filled: &FilledSamples,
     form: Form,
     manner: Manner,
     path: &Path,
@@ -174,7 +174,7 @@ fn alone(problem: Box<Diagnostic>) -> Vec<Diagnostic> {
 }
 
 fn export_texture(
-    filled: &Filled,
+    filled: &FilledSamples,
     storage: Storage,
     path: &Path,
     progress: &Progress,
@@ -197,7 +197,7 @@ fn export_texture(
 /// All of a folder comes at once, its listing last, and what it holds of an earlier export goes:
 /// none of those images are taken for those of this one.
 fn export_folder(
-    filled: &Filled,
+    filled: &FilledSamples,
     which: SampleChoice,
     path: &Path,
     progress: &Progress,

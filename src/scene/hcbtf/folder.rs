@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::file::{idle_rules, read_bytes, tile};
-use super::fill::{Filled, SampleChoice};
+use super::fill::{FilledSamples, SampleChoice};
 use super::listing::{self, Listing};
 use super::picture::encode;
 use super::report::Report;
@@ -306,7 +306,7 @@ fn placed<'a>(
 /// # Errors
 /// Where the rules cannot be written.
 pub fn listing(
-    filled: &Filled,
+    filled: &FilledSamples,
     which: SampleChoice,
 ) -> Result<(&'static str, String), Box<Diagnostic>> {
     let text = listing::text(filled, which).map_err(|error| {
@@ -329,7 +329,7 @@ pub(super) fn exported(folder: &Path) -> Vec<PathBuf> {
 
 /// The name and the PNG of each sample, made one at a time.
 pub fn export(
-    filled: &Filled,
+    filled: &FilledSamples,
     which: SampleChoice,
 ) -> impl Iterator<Item = Result<(String, Vec<u8>), Box<Diagnostic>>> {
     let taken = filled.iter().filter(move |(_, _, provenance)| which.has(provenance));

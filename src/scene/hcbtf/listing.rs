@@ -9,7 +9,7 @@ use std::collections::HashMap;
 
 use serde_json::Value;
 
-use super::fill::{Filled, SampleChoice};
+use super::fill::{FilledSamples, SampleChoice};
 use super::folder::file_name;
 use super::manifest;
 use super::report::Report;
@@ -43,7 +43,10 @@ impl Listing {
 }
 
 /// Its text, for these samples.
-pub(super) fn text(filled: &Filled, which: SampleChoice) -> Result<String, serde_json::Error> {
+pub(super) fn text(
+    filled: &FilledSamples,
+    which: SampleChoice,
+) -> Result<String, serde_json::Error> {
     let taken = filled.iter().filter(|(_, _, provenance)| {
         which.has(provenance) && !SampleChoice::Painted.has(provenance)
     });

@@ -19,7 +19,7 @@ use std::sync::Arc;
 use rayon::iter::{IndexedParallelIterator as _, IntoParallelIterator as _, ParallelIterator as _};
 use rayon::slice::ParallelSliceMut as _;
 
-use super::fill::{Filled, shared};
+use super::fill::{FilledSamples, shared};
 use super::picture::{Picture, decode, reduced};
 use super::report::Report;
 use super::{MAX_PAINTED_BYTES, folder};
@@ -40,7 +40,7 @@ pub fn size(grid: &Grid) -> [u32; 2] {
 ///
 /// # Errors
 /// Where it would take more than [`MAX_PAINTED_BYTES`].
-pub fn export(filled: &Filled) -> Result<Picture, Box<Diagnostic>> {
+pub fn export(filled: &FilledSamples) -> Result<Picture, Box<Diagnostic>> {
     let grid = filled.grid();
     let mut sheet = Picture::transparent(size(&grid), "sheet")?;
     let (width, stride) = (4 * grid.size[0] as usize, 4 * sheet.size[0] as usize);

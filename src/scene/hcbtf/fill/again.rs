@@ -13,7 +13,7 @@ use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
 use super::bake::{self, Mapping};
 use super::plan::{Plan, Recipe, Source};
-use super::{Filled, NotFilled, blend, fill};
+use super::{FilledSamples, NotFilled, blend, fill};
 use crate::document::{Hcbtf, Rule, Tile};
 use crate::progress::Progress;
 
@@ -32,9 +32,9 @@ type Part = [u32; 4];
 /// As [`fill`].
 pub fn refill(
     hcbtf: &Hcbtf,
-    before: (&Hcbtf, &Filled),
+    before: (&Hcbtf, &FilledSamples),
     progress: &Progress,
-) -> Result<Filled, NotFilled> {
+) -> Result<FilledSamples, NotFilled> {
     let (old, filled) = before;
     let changed =
         changed(hcbtf, old).filter(|_| filled.grid == hcbtf.grid && old.grid == hcbtf.grid);
@@ -115,7 +115,7 @@ fn is_opaque(tile: &Tile) -> bool {
 /// What tiles are made again of.
 struct Refill<'a> {
     plan: &'a Plan<'a>,
-    filled: &'a Filled,
+    filled: &'a FilledSamples,
     changed: &'a HashMap<u32, Part>,
     progress: &'a Progress,
 }
@@ -211,10 +211,10 @@ fn around(one: Part, other: Part) -> Part {
 /// All tiles, each that was the same and is patched alike once.
 fn together(
     plan: &Plan<'_>,
-    filled: &Filled,
+    filled: &FilledSamples,
     old_tiles: &[u32],
     mut made: HashMap<usize, RefilledTile>,
-) -> Filled {
+) -> FilledSamples {
     let mut patched: HashMap<(u32, Part, Vec<u8>), Arc<Tile>> = HashMap::new();
     let mut known: HashMap<*const Tile, u32> = HashMap::new();
     let mut tiles: Vec<Arc<Tile>> = Vec::new();
@@ -244,7 +244,7 @@ fn together(
     let samples = plan.samples.iter().map(sample).collect();
     // The rules are as they were, or nothing would have come of what is there.
     let (grid, is_tiling, rules) = (filled.grid, filled.is_tiling, filled.rules.clone());
-    Filled { grid, is_tiling, rules, tiles, provenances: plan.provenances.clone(), samples }
+    FilledSamples { grid, is_tiling, rules, tiles, provenances: plan.provenances.clone(), samples }
 }
 
 /// A tile with other texels in a part of it.
