@@ -56,8 +56,9 @@ fn benchmark(criterion: &mut Criterion) {
                 &look,
                 |b, look| {
                     b.iter(|| {
-                        let (typed, _) =
-                            check(black_box(look), library, None).expect("the chain is valid");
+                        let typed = check(black_box(look), library, None)
+                            .expect("the chain is valid")
+                            .value;
                         compile_source(&typed, &options).expect("the chain compiles")
                     });
                 },

@@ -17,7 +17,8 @@ use chiaro::frame::{
 };
 use chiaro::geometry::{Mesh, shape};
 use chiaro::library::Library;
-use chiaro::render::{Gpu, Renderer, block_on};
+use chiaro::render::{Gpu, Renderer};
+use chiaro_test_drawing::wait::block_on;
 use glam::{DMat4, DVec3};
 use serde_json::{Value as Json, json};
 

@@ -11,7 +11,6 @@
 
 #[path = "support/spirv.rs"]
 mod spirv;
-
 use std::path::Path;
 
 use chiaro::accuracy::Variant;
@@ -27,8 +26,9 @@ use chiaro::frame::{
 use chiaro::library::Library;
 use chiaro::progress::Progress;
 use chiaro::reference::{self, Modules, execute};
-use chiaro::render::{Gpu, Renderer, block_on};
+use chiaro::render::{Gpu, Renderer};
 use chiaro::wgsl;
+use chiaro_test_drawing::wait::block_on;
 use glam::{DMat4, DVec3};
 use serde_json::{Value as Json, json};
 
@@ -43,7 +43,7 @@ fn plan(setup: &Setup, size: [u32; 2]) -> FramePlan {
 }
 
 fn measure(renderer: &mut Renderer, plans: &[FramePlan], rounds: usize) -> Vec<Series> {
-    alternate(renderer, &plans.iter().collect::<Vec<_>>(), rounds, &Progress::new())
+    block_on(alternate(renderer, &plans.iter().collect::<Vec<_>>(), rounds, &Progress::new()))
         .expect("it draws")
 }
 
@@ -55,7 +55,7 @@ fn worn(json: &Json, mesh: &str) -> Setup {
         source: loaded.source.into(),
         folder: "".into(),
     };
-    default_setup(look, mesh, &mut Assets::default()).expect("a mesh").0
+    default_setup(look, mesh, &mut Assets::default()).expect("a mesh").value
 }
 
 /// Layers over a base, each with a light of its own from one of `lights`.
@@ -207,8 +207,9 @@ fn looks(renderer: &mut Renderer) {
     files.retain(|path| path.extension().is_some_and(|extension| extension == "json"));
     files.sort();
     for file in files {
-        let (setup, _) = open(&file, None, &mut Assets::default())
-            .unwrap_or_else(|problems| panic!("{problems:?}"));
+        let setup = open(&file, None, &mut Assets::default())
+            .unwrap_or_else(|problems| panic!("{problems:?}"))
+            .value;
         let plans = TIERS.map(|tier| plan(&Variant::Looks(tier).of(&setup), PAPER));
         let series = measure(renderer, &plans, 7);
         // What is drawn in a quarter of the size covers a sixteenth of the pixels.

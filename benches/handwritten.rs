@@ -12,15 +12,15 @@
 
 #[path = "support/spirv.rs"]
 mod spirv;
-
 use chiaro::accuracy::Estimate;
 use chiaro::accuracy::cost::{Series, alternate};
 use chiaro::document::Tier;
 use chiaro::export::spirv_words;
 use chiaro::frame::{CompiledShader, FramePlan, PassId};
 use chiaro::progress::Progress;
-use chiaro::render::{Gpu, Renderer, block_on};
+use chiaro::render::{Gpu, Renderer};
 use chiaro_test_drawing::handwritten;
+use chiaro_test_drawing::wait::block_on;
 use spirv::{instructions, optimised};
 
 const SIZE: [u32; 2] = [800, 600];
@@ -56,7 +56,7 @@ fn main() {
             tiers.iter().map(|tier| handwritten::generated(&setup, *tier, SIZE)).collect();
         let hand = handwritten::by_hand(&setup, look, &generated[0]);
         let plans: Vec<&FramePlan> = generated.iter().chain([&hand]).collect();
-        let series = alternate(&mut renderer, &plans, ROUNDS, &Progress::new());
+        let series = block_on(alternate(&mut renderer, &plans, ROUNDS, &Progress::new()));
         let series = series.unwrap_or_else(|_| panic!("{look} was stopped"));
         let by_hand =
             (look_pass(&series[3]), sizes(&hand.draws[0].look), lines(&hand.draws[0].look));

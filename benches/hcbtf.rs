@@ -24,7 +24,8 @@ use chiaro::geometry::shape;
 use chiaro::hcbtf::{self, LayerOptions, needs, needs_at_most};
 use chiaro::library::Library;
 use chiaro::progress::Progress;
-use chiaro::render::{Gpu, Renderer, block_on};
+use chiaro::render::{Gpu, Renderer};
+use chiaro_test_drawing::wait::block_on;
 use glam::{DMat4, DVec3};
 use serde_json::json;
 
@@ -139,7 +140,7 @@ fn frames(path: &Path) {
             }
         }
         let plans: Vec<&FramePlan> = all.iter().map(|(_, plan)| plan).collect();
-        let series = alternate(&mut renderer, &plans, ROUNDS, &Progress::new());
+        let series = block_on(alternate(&mut renderer, &plans, ROUNDS, &Progress::new()));
         for ((name, _), series) in all.iter().zip(series.unwrap_or_else(|_| panic!("{scene}"))) {
             let least = series.frame.iter().copied().fold(f64::MAX, f64::min);
             println!(

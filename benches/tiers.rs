@@ -14,15 +14,15 @@
 
 #[path = "tiers/curvature.rs"]
 mod curvature;
-
 use std::path::{Path, PathBuf};
 
 use chiaro::compile::Live;
 use chiaro::document::Tier;
 use chiaro::frame::{Assets, FramePlan, PlanOptions, Planner, open};
 use chiaro::library::Library;
-use chiaro::render::{Gpu, Renderer, block_on};
+use chiaro::render::{Gpu, Renderer};
 use chiaro::wgsl::{Declaration, DeclarationKind, Source, link, scan};
+use chiaro_test_drawing::wait::block_on;
 
 const SIZE: u32 = 256;
 const REPEATS: u32 = 32;
@@ -334,8 +334,8 @@ fn looks(filter: &str) {
     files.sort();
     for file in files.iter().filter(|file| file.to_string_lossy().contains(filter)) {
         let mut assets = Assets::default();
-        let (mut setup, _) =
-            open(file, None, &mut assets).unwrap_or_else(|problems| panic!("{problems:?}"));
+        let mut setup =
+            open(file, None, &mut assets).unwrap_or_else(|problems| panic!("{problems:?}")).value;
         let mut plans = Vec::new();
         for tier in [Tier::Exact, Tier::Balanced, Tier::Fast] {
             // No frame is seen from where the one before it was, or passes would be left out

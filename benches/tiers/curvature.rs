@@ -19,6 +19,8 @@ use chiaro::render::{Gpu, Renderer};
 use glam::{DMat4, DVec3, Vec3};
 use serde_json::{Value as Json, json};
 
+use chiaro_test_drawing::wait::block_on;
+
 const SIZES: [[u32; 2]; 2] = [[256, 256], [800, 600]];
 const MESHES: [&str; 3] = ["shape:sphere", "shape:torus", "shape:creature"];
 const ROUNDS: usize = 11;
@@ -52,7 +54,7 @@ fn setup(json: &Json, mesh: &str) -> Setup {
         source: loaded.source.into(),
         folder: "".into(),
     };
-    default_setup(look, mesh, &mut Assets::default()).expect("a mesh").0
+    default_setup(look, mesh, &mut Assets::default()).expect("a mesh").value
 }
 
 /// A look that shows how convex the surface is, by curvature that `wires` bring to
@@ -176,15 +178,18 @@ pub(crate) fn run(gpu: Gpu) {
             let plans: Vec<FramePlan> =
                 forms.iter().map(|(_, setup)| plan(setup, &options)).collect();
             let progress = Progress::new();
-            let series =
-                alternate(&mut renderer, &plans.iter().collect::<Vec<_>>(), ROUNDS, &progress);
+            let series = block_on(alternate(
+                &mut renderer,
+                &plans.iter().collect::<Vec<_>>(),
+                ROUNDS,
+                &progress,
+            ));
             let series = series.unwrap_or_else(|stopped| panic!("{stopped:?}"));
             let mut planner = Planner::for_truth(Assets::default());
             let truth = Truth::of(&exact, Library::built_in(), &mut planner, &options, &progress);
             let truth = truth.unwrap_or_else(|stopped| panic!("{stopped:?}"));
             for (((name, _), plan), times) in forms.iter().zip(&plans).zip(&series) {
-                let error = truth
-                    .compare(&mut precise, plan)
+                let error = block_on(truth.compare(&mut precise, plan))
                     .unwrap_or_else(|stopped| panic!("{stopped:?}"));
                 let [width, height] = size;
                 let time = told(times, &series[0]);

@@ -52,7 +52,7 @@ pub(super) struct Arguments {
     json: bool,
 }
 
-pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let library = Library::built_in();
     check_nodes(&arguments.nodes, library)?;
     let mut outputs = outputs(arguments.force, [&arguments.looks]);
@@ -72,7 +72,11 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         large: arguments.large.then(LookEffort::large),
         stability: StabilityEffort { frames: if quick { 6 } else { 60 }, side: 160 },
     };
-    let report = output.watch("measuring", |progress| survey(&wanted, library, progress));
+    let report = output
+        .watch_async("measuring", async |progress| {
+            survey(&wanted, library, progress, &|worker| crate::wait(worker)).await
+        })
+        .await;
     let report = report.map_err(Vec::<Diagnostic>::from)?;
     let command = command_of(arguments);
     if let Some(path) = &arguments.output {

@@ -13,7 +13,7 @@ use chiaro_laboratory::accuracy::error::VISIBLE;
 use chiaro_laboratory::accuracy::{
     BenchOptions, Measure, MeasuredNodes, Report, Subject, bench, plot,
 };
-use chiaro_render::{Gpu, Renderer, block_on};
+use chiaro_render::{Gpu, Renderer};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -72,7 +72,7 @@ pub(super) struct Arguments {
     json: bool,
 }
 
-pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     check_nodes_folder(arguments.nodes.as_deref())?;
     let read = [
         Some(arguments.document.as_path()),
@@ -86,10 +86,11 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let library = library_for(&arguments.document, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
     let mut assets = Assets::default();
-    let (setup, warnings) = open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?;
+    let (setup, warnings) =
+        open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?.into_parts();
     reads_all(&mut outputs, &arguments.document, &setup, &assets);
     output.diagnostics(&warnings);
-    let gpu = block_on(Gpu::headless()).map_err(|error| vec![error.into()])?;
+    let gpu = Gpu::headless().await.map_err(|error| vec![error.into()])?;
     let mut renderer = Renderer::new(gpu);
     let options = BenchOptions {
         plan: PlanOptions {
@@ -101,9 +102,11 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         nodes: if arguments.every_node { MeasuredNodes::Every } else { MeasuredNodes::Tiered },
         truth: !arguments.no_truth,
     };
-    let report = output.watch("measuring", |progress| {
-        bench(&setup, &library, &mut renderer, &options, progress)
-    })?;
+    let report = output
+        .watch_async("measuring", async |progress| {
+            bench(&setup, &library, &mut renderer, &options, progress).await
+        })
+        .await?;
     if let Some(path) = &arguments.plot {
         let title = setup.looks.first().map_or("", |look| look.look.name.as_str());
         write_plot(path.as_ref(), &report, title, arguments.measure, &mut outputs)

@@ -9,7 +9,7 @@ use super::open::{check_nodes_folder, library_for};
 use super::output::{Output, once};
 use super::scene;
 use crate::compile::{Live, Options, TypedSource, check as check_look, compile_typed};
-use crate::diag::{Diagnostic, Severity, has_errors};
+use crate::diag::{Diagnostic, Severity, Warned, has_errors};
 use crate::document::{Document, Loaded, Look, Scene, Value};
 use crate::figures::count;
 use crate::files;
@@ -156,7 +156,7 @@ impl Checker<'_> {
         let mut found = Vec::new();
         let folder = path.parent().unwrap_or(Path::new(""));
         match check_look(look, library, None) {
-            Ok((typed, warnings)) => {
+            Ok(Warned { value: typed, warnings }) => {
                 missing_images(&typed, folder, &mut self.assets, &mut found);
                 let options = Options { live: Live::Exposed, ..Options::default() };
                 match compile_typed(&typed, &options, warnings) {
@@ -173,7 +173,7 @@ impl Checker<'_> {
             Err(problems) => found.extend(problems),
         }
         if !loaded.has_errors() {
-            found.extend(Rig::new(look).1);
+            found.extend(Rig::new(look).warnings);
         } else {
             // What could not be read was left out; that something is missing now is no news.
             found.retain(|problem| !FOLLOWS.contains(&problem.code));
@@ -249,7 +249,7 @@ fn missing_images(
             let problems = match port.ty {
                 Type::Hcbtf => assets
                     .hcbtf(folder, name, LayerOptions::default())
-                    .map_or_else(|problems| problems, |(_, notes)| notes),
+                    .map_or_else(|problems| problems, |warned| warned.warnings),
                 _ => assets.image(folder, name).err().into_iter().collect(),
             };
             found.extend(problems.into_iter().map(|problem| {

@@ -15,7 +15,7 @@ use crate::ids::{NodePath, PortName};
 use crate::library::{
     CUSTOM_CODE, CUSTOM_KIND, Context, GroupPorts, Library, Output as Port, Type, load_node,
 };
-use chiaro_render::{Gpu, Renderer, block_on};
+use chiaro_render::{Gpu, Renderer};
 
 const HELP: &str = r#"Examples:
   chiaro eval look.json --at samples.json
@@ -83,7 +83,7 @@ pub(super) struct Arguments {
     unspecialized: bool,
 }
 
-pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     check_nodes_folder(arguments.nodes.as_deref())?;
     let mut library = library_for(&arguments.look, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
@@ -102,15 +102,16 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         setup.source.locate_all(&mut problems);
         problems
     };
-    let (_, warnings) =
-        check(&setup.look, &library, options.root.as_ref()).map_err(|mut problems| {
+    let (_, warnings) = check(&setup.look, &library, options.root.as_ref())
+        .map_err(|mut problems| {
             if let Some(root) = &options.root {
                 problems
                     .iter_mut()
                     .for_each(|problem| list_outputs(problem, root, &setup.look, &library));
             }
             located(problems)
-        })?;
+        })?
+        .into_parts();
     output.diagnostics(&located(warnings));
     let file = samples::name(&arguments.at);
     let batches = eval_batches(&setup, &library, &samples, &options, &mut Assets::default())
@@ -126,9 +127,9 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let mut answers = vec![Json::Null; samples.len()];
     if !batches.is_empty() {
         let one = |error: chiaro_render::RenderError| vec![Diagnostic::from(error)];
-        let mut renderer = Renderer::new(block_on(Gpu::headless()).map_err(one)?);
+        let mut renderer = Renderer::new(Gpu::headless().await.map_err(one)?);
         for batch in &batches {
-            let values = block_on(renderer.evaluate(batch)).map_err(one)?;
+            let values = renderer.evaluate(batch).await.map_err(one)?;
             for (&index, value) in batch.indices.iter().zip(values) {
                 answers[index] = json!({ "value": numbers_of(&batch.shader.root_type, value) });
             }
@@ -164,7 +165,7 @@ fn list_outputs(
         // Of a node in a group.
         let typed = outputs.is_empty().then(|| check(look, library, None).ok()).flatten();
         let inner =
-            typed.iter().flat_map(|(typed, _)| &typed.nodes).find(|node| node.path == *path);
+            typed.iter().flat_map(|typed| &typed.value.nodes).find(|node| node.path == *path);
         outputs.extend(
             inner
                 .iter()

@@ -74,12 +74,12 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     output.diagnostics(&located(exported.warnings));
     let Some(folder) = folder else {
         let own = format!("{stem}.wgsl");
-        let shown = exported.files.iter().find(|file| file.name == own);
+        let shown = exported.value.iter().find(|file| file.name == own);
         output
             .result(String::from_utf8_lossy(shown.map_or(&[][..], |file| &file.bytes)).trim_end());
         let is_other = |file: &&export::File| file.name != own && file.name.ends_with(".wgsl");
         let others: Vec<_> =
-            exported.files.iter().filter(is_other).map(|file| file.name.as_str()).collect();
+            exported.value.iter().filter(is_other).map(|file| file.name.as_str()).collect();
         if !others.is_empty() {
             output.message(&format!(
                 "it works together with {}; -o writes all files",
@@ -90,7 +90,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     };
     let read = [Some(&arguments.look), arguments.nodes.as_ref()].into_iter().flatten();
     let mut outputs = outputs(arguments.force, read);
-    let files = export::write(&exported.files, folder, &mut outputs)?;
+    let files = export::write(&exported.value, folder, &mut outputs)?;
     let files: Vec<String> = files.iter().map(|path| path.display().to_string()).collect();
     if arguments.json {
         let unverified = languages.iter().filter(|language| language.verified_by.is_none());

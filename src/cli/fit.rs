@@ -14,7 +14,7 @@ use crate::document::{Document, Look};
 use crate::files::{OutputKind, Outputs};
 use crate::frame::{Assets, DEFAULT_MESH, Setup, SetupLook, default_setup, image_bytes, open};
 use chiaro_laboratory::fit::{
-    FitOptions, Fitted, Keep, Report, Target, fit_layers, fit_look, picture_of,
+    FitOptions, FittedLook, Keep, Report, Target, fit_layers, fit_look, picture_of,
 };
 
 const EXAMPLES: &str = "\
@@ -53,7 +53,7 @@ pub(super) struct Arguments {
     layers: Option<u8>,
     /// What of the look stays as it is, separated by commas
     #[arg(long, value_enum, value_delimiter = ',', conflicts_with = "layers")]
-    keep: Vec<Kept>,
+    keep: Vec<KeepArgument>,
     /// How far what is not painted stays as it is, in percent: at 0 only what is painted counts
     /// (the window begins with 50)
     #[arg(long, value_name = "PERCENT", default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..=100))]
@@ -93,7 +93,7 @@ pub(super) struct Arguments {
 
 /// What may stay.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Kept {
+enum KeepArgument {
     /// Directions of lights
     Lights,
     /// Offsets, fall-offs and cut-offs
@@ -125,10 +125,10 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let target = Target::from_png(&bytes).map_err(|problem| one(problem.in_file(named)))?;
     let keeps = |kept| arguments.keep.contains(&kept);
     let keep = Keep {
-        lights: keeps(Kept::Lights),
-        profiles: keeps(Kept::Profiles),
-        colors: keeps(Kept::Colors),
-        base: keeps(Kept::Base),
+        lights: keeps(KeepArgument::Lights),
+        profiles: keeps(KeepArgument::Profiles),
+        colors: keeps(KeepArgument::Colors),
+        base: keeps(KeepArgument::Base),
     };
     let options = FitOptions {
         time: arguments.time,
@@ -170,14 +170,15 @@ fn setup(arguments: &Arguments, output: &Output) -> Result<Setup, Vec<Diagnostic
         let Some(mut look) = loaded.value else { return Err(loaded.diagnostics) };
         look.name = "Painted".to_owned();
         let look = SetupLook { look, source: loaded.source.into(), folder: PathBuf::new() };
-        let (setup, warnings) = default_setup(look, mesh.unwrap_or(DEFAULT_MESH), &mut assets)?;
+        let (setup, warnings) =
+            default_setup(look, mesh.unwrap_or(DEFAULT_MESH), &mut assets)?.into_parts();
         output.diagnostics(&warnings);
         return Ok(setup);
     };
     if let Document::Scene(scene) = Document::load(&crate::files::Disk, path) {
         return Err(vec![not_a_look(path, scene.value.as_ref())]);
     }
-    let (setup, warnings) = open(path, mesh, &mut assets)?;
+    let (setup, warnings) = open(path, mesh, &mut assets)?.into_parts();
     output.diagnostics(&warnings);
     Ok(setup)
 }
@@ -207,7 +208,7 @@ fn planned(arguments: &Arguments) -> Result<Outputs, Diagnostic> {
 
 fn add(
     arguments: &Arguments,
-    fitted: &Fitted,
+    fitted: &FittedLook,
     outputs: &mut Outputs,
 ) -> Result<PathBuf, Vec<Diagnostic>> {
     let output = arguments.output.as_ref().map(|path| path.as_ref().to_path_buf());

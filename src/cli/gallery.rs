@@ -8,7 +8,7 @@ use super::render::{Size, parse_samples};
 use super::target::{OutputPath, outputs};
 use crate::diag::{Diagnostic, has_errors};
 use chiaro_laboratory::gallery::{Options, build, check, list};
-use chiaro_render::{Gpu, block_on};
+use chiaro_render::Gpu;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -63,7 +63,7 @@ fn parse_rounds(text: &str) -> Result<u32, String> {
     rounds.ok_or_else(|| "it is 0, or from 3 to 10000".to_owned())
 }
 
-pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     check_nodes_folder(arguments.nodes.as_deref())?;
     let list = if arguments.documents.is_empty() {
         list::examples()?
@@ -78,7 +78,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     own.chain(arguments.documents.iter().map(PathBuf::as_path))
         .for_each(|path| outputs.reads(path));
     check(&list, folder, &outputs)?;
-    let gpu = block_on(Gpu::headless()).map_err(|error| vec![error.into()])?;
+    let gpu = Gpu::headless().await.map_err(|error| vec![error.into()])?;
     let options = Options {
         size: arguments.size.0,
         samples: arguments.samples,
@@ -87,9 +87,11 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         nodes: arguments.link_nodes.clone(),
     };
     let find = |document: &Path| library_for(document, arguments.nodes.as_deref());
-    let made = output.watch("drawing", |progress| {
-        build(&list, folder, &mut outputs, &gpu, &find, &options, progress)
-    })?;
+    let made = output
+        .watch_async("drawing", async |progress| {
+            build(&list, folder, &mut outputs, &gpu, &find, &options, progress).await
+        })
+        .await?;
     let problems = once(made.problems);
     let page = folder.join("index.html");
     let plural = if made.pages == 1 { "page" } else { "pages" };

@@ -181,11 +181,21 @@ pub fn run() -> Outcome {
         }
     };
     interrupt::clean_up_on_interrupt();
-    threads::with_room(|| carry_out(&command, &output))
+    threads::with_room(|| wait(carry_out(&command, &output)))
+}
+
+/// Waits for a future: the one place of the command line that does, which has nothing else to do
+/// meanwhile.
+#[expect(
+    clippy::disallowed_methods,
+    reason = "the command line waits for the GPU, and nobody else"
+)]
+fn wait<T>(future: impl Future<Output = T>) -> T {
+    pollster::block_on(future)
 }
 
 /// Does what a subcommand says.
-fn carry_out(command: &Command, output: &Output) -> Outcome {
+async fn carry_out(command: &Command, output: &Output) -> Outcome {
     let result = match command {
         Command::Edit { .. } => Ok(()),
         Command::New(arguments) => new::run(arguments, output),
@@ -194,23 +204,23 @@ fn carry_out(command: &Command, output: &Output) -> Outcome {
             Ok(true) => Err(Vec::new()),
             found => found.map(drop),
         },
-        Command::Explain(arguments) => explain::run(arguments, output),
-        Command::Nodes(arguments) => nodes::run(arguments, output),
-        Command::Render(arguments) => render::run(arguments, output),
+        Command::Explain(arguments) => explain::run(arguments, output).await,
+        Command::Nodes(arguments) => nodes::run(arguments, output).await,
+        Command::Render(arguments) => render::run(arguments, output).await,
         #[cfg(feature = "gpu")]
-        Command::Eval(arguments) => eval::run(arguments, output),
+        Command::Eval(arguments) => eval::run(arguments, output).await,
         #[cfg(feature = "gpu")]
-        Command::Bench(arguments) => bench::run(arguments, output),
+        Command::Bench(arguments) => bench::run(arguments, output).await,
         #[cfg(feature = "gpu")]
-        Command::Tune(arguments) => tune::run(arguments, output),
+        Command::Tune(arguments) => tune::run(arguments, output).await,
         Command::Fit(arguments) => fit::run(arguments, output),
         Command::Probe(arguments) => probe::run(arguments, output),
         #[cfg(feature = "gpu")]
-        Command::Accuracy(arguments) => accuracy::run(arguments, output),
+        Command::Accuracy(arguments) => accuracy::run(arguments, output).await,
         #[cfg(feature = "gpu")]
-        Command::Gallery(arguments) => gallery::run(arguments, output),
+        Command::Gallery(arguments) => gallery::run(arguments, output).await,
         Command::Export(arguments) => export::run(arguments, output),
-        Command::Hcbtf(arguments) => hcbtf::run(arguments, output),
+        Command::Hcbtf(arguments) => hcbtf::run(arguments, output).await,
         Command::Desktop(arguments) => desktop::run(arguments, output),
     };
     Outcome::Done(finished(result, output))

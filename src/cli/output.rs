@@ -76,10 +76,19 @@ impl Output {
     /// Does long work, and shows how far it has come on one line that is written over and taken
     /// away at the end; nothing where nobody watches.
     pub(super) fn watch<T>(&self, label: &'static str, work: impl FnOnce(&Progress) -> T) -> T {
-        let progress = Progress::observed_by_percent(move |percent| {
-            on_terminal(&format!("\r{label}: {percent} %\x1b[K"));
-        });
-        let made = work(&progress);
+        let made = work(&watched(label));
+        on_terminal("\r\x1b[K");
+        made
+    }
+
+    /// Does long work that waits for a GPU, and shows how far it has come as [`watch`](Self::watch)
+    /// does.
+    pub(super) async fn watch_async<T>(
+        &self,
+        label: &'static str,
+        work: impl AsyncFnOnce(&Progress) -> T,
+    ) -> T {
+        let made = work(&watched(label)).await;
         on_terminal("\r\x1b[K");
         made
     }
@@ -94,6 +103,13 @@ impl Output {
             }
         }
     }
+}
+
+/// Work whose percents are written over each other on a terminal.
+fn watched(label: &'static str) -> Progress {
+    Progress::observed_by_percent(move |percent| {
+        on_terminal(&format!("\r{label}: {percent} %\x1b[K"));
+    })
 }
 
 /// Writes to standard error where that is a terminal.

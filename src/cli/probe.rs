@@ -62,7 +62,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let library = library_for(&arguments.document, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
     let mut assets = Assets::default();
-    let (setup, warnings) = open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?;
+    let (setup, warnings) =
+        open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?.into_parts();
     output.diagnostics(&warnings);
     let options = PlanOptions { size: arguments.size.0, samples: 1, time: arguments.time };
     let plan = Planner::for_truth(assets).plan(&setup, &library, &Live::All, &options)?;

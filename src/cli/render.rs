@@ -16,12 +16,12 @@ use crate::diag::Diagnostic;
 use crate::document::{Camera, Scene, Tier, parse_hex};
 use crate::files::OutputKind;
 use crate::frame::{
-    self, Assets, Executor, FramePlan, PassId, Picture, PictureFuture, PlanOptions, Planner, open,
+    self, Assets, Executor, FramePlan, PassId, Picture, PlanOptions, Planner, open,
 };
 use crate::milestones;
 use crate::reference::Reference;
 #[cfg(feature = "gpu")]
-use chiaro_render::{Gpu, Renderer, block_on};
+use chiaro_render::{Gpu, Renderer};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -123,7 +123,7 @@ pub(super) fn parse_samples(text: &str) -> Result<u32, String> {
     }
 }
 
-pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let one = |problem: Diagnostic| vec![problem];
     check_nodes_folder(arguments.nodes.as_deref())?;
     let target = arguments.output.as_ref();
@@ -140,7 +140,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     output.diagnostics(&library.problems);
     let mut assets = Assets::default();
     let (mut setup, mut warnings) =
-        open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?;
+        open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?.into_parts();
     warnings.extend(check_values(&setup, &arguments.document, &library)?);
     if arguments.z_up {
         setup.stand_up();
@@ -162,8 +162,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     milestones::reached("first shaders");
     warnings.extend(planner.warnings);
     output.diagnostics(&warnings);
-    let Drawn { picture, passes, adapter, warnings: of_device } =
-        draw(&plan, arguments.on, output).map_err(one)?;
+    let RenderedPicture { picture, passes, adapter, warnings: of_device } =
+        draw(&plan, arguments.on, output).await.map_err(one)?;
     output.diagnostics(&of_device);
     warnings.extend(of_device);
     let png = picture.to_png().map_err(one)?;
@@ -193,7 +193,7 @@ fn usual_size(camera: &Camera) -> [u32; 2] {
 }
 
 /// A picture, and who drew it.
-struct Drawn {
+struct RenderedPicture {
     picture: Picture,
     passes: Vec<PassId>,
     adapter: String,
@@ -201,20 +201,26 @@ struct Drawn {
     warnings: Vec<Diagnostic>,
 }
 
-fn draw(plan: &FramePlan, on: Option<On>, output: &Output) -> Result<Drawn, Diagnostic> {
-    let mut executor = executor(on, output)?;
+async fn draw(
+    plan: &FramePlan,
+    on: Option<On>,
+    output: &Output,
+) -> Result<RenderedPicture, Diagnostic> {
+    let mut executor = executor(on, output).await?;
     let warnings = executor.warnings(plan);
-    let picture = output.watch("drawing", |progress| wait(executor.picture(plan, progress)))?;
+    let picture = output
+        .watch_async("drawing", async |progress| executor.picture(plan, progress).await)
+        .await?;
     milestones::reached("first picture");
     let passes = plan.passes.iter().map(|pass| pass.id).collect();
-    Ok(Drawn { picture, passes, adapter: executor.name(), warnings })
+    Ok(RenderedPicture { picture, passes, adapter: executor.name(), warnings })
 }
 
 /// Who draws: a GPU where there is one and nobody asked otherwise, else the reference.
-fn executor(on: Option<On>, output: &Output) -> Result<Box<dyn Executor>, Diagnostic> {
+async fn executor(on: Option<On>, output: &Output) -> Result<Box<dyn Executor>, Diagnostic> {
     #[cfg(feature = "gpu")]
     if on != Some(On::Reference) {
-        match block_on(Gpu::headless()) {
+        match Gpu::headless().await {
             Ok(gpu) => return Ok(Box::new(Renderer::new(gpu))),
             Err(error) if on.is_none() => output.message(&format!(
                 "{error}: drawing on the reference, in software, which takes seconds"
@@ -231,24 +237,6 @@ fn executor(on: Option<On>, output: &Output) -> Result<Box<dyn Executor>, Diagno
     #[cfg(not(feature = "gpu"))]
     let _ = output;
     Ok(Box::new(Reference::default()))
-}
-
-/// Waits for a picture.
-#[cfg(feature = "gpu")]
-fn wait(picture: PictureFuture<'_>) -> Result<Picture, Diagnostic> {
-    block_on(picture)
-}
-
-/// The picture, which the reference makes at once: without a GPU there is nothing to wait for.
-#[cfg(not(feature = "gpu"))]
-fn wait(mut picture: PictureFuture<'_>) -> Result<Picture, Diagnostic> {
-    let mut context = std::task::Context::from_waker(std::task::Waker::noop());
-    match picture.as_mut().poll(&mut context) {
-        std::task::Poll::Ready(made) => made,
-        std::task::Poll::Pending => {
-            Err(Diagnostic::error("reference-plan", "the picture is not made at once"))
-        }
-    }
 }
 
 pub(super) fn parse_time(text: &str) -> Result<f64, String> {

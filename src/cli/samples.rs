@@ -449,7 +449,7 @@ mod tests {
     #[test]
     fn every_problem_is_told_with_its_place() {
         let found = problems(
-            r#"[{"normal": [0, 1]}, {}, {"nromal": [0, 0, 1], "lights": {"key": {"direction": "up", "colour": [1, 1, 1]}}},
+            r#"[{"normal": [0, 1]}, {}, {"nromal": [0, 0, 1], "lights": {"key": {"direction": "up", "colr": [1, 1, 1]}}},
                 3, {"kappa": "much", "frame": [[1, 0, 0], [0, 1, 0], [0, 0, -1]], "camera": [[1, 0, 0], [0, 1], [0, 0, 1]]}]"#,
         );
         let paths: Vec<&str> =
@@ -459,7 +459,7 @@ mod tests {
             [
                 "[0].normal",
                 "[2].nromal",
-                "[2].lights.key.color",
+                "[2].lights.key.colr",
                 "[2].lights.key.direction",
                 "[3]",
                 "[4].camera[1]",

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use crate::compile::check as check_look;
-use crate::diag::{Diagnostic, has_errors};
+use crate::diag::{Diagnostic, Warned, has_errors};
 use crate::document::{Loaded, Look, Object, Scene};
 use crate::frame::{Setup, check_exposed_value};
 use crate::library::Library;
@@ -77,7 +77,7 @@ fn wrong_values(
     library: &Library,
 ) -> Vec<Diagnostic> {
     let mut found = Vec::new();
-    let Some((look, (typed, _))) =
+    let Some((look, Warned { value: typed, .. })) =
         look.and_then(|look| Some((look, check_look(look, library, None).ok()?)))
     else {
         return found;

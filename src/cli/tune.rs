@@ -12,9 +12,9 @@ use crate::document::{Document, Look};
 use crate::files::{OutputKind, Outputs};
 use crate::frame::{Assets, PlanOptions, Setup, open};
 use chiaro_laboratory::accuracy::report::tier_word;
-use chiaro_laboratory::accuracy::tune::{Goal, TuneOptions, Tuned, is_beaten, tune};
+use chiaro_laboratory::accuracy::tune::{Goal, TuneOptions, TuneReport, is_beaten, tune};
 use chiaro_laboratory::accuracy::{Measure, Variant};
-use chiaro_render::{Gpu, Renderer, block_on};
+use chiaro_render::{Gpu, Renderer};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -100,7 +100,7 @@ fn parse_milliseconds(text: &str) -> Result<f64, String> {
     time.ok_or_else(|| "milliseconds, as in 16.7".to_owned())
 }
 
-pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let mut outputs = outputs(
         arguments.force,
         arguments.mesh.iter().map(Path::new).chain(arguments.nodes.as_deref()),
@@ -112,7 +112,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let library = library_for(&arguments.look, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
     let setups = setups(arguments, output)?;
-    let gpu = block_on(Gpu::headless()).map_err(|error| vec![error.into()])?;
+    let gpu = Gpu::headless().await.map_err(|error| vec![error.into()])?;
     let mut renderer = Renderer::new(gpu);
     let options = TuneOptions {
         goal: match (arguments.max_error, arguments.max_time) {
@@ -126,7 +126,10 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         stations: arguments.views as usize,
     };
     let tuned = output
-        .watch("tuning", |progress| tune(&setups, &library, &mut renderer, &options, progress))?;
+        .watch_async("tuning", async |progress| {
+            tune(&setups, &library, &mut renderer, &options, progress).await
+        })
+        .await?;
     if !arguments.dry_run {
         let target = arguments.output.as_ref().map_or(arguments.look.as_path(), AsRef::as_ref);
         write(arguments, &tuned, target, &mut outputs)?;
@@ -144,7 +147,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
 }
 
 /// What keeps the goal from being reached, and what can be done.
-fn missed(tuned: &Tuned, meshes: &[String]) -> Diagnostic {
+fn missed(tuned: &TuneReport, meshes: &[String]) -> Diagnostic {
     let problem = |message: String| Diagnostic::error("goal-missed", message);
     if !tuned.is_exact_beyond() {
         let problem = problem("no choice of tiers reaches what was asked for".to_owned());
@@ -192,7 +195,7 @@ fn setups(arguments: &Arguments, output: &Output) -> Result<Vec<Setup>, Vec<Diag
         ]);
     }
     for mesh in meshes {
-        let (setup, warnings) = open(&arguments.look, mesh, &mut assets)?;
+        let (setup, warnings) = open(&arguments.look, mesh, &mut assets)?.into_parts();
         output.diagnostics(&warnings);
         setups.push(setup);
     }
@@ -202,7 +205,7 @@ fn setups(arguments: &Arguments, output: &Output) -> Result<Vec<Setup>, Vec<Diag
 /// Writes the look with the tiers that were chosen and the report of how.
 fn write(
     arguments: &Arguments,
-    tuned: &Tuned,
+    tuned: &TuneReport,
     target: &Path,
     outputs: &mut Outputs,
 ) -> Result<(), Vec<Diagnostic>> {
@@ -217,7 +220,7 @@ fn write(
 }
 
 /// The report as people read it.
-fn report(tuned: &Tuned) -> String {
+fn report(tuned: &TuneReport) -> String {
     let mut lines = vec![tuned.summary()];
     lines.push(format!("  error means {}: {}", tuned.measure.word(), tuned.measure.meaning()));
     let [x, y] = tuned.worst.pixel;

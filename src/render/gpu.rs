@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex};
 
 use super::error::RenderError;
+use super::store::{Store, UploadCounts};
 use super::target::PICTURE;
 use crate::diag::Diagnostic;
 use crate::frame::FramePlan;
@@ -23,12 +24,8 @@ pub struct Gpu {
     pub(super) picture: wgpu::TextureFormat,
     /// Errors that no scope caught, and the loss of the device.
     problem: Arc<Mutex<Option<RenderError>>>,
-}
-
-/// Waits for a future; for the command line, which has nothing else to do meanwhile.
-#[expect(clippy::disallowed_methods, reason = "the one place that waits for the GPU")]
-pub fn block_on<T>(future: impl Future<Output = T>) -> T {
-    pollster::block_on(future)
+    /// What was uploaded and compiled, for all renderers.
+    pub(super) store: Store,
 }
 
 /// Catches what goes wrong on the device while it lives.
@@ -105,7 +102,7 @@ impl Gpu {
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
             set(&uncaught, from_wgpu(error));
         }));
-        Self { device, queue, info, picture: PICTURE, problem }
+        Self { device, queue, info, picture: PICTURE, problem, store: Store::default() }
     }
 
     /// The same device, with pictures in 32-bit floats where it can blend them: for comparing, with
@@ -117,6 +114,18 @@ impl Gpu {
             picture: if can { wgpu::TextureFormat::Rgba32Float } else { PICTURE },
             ..self.clone()
         }
+    }
+
+    /// The same device with a store of its own: what is drawn with it is given back when it is
+    /// dropped, as those want who draw many looks once each.
+    #[must_use]
+    pub fn with_own_store(&self) -> Self {
+        Self { store: Store::default(), ..self.clone() }
+    }
+
+    /// How often meshes and images were uploaded, by all who share this device's store.
+    pub fn uploads(&self) -> UploadCounts {
+        UploadCounts { meshes: self.store.meshes.uploads(), images: self.store.images.uploads() }
     }
 
     /// Whether it is a program and no device.

@@ -1,8 +1,8 @@
-//! Images and samplers on the GPU.
+//! Images and samplers on the GPU. All renderers of a device share them.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
-use std::sync::{Arc, Weak};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 
 use wgpu::util::DeviceExt as _;
 
@@ -13,17 +13,36 @@ use crate::frame::Image;
 use crate::hcbtf::Coding;
 
 #[derive(Debug)]
-struct Uploaded {
-    image: Weak<Image>,
+struct ImageTexture {
+    /// Whoever draws with it: the same image may have been read more than once.
+    holders: Vec<Weak<Image>>,
     texture: wgpu::Texture,
     view: wgpu::TextureView,
 }
 
-/// Every image that was drawn with and is still in use, and the samplers.
+impl ImageTexture {
+    fn is_in_use(&self) -> bool {
+        self.holders.iter().any(|image| image.strong_count() > 0)
+    }
+
+    /// Notes who draws with it from now on.
+    fn hold(&mut self, image: &Arc<Image>) {
+        self.holders.retain(|holder| holder.strong_count() > 0);
+        if !self.holders.iter().any(|holder| std::ptr::eq(holder.as_ptr(), Arc::as_ptr(image))) {
+            self.holders.push(Arc::downgrade(image));
+        }
+    }
+}
+
+/// Every image that was drawn with and is still in use, and the samplers. Clones share them.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Images(Arc<Mutex<ImageTable>>);
+
 #[derive(Debug, Default)]
-pub(super) struct Images {
-    textures: HashMap<(u64, bool), Uploaded>,
+struct ImageTable {
+    textures: HashMap<(u64, bool), ImageTexture>,
     samplers: HashMap<(String, String), wgpu::Sampler>,
+    uploads: u64,
 }
 
 /// An image with its sampler, ready to be bound.
@@ -43,22 +62,44 @@ impl Bindable {
 }
 
 impl Images {
+    fn lock(&self) -> MutexGuard<'_, ImageTable> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// How many images were uploaded so far.
+    pub(super) fn uploads(&self) -> u64 {
+        self.lock().uploads
+    }
+
+    /// Drops the textures of images that nobody holds any more.
+    pub(super) fn keep_recent(&self) {
+        self.lock().textures.retain(|_, texture| texture.is_in_use());
+    }
+
+    /// Drops all textures: some may have been made while the device had no room for them.
+    pub(super) fn clear(&self) {
+        self.lock().textures.clear();
+    }
+
     /// The images of a module, in the order of its needs.
     pub(super) fn of(
-        &mut self,
+        &self,
         gpu: &Gpu,
         images: &[Arc<Image>],
         needs: &[ImageUse],
     ) -> Result<Vec<Bindable>, RenderError> {
+        let mut table = self.lock();
         let bindable = |(image, wanted): (&Arc<Image>, &ImageUse)| {
             Ok(Bindable {
-                view: self.texture(gpu, image, wanted)?,
-                sampler: self.sampler(gpu, wanted),
+                view: table.texture(gpu, image, wanted)?,
+                sampler: table.sampler(gpu, wanted),
             })
         };
         images.iter().zip(needs).map(bindable).collect()
     }
+}
 
+impl ImageTable {
     /// The texture of an image, rows from the top; image nodes turn v, which points up, themselves.
     fn texture(
         &mut self,
@@ -67,7 +108,8 @@ impl Images {
         wanted: &ImageUse,
     ) -> Result<wgpu::TextureView, RenderError> {
         let key = (image.hash, wanted.is_decoded);
-        if let Some(known) = self.textures.get(&key) {
+        if let Some(known) = self.textures.get_mut(&key) {
+            known.hold(image);
             return Ok(known.view.clone());
         }
         if let Some(view) = self.changed(gpu, image, wanted) {
@@ -123,8 +165,9 @@ impl Images {
             dimension: Some(dimension),
             ..wgpu::TextureViewDescriptor::default()
         });
-        self.textures
-            .insert(key, Uploaded { image: Arc::downgrade(image), texture, view: view.clone() });
+        self.uploads += 1;
+        let holders = vec![Arc::downgrade(image)];
+        self.textures.insert(key, ImageTexture { holders, texture, view: view.clone() });
         Ok(view)
     }
 
@@ -144,7 +187,7 @@ impl Images {
         let is_alike = [size.width, size.height] == image.size
             && size.depth_or_array_layers == image.layers
             && image.coding == Coding::Rgba8;
-        if !is_alike || known.image.strong_count() > 0 {
+        if !is_alike || known.is_in_use() {
             return None;
         }
         let stride = 4 * u64::from(image.size[0]);
@@ -170,9 +213,10 @@ impl Images {
                 },
             );
         }
-        let Uploaded { texture, view, .. } = self.textures.remove(&key)?;
-        let uploaded = Uploaded { image: Arc::downgrade(image), texture, view: view.clone() };
-        self.textures.insert((image.hash, wanted.is_decoded), uploaded);
+        let ImageTexture { texture, view, .. } = self.textures.remove(&key)?;
+        let holders = vec![Arc::downgrade(image)];
+        let changed = ImageTexture { holders, texture, view: view.clone() };
+        self.textures.insert((image.hash, wanted.is_decoded), changed);
         Some(view)
     }
 
@@ -200,10 +244,5 @@ impl Images {
             })
         };
         self.samplers.entry(key).or_insert_with(made).clone()
-    }
-
-    /// Drops the textures of images that nobody holds any more.
-    pub(super) fn keep_recent(&mut self) {
-        self.textures.retain(|_, uploaded| uploaded.image.strong_count() > 0);
     }
 }

@@ -2,7 +2,8 @@
 //!
 //! [`Gpu`] is a device, our own or a window's. [`Renderer`] keeps what is expensive (pipelines,
 //! meshes, images, targets) and runs a [`FramePlan`]'s passes in order. [`Renderer::evaluate`] runs
-//! surface samples. Creation and readback are async; [`block_on`] is for the command line.
+//! surface samples. Creation, drawing and readback are async; whoever
+//! runs the program or a thread of its window waits.
 
 use chiaro_compiler::compile;
 use chiaro_language::{clock, diag, milestones, progress};
@@ -17,6 +18,7 @@ mod mesh;
 mod passes;
 mod pipeline;
 mod readback;
+mod store;
 mod target;
 mod timer;
 
@@ -28,10 +30,11 @@ use crate::frame::{FramePlan, PassId};
 pub use crate::frame::Picture;
 
 pub use error::RenderError;
-pub use gpu::{Gpu, block_on, device_descriptor};
+pub use gpu::{Gpu, device_descriptor};
+pub use store::UploadCounts;
 pub use timer::{PassTime, set_times};
 
-/// Runs frame plans.
+/// Runs frame plans. Renderers on clones of one [`Gpu`] share meshes, images and pipelines.
 #[derive(Debug)]
 pub struct Renderer {
     gpu: Gpu,
@@ -51,10 +54,10 @@ impl Renderer {
     /// A renderer on `gpu`.
     pub fn new(gpu: Gpu) -> Self {
         Self {
+            pipelines: gpu.store.pipelines.clone(),
+            meshes: gpu.store.meshes.clone(),
+            images: gpu.store.images.clone(),
             gpu,
-            pipelines: pipeline::Pipelines::default(),
-            meshes: mesh::Meshes::default(),
-            images: image::Images::default(),
             screens: HashMap::new(),
             targets: target::Targets::default(),
             done: HashMap::new(),
@@ -103,11 +106,13 @@ impl Renderer {
         self.gpu.queue.submit([encoder.finish()]);
         if let Err(error) = guard.finish().await {
             self.done.clear();
+            if matches!(error, RenderError::OutOfMemory { .. }) {
+                self.gpu.store.clear();
+            }
             return Err(error);
         }
         self.done.extend(plan.passes.iter().map(|pass| (pass.id, pass.input_hash)));
-        self.meshes.keep_recent();
-        self.images.keep_recent();
+        self.gpu.store.keep_recent();
         Ok(ran)
     }
 

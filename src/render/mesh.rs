@@ -1,7 +1,8 @@
-//! Meshes on the GPU: one buffer an attribute, so that a look takes only those that it reads.
+//! Meshes on the GPU: one buffer an attribute, so that a look takes only those that it reads. All
+//! renderers of a device share them.
 
 use std::collections::HashMap;
-use std::sync::{Arc, Weak};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 
 use wgpu::util::DeviceExt as _;
 
@@ -11,19 +12,34 @@ use crate::geometry::Mesh;
 
 /// A mesh's buffers.
 #[derive(Debug)]
-pub(super) struct MeshBuffers {
+struct MeshBuffers {
     mesh: Weak<Mesh>,
     attributes: HashMap<Attribute, wgpu::Buffer>,
     indices: wgpu::Buffer,
 }
 
-/// Every mesh that was drawn and is still in use.
+/// Every mesh that was drawn and is still in use. Clones share them.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Meshes(Arc<Mutex<MeshTable>>);
+
 #[derive(Debug, Default)]
-pub(super) struct Meshes(HashMap<usize, MeshBuffers>);
+struct MeshTable {
+    known: HashMap<usize, MeshBuffers>,
+    uploads: u64,
+}
 
 impl Meshes {
+    fn lock(&self) -> MutexGuard<'_, MeshTable> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// How many meshes were uploaded so far.
+    pub(super) fn uploads(&self) -> u64 {
+        self.lock().uploads
+    }
+
     /// Uploads what is not there yet.
-    pub(super) fn prepare(&mut self, gpu: &Gpu, mesh: &Arc<Mesh>, attributes: &[Attribute]) {
+    pub(super) fn prepare(&self, gpu: &Gpu, mesh: &Arc<Mesh>, attributes: &[Attribute]) {
         let buffer = |label: &str, contents: &[u8], usage: wgpu::BufferUsages| {
             gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
                 label: Some(label),
@@ -32,18 +48,23 @@ impl Meshes {
             })
         };
         let key = Arc::as_ptr(mesh) as usize;
-        if self.0.get(&key).is_some_and(|known| known.mesh.strong_count() == 0) {
+        let mut table = self.lock();
+        let MeshTable { known, uploads } = &mut *table;
+        if known.get(&key).is_some_and(|known| known.mesh.strong_count() == 0) {
             // Another mesh lies now where one that is gone lay.
-            self.0.remove(&key);
+            known.remove(&key);
         }
-        let buffers = self.0.entry(key).or_insert_with(|| MeshBuffers {
-            mesh: Arc::downgrade(mesh),
-            attributes: HashMap::new(),
-            indices: buffer(
-                "indices",
-                bytemuck::cast_slice(&mesh.indices),
-                wgpu::BufferUsages::INDEX,
-            ),
+        let buffers = known.entry(key).or_insert_with(|| {
+            *uploads += 1;
+            MeshBuffers {
+                mesh: Arc::downgrade(mesh),
+                attributes: HashMap::new(),
+                indices: buffer(
+                    "indices",
+                    bytemuck::cast_slice(&mesh.indices),
+                    wgpu::BufferUsages::INDEX,
+                ),
+            }
         });
         for &attribute in attributes {
             let contents: &[u8] = match attribute {
@@ -65,7 +86,8 @@ impl Meshes {
         mesh: &Arc<Mesh>,
         attributes: &[Attribute],
     ) {
-        let Some(buffers) = self.0.get(&(Arc::as_ptr(mesh) as usize)) else { return };
+        let table = self.lock();
+        let Some(buffers) = table.known.get(&(Arc::as_ptr(mesh) as usize)) else { return };
         for (slot, attribute) in (0u32..).zip(attributes) {
             if let Some(buffer) = buffers.attributes.get(attribute) {
                 pass.set_vertex_buffer(slot, buffer.slice(..));
@@ -75,7 +97,12 @@ impl Meshes {
     }
 
     /// Drops the buffers of meshes that nobody holds any more.
-    pub(super) fn keep_recent(&mut self) {
-        self.0.retain(|_, buffers| buffers.mesh.strong_count() > 0);
+    pub(super) fn keep_recent(&self) {
+        self.lock().known.retain(|_, buffers| buffers.mesh.strong_count() > 0);
+    }
+
+    /// Drops all buffers: some may have been made while the device had no room for them.
+    pub(super) fn clear(&self) {
+        self.lock().known.clear();
     }
 }

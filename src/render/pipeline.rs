@@ -1,6 +1,7 @@
-//! Pipelines of looks, kept by what they were made of.
+//! Pipelines of looks, kept by what they were made of. All renderers of a device share them.
 
 use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use super::error::RenderError;
 use super::gpu::Gpu;
@@ -11,14 +12,17 @@ use crate::frame::{PassId, stack_of};
 /// Any thread has this much stack to spare; the least of ours have 2 MiB.
 const SMALL_STACK: usize = 1 << 20;
 
-/// As many pipelines are kept as an editing session comes back to.
-const MOST: usize = 64;
+/// As many pipelines are kept as an editing session comes back to, with the small pictures beside
+/// it.
+const MOST: usize = 192;
 
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 struct Key {
     wgsl: String,
     samples: u32,
     sides: Sides,
+    /// What the picture is drawn in.
+    picture: wgpu::TextureFormat,
 }
 
 /// Which sides of triangles are drawn.
@@ -36,40 +40,63 @@ pub(super) struct LookPipeline {
     pub(super) attributes: Vec<Attribute>,
 }
 
-/// Every pipeline of late.
+/// Every pipeline of late. Clones share them.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Pipelines(Arc<Mutex<PipelineTable>>);
+
+/// A pipeline that is made, or being made by whoever holds the lock: a module is compiled once, and
+/// only those wait for it who draw with it.
+type Slot = Arc<Mutex<Option<LookPipeline>>>;
+
 #[derive(Debug, Default)]
-pub(super) struct Pipelines {
-    known: HashMap<Key, (LookPipeline, u64)>,
+struct PipelineTable {
+    known: HashMap<Key, (Slot, u64)>,
+    /// Counts requests: the pipeline of the lowest number goes first.
     clock: u64,
 }
 
+impl PipelineTable {
+    fn slot(&mut self, key: Key) -> Slot {
+        self.clock += 1;
+        let clock = self.clock;
+        if !self.known.contains_key(&key) && self.known.len() >= MOST {
+            let oldest =
+                self.known.iter().min_by_key(|(_, (_, used))| *used).map(|(key, _)| key.clone());
+            oldest.and_then(|key| self.known.remove(&key));
+        }
+        let (slot, used) = self.known.entry(key).or_default();
+        *used = clock;
+        slot.clone()
+    }
+}
+
 impl Pipelines {
+    /// Drops all pipelines: some may have been made while the device had no room for them.
+    pub(super) fn clear(&self) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).known.clear();
+    }
+
     /// The pipeline of a look's module.
     ///
     /// # Errors
     /// That the module is too deep for a driver's compiler.
     pub(super) fn get(
-        &mut self,
+        &self,
         gpu: &Gpu,
         shader: &CompiledShader,
         samples: u32,
         sides: Sides,
     ) -> Result<LookPipeline, RenderError> {
-        self.clock += 1;
-        let key = Key { wgsl: shader.wgsl.clone(), samples, sides };
-        if let Some((pipeline, used)) = self.known.get_mut(&key) {
-            *used = self.clock;
+        let key = Key { wgsl: shader.wgsl.clone(), samples, sides, picture: gpu.picture };
+        let slot = self.0.lock().unwrap_or_else(PoisonError::into_inner).slot(key);
+        let mut slot = slot.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(pipeline) = &*slot {
             return Ok(pipeline.clone());
         }
         let stack = stack_of(shader).map_err(|message| RenderError::TooDeep { message })?;
-        if self.known.len() >= MOST {
-            let oldest =
-                self.known.iter().min_by_key(|(_, (_, used))| *used).map(|(key, _)| key.clone());
-            oldest.and_then(|key| self.known.remove(&key));
-        }
         let make = || make(gpu, shader, samples, sides);
         let made = if stack <= SMALL_STACK { make() } else { with_stack(stack, make)? };
-        self.known.insert(key, (made.clone(), self.clock));
+        *slot = Some(made.clone());
         Ok(made)
     }
 }

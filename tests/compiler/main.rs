@@ -13,3 +13,4 @@ mod floors;
 mod interp_lanes;
 mod math;
 mod techniques;
+mod words;

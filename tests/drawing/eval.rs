@@ -8,12 +8,13 @@ use chiaro_compiler::document::{Look, Scene};
 use chiaro_compiler::library::{Library, Type};
 use chiaro_language::diag::Diagnostic;
 use chiaro_language::ids::{NodePath, ObjectId, PortName};
-use chiaro_render::{Gpu, Picture, Renderer, block_on};
+use chiaro_render::{Gpu, Picture, Renderer};
 use chiaro_scene::frame::{
     Assets, EvalSample, PlanOptions, Planner, Setup, SetupLook, SetupObject, eval_batches,
     object_matrix,
 };
 use chiaro_scene::geometry::Mesh;
+use chiaro_test_support::wait::block_on;
 
 /// One of the test program's devices, whichever is free; with more tests at once than devices they
 /// take turns.
@@ -164,9 +165,10 @@ pub fn scene_of(parts: Vec<(SetupLook, Mesh, glam::DMat4)>, scene: Scene) -> Set
 
 /// An own shape, fitted into a sphere of radius 1.
 pub fn shape(name: &str) -> (Mesh, glam::DMat4) {
-    let (mesh, _) = Assets::default()
+    let mesh = Assets::default()
         .mesh(std::path::Path::new(""), &format!("shape:{name}"))
-        .expect("a shape");
+        .expect("a shape")
+        .value;
     let matrix = object_matrix(&chiaro_compiler::document::Transform::default(), &mesh);
     (Mesh::clone(&mesh), matrix)
 }

@@ -19,7 +19,9 @@ fn root(folder: &str) -> PathBuf {
 /// A look of the examples on the creature that it is shown on.
 pub fn setup(look: &str) -> Setup {
     let path = root("examples/looks").join(format!("{look}.json"));
-    open(&path, None, &mut Assets::default()).unwrap_or_else(|problems| panic!("{}", problems[0])).0
+    open(&path, None, &mut Assets::default())
+        .unwrap_or_else(|problems| panic!("{}", problems[0]))
+        .value
 }
 
 /// What the compiler makes of it, every node in one tier, one sample a pixel.

@@ -59,7 +59,7 @@ fn stroke(hand: &mut Hand, brush: &str, places: &[[f32; 2]]) {
 fn brightness(look: &Look, [x, y]: [f64; 2]) -> f64 {
     let source = Look::read("{}", "none").source.into();
     let look = SetupLook { look: look.clone(), source, folder: PathBuf::new() };
-    let (setup, _) = default_setup(look, "shape:sphere", &mut Assets::default()).unwrap();
+    let setup = default_setup(look, "shape:sphere", &mut Assets::default()).unwrap().value;
     let options = PlanOptions { size: [SIDE; 2], samples: 1, time: 0.0 };
     let plan = Planner::new(Assets::default())
         .plan(&setup, Library::built_in(), &Live::Keyed, &options)

@@ -109,7 +109,7 @@ fn another_grid_is_a_step_that_tells_what_stays() {
 }
 
 /// What the rules and the painter made of every sample.
-fn all(hcbtf: &Hcbtf) -> hcbtf::Filled {
+fn all(hcbtf: &Hcbtf) -> hcbtf::FilledSamples {
     hcbtf::fill::fill(hcbtf, &Progress::new()).unwrap()
 }
 
@@ -148,10 +148,10 @@ fn a_new_tile_is_seen_before_it_is_begun_and_the_painted_one_stays() {
     assert_eq!(hcbtf(&hand), &expected, "as `chiaro hcbtf synthesize` makes it");
     let work = hand.app().session().painting().unwrap();
     assert!(work.is_dirty() && work.path().is_none(), "no file holds it");
-    assert_eq!(hcbtf::load(&path).unwrap().0, source);
+    assert_eq!(hcbtf::load(&path).unwrap().value, source);
     // Every texel is one of the source, in all samples the same one.
     let (old, new) = (all(&source), all(&expected));
-    let texel = |filled: &hcbtf::Filled, address, at: usize| {
+    let texel = |filled: &hcbtf::FilledSamples, address, at: usize| {
         <[u8; 4]>::try_from(&filled.tile(address).unwrap().bytes()[4 * at..4 * at + 4]).unwrap()
     };
     for at in 0..24 * 16 {
@@ -223,8 +223,8 @@ fn the_open_look_is_baked_into_a_file_as_the_command_line_bakes_it() {
     hand.app_mut().answer_dialog(&to);
     hand.press("Bake to...");
     let grid = Grid { size: [4, 4], light: FEW, view: Directions { theta: 1, phi: 1 } };
-    let (setup, _) =
-        chiaro::frame::open(&path, None, &mut chiaro::frame::Assets::default()).unwrap();
+    let setup =
+        chiaro::frame::open(&path, None, &mut chiaro::frame::Assets::default()).unwrap().value;
     let setup = &setup.looks[0];
     let light = chiaro::frame::moving_light(setup, None).unwrap();
     let (library, assets) =
@@ -232,7 +232,7 @@ fn the_open_look_is_baked_into_a_file_as_the_command_line_bakes_it() {
     let progress = Progress::new();
     let expected =
         chiaro::reference::bake_look(setup, library, grid, &light, &assets, &progress).unwrap();
-    assert_eq!(hcbtf::load(&to).unwrap().0, expected);
+    assert_eq!(hcbtf::load(&to).unwrap().value, expected);
     assert_eq!(hcbtf(&hand), &expected, "and it is open");
     let tones: std::collections::BTreeSet<u8> =
         expected.painted.values().map(|tile| tile.bytes()[0]).collect();
@@ -363,7 +363,7 @@ fn baking_is_stopped_and_a_look_without_a_light_is_told_of() {
 fn pictures_are_imported_beside_the_window() {
     let folder = tempfile::tempdir().unwrap();
     let images = folder.path().join("images");
-    let source = hcbtf::load(&numbered(folder.path())).unwrap().0;
+    let source = hcbtf::load(&numbered(folder.path())).unwrap().value;
     let form = hcbtf::exchange::Form::Folder;
     let manner = hcbtf::exchange::Manner::default();
     hcbtf::exchange::export(&all(&source), form, manner, &images, &Progress::new()).unwrap();

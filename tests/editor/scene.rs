@@ -1,6 +1,7 @@
 //! Several objects in the window: scenes are opened, changed, saved and taken back; looks are
 //! switched, and nothing is lost.
 
+use crate::support::wait::block_on;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -11,7 +12,7 @@ use chiaro::document::{Edit, Scene};
 use chiaro::editor::{App, Places};
 use chiaro::frame::{Assets, Cull, Draw, Picture, PlanOptions, Planner, Setup, Stage, open};
 use chiaro::library::Library;
-use chiaro::render::{Gpu, Renderer, block_on};
+use chiaro::render::{Gpu, Renderer};
 use eframe::egui::{DroppedFile, Event, Key, Modifiers, Pos2, Role};
 use egui_kittest::kittest::Queryable as _;
 
@@ -158,7 +159,7 @@ fn on_screen(hand: &Hand, id: &str) -> Pos2 {
 /// The same picture as `chiaro render` makes it.
 fn rendered(path: &Path, size: [u32; 2]) -> Picture {
     let mut planner = Planner::new(Assets::default());
-    let (setup, _) = open(path, None, &mut planner.assets).unwrap();
+    let setup = open(path, None, &mut planner.assets).unwrap().value;
     let options = PlanOptions { size, samples: 4, time: 0.0 };
     let plan = planner.plan(&setup, Library::built_in(), &Live::Keyed, &options).unwrap();
     let mut renderer =
@@ -338,7 +339,7 @@ fn an_unsaved_stage_is_saved_as_a_scene_that_renders() {
     assert!(!hand.app().session().is_dirty());
     let text = fs::read_to_string(&path).unwrap();
     assert!(text.contains("\"looks\": \"../looks/mine.json\""), "{text}");
-    let (setup, problems) = open(&path, None, &mut Assets::default()).unwrap();
+    let (setup, problems) = open(&path, None, &mut Assets::default()).unwrap().into_parts();
     assert_eq!((setup.objects.len(), setup.looks.len(), problems.len()), (2, 1, 0), "{problems:?}");
 
     // It is opened again as it was.
@@ -609,7 +610,7 @@ fn a_mesh_that_is_dropped_replaces_or_is_added() {
     assert_eq!(ids(&hand), ["ring", "ball", "wedge", "wedge_2"]);
     assert_eq!(mesh(&hand, "wedge_2"), "wedge.obj");
     assert!(hand.app_mut().save_scene_as(&home.scene()));
-    assert_eq!(open(&home.scene(), None, &mut Assets::default()).unwrap().0.objects.len(), 4);
+    assert_eq!(open(&home.scene(), None, &mut Assets::default()).unwrap().value.objects.len(), 4);
 
     // Without a scene a mesh takes the place of the one that the look is seen on, and with Shift it
     // begins a scene.
@@ -708,7 +709,7 @@ fn materials_of_one_mesh_wear_different_looks() {
 fn while_one_look_is_edited_the_others_are_compiled_once() {
     let home = Home::new();
     let mut planner = Planner::new(Assets::default()).culling(Cull::Objects);
-    let (mut setup, _) = open(&home.scene(), None, &mut planner.assets).unwrap();
+    let mut setup = open(&home.scene(), None, &mut planner.assets).unwrap().value;
     setup.edited = Some(0);
     let plan = PlanOptions { size: [64, 32], samples: 1, time: 0.0 };
     let mut picture = |setup: &Setup, is_new: bool| {

@@ -882,13 +882,15 @@ fn an_example_of_an_hcbtf_brings_its_file_along_wherever_it_is_saved() {
     let saved = home.file("mine.json");
     assert!(hand.app_mut().save_as(&saved));
     let (setup, problems) =
-        chiaro::frame::open(&saved, None, &mut chiaro::frame::Assets::default()).unwrap();
+        chiaro::frame::open(&saved, None, &mut chiaro::frame::Assets::default())
+            .unwrap()
+            .into_parts();
     assert!(problems.is_empty() && setup.looks.len() == 1);
     let mut assets = chiaro::frame::Assets::default();
     assets.draft();
     let options = chiaro::hcbtf::LayerOptions::default();
     let named = chiaro::frame::SetupLook::clone(&setup.looks[0]);
-    let (image, _) = assets.hcbtf(&named.folder, "example:hcbtf/halftone.hcbtf", options).unwrap();
+    let image = assets.hcbtf(&named.folder, "example:hcbtf/halftone.hcbtf", options).unwrap().value;
     // A draft has 1 + 2 x 4 views that differ at most, and the layer that tells the grid.
     assert!((2..=10).contains(&image.layers), "{}", image.layers);
 }
@@ -915,7 +917,7 @@ fn an_example_scene_opens_as_a_new_one_of_ones_own() {
         text.contains("\"arch.json\"") && text.contains("\"example:hcbtf/grass.json\""),
         "{text}"
     );
-    let (setup, _) =
-        chiaro::frame::open(&scene, None, &mut chiaro::frame::Assets::default()).unwrap();
+    let setup =
+        chiaro::frame::open(&scene, None, &mut chiaro::frame::Assets::default()).unwrap().value;
     assert_eq!((setup.objects.len(), setup.looks.len()), (10, 10));
 }

@@ -40,7 +40,7 @@ fn export_all(look: &Look, stem: &str) -> Vec<File> {
             problems.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
         )
     });
-    exported.files
+    exported.value
 }
 
 /// The golden files as they should be: by path below the folder.
@@ -256,7 +256,7 @@ fn images_and_hcbtfs_are_carried_along() {
     let look = read_look(&look.to_string(), "moss.json");
     let exported = export(&look, Library::built_in(), "moss", &LANGUAGES, folder.path());
     let exported = exported.unwrap_or_else(|problems| panic!("{problems:?}"));
-    let (complaints, _) = judged(&exported.files);
+    let (complaints, _) = judged(&exported.value);
     assert!(complaints.is_empty(), "{}", complaints.join("\n\n"));
     let told: Vec<_> = exported
         .warnings
@@ -264,7 +264,7 @@ fn images_and_hcbtfs_are_carried_along() {
         .map(|problem| (problem.code, problem.place.node.as_ref().map(ToString::to_string)))
         .collect();
     assert_eq!(told, [("not-carried", Some("gone".to_owned()))]);
-    let images = description(&exported.files, "moss")["images"].as_array().expect("images").clone();
+    let images = description(&exported.value, "moss")["images"].as_array().expect("images").clone();
     let named = |image: &Json| {
         (
             image["path"].as_str().unwrap().to_owned(),
@@ -285,10 +285,10 @@ fn images_and_hcbtfs_are_carried_along() {
         row("moss.png", "image", Some("moss.moss.png")),
     ];
     assert_eq!(named, wanted);
-    assert_eq!(file(&exported.files, "moss.moss.png").bytes, b"not looked at");
+    assert_eq!(file(&exported.value, "moss.moss.png").bytes, b"not looked at");
     for name in ["moss.moss.ktx2", "moss.moss-2.ktx2"] {
         let layers =
-            hcbtf::ktx2::read(&file(&exported.files, name).bytes, name).expect("a texture");
+            hcbtf::ktx2::read(&file(&exported.value, name).bytes, name).expect("a texture");
         assert_eq!(hcbtf::from_layers(&layers).expect("an HCBTF").painted, painting.painted);
     }
 }

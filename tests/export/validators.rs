@@ -269,7 +269,7 @@ fn looks_with_textures_pass_their_validators() {
         let stem = path.file_stem().unwrap().to_string_lossy().into_owned();
         let look = Look::load(&chiaro::files::Disk, path).value.unwrap();
         let exported = export(&look, Library::built_in(), &stem, &LANGUAGES, Path::new(""));
-        for file in exported.unwrap_or_else(|problems| panic!("{stem}: {problems:?}")).files {
+        for file in exported.unwrap_or_else(|problems| panic!("{stem}: {problems:?}")).value {
             let path = out.path().join(&stem).join(&file.name);
             fs::create_dir_all(path.parent().unwrap()).unwrap();
             fs::write(&path, &file.bytes).unwrap();

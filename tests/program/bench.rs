@@ -2,6 +2,7 @@
 #![cfg(feature = "gpu")]
 
 use crate::support::eval::look;
+use crate::support::wait::block_on;
 use chiaro::accuracy::tune::{Goal, TuneOptions, tune};
 use chiaro::accuracy::{
     BenchOptions, Measure, MeasureError, MeasuredNodes, Subject, Variant, bench,
@@ -10,7 +11,7 @@ use chiaro::document::Tier;
 use chiaro::frame::{Assets, PlanOptions, Setup, default_setup};
 use chiaro::library::Library;
 use chiaro::progress::Progress;
-use chiaro::render::{Gpu, Renderer, block_on};
+use chiaro::render::{Gpu, Renderer};
 use serde_json::json;
 
 fn setup() -> Setup {
@@ -29,7 +30,7 @@ fn setup() -> Setup {
             {"from": "second", "to": "output.color"}
         ]
     }));
-    default_setup(look, "shape:sphere", &mut Assets::default()).unwrap().0
+    default_setup(look, "shape:sphere", &mut Assets::default()).unwrap().value
 }
 
 fn renderer() -> Renderer {
@@ -43,7 +44,8 @@ fn a_report_has_the_look_and_its_nodes_in_each_tier_with_errors_and_sizes() {
     let options = BenchOptions { plan: PLAN, rounds: 3, nodes: MeasuredNodes::Tiered, truth: true };
     let progress = Progress::new();
     let report =
-        bench(&setup(), Library::built_in(), &mut renderer(), &options, &progress).unwrap();
+        block_on(bench(&setup(), Library::built_in(), &mut renderer(), &options, &progress))
+            .unwrap();
     assert!(progress.steps()[0] > 9, "progress is told");
     let rows = |tier, is: &dyn Fn(&Subject) -> bool| -> Vec<_> {
         report.rows.iter().filter(|row| row.tier == Some(tier) && is(&row.subject)).collect()
@@ -94,7 +96,8 @@ fn measuring_can_be_stopped() {
             progress.stop();
         }
     });
-    let stopped = bench(&setup(), Library::built_in(), &mut renderer(), &options, &progress);
+    let stopped =
+        block_on(bench(&setup(), Library::built_in(), &mut renderer(), &options, &progress));
     assert!(matches!(stopped, Err(MeasureError::Stopped)));
     assert_eq!(progress.steps()[0], 4);
 }
@@ -111,7 +114,8 @@ fn tuning_keeps_the_error_and_an_impossible_goal_is_said_to_be_missed() {
     };
     let (library, setups) = (Library::built_in(), [setup()]);
     let goal = Goal::MaxError(1.0 / 255.0);
-    let tuned = tune(&setups, library, &mut renderer(), &options(goal), &Progress::new()).unwrap();
+    let tuned = block_on(tune(&setups, library, &mut renderer(), &options(goal), &Progress::new()))
+        .unwrap();
     assert!(tuned.is_met && tuned.error.max <= 1.0 / 255.0, "{tuned:?}");
     // Two layers, each balanced and fast.
     assert_eq!(tuned.candidates.len(), 4);
@@ -126,7 +130,9 @@ fn tuning_keeps_the_error_and_an_impossible_goal_is_said_to_be_missed() {
         assert_eq!(look.graph.nodes[node].tier.unwrap_or(look.tier), tier);
     }
     let goal = Goal::MaxError(1e-12);
-    let missed = tune(&setups, library, &mut renderer(), &options(goal), &Progress::new()).unwrap();
+    let missed =
+        block_on(tune(&setups, library, &mut renderer(), &options(goal), &Progress::new()))
+            .unwrap();
     assert!(!missed.is_met && missed.chosen.is_empty());
     assert!(missed.is_exact_beyond(), "f32 errs by more than that whatever the tier");
     assert!(missed.worst_exact.error == missed.error_exact.max && missed.worst_exact.side == 48);
@@ -141,7 +147,7 @@ fn tuning_by_measures_and_by_time() {
     let tuned = |goal, measure| {
         let options =
             TuneOptions { goal, measure, plan: PLAN, error_side: 48, rounds: 3, stations: 2 };
-        tune(&setups, library, &mut renderer(), &options, &Progress::new()).unwrap()
+        block_on(tune(&setups, library, &mut renderer(), &options, &Progress::new())).unwrap()
     };
     let by_max = tuned(Goal::MaxError(1.0), Measure::Max);
     let figures = &by_max.error_exact;

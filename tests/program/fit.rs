@@ -7,7 +7,7 @@ mod strokes;
 use chiaro::clock::Clock;
 use chiaro::compile::Live;
 use chiaro::document::{Look, Ramp, Value};
-use chiaro::fit::{FitOptions, Fitted, Keep, Target, fit_layers, fit_look};
+use chiaro::fit::{FitOptions, FittedLook, Keep, Target, fit_layers, fit_look};
 use chiaro::frame::{Assets, Picture, PlanOptions, Planner, Setup, Stage};
 use chiaro::interp::Precision;
 use chiaro::library::Library;
@@ -24,7 +24,7 @@ fn nothing() -> Look {
     Look::read(text, "nothing.json").value.unwrap()
 }
 
-fn from_nothing(hidden: &Hidden, target: &Target) -> Fitted {
+fn from_nothing(hidden: &Hidden, target: &Target) -> FittedLook {
     let setup = setup_of(nothing(), hidden.mesh);
     let (options, progress) = (FitOptions::default(), Progress::new());
     fit_layers(&setup, 0, Library::built_in(), target, hidden.layers, &options, &progress).unwrap()

@@ -10,15 +10,18 @@ use crate::support;
 use crate::support::halved;
 use crate::support::ledger::{Key, Ledger, is_found_false};
 use crate::support::random::Random;
+use crate::support::wait::block_on;
 
 use chiaro::diag::{Diagnostic, has_errors};
 use chiaro::files::Outputs;
 use chiaro::frame::Assets;
 use chiaro::gallery::nodes::{SIDE, draw_nodes, write_nodes};
-use chiaro::gallery::{List, Made, Options, Section, Shown, build, content, list};
+use chiaro::gallery::{
+    GalleryDocument, GalleryReport, List, Options, Section, build, content, list,
+};
 use chiaro::library::Library;
 use chiaro::progress::Progress;
-use chiaro::render::{Gpu, block_on};
+use chiaro::render::Gpu;
 use rayon::prelude::*;
 
 fn root() -> &'static Path {
@@ -42,7 +45,7 @@ fn options(side: u32, rounds: usize) -> Options {
     }
 }
 
-fn make(list: &List, folder: &Path, options: &Options) -> Result<Made, Vec<Diagnostic>> {
+fn make(list: &List, folder: &Path, options: &Options) -> Result<GalleryReport, Vec<Diagnostic>> {
     make_with(Library::built_in(), list, folder, options)
 }
 
@@ -51,9 +54,10 @@ fn make_with(
     list: &List,
     folder: &Path,
     options: &Options,
-) -> Result<Made, Vec<Diagnostic>> {
+) -> Result<GalleryReport, Vec<Diagnostic>> {
     let library = |_: &Path| library.clone();
-    build(list, folder, &mut Outputs::new(false), &gpu(), &library, options, &Progress::new())
+    let mut outputs = Outputs::new(false);
+    block_on(build(list, folder, &mut outputs, &gpu(), &library, options, &Progress::new()))
 }
 
 /// What a page's attributes of a name lead to.
@@ -127,7 +131,7 @@ impl KeyMaker {
     }
 
     /// What the verdict on a document's page depends on.
-    fn key(&mut self, shown: &Shown, library: &Library) -> Key {
+    fn key(&mut self, shown: &GalleryDocument, library: &Library) -> Key {
         let mut key = Key::of_sources(JUDGES).with(gpu().info.driver_info.as_bytes());
         let mut looks = String::new();
         let mut sink = |bytes: &[u8]| {
@@ -162,7 +166,7 @@ fn figure(picture: &[u8]) -> f64 {
 }
 
 /// Makes a document's page, follows what it leads to, and gives its picture's number.
-fn page(shown: &Shown, library: &Library) -> Result<f64, String> {
+fn page(shown: &GalleryDocument, library: &Library) -> Result<f64, String> {
     let section = Section { shown: vec![shown.clone()], ..Section::default() };
     let list = List { sections: vec![section], ..List::default() };
     let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
@@ -243,8 +247,9 @@ fn every_example_is_shown() {
 #[test]
 fn every_example_has_a_page() {
     let list = list::list(&[root().join("examples")]).unwrap();
-    let order: Vec<&Shown> = list.sections.iter().flat_map(|section| &section.shown).collect();
-    let name = |shown: &Shown| {
+    let order: Vec<&GalleryDocument> =
+        list.sections.iter().flat_map(|section| &section.shown).collect();
+    let name = |shown: &GalleryDocument| {
         let file = shown.file.strip_prefix(root()).expect("it lies here");
         file.to_string_lossy().replace('\\', "/")
     };
@@ -282,7 +287,7 @@ fn a_changed_shader_and_a_forged_line_are_found() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("half.json");
     std::fs::write(&file, halved::text().to_string()).unwrap();
-    let shown = Shown { file, ..Shown::default() };
+    let shown = GalleryDocument { file, ..GalleryDocument::default() };
     let (before, after) = (halved::library("0.5"), halved::library("0.5000001"));
     let mut maker = KeyMaker::new();
     let keys =
@@ -350,11 +355,12 @@ fn the_pictures_of_nodes_are_those_of_now() {
     let folder = root().join("docs/nodes");
     if std::env::var_os("CHIARO_BLESS").is_some() {
         let mut outputs = Outputs::new(false);
-        write_nodes(Library::built_in(), &folder, &gpu(), &mut outputs, &Progress::new()).unwrap();
+        block_on(write_nodes(Library::built_in(), &folder, &gpu(), &mut outputs, &Progress::new()))
+            .unwrap();
     }
     let mut files = HashSet::new();
     let mut far = Vec::new();
-    draw_nodes(Library::built_in(), &gpu(), &Progress::new(), &mut |node| {
+    block_on(draw_nodes(Library::built_in(), &gpu(), &Progress::new(), &mut |node| {
         let name = format!("{}.svg", node.kind);
         let svg = std::fs::read_to_string(folder.join(&name)).unwrap_or_default();
         if svg != node.svg {
@@ -377,7 +383,7 @@ fn the_pictures_of_nodes_are_those_of_now() {
             files.insert(name);
         }
         Ok(())
-    })
+    }))
     .unwrap();
     let there = std::fs::read_dir(&folder)
         .unwrap()

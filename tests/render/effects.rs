@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use crate::support::eval::{look, renderer, scene_of, shape, told};
 use crate::support::random::Random;
+use crate::support::wait::block_on;
 use chiaro::compile::{Attribute, CompiledShader, Live, Options, Proof, Removal, Stage, compile};
 use chiaro::document::{Camera, Light, LightKind, Projection, Scene, Tier, Value};
 use chiaro::frame::{
@@ -16,7 +17,6 @@ use chiaro::frame::{
 };
 use chiaro::interp::{self, Derivatives, Precision, Program, Shape};
 use chiaro::library::{Context, Library};
-use chiaro::render::block_on;
 use glam::{DMat4, DVec3};
 use serde_json::{Value as Json, json};
 

@@ -10,4 +10,5 @@ mod node_code;
 mod probe;
 mod property_looks;
 mod prune;
+mod shared_store;
 mod surfaces;

@@ -5,6 +5,7 @@
 use std::path::Path;
 
 use crate::support;
+use crate::support::wait::block_on;
 use chiaro::compile::{CompiledShader, Options, compile};
 use chiaro::diag::{Diagnostic, Severity};
 use chiaro::document::Look;
@@ -123,7 +124,7 @@ fn a_loop_without_an_end_to_be_seen_is_counted_in_the_shader_and_in_every_export
     );
     let exported =
         export(&read(&look_json(UNSEEN)), Library::built_in(), "own", &LANGUAGES, Path::new(""));
-    let files = exported.expect("it is exported").files;
+    let files = exported.expect("it is exported").value;
     let texts: Vec<_> = files.iter().filter(|file| !file.name.ends_with(".json")).collect();
     assert!(texts.len() >= LANGUAGES.len());
     // SPIR-V is no text, and neither vertices nor normals have anything to do with the node.
@@ -269,7 +270,7 @@ fn what_is_too_deep_is_not_handed_to_the_driver() {
     let batches =
         eval_batches(&look, Library::built_in(), &samples, &options, &mut Assets::default());
     let batches = batches.unwrap_or_else(|problems| panic!("{}", support::eval::told(&problems)));
-    let error = chiaro::render::block_on(support::eval::renderer().evaluate(&batches[0]))
-        .expect_err("it is refused");
+    let error =
+        block_on(support::eval::renderer().evaluate(&batches[0])).expect_err("it is refused");
     assert_eq!(Diagnostic::from(error).code, "deep-shader");
 }

@@ -22,7 +22,7 @@ fn probed(look: &Json, pixel: [u32; 2]) -> (Option<Vec<WireValue>>, [f64; 4]) {
         folder: PathBuf::new(),
     };
     let mut assets = Assets::default();
-    let (setup, _) = default_setup(look, "shape:sphere", &mut assets).unwrap();
+    let setup = default_setup(look, "shape:sphere", &mut assets).unwrap().value;
     let options = PlanOptions { size: [SIZE; 2], samples: 1, time: 0.0 };
     let plan =
         Planner::for_truth(assets).plan(&setup, Library::built_in(), &Live::All, &options).unwrap();

@@ -8,6 +8,7 @@ use std::path::Path;
 
 use crate::support::badf::{Mode, alpha as profile_tone, angle, blend, held};
 use crate::support::eval::{renderer, told};
+use crate::support::wait::block_on;
 use chiaro::compile::Live;
 use chiaro::diag::Severity;
 use chiaro::frame::{Assets, PlanOptions, Planner, open};
@@ -15,7 +16,7 @@ use chiaro::interp::Precision;
 use chiaro::library::Library;
 use chiaro::progress::Progress;
 use chiaro::reference::{self, Modules, execute};
-use chiaro::render::{Picture, block_on};
+use chiaro::render::Picture;
 use glam::{DVec3, DVec4};
 use image::{Rgba, RgbaImage};
 use serde_json::{Value as Json, json};
@@ -75,7 +76,8 @@ impl Folder {
         self.json("scene.json", &scene);
         let mut assets = Assets::default();
         let (setup, odd) = open(&self.path().join("scene.json"), None, &mut assets)
-            .unwrap_or_else(|problems| panic!("{}", told(&problems)));
+            .unwrap_or_else(|problems| panic!("{}", told(&problems)))
+            .into_parts();
         assert!(odd.iter().all(|problem| problem.severity == Severity::Note), "{}", told(&odd));
         let options = PlanOptions { size: [SIDE; 2], samples: 1, time };
         let mut planner = Planner::new(assets);
@@ -90,8 +92,9 @@ impl Folder {
     fn draw_everywhere(&self, scene: &Json) -> [Picture; 3] {
         self.json("scene.json", scene);
         let mut assets = Assets::default();
-        let (setup, _) = open(&self.path().join("scene.json"), None, &mut assets)
-            .unwrap_or_else(|problems| panic!("{}", told(&problems)));
+        let setup = open(&self.path().join("scene.json"), None, &mut assets)
+            .unwrap_or_else(|problems| panic!("{}", told(&problems)))
+            .value;
         let options = PlanOptions { size: [SIDE; 2], samples: 1, time: 0.0 };
         let plan = |mut planner: Planner, live: &Live| {
             let plan = planner.plan(&setup, Library::built_in(), live, &options);

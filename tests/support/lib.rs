@@ -1,6 +1,6 @@
 //! What several test programs share and what knows no more of Chiaro than its words and its files:
-//! formulas in f64, random numbers, cases in files, ledgers, outside validators, and the disk that
-//! documents are read from. `tests/drawing` is what draws.
+//! formulas in f64, random numbers, cases in files, ledgers, outside validators, waiting for a GPU,
+//! and the disk that documents are read from. `tests/drawing` is what draws.
 
 use std::path::Path;
 
@@ -15,6 +15,7 @@ pub mod noise;
 pub mod random;
 pub mod report;
 pub mod validators;
+pub mod wait;
 
 /// The root of the repository, which a test program of any crate may be run from.
 pub fn root() -> &'static Path {

@@ -71,11 +71,11 @@ fn over_sets(a: impl Fn(&[DVec3]) -> KeyWeights, b: impl Fn(&[DVec3]) -> KeyWeig
 }
 
 fn closed(scheme: KeyScheme) -> impl Fn(&[DVec3]) -> KeyWeights {
-    move |keys| KeyWeights::new(keys, scheme).0
+    move |keys| KeyWeights::new(keys, scheme).value
 }
 
 fn mesh(level: u32, area_weighted: bool) -> impl Fn(&[DVec3]) -> KeyWeights {
-    move |keys| KeyWeights::tessellated(keys, Tessellation { level, area_weighted }).0
+    move |keys| KeyWeights::tessellated(keys, Tessellation { level, area_weighted }).value
 }
 
 #[test]

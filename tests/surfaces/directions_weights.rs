@@ -12,7 +12,7 @@ const ALL: [KeyScheme; 3] = [Biharmonic, AppendixB, Tessellated];
 
 /// Weights of keys that nothing serious is wrong with.
 fn keys(directions: &[DVec3], scheme: KeyScheme) -> KeyWeights {
-    let (keys, problems) = KeyWeights::new(directions, scheme);
+    let (keys, problems) = KeyWeights::new(directions, scheme).into_parts();
     assert!(!has_errors(&problems), "{problems:?}");
     keys
 }
@@ -35,7 +35,7 @@ fn some_keys() -> Vec<DVec3> {
 }
 
 fn code(directions: &[DVec3], scheme: KeyScheme) -> Vec<&'static str> {
-    KeyWeights::new(directions, scheme).1.iter().map(|d| d.code).collect()
+    KeyWeights::new(directions, scheme).warnings.iter().map(|d| d.code).collect()
 }
 
 /// Weights at keys are unit vectors, and everywhere in [0, 1] with sum 1.
@@ -142,13 +142,13 @@ fn keys_without_direction_have_no_weight() {
         [DVec3::ZERO, DVec3::X, DVec3::new(f64::NAN, 1.0, 0.0), DVec3::Y, DVec3::INFINITY];
     for scheme in ALL {
         assert_eq!(code(&directions, scheme), ["key-without-direction"; 3]);
-        let (odd, _) = KeyWeights::new(&directions, scheme);
+        let odd = KeyWeights::new(&directions, scheme).value;
         let plain = keys(&[DVec3::X, DVec3::Y], scheme);
         for direction in spread(50) {
             let wanted = plain.weights(direction);
             assert_eq!(odd.weights(direction), [0.0, wanted[0], 0.0, wanted[1], 0.0]);
         }
-        let (nowhere, _) = KeyWeights::new(&[DVec3::ZERO, DVec3::NAN], scheme);
+        let nowhere = KeyWeights::new(&[DVec3::ZERO, DVec3::NAN], scheme).value;
         assert!(!nowhere.has_weight() && nowhere.weights(DVec3::X) == [0.0, 0.0]);
     }
 }
@@ -203,7 +203,8 @@ fn a_mesh_may_have_a_key_at_every_vertex() {
         .flat_map(|&(s, l)| [[0.0, s, l], [s, l, 0.0], [l, 0.0, s]].map(DVec3::from))
         .collect();
     let (full, problems) =
-        KeyWeights::tessellated(&directions, Tessellation { level: 0, area_weighted: false });
+        KeyWeights::tessellated(&directions, Tessellation { level: 0, area_weighted: false })
+            .into_parts();
     assert!(problems.iter().all(|d| d.code == "keys-near-mesh-size"), "{problems:?}");
     check(&full, &directions, 1e-12);
 }
@@ -215,7 +216,7 @@ fn many_keys_are_fine_and_too_many_are_reported() {
         check(&keys(&directions, scheme), &directions, 1e-9);
     }
     let directions: Vec<DVec3> = spread(100).cycle().take(2000).collect();
-    let (many, problems) = KeyWeights::new(&directions, Biharmonic);
+    let (many, problems) = KeyWeights::new(&directions, Biharmonic).into_parts();
     assert_eq!(problems.last().map(|d| d.code), Some("too-many-keys"));
     let weights = many.weights(DVec3::X);
     assert!(weights[MAX_KEYS..].iter().all(|&weight| weight == 0.0));
@@ -324,7 +325,7 @@ proptest! {
         queries in prop::collection::vec(any_direction(), 32),
     ) {
         for scheme in CLOSED {
-            let (keys, problems) = KeyWeights::new(&directions, scheme);
+            let (keys, problems) = KeyWeights::new(&directions, scheme).into_parts();
             prop_assert!(problems.iter().all(|d| d.code == "close-keys" || d.code == "merged-keys"));
             for &query in queries.iter().chain(&directions) {
                 let weights = keys.weights(query);
@@ -350,9 +351,9 @@ proptest! {
         let turn = DQuat::from_axis_angle(axis.normalize(), angle);
         let turned: Vec<DVec3> = directions.iter().map(|d| turn * *d).collect();
         for scheme in CLOSED {
-            let (still, problems) = KeyWeights::new(&directions, scheme);
+            let (still, problems) = KeyWeights::new(&directions, scheme).into_parts();
             prop_assume!(problems.is_empty());
-            let (moved, _) = KeyWeights::new(&turned, scheme);
+            let moved = KeyWeights::new(&turned, scheme).value;
             for (a, b) in still.weights(query).into_iter().zip(moved.weights(turn * query)) {
                 prop_assert!((a - b).abs() < 1e-10, "{a} {b}");
             }
@@ -366,9 +367,9 @@ proptest! {
     ) {
         let reversed: Vec<DVec3> = directions.iter().copied().rev().collect();
         for scheme in CLOSED {
-            let (keys, problems) = KeyWeights::new(&directions, scheme);
+            let (keys, problems) = KeyWeights::new(&directions, scheme).into_parts();
             prop_assume!(problems.is_empty());
-            let (others, _) = KeyWeights::new(&reversed, scheme);
+            let others = KeyWeights::new(&reversed, scheme).value;
             for (a, b) in keys.weights(query).into_iter().zip(others.weights(query).into_iter().rev()) {
                 prop_assert!((a - b).abs() < 1e-10, "{a} {b}");
             }
@@ -381,7 +382,7 @@ proptest! {
         query in any_bits(),
     ) {
         for scheme in CLOSED {
-            let (keys, _) = KeyWeights::new(&directions, scheme);
+            let keys = KeyWeights::new(&directions, scheme).value;
             let weights = keys.weights(query);
             let wanted = if keys.has_weight() { 1.0 } else { 0.0 };
             prop_assert!((weights.iter().sum::<f64>() - wanted).abs() < 1e-12, "{weights:?}");
@@ -398,7 +399,7 @@ proptest! {
         queries in prop::collection::vec(any_direction(), 64),
         area_weighted: bool,
     ) {
-        let (keys, problems) = KeyWeights::tessellated(&directions, Tessellation { level: 2, area_weighted });
+        let (keys, problems) = KeyWeights::tessellated(&directions, Tessellation { level: 2, area_weighted }).into_parts();
         prop_assert!(!has_errors(&problems));
         for &query in queries.iter().chain(&directions) {
             let weights = keys.weights(query);

@@ -1,12 +1,12 @@
 //! Small files of every format, whole, wrong and cut short.
 
 use crate::support::cases::hold;
-use chiaro::diag::{Diagnostic, LineColumn};
-use chiaro::geometry::{Imported, Mesh, Siblings, import, load, no_siblings};
+use chiaro::diag::{Diagnostic, LineColumn, Warned};
+use chiaro::geometry::{Mesh, Siblings, import, load, no_siblings};
 use glam::{Vec3, Vec4};
 use proptest::prelude::*;
 
-fn read(name: &str, bytes: impl AsRef<[u8]>) -> Imported {
+fn read(name: &str, bytes: impl AsRef<[u8]>) -> Warned<Mesh> {
     import(name, bytes.as_ref(), &no_siblings)
         .unwrap_or_else(|problems| panic!("{name}: {problems:#?}"))
 }
@@ -22,7 +22,7 @@ fn errors(name: &str, bytes: impl AsRef<[u8]>) -> Vec<Diagnostic> {
 #[test]
 fn wrong_files() {
     hold("mesh", |name, bytes| match import(name, bytes, &no_siblings) {
-        Ok(imported) => (true, imported.notes),
+        Ok(imported) => (true, imported.warnings),
         Err(problems) => {
             assert!(problems.iter().any(Diagnostic::is_error), "{name}: {problems:#?}");
             let is_placed = |p: &Diagnostic| p.place.file.as_deref() == Some(name);
@@ -75,7 +75,7 @@ f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 1 5 8 4\n";
 
 #[test]
 fn a_cube_keeps_its_edges() {
-    let Imported { mesh, notes } = read("dir/cube.obj", CUBE);
+    let Warned { value: mesh, warnings: notes } = read("dir/cube.obj", CUBE);
     check(&mesh);
     assert_eq!(mesh.name, "cube");
     assert_eq!((mesh.positions.len(), mesh.triangle_count()), (24, 12));
@@ -107,7 +107,7 @@ fn a_faceted_ball_becomes_smooth() {
                 &format!("f {} {} {} {}\n", at(j, i), at(j, i + 1), at(j + 1, i + 1), at(j + 1, i));
         }
     }
-    let Imported { mesh, notes } = read("ball.obj", &text);
+    let Warned { value: mesh, warnings: notes } = read("ball.obj", &text);
     check(&mesh);
     for (p, n) in mesh.positions.iter().zip(&mesh.normals) {
         assert!(Vec3::from(*p).normalize().angle_between(Vec3::from(*n)) < 0.03, "{p:?} {n:?}");
@@ -132,7 +132,7 @@ f -3 -2 \\
 usemtl skin tone
 f 7 8 9
 ";
-    let Imported { mesh, .. } = read("x.obj", text);
+    let mesh = read("x.obj", text).value;
     check(&mesh);
     assert_eq!(mesh.name, "thing");
     assert!((area(&mesh) - (5.0 + 0.5 + 0.5)).abs() < 1e-5, "{}", area(&mesh));
@@ -146,7 +146,7 @@ fn attributes_of_obj() {
     let text = "\
 v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 0.5\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 2
 f 1/1/1 2/2/1 3/3/1\n";
-    let Imported { mesh, notes } = read("x.obj", text);
+    let Warned { value: mesh, warnings: notes } = read("x.obj", text);
     check(&mesh);
     assert!(mesh.has_uvs && mesh.has_colors && mesh.has_normals && notes.is_empty());
     assert_eq!(mesh.colors[2], [0.0, 0.0, 0.5, 1.0]);
@@ -155,7 +155,7 @@ f 1/1/1 2/2/1 3/3/1\n";
     assert_eq!(mesh.tangents, [[1.0, 0.0, 0.0, 1.0]; 3]);
 
     let bytes = text.replace("1 0 0\nv 1", "255 0 0\nv 1").replace("0 1 0\nv 0", "0 51 0\nv 0");
-    let colors = read("x.obj", bytes).mesh.colors;
+    let colors = read("x.obj", bytes).value.colors;
     assert!(
         colors[0] == [1.0, 0.0, 0.0, 1.0]
             && Vec4::from(colors[1]).distance(Vec4::new(0.0, 0.2, 0.0, 1.0)) < 1e-6
@@ -168,7 +168,7 @@ fn mirrored_uvs_split_vertices() {
     let text = "\
 v -1 0 0\nv 0 0 0\nv 1 0 0\nv -1 1 0\nv 0 1 0\nv 1 1 0\nvt 1 0\nvt 0 0\nvt 1 1\nvt 0 1
 f 1/1 2/2 5/4 4/3\nf 2/2 3/1 6/3 5/4\n";
-    let Imported { mesh, .. } = read("x.obj", text);
+    let mesh = read("x.obj", text).value;
     check(&mesh);
     assert_eq!(mesh.positions.len(), 8);
     for (p, t) in mesh.positions.iter().zip(&mesh.tangents) {
@@ -185,7 +185,7 @@ f 1/1 2/2 5/4 4/3\nf 2/2 3/1 6/3 5/4\n";
 
 #[test]
 fn tangents_without_uvs_are_level() {
-    let Imported { mesh, .. } = read("cube.obj", CUBE);
+    let mesh = read("cube.obj", CUBE).value;
     for (n, t) in mesh.normals.iter().zip(&mesh.tangents) {
         assert!(t[1].abs() < 1e-6, "{n:?} {t:?}");
     }
@@ -206,7 +206,7 @@ fn all_mistakes_of_an_obj_are_told_up_to_a_bound() {
 #[test]
 fn degenerate_triangles_are_counted() {
     let text = format!("{CUBE}f 1 1 2\nf 1 2 2 1\n");
-    let Imported { mesh, notes } = read("x.obj", text);
+    let Warned { value: mesh, warnings: notes } = read("x.obj", text);
     assert_eq!(mesh.triangle_count(), 12);
     assert!(notes[0].message.starts_with("3 of 15 triangles"), "{}", notes[0]);
 }
@@ -268,7 +268,7 @@ fn ply_binary(big: bool) -> Vec<u8> {
 
 #[test]
 fn ply_of_every_encoding_is_the_same_mesh() {
-    let text = read("house.ply", ply_text()).mesh;
+    let text = read("house.ply", ply_text()).value;
     check(&text);
     assert_eq!((text.positions.len(), text.triangle_count()), (5, 3));
     assert!(text.has_colors && text.has_uvs);
@@ -276,11 +276,11 @@ fn ply_of_every_encoding_is_the_same_mesh() {
     let top = text.positions.iter().position(|p| p[1] == 3.0).unwrap();
     assert_eq!((text.colors[top], text.uvs[top]), ([1.0, 0.8, 0.0, 1.0], [0.5, 0.5]));
     for big in [false, true] {
-        assert_eq!(read("house.ply", ply_binary(big)).mesh, text);
+        assert_eq!(read("house.ply", ply_binary(big)).value, text);
     }
-    assert_eq!(read("house.ply", ply_text().replace('\n', "\r\n")).mesh, text);
+    assert_eq!(read("house.ply", ply_text().replace('\n', "\r\n")).value, text);
     // Known by its first bytes, too.
-    assert_eq!(read("house", ply_text()).mesh, text);
+    assert_eq!(read("house", ply_text()).value, text);
 }
 
 #[test]
@@ -291,7 +291,7 @@ fn ply_strips_normals_and_corner_uvs() {
         property list int int vertex_indices\nend_header\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n1 \
         1 0 0 0 1\n\
         8 0 1 2 3 -1 0 1 2\n";
-    let Imported { mesh, notes } = read("x.ply", strips);
+    let Warned { value: mesh, warnings: notes } = read("x.ply", strips);
     check(&mesh);
     assert!(mesh.has_normals && notes.is_empty());
     assert_eq!(mesh.indices, [0, 1, 2, 2, 1, 3, 0, 1, 2]);
@@ -301,7 +301,7 @@ fn ply_strips_normals_and_corner_uvs() {
         element face 1\nproperty list uchar int vertex_index\nproperty list uchar float \
         texcoord\nend_header\n\
         0 0 0\n1 0 0\n0 1 0\n3 0 1 2 6 0.25 0 1 0 0 1\n";
-    let mesh = read("x.ply", wedges).mesh;
+    let mesh = read("x.ply", wedges).value;
     check(&mesh);
     assert_eq!((mesh.has_uvs, mesh.uvs[0]), (true, [0.25, 0.0]));
 }
@@ -342,18 +342,18 @@ fn stl_binary() -> Vec<u8> {
 
 #[test]
 fn stl_of_either_kind_is_the_same_mesh() {
-    let text = read("x.stl", stl_text()).mesh;
+    let text = read("x.stl", stl_text()).value;
     check(&text);
     assert_eq!(
         (text.triangle_count(), text.positions.len()),
         (4, 12),
         "all edges of a tetrahedron are creases"
     );
-    assert_eq!(read("x.STL", stl_binary()).mesh, text);
+    assert_eq!(read("x.STL", stl_binary()).value, text);
     // Welded: a fold of 45 degrees between two facets is smooth, so they share two vertices.
     let fold = "solid\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendfacet\n\
         facet\nvertex 1 0 0\nvertex 0 0 0\nvertex 0 -1 -1\nendfacet\nendsolid\n";
-    assert_eq!(read("x.stl", fold).mesh.positions.len(), 4);
+    assert_eq!(read("x.stl", fold).value.positions.len(), 4);
 }
 
 // --- glTF
@@ -435,7 +435,7 @@ fn gltf_by_data_uri_file_and_glb_is_the_same_mesh() {
         r#", "uri": "data:application/octet-stream;base64,{}""#,
         base64(&gltf_bytes())
     ));
-    let Imported { mesh, notes } = read("x.gltf", embedded);
+    let Warned { value: mesh, warnings: notes } = read("x.gltf", embedded);
     check(&mesh);
     assert!(notes.is_empty(), "{notes:?}");
     assert!(mesh.has_normals && mesh.has_uvs && mesh.has_colors);
@@ -470,9 +470,9 @@ fn gltf_by_data_uri_file_and_glb_is_the_same_mesh() {
     let beside: Siblings =
         &|name| (name == "my mesh.bin").then(gltf_bytes).ok_or_else(|| "not found".to_owned());
     let named = gltf_json(r#", "uri": "my%20mesh.bin""#);
-    assert_eq!(import("x.gltf", named.as_bytes(), beside).unwrap().mesh, mesh);
-    assert_eq!(read("x.glb", glb(&gltf_json(""), &gltf_bytes())).mesh, mesh);
-    assert_eq!(read("no ending", glb(&gltf_json(""), &gltf_bytes())).mesh, mesh);
+    assert_eq!(import("x.gltf", named.as_bytes(), beside).unwrap().value, mesh);
+    assert_eq!(read("x.glb", glb(&gltf_json(""), &gltf_bytes())).value, mesh);
+    assert_eq!(read("no ending", glb(&gltf_json(""), &gltf_bytes())).value, mesh);
 }
 
 #[test]
@@ -494,7 +494,7 @@ fn gltf_tangents_strips_and_sparse() {
      "bufferViews": [{"buffer": 0, "byteLength": 6}, {"buffer": 0, "byteOffset": 8, "byteLength": 36},
       {"buffer": 0, "byteOffset": 44, "byteLength": 64}],
      "buffers": [{"byteLength": 108}]}"#;
-    let Imported { mesh, notes } = read("x.glb", glb(json, &bytes));
+    let Warned { value: mesh, warnings: notes } = read("x.glb", glb(json, &bytes));
     check(&mesh);
     assert_eq!((mesh.triangle_count(), area(&mesh)), (2, 1.0));
     assert_eq!(mesh.tangents, [[0.0, 1.0, 0.0, -1.0]; 4]);
@@ -547,7 +547,7 @@ fn triangle_gltf(root: &str, node: &str, primitive: &str, attributes: &str) -> S
 
 #[test]
 fn gltf_takes_all_that_2_0_allows() {
-    let plain = read("x.gltf", triangle_gltf("", "", "", "")).mesh;
+    let plain = read("x.gltf", triangle_gltf("", "", "", "")).value;
     assert_eq!(plain.triangle_count(), 1);
     // Attributes of the maker's own, of whatever count; extras of any kind; channels without a
     // node; what is to come.
@@ -564,7 +564,7 @@ fn gltf_takes_all_that_2_0_allows() {
         ),
         triangle_gltf(channel, r#", "camera": 9, "skin": 9"#, "", ""),
     ] {
-        assert_eq!(read("x.gltf", json).mesh, plain);
+        assert_eq!(read("x.gltf", json).value, plain);
     }
 }
 
@@ -576,7 +576,8 @@ fn gltf_instances_are_copies() {
         );
         triangle_gltf(r#", "extensionsRequired": ["EXT_mesh_gpu_instancing"]"#, &node, "", "")
     };
-    let Imported { mesh, notes } = read("x.gltf", with(r#""TRANSLATION": 1, "_ID": 0"#));
+    let Warned { value: mesh, warnings: notes } =
+        read("x.gltf", with(r#""TRANSLATION": 1, "_ID": 0"#));
     check(&mesh);
     assert_eq!(mesh.triangle_count(), 3);
     let mut depths: Vec<f32> = mesh.positions.iter().map(|p| p[2]).collect();
@@ -589,7 +590,7 @@ fn gltf_instances_are_copies() {
 fn draco_beside_plain_data_is_no_hindrance() {
     let extension =
         r#", "extensions": {"KHR_draco_mesh_compression": {"bufferView": 0, "attributes": {}}}"#;
-    assert_eq!(read("x.gltf", triangle_gltf("", "", extension, "")).mesh.triangle_count(), 1);
+    assert_eq!(read("x.gltf", triangle_gltf("", "", extension, "")).value.triangle_count(), 1);
 }
 
 /// Zeros between letters are no sign of UTF-16 where a file is binary.
@@ -611,7 +612,7 @@ fn load_reads_the_file_and_those_beside_it() {
     assert_eq!(problems[0].code, "mesh-reference");
     assert!(problems[0].message.contains("`my mesh.bin`"), "{}", problems[0]);
     std::fs::write(folder.path().join("my mesh.bin"), gltf_bytes()).unwrap();
-    assert_eq!(load(&path).unwrap().mesh.triangle_count(), 4);
+    assert_eq!(load(&path).unwrap().value.triangle_count(), 4);
     let pipe = folder.path().join("pipe.obj");
     let made = std::process::Command::new("mkfifo").arg(&pipe).status();
     let pipe = made.is_ok_and(|status| status.success()).then_some(pipe);
@@ -689,7 +690,7 @@ proptest! {
                 _ => { bytes.remove(i); }
             }
         }
-        if let Ok(Imported { mesh, .. }) = import(name, &bytes, &no_siblings) {
+        if let Ok(Warned { value: mesh, .. }) = import(name, &bytes, &no_siblings) {
             check(&mesh);
         }
     }

@@ -3,11 +3,12 @@
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
 
-use chiaro::geometry::{Imported, Mesh, load};
+use chiaro::diag::Warned;
+use chiaro::geometry::{Mesh, load};
 use glam::{Vec3, Vec4};
 
 /// The file's text and what was read from it; `None` where the trial meshes are not at hand.
-fn model(name: &str) -> Option<(String, Imported)> {
+fn model(name: &str) -> Option<(String, Warned<Mesh>)> {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
     let path =
         ["../shared/models", "../../shared/models"].map(|folder| root.join(folder).join(name));
@@ -42,7 +43,10 @@ fn creased(mesh: &Mesh) -> f64 {
 #[test]
 fn real_meshes_have_what_their_files_say() {
     for name in ["spot", "suzanne", "teapot", "stanford-bunny", "nefertiti", "rocker-arm"] {
-        let Some((text, Imported { mesh, notes })) = model(&format!("{name}.obj")) else { return };
+        let Some((text, Warned { value: mesh, warnings: notes })) = model(&format!("{name}.obj"))
+        else {
+            return;
+        };
         // Counted by other means: a polygon of n corners gives n - 2 triangles.
         let faces = text.lines().filter_map(|line| line.strip_prefix("f "));
         let corners: Vec<usize> =
@@ -78,12 +82,12 @@ fn scans_are_smooth_and_machines_have_creases() {
     let (_, spot) = model("spot.obj").unwrap();
     let (_, rocker) = model("rocker-arm.obj").unwrap();
     for (name, mesh) in
-        [("bunny", &bunny.mesh), ("nefertiti", &nefertiti.mesh), ("spot", &spot.mesh)]
+        [("bunny", &bunny.value), ("nefertiti", &nefertiti.value), ("spot", &spot.value)]
     {
         assert!(creased(mesh) < 0.02, "{name}: {}", creased(mesh));
     }
     for (name, mesh) in
-        [("spot", &spot.mesh), ("rocker arm", &rocker.mesh), ("nefertiti", &nefertiti.mesh)]
+        [("spot", &spot.value), ("rocker arm", &rocker.value), ("nefertiti", &nefertiti.value)]
     {
         assert!(volume(mesh) > 0.0, "{name}: counter-clockwise from outside");
         let outward = mesh.indices.chunks(3).filter(|t| {

@@ -88,7 +88,7 @@ fn hold(name: &str, mesh: &Mesh) -> usize {
 fn read(text: &str) -> Mesh {
     import("test.obj", text.as_bytes(), &no_siblings)
         .unwrap_or_else(|problems| panic!("{problems:#?}"))
-        .mesh
+        .value
 }
 
 /// Corners (position, UV) as an OBJ in which every corner is written anew or, when `shares`, each
@@ -185,7 +185,7 @@ fn triangles_without_area_have_the_references_tangents() {
         for shares in [false, true] {
             // A file of nothing but triangles without area is refused.
             if let Ok(read) = import("test.obj", obj(&triangles, shares).as_bytes(), &no_siblings) {
-                hold(&format!("round {round}, {shares}"), &read.mesh);
+                hold(&format!("round {round}, {shares}"), &read.value);
             }
         }
     }

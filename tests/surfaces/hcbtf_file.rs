@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::support::cases::hold;
 use crate::support::random::Random;
-use chiaro::diag::Diagnostic;
+use chiaro::diag::{Diagnostic, Warned};
 use chiaro::document::{
     Address, Bundle, Directions, Grid, Hcbtf, HcbtfAngle, Placement, Relief, Rule, StrokeTones,
     Strokes, Tile,
@@ -129,7 +129,7 @@ fn what_is_written_is_read() {
         Hcbtf { rules: Vec::new(), is_tiling: true, ..sample() },
     ] {
         let bytes = write(&hcbtf).unwrap();
-        let (back, notes) = read(&bytes, "grass.hcbtf").unwrap();
+        let (back, notes) = read(&bytes, "grass.hcbtf").unwrap().into_parts();
         assert_eq!(back, hcbtf);
         assert!(notes.is_empty(), "{notes:?}");
         assert_eq!(write(&back).unwrap(), bytes, "equal for equal");
@@ -171,7 +171,7 @@ fn the_example_in_the_docs_is_read_and_every_rule_is_in_them() {
         entry("samples/l0.0_v0.0.png", &image),
         entry("samples/l5.3_v2.9.png", &image),
     ];
-    let (hcbtf, notes) = read(&pack(&all, CompressionMethod::Stored), "g").unwrap();
+    let (hcbtf, notes) = read(&pack(&all, CompressionMethod::Stored), "g").unwrap().into_parts();
     assert!(notes.is_empty() && hcbtf.rules.len() == 3 && hcbtf.grid == Grid::THESIS, "{notes:?}");
     // What is written of it is the same text.
     let written = entries(&write(&hcbtf).unwrap()).swap_remove(0).1;
@@ -197,7 +197,7 @@ fn any_zip_and_any_png_that_comes_back_is_taken() {
         let mut shuffled: Vec<_> =
             all.iter().rev().filter(|(name, _)| name != "thumbnail.png").cloned().collect();
         shuffled.insert(0, ("samples/".to_owned(), Vec::new()));
-        assert_eq!(read(&pack(&shuffled, method), "g").unwrap(), (sample(), Vec::new()));
+        assert_eq!(read(&pack(&shuffled, method), "g").unwrap(), sample().into());
     }
     let rgb = image::RgbImage::from_pixel(5, 3, image::Rgb([1, 2, 3]));
     let gray = image::ImageBuffer::<image::Luma<u16>, _>::from_pixel(5, 3, image::Luma([257 * 40]));
@@ -210,7 +210,7 @@ fn any_zip_and_any_png_that_comes_back_is_taken() {
         all[2].1 = as_png(rgb.into());
         all[3].1 = as_png(gray.into());
     });
-    let (hcbtf, notes) = read(&bytes, "g").unwrap();
+    let (hcbtf, notes) = read(&bytes, "g").unwrap().into_parts();
     assert_eq!(hcbtf.painted[&Address::default()].texel(0, 0), [1, 2, 3, 255]);
     assert_eq!(hcbtf.painted[&Address::new([1, 0], [0, 0])].texel(0, 0), [40, 40, 40, 255]);
     assert!(notes.len() == 1 && notes[0].code == "hcbtf-16-bit", "{notes:?}");
@@ -219,13 +219,13 @@ fn any_zip_and_any_png_that_comes_back_is_taken() {
 #[test]
 fn what_is_painted_is_what_is_looked_up() {
     let hcbtf = sample();
-    let (back, _) = read(&write(&hcbtf).unwrap(), "g").unwrap();
+    let back = read(&write(&hcbtf).unwrap(), "g").unwrap().value;
     let filled = fill(&back, &Progress::new()).unwrap();
     for (address, tile) in &hcbtf.painted {
         assert_eq!(filled.tile(*address), Some(tile));
     }
     let baked = sheet::export(&filled).unwrap();
-    let again = sheet::import(&baked, GRID, "s").unwrap().0;
+    let again = sheet::import(&baked, GRID, "s").unwrap().value;
     for (address, tile, _) in filled.iter() {
         let is_empty = tile.bytes().iter().all(|byte| *byte == 0);
         assert_eq!(again.painted(address), (!is_empty).then_some(tile), "{address}");
@@ -235,7 +235,7 @@ fn what_is_painted_is_what_is_looked_up() {
 #[test]
 fn odd_things_are_warned_of() {
     let warned = |bytes: &[u8]| {
-        let (hcbtf, notes) = read(bytes, "g").unwrap();
+        let (hcbtf, notes) = read(bytes, "g").unwrap().into_parts();
         assert_eq!(hcbtf.painted, sample().painted);
         notes.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
     };
@@ -288,7 +288,7 @@ fn manifests() {
         let bytes = with(|all| all[0].1 = manifest.to_vec());
         let file = format!("{name}.hcbtf");
         match read(&bytes, &file) {
-            Ok((_, notes)) => (true, notes),
+            Ok(read) => (true, read.warnings),
             Err(problems) => {
                 let is_told = |d: &Diagnostic| d.to_string().starts_with(&format!("{file}: "));
                 assert!(problems.iter().any(Diagnostic::is_error), "{name}: {problems:?}");
@@ -449,7 +449,7 @@ fn mutated_files_never_panic() {
                 bytes[at] = if random.chance(0.3) { 0xff } else { random.bits() as u8 };
             }
         }
-        if let Ok((hcbtf, _)) = read(&bytes, "fuzzed.hcbtf") {
+        if let Ok(Warned { value: hcbtf, .. }) = read(&bytes, "fuzzed.hcbtf") {
             read_well += 1;
             assert!(hcbtf.painted.values().all(|tile| tile.size() == hcbtf.grid.size));
             if hcbtf.grid.texels() as u64 * hcbtf.grid.sample_count() < 1 << 16 {
@@ -490,7 +490,9 @@ fn mutated_manifests_never_panic() {
             let end = (at + random.index(6)).min(text.len());
             text.splice(at..end, random.pick(&words).bytes());
         }
-        if let Ok((hcbtf, _)) = read(&pack(&changed, CompressionMethod::Stored), "fuzzed.hcbtf") {
+        if let Ok(Warned { value: hcbtf, .. }) =
+            read(&pack(&changed, CompressionMethod::Stored), "fuzzed.hcbtf")
+        {
             assert!(hcbtf.grid.check().is_ok() && write(&hcbtf).is_ok());
         }
     }

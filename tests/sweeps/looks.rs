@@ -7,6 +7,7 @@ use std::path::Path;
 
 use crate::support::eval::{renderer, told};
 use crate::support::ledger::{Key, Ledger};
+use crate::support::wait::block_on;
 use chiaro::accuracy::sweep::looks::content;
 use chiaro::accuracy::sweep::{
     LookEffort, StabilityEffort, looks_in, measure_look, measure_stability, stability,
@@ -63,9 +64,13 @@ fn hold_looks(effort: &LookEffort, ledger: &str) {
         ledger.prove(&stem(&path), &key, || {
             let progress = Progress::new();
             let mut worst = 0.0_f64;
-            for measured in
-                flawless(measure_look(&path, Library::built_in(), &mut precise, effort, &progress))
-            {
+            for measured in flawless(block_on(measure_look(
+                &path,
+                Library::built_in(),
+                &mut precise,
+                effort,
+                &progress,
+            ))) {
                 let e = &measured.error;
                 let line = format!(
                     "{:24} {:8} {:3} pictures, NaN {}, max {:.1e}, p999 {:.1e}, rms {:.1e}, edges \
@@ -103,14 +108,14 @@ fn hold_stability(effort: &StabilityEffort, ledger: &str) {
             let key = key(&path, &precise, &format!("{effort:?}"), &[mesh], &[Tier::Exact]);
             ledger.prove(&format!("{} on {mesh}", stem(&path)), &key, || {
                 let progress = Progress::new();
-                let measured = flawless(measure_stability(
+                let measured = flawless(block_on(measure_stability(
                     &path,
                     mesh,
                     Library::built_in(),
                     &mut precise,
                     effort,
                     &progress,
-                ));
+                )));
                 let told = |f: &stability::Flicker| {
                     format!("{:.1e} of {:.1e}, {} of {} seen", f.max, f.truth, f.visible, f.count)
                 };
@@ -177,8 +182,9 @@ fn shifted(setup: &Setup, pixels: f64, side: u32) -> Setup {
 fn only_what_a_step_of_the_grid_explains_is_settled() {
     let side = 96;
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks/hatching.json");
-    let (setup, _) = open(&file, Some("shape:sphere"), &mut Assets::default())
-        .unwrap_or_else(|p| panic!("{}", told(&p)));
+    let setup = open(&file, Some("shape:sphere"), &mut Assets::default())
+        .unwrap_or_else(|p| panic!("{}", told(&p)))
+        .value;
     let options = PlanOptions { size: [side; 2], samples: 1, time: 0.0 };
     let mut planner = Planner::for_truth(Assets::default());
     let mut truth_of = |setup: &Setup| {
@@ -216,8 +222,8 @@ fn only_what_a_step_of_the_grid_explains_is_settled() {
 #[test]
 fn some_rows_of_a_truth_are_those_of_the_whole() {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks/contours.json");
-    let (setup, _) =
-        open(&file, None, &mut Assets::default()).unwrap_or_else(|p| panic!("{}", told(&p)));
+    let setup =
+        open(&file, None, &mut Assets::default()).unwrap_or_else(|p| panic!("{}", told(&p))).value;
     let options = PlanOptions { size: [80, 64], samples: 1, time: 0.0 };
     let mut planner = Planner::for_truth(Assets::default());
     let mut rows_of = |rows| {

@@ -6,15 +6,16 @@ use std::sync::{Arc, Mutex};
 
 use crate::support::eval::{renderer, told};
 use crate::support::ledger::{Key, Ledger};
+use crate::support::wait::block_on;
 use chiaro::accuracy::MeasureError;
 use chiaro::accuracy::sweep::{
-    Case, Effort, Lab, LookEffort, Measured, StabilityEffort, Survey, survey,
+    Case, CaseFigures, Effort, Lab, LookEffort, StabilityEffort, Survey, survey,
 };
 use chiaro::diag::Diagnostic;
 use chiaro::library::Library;
 use chiaro::progress::Progress;
 
-fn sweep(effort: &Effort) -> Vec<Measured> {
+fn sweep(effort: &Effort) -> Vec<CaseFigures> {
     let mut renderer = renderer();
     let mut lab = Lab::new(Library::built_in(), &mut renderer)
         .unwrap_or_else(|problems| panic!("{}", told(&problems)));
@@ -23,10 +24,11 @@ fn sweep(effort: &Effort) -> Vec<Measured> {
     let mut all = Vec::new();
     for kind in kinds {
         for case in Case::of(&Library::built_in().nodes[kind]) {
-            let measured = lab.measure(&case, effort).unwrap_or_else(|stopped: MeasureError| {
-                let problems: Vec<Diagnostic> = stopped.into();
-                panic!("{}: {}", case.name(), told(&problems))
-            });
+            let measured =
+                block_on(lab.measure(&case, effort)).unwrap_or_else(|stopped: MeasureError| {
+                    let problems: Vec<Diagnostic> = stopped.into();
+                    panic!("{}: {}", case.name(), told(&problems))
+                });
             all.push(measured);
         }
     }
@@ -34,7 +36,7 @@ fn sweep(effort: &Effort) -> Vec<Measured> {
 }
 
 /// A case's figures.
-fn line(one: &Measured) -> String {
+fn line(one: &CaseFigures) -> String {
     format!(
         "{:50} {:8} {:6} {:5} {:3} abs {:.1e} p999 {:.1e} max {:.1e} of {:.0e}  {}",
         one.case.name(),
@@ -51,7 +53,7 @@ fn line(one: &Measured) -> String {
 }
 
 #[allow(clippy::print_stdout, reason = "`--nocapture` shows how near the bounds are")]
-fn hold(all: &[Measured]) {
+fn hold(all: &[CaseFigures]) {
     let mut broken = Vec::new();
     for one in all {
         let line = line(one);
@@ -94,8 +96,7 @@ fn every_node_keeps_its_bound() {
         let name = format!("{}, {:?}", case.name(), case.tier);
         let key = key(&mut lab, &case, &effort);
         ledger.prove(&name, &key, || {
-            let measured = lab
-                .measure(&case, &effort)
+            let measured = block_on(lab.measure(&case, &effort))
                 .map_err(|stopped| told(&Vec::<Diagnostic>::from(stopped)))?;
             // Of what is documented alone: elsewhere it depends on the thread whether denormals
             // count as 0.
@@ -124,7 +125,7 @@ fn one(node: &str, inputs: &[(&str, &[f64])]) -> [Vec<f64>; 2] {
         .iter()
         .map(|slot| of(&slot.name).unwrap_or_else(|| vec![0.0; slot.width]))
         .collect();
-    let findings = lab.compare(&bench, &[numbers]);
+    let findings = block_on(lab.compare(&bench, &[numbers]));
     let mut findings =
         findings.unwrap_or_else(|stopped| panic!("{}", told(&Vec::<Diagnostic>::from(stopped))));
     let finding = findings.remove(0);
@@ -196,11 +197,12 @@ fn a_survey_by_several_workers_is_that_of_one() {
     let progress = Progress::observed(move |progress| {
         observed.lock().unwrap().push(progress.steps());
     });
-    let report = survey(&wanted, library, &progress).unwrap_or_else(|stopped| {
-        let problems: Vec<Diagnostic> = stopped.into();
-        panic!("{}", self::told(&problems))
-    });
-    let names = |all: &[chiaro::accuracy::sweep::LookMeasured]| -> Vec<String> {
+    let report = block_on(survey(&wanted, library, &progress, &|worker| block_on(worker)))
+        .unwrap_or_else(|stopped| {
+            let problems: Vec<Diagnostic> = stopped.into();
+            panic!("{}", self::told(&problems))
+        });
+    let names = |all: &[chiaro::accuracy::sweep::LookFigures]| -> Vec<String> {
         all.iter().map(|one| format!("{} {:?}", one.look, one.tier)).collect()
     };
     let all = ["a Exact", "a Balanced", "a Fast", "b Exact", "b Balanced", "b Fast"];
@@ -222,7 +224,7 @@ fn a_survey_by_several_workers_is_that_of_one() {
     for kind in ["add", "facing", "profile"] {
         for case in Case::of(&library.nodes[kind]) {
             let measured =
-                lab.measure(&case, &effort).unwrap_or_else(|_| panic!("{}", case.name()));
+                block_on(lab.measure(&case, &effort)).unwrap_or_else(|_| panic!("{}", case.name()));
             alone.push(serde_json::json!(measured));
         }
     }
@@ -241,7 +243,10 @@ fn a_survey_by_several_workers_is_that_of_one() {
             progress.stop();
         }
     });
-    assert!(matches!(survey(&wanted, library, &progress), Err(MeasureError::Stopped)));
+    assert!(matches!(
+        block_on(survey(&wanted, library, &progress, &|worker| block_on(worker))),
+        Err(MeasureError::Stopped)
+    ));
     let [most, _] = progress.steps();
     assert!(most < total, "{most} of {total}");
 }

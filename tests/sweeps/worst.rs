@@ -7,6 +7,7 @@ use std::path::Path;
 use crate::nodes;
 use crate::support::eval::{renderer, told};
 use crate::support::ledger::{Key, Ledger};
+use crate::support::wait::block_on;
 use chiaro::accuracy::sweep::{Case, Lab, Worst, bound, search};
 use chiaro::diag::Diagnostic;
 use chiaro::library::Library;
@@ -36,7 +37,7 @@ fn the_worst_inputs_stay_within_their_bounds() {
         let content = lab.content_of(&bench, &all, &mut |bytes| key.add(bytes));
         content.unwrap_or_else(|problems| panic!("{}", told(&problems)));
         ledger.prove(&format!("{}, {:?}", case.name(), case.tier), &key, || {
-            let findings = lab.compare(&bench, &all);
+            let findings = block_on(lab.compare(&bench, &all));
             let findings = findings.map_err(|stopped| told(&Vec::<Diagnostic>::from(stopped)))?;
             let most = bound(&case, &lab.library);
             for (finding, worst) in findings.iter().zip(&kept) {

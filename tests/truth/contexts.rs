@@ -3,13 +3,13 @@
 #![cfg(feature = "gpu")]
 
 use crate::support::eval::{look, renderer, scene_of, shape, told};
+use crate::support::wait::block_on;
 use chiaro::compile::Live;
 use chiaro::document::Scene;
 use chiaro::frame::{Executor, FramePlan, Picture, PlanOptions, Planner, SetupLook};
 use chiaro::library::{Context, Library};
 use chiaro::progress::Progress;
 use chiaro::reference::Reference;
-use chiaro::render::block_on;
 use serde_json::json;
 
 const SIZE: [u32; 2] = [96, 80];

@@ -4,8 +4,9 @@
 
 use crate::support::eval::renderer;
 use crate::support::handwritten::{LOOKS, by_hand, generated, setup};
+use crate::support::wait::block_on;
 use chiaro::document::Tier;
-use chiaro::render::{Renderer, block_on};
+use chiaro::render::Renderer;
 
 /// 8-bit pictures are the same, but for the rounding of a step.
 #[test]

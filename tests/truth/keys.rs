@@ -2,6 +2,7 @@
 #![cfg(feature = "gpu")]
 
 use crate::support;
+use crate::support::wait::block_on;
 use std::io::Write as _;
 use std::process::{Command, Stdio};
 
@@ -97,7 +98,7 @@ fn keys_hold_their_values_and_blend_by_weight() {
                     }
                 })
                 .collect();
-            let (weights, _) = KeyWeights::new(&places, scheme);
+            let weights = KeyWeights::new(&places, scheme).value;
             let title = format!("{word} keys by {}", if by_view { "view" } else { "light" });
             let mut at_keys = Errors::new(format!("{title}: at the keys"), 1e-6);
             let mut between = Errors::new(format!("{title}: between them"), 1e-6);
@@ -159,7 +160,7 @@ fn blended_profiles_stay_in_order() {
         ],
         "direction_keys": [{"name": "Keys", "by": "view", "keys": keys}]
     }));
-    let (weights, _) = KeyWeights::new(&places, KeyScheme::Biharmonic);
+    let weights = KeyWeights::new(&places, KeyScheme::Biharmonic).value;
     let mut errors = Errors::new("blended profiles", 2e-5);
     let samples: Vec<EvalSample> = (0..600)
         .map(|_| EvalSample {
@@ -199,7 +200,7 @@ fn keyed_light_directions_are_unit_sums() {
         .map(|(place, target)| json!({"direction": place.to_array(), "values": {"lights.key.direction": target.to_array(), "lights.key.intensity": target.length()}}))
         .collect();
     let look = keyed(&json!("view"), "biharmonic", &keys);
-    let (weights, _) = KeyWeights::new(&places, KeyScheme::Biharmonic);
+    let weights = KeyWeights::new(&places, KeyScheme::Biharmonic).value;
     let samples: Vec<EvalSample> = places
         .iter()
         .copied()
@@ -431,10 +432,11 @@ fn weights_between_drivers_are_smooth_and_know_no_units() {
             }
         }
         let units = DVec3::new(1000.0, 0.02, 7.0);
-        let (weights, problems) = KeyWeights::at_places(&places);
+        let (weights, problems) = KeyWeights::at_places(&places).into_parts();
         assert!(problems.is_empty(), "{problems:?}");
-        let (scaled, _) =
-            KeyWeights::at_places(&places.iter().map(|place| *place * units).collect::<Vec<_>>());
+        let scaled =
+            KeyWeights::at_places(&places.iter().map(|place| *place * units).collect::<Vec<_>>())
+                .value;
         for _ in 0..40 {
             let (from, to) = (2.0 * place(), 2.0 * place());
             let rows: Vec<Vec<f64>> =
@@ -456,10 +458,10 @@ fn weights_between_drivers_are_smooth_and_know_no_units() {
     }
     // Two keys in one place share a weight, one alone has it all, and no number at all favours
     // none.
-    let (shared, problems) = KeyWeights::at_places(&[DVec3::X, DVec3::X, DVec3::Y]);
+    let (shared, problems) = KeyWeights::at_places(&[DVec3::X, DVec3::X, DVec3::Y]).into_parts();
     assert!(problems.iter().any(|problem| problem.code == "merged-keys"));
     assert_eq!(shared.weights(DVec3::X), [0.5, 0.5, 0.0]);
-    assert_eq!(KeyWeights::at_places(&[DVec3::X]).0.weights(DVec3::ZERO), [1.0]);
+    assert_eq!(KeyWeights::at_places(&[DVec3::X]).value.weights(DVec3::ZERO), [1.0]);
     assert_eq!(shared.weights(DVec3::NAN), [0.25, 0.25, 0.5]);
 }
 
@@ -481,8 +483,7 @@ fn every_object_is_driven_by_its_own_place() {
         let plan = planner
             .plan(&setup, Library::built_in(), &Live::Keyed, &options)
             .expect("it is planned");
-        let picture = chiaro::render::block_on(support::eval::renderer().picture(&plan))
-            .expect("it is drawn");
+        let picture = block_on(support::eval::renderer().picture(&plan)).expect("it is drawn");
         let mut seen: Vec<f32> = picture.rgba.iter().filter(|p| p[3] > 0.5).map(|p| p[0]).collect();
         seen.sort_by(f32::total_cmp);
         seen.dedup_by(|a, b| (*a - *b).abs() < 1e-3);

@@ -3,6 +3,7 @@
 #![cfg(feature = "gpu")]
 
 use crate::support;
+use crate::support::wait::block_on;
 use std::f64::consts::{PI, TAU};
 
 use crate::support::badf::{f32_of, held};
@@ -14,7 +15,6 @@ use crate::support::report::Errors;
 use chiaro::compile::Live;
 use chiaro::frame::{Assets, EvalSample, LightOverride, PlanOptions, Planner, open};
 use chiaro::library::{Context, Library, Type};
-use chiaro::render::block_on;
 use glam::{DMat2, DVec2, DVec3};
 use serde_json::{Value as Json, json};
 
@@ -755,8 +755,9 @@ fn picture(
     });
     write("scene.json", scene.to_string());
     let mut assets = Assets::default();
-    let (setup, _) = open(&folder.path().join("scene.json"), None, &mut assets)
-        .unwrap_or_else(|problems| panic!("{}", told(&problems)));
+    let setup = open(&folder.path().join("scene.json"), None, &mut assets)
+        .unwrap_or_else(|problems| panic!("{}", told(&problems)))
+        .value;
     let options = PlanOptions { size: [SIDE; 2], samples: 1, time: 0.0 };
     let plan = Planner::new(assets)
         .plan(&setup, Library::built_in(), &Live::Keyed, &options)

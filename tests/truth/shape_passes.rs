@@ -6,6 +6,7 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::support::eval::{look, renderer, scene_of, told};
+use crate::support::wait::block_on;
 use chiaro::compile::Live;
 use chiaro::document::{Camera, Projection, Scene, Tier};
 use chiaro::frame::{FramePlan, PassId, PlanOptions, Planner, SetupLook};
@@ -14,7 +15,6 @@ use chiaro::interp::Precision;
 use chiaro::library::Library;
 use chiaro::progress::Progress;
 use chiaro::reference::{self, Modules};
-use chiaro::render::block_on;
 use glam::{DMat4, DVec3};
 use serde_json::{Value as Json, json};
 

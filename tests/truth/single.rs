@@ -8,6 +8,7 @@
 #![cfg(feature = "gpu")]
 
 use crate::support;
+use crate::support::wait::block_on;
 mod triangles;
 
 use std::path::{Path, PathBuf};
@@ -21,7 +22,7 @@ use chiaro::interp::Precision;
 use chiaro::library::Library;
 use chiaro::progress::Progress;
 use chiaro::reference::{self, ImageRounding, Modules, ReferencePicture, Snap};
-use chiaro::render::{Picture, Renderer, block_on};
+use chiaro::render::{Picture, Renderer};
 use glam::{DVec2, DVec3};
 use image::{Rgba, RgbaImage};
 use serde_json::json;

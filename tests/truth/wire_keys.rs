@@ -172,7 +172,7 @@ fn keys_that_drive_other_keys_come_first() {
         x * x * (3.0 - 2.0 * x)
     };
     let look = look(&json);
-    let (typed, _) = check(&look.look, Library::built_in(), None).expect("it is sound");
+    let typed = check(&look.look, Library::built_in(), None).expect("it is sound").value;
     assert_eq!(typed.key_order, [1, 0]);
     let times: Vec<f64> = (0..40).map(|k| 0.1 * f64::from(k) - 0.5).collect();
     let samples: Vec<EvalSample> =
@@ -343,7 +343,7 @@ fn look_of(setup: &SetupLook) -> SetupLook {
 #[test]
 fn what_may_drive_is_listed() {
     let json = wired(&json!([{"wire": "d"}]), &[(vec![0.0], 0.0)]);
-    let (typed, _) = check(&look(&json).look, Library::built_in(), None).expect("it is sound");
+    let typed = check(&look(&json).look, Library::built_in(), None).expect("it is sound").value;
     let listed = |moved: &[chiaro::document::Target]| -> Vec<String> {
         let [changing, still] = typed.drivable(moved, &[]);
         changing.iter().chain(&still).map(ToString::to_string).collect()
@@ -378,7 +378,7 @@ fn an_export_carries_the_wires() {
     let made = made.unwrap_or_else(|problems| panic!("{problems:?}"));
     let text = |name: &str| {
         let file =
-            made.files.iter().find(|file| file.name == name).unwrap_or_else(|| panic!("no {name}"));
+            made.value.iter().find(|file| file.name == name).unwrap_or_else(|| panic!("no {name}"));
         String::from_utf8(file.bytes.clone()).expect("text")
     };
     let description: Json = serde_json::from_str(&text("wired.json")).expect("JSON");
@@ -477,7 +477,7 @@ fn every_way_of_compiling_has_the_wires() {
 #[test]
 fn wires_that_never_change_are_told_apart() {
     let json = wired(&json!([{"wire": "d"}]), &[(vec![0.0], 0.0)]);
-    let (typed, _) = check(&look(&json).look, Library::built_in(), None).expect("it is sound");
+    let typed = check(&look(&json).look, Library::built_in(), None).expect("it is sound").value;
     let target = |text: &str| chiaro::document::Target::parse(text).expect("a target");
     let told = |set: &[chiaro::document::Target]| {
         typed

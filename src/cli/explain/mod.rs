@@ -17,7 +17,7 @@ use crate::diag::Diagnostic;
 use crate::frame::FramePlan;
 use crate::frame::{Assets, PlanOptions, Planner, open};
 #[cfg(feature = "gpu")]
-use chiaro_render::{Gpu, PassTime, Renderer, block_on, set_times};
+use chiaro_render::{Gpu, PassTime, Renderer, set_times};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -61,12 +61,13 @@ pub(super) struct Arguments {
     wgsl: bool,
 }
 
-pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     check_nodes_folder(arguments.nodes.as_deref())?;
     let library = library_for(&arguments.document, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
     let mut assets = Assets::default();
-    let (setup, mut warnings) = open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?;
+    let (setup, mut warnings) =
+        open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?.into_parts();
     warnings.extend(check_values(&setup, &arguments.document, &library)?);
     output.diagnostics(&warnings);
     let live = if arguments.live { Live::All } else { Live::Keyed };
@@ -79,7 +80,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let mut report = report::Report::new(&setup, &plan, &library)?;
     #[cfg(feature = "gpu")]
     if arguments.measure {
-        measure(&mut report, &plan, output).map_err(|problem| vec![problem])?;
+        measure(&mut report, &plan, output).await.map_err(|problem| vec![problem])?;
     }
     if arguments.wgsl {
         output.result(report.wgsl().trim_end());
@@ -92,17 +93,19 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
 }
 
 #[cfg(feature = "gpu")]
-fn measure(
+async fn measure(
     report: &mut report::Report,
     plan: &FramePlan,
     output: &Output,
 ) -> Result<(), Diagnostic> {
     const ROUNDS: usize = 7;
-    let mut renderer = Renderer::new(block_on(Gpu::headless())?);
+    let mut renderer = Renderer::new(Gpu::headless().await?);
     // The first picture also compiles pipelines.
-    block_on(renderer.draw(plan))?;
-    let rounds: Vec<Vec<PassTime>> =
-        (0..ROUNDS).map(|_| block_on(renderer.measure(plan))).collect::<Result<_, _>>()?;
+    renderer.draw(plan).await?;
+    let mut rounds: Vec<Vec<PassTime>> = Vec::new();
+    for _ in 0..ROUNDS {
+        rounds.push(renderer.measure(plan).await?);
+    }
     let medians: Vec<PassTime> = (0..rounds[0].len())
         .map(|pass| {
             let mut times: Vec<&PassTime> =

@@ -45,7 +45,7 @@ pub(super) struct LookReport {
     pub(super) modules: Vec<Module>,
     pub(super) attributes: Vec<AttributeReport>,
     pub(super) attributes_not_read: Vec<&'static str>,
-    pub(super) surroundings: Vec<Reading>,
+    pub(super) surroundings: Vec<SurroundingsReport>,
     pub(super) images: Vec<ImageReport>,
     pub(super) uniforms: Vec<Uniform>,
     pub(super) keys: Vec<KeysReport>,
@@ -74,7 +74,7 @@ pub(super) struct AttributeReport {
 
 /// Something of the surroundings that fragments read.
 #[derive(Debug, Serialize)]
-pub(super) struct Reading {
+pub(super) struct SurroundingsReport {
     #[serde(skip)]
     context: Context,
     pub(super) word: &'static str,
@@ -155,7 +155,7 @@ impl Report {
             // Time is in the plan already: what it chose is what was compiled, so nothing here
             // depends on it.
             let shown = structural_look(&setup.looks[index].look, 0.0, values);
-            let (typed, _) = check(&shown, library, None)?;
+            let typed = check(&shown, library, None)?.value;
             let keys = keys(&shown, draw);
             looks.push((index, LookReport { keys, ..LookReport::new(&shown.name, draw, &typed) }));
         }
@@ -210,7 +210,7 @@ impl LookReport {
             lines: shader.wgsl.lines().count(),
             uniform_bytes: shader.host.size,
         };
-        let surroundings: Vec<Reading> = shader
+        let surroundings: Vec<SurroundingsReport> = shader
             .needs
             .contexts
             .iter()
@@ -253,7 +253,11 @@ impl LookReport {
     }
 }
 
-fn reading(context: Context, emitted: &HashSet<&NodePath>, typed: &TypedGraph) -> Reading {
+fn reading(
+    context: Context,
+    emitted: &HashSet<&NodePath>,
+    typed: &TypedGraph,
+) -> SurroundingsReport {
     let reads = |input: &Option<crate::compile::TypedInput>| {
         input.as_ref().is_some_and(|input| input.source == TypedSource::Context(context))
     };
@@ -263,7 +267,7 @@ fn reading(context: Context, emitted: &HashSet<&NodePath>, typed: &TypedGraph) -
         node.inputs.iter().any(reads) && is_plain(node) && emitted.contains(&node.path)
     };
     let readers = typed.nodes.iter().filter(reader);
-    Reading {
+    SurroundingsReport {
         context,
         word: context.word(),
         what: context.help(),
@@ -271,8 +275,9 @@ fn reading(context: Context, emitted: &HashSet<&NodePath>, typed: &TypedGraph) -
     }
 }
 
-fn attribute_report(attribute: Attribute, surroundings: &[Reading]) -> AttributeReport {
-    let is_made = |reading: &&Reading| Attribute::read_by(reading.context).contains(&attribute);
+fn attribute_report(attribute: Attribute, surroundings: &[SurroundingsReport]) -> AttributeReport {
+    let is_made =
+        |report: &&SurroundingsReport| Attribute::read_by(report.context).contains(&attribute);
     let told = surroundings.iter().filter(is_made);
     let told: Vec<String> =
         told.map(|reading| format!("`{}` for {}", reading.word, names(&reading.readers))).collect();

@@ -10,7 +10,7 @@ use crate::document::{Grid, Storage};
 use crate::files::OutputKind;
 use crate::output::Output;
 use crate::target::{OutputPath, outputs};
-use chiaro_scene::hcbtf::{Which, exchange};
+use chiaro_scene::hcbtf::{SampleChoice, exchange};
 
 /// How samples lie in other programs' files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -76,9 +76,11 @@ pub(super) fn import(arguments: &ImportArguments, output: &Output) -> Result<(),
         _ => Grid::THESIS,
     };
     let grid_or_fitted = grid.unwrap_or_else(fitted);
-    let (mut hcbtf, notes) = output.watch("reading", |progress| {
-        exchange::import(from, form, grid_or_fitted, arguments.gap, progress)
-    })?;
+    let (mut hcbtf, notes) = output
+        .watch("reading", |progress| {
+            exchange::import(from, form, grid_or_fitted, arguments.gap, progress)
+        })?
+        .into_parts();
     output.diagnostics(&notes);
     if grid.is_some_and(|grid| grid != hcbtf.grid) {
         let problem = Diagnostic::error(
@@ -151,7 +153,7 @@ pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(),
     }
     let hcbtf = open(&arguments.file, output)?;
     let filled = filled(&hcbtf, &arguments.file, output)?;
-    let which = if arguments.painted { Which::Painted } else { Which::All };
+    let which = if arguments.painted { SampleChoice::Painted } else { SampleChoice::All };
     let manner = exchange::Manner { which, gap: arguments.gap, storage };
     let told = output.watch("writing", |progress| {
         exchange::export(&filled, form.into(), manner, path, progress)

@@ -9,7 +9,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Hcbtf, Storage};
 use crate::figures::{bytes, count};
 use crate::output::Output;
-use chiaro_scene::hcbtf::{Device, Filled, Limits, Provenance, needs, needs_at_most, sheet};
+use chiaro_scene::hcbtf::{Device, FilledSamples, Limits, Provenance, needs, needs_at_most, sheet};
 
 /// What `chiaro hcbtf info` is given.
 #[derive(Debug, clap::Args)]
@@ -29,22 +29,22 @@ fn help() -> String {
     format!("How the texture that shaders look up may be stored:\n{}", storages.concat())
 }
 
-pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let hcbtf = open(&arguments.file, output)?;
     let filled = filled(&hcbtf, &arguments.file, output)?;
     if arguments.json {
-        output.json(&as_json(&hcbtf, &filled));
+        output.json(&as_json(&hcbtf, &filled).await);
     } else {
-        output.result(as_text(&hcbtf, &filled).trim_end());
+        output.result(as_text(&hcbtf, &filled).await.trim_end());
     }
     Ok(())
 }
 
 /// What textures are made for: the adapter that Chiaro would draw with, else what WebGPU
 /// guarantees.
-fn present() -> Device {
+async fn present() -> Device {
     #[cfg(feature = "gpu")]
-    if let Ok(gpu) = chiaro_render::block_on(chiaro_render::Gpu::headless()) {
+    if let Ok(gpu) = chiaro_render::Gpu::headless().await {
         return gpu.holds();
     }
     Device::guaranteed()
@@ -58,7 +58,7 @@ struct Counts {
 }
 
 impl Counts {
-    fn of(hcbtf: &Hcbtf, filled: &Filled) -> Self {
+    fn of(hcbtf: &Hcbtf, filled: &FilledSamples) -> Self {
         let mut counts = Self { painted: 0, empty: 0, by_rule: vec![0; hcbtf.rules.len()] };
         for (_, _, provenance) in filled.iter() {
             match provenance {
@@ -75,7 +75,7 @@ impl Counts {
     }
 }
 
-fn as_text(hcbtf: &Hcbtf, filled: &Filled) -> String {
+async fn as_text(hcbtf: &Hcbtf, filled: &FilledSamples) -> String {
     let grid = hcbtf.grid;
     let Counts { painted, empty, by_rule } = Counts::of(hcbtf, filled);
     let [width, height] = sheet::size(&grid);
@@ -104,7 +104,7 @@ fn as_text(hcbtf: &Hcbtf, filled: &Filled) -> String {
         bytes(filled.bytes()),
         bytes(u64::from(width) * u64::from(height) * 4),
     );
-    let device = present();
+    let device = present().await;
     let most = needs_at_most(&grid);
     for (need, most) in needs(&grid, |address| filled.tile(address)).iter().zip(&most) {
         let [wide, high, layers] = need.size;
@@ -127,7 +127,7 @@ fn as_text(hcbtf: &Hcbtf, filled: &Filled) -> String {
     text + &format!("device   {}: {side} texels a side, {layers} layers, {blocks}\n", device.name)
 }
 
-fn as_json(hcbtf: &Hcbtf, filled: &Filled) -> Json {
+async fn as_json(hcbtf: &Hcbtf, filled: &FilledSamples) -> Json {
     let Counts { painted, empty, by_rule } = Counts::of(hcbtf, filled);
     let rules = hcbtf
         .rules
@@ -145,7 +145,7 @@ fn as_json(hcbtf: &Hcbtf, filled: &Filled) -> Json {
             }
         }
     });
-    let device = present();
+    let device = present().await;
     let stored = needs(&hcbtf.grid, |address| filled.tile(address))
         .into_iter()
         .zip(needs_at_most(&hcbtf.grid));

@@ -15,7 +15,7 @@ use super::output::Output;
 use crate::diag::Diagnostic;
 use crate::document::{Directions, Grid, Hcbtf};
 use crate::files::{OutputKind, Outputs};
-use chiaro_scene::hcbtf::{Filled, fill::fill, load, write};
+use chiaro_scene::hcbtf::{FilledSamples, fill::fill, load, write};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -66,9 +66,9 @@ enum Command {
     Rules(rules::Arguments),
 }
 
-pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     match &arguments.command {
-        Command::Info(arguments) => info::run(arguments, output),
+        Command::Info(arguments) => info::run(arguments, output).await,
         Command::Import(arguments) => exchange::import(arguments, output),
         Command::Export(arguments) => exchange::export(arguments, output),
         Command::Synthesize(arguments) => make::synthesized(arguments, output),
@@ -80,13 +80,13 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
 
 /// Reads a file and tells what is odd in it.
 fn open(path: &Path, output: &Output) -> Result<Hcbtf, Vec<Diagnostic>> {
-    let (hcbtf, notes) = load(path)?;
+    let (hcbtf, notes) = load(path)?.into_parts();
     output.diagnostics(&notes);
     Ok(hcbtf)
 }
 
 /// Runs the rules, and tells how far they are.
-fn filled(hcbtf: &Hcbtf, path: &Path, output: &Output) -> Result<Filled, Vec<Diagnostic>> {
+fn filled(hcbtf: &Hcbtf, path: &Path, output: &Output) -> Result<FilledSamples, Vec<Diagnostic>> {
     let filled = output.watch("filling", |progress| fill(hcbtf, progress));
     filled.map_err(|why| vec![Diagnostic::from(why).in_file(path.display().to_string())])
 }

@@ -15,7 +15,7 @@ use crate::library::Library;
 #[cfg(feature = "gpu")]
 use chiaro_laboratory::gallery::nodes::{check_nodes, write_nodes};
 #[cfg(feature = "gpu")]
-use chiaro_render::{Gpu, block_on};
+use chiaro_render::Gpu;
 use entry::Entry;
 
 const EXAMPLES: &str = "\
@@ -54,14 +54,14 @@ pub(super) struct Arguments {
     force: bool,
 }
 
-pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let library = match &arguments.nodes {
         Some(folder) => Library::built_in().with_project(&crate::files::Disk, folder),
         None => Library::built_in().clone(),
     };
     #[cfg(feature = "gpu")]
     if let Some(folder) = &arguments.pictures {
-        return draw(&library, folder.as_ref(), arguments, output);
+        return draw(&library, folder.as_ref(), arguments, output).await;
     }
     let entries = entry::entries(&library);
     if arguments.markdown {
@@ -81,7 +81,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
 }
 
 #[cfg(feature = "gpu")]
-fn draw(
+async fn draw(
     library: &Library,
     folder: &std::path::Path,
     arguments: &Arguments,
@@ -89,9 +89,12 @@ fn draw(
 ) -> Result<(), Vec<Diagnostic>> {
     let mut outputs = outputs(arguments.force, &arguments.nodes);
     check_nodes(library, folder, &outputs).map_err(|problem| vec![problem])?;
-    let gpu = block_on(Gpu::headless()).map_err(|error| vec![error.into()])?;
+    let gpu = Gpu::headless().await.map_err(|error| vec![error.into()])?;
     output
-        .watch("drawing", |progress| write_nodes(library, folder, &gpu, &mut outputs, progress))?;
+        .watch_async("drawing", async |progress| {
+            write_nodes(library, folder, &gpu, &mut outputs, progress).await
+        })
+        .await?;
     output.message(&format!("{}: pictures of every node", folder.display()));
     output.diagnostics(&library.problems);
     Ok(())

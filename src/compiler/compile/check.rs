@@ -10,7 +10,7 @@ use petgraph::graph::{DiGraph, NodeIndex};
 use super::drivers::{self, TypedDriver};
 use super::flatten::{FlatGraph, FlatInput, FlatNode, GroupOutputs, Param, ParamId, flatten};
 use super::value::{describe, expected, typed_value};
-use crate::diag::{Diagnostic, Severity, bounded, has_errors};
+use crate::diag::{Diagnostic, Severity, Warned, bounded, has_errors};
 use crate::document::{ColorSpace, Exposed, Light, LightField, Look, Target, Tier, Value};
 use crate::ids::{LightId, NodeId, NodePath, PortName};
 use crate::library::{
@@ -122,9 +122,9 @@ pub fn check(
     look: &Look,
     library: &Library,
     root: Option<&(NodePath, PortName)>,
-) -> Result<(TypedGraph, Vec<Diagnostic>), Vec<Diagnostic>> {
+) -> Result<Warned<TypedGraph>, Vec<Diagnostic>> {
     match check_all(look, library, root) {
-        Ok((graph, problems)) => Ok((graph, bounded(problems))),
+        Ok(warned) => Ok(Warned::new(warned.value, bounded(warned.warnings))),
         Err(problems) => Err(bounded(problems)),
     }
 }
@@ -134,7 +134,7 @@ fn check_all(
     look: &Look,
     library: &Library,
     root: Option<&(NodePath, PortName)>,
-) -> Result<(TypedGraph, Vec<Diagnostic>), Vec<Diagnostic>> {
+) -> Result<Warned<TypedGraph>, Vec<Diagnostic>> {
     let mut problems = Vec::new();
     let Some(flat) = flatten(look, library, &mut problems) else { return Err(problems) };
     let order = order(&flat, &mut problems);
@@ -201,7 +201,7 @@ fn check_all(
     check_targets(&graph, look, &surroundings, &mut wrong_targets);
     let stops = has_errors(&wrong_targets);
     problems.append(&mut wrong_targets);
-    if stops { Err(problems) } else { Ok((graph, problems)) }
+    if stops { Err(problems) } else { Ok(Warned::new(graph, problems)) }
 }
 
 /// Whether an error is of a node that the picture depends on, or of no node at all. A node of a

@@ -172,7 +172,7 @@ pub fn compile(
     library: &Library,
     options: &Options,
 ) -> Result<CompiledShader, Vec<Diagnostic>> {
-    let (typed, warnings) = check(look, library, options.root.as_ref())?;
+    let (typed, warnings) = check(look, library, options.root.as_ref())?.into_parts();
     compile_typed(&typed, options, warnings)
 }
 

@@ -7,8 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::clock::Clock;
 use crate::commands::FilePurpose;
-use crate::render::block_on;
-use crate::state::worker::start;
+use crate::state::worker::{start, wait};
 
 /// A dialog that is over before anybody could have seen it, in seconds, was none: there is no
 /// portal and no program that shows one.
@@ -84,9 +83,9 @@ impl Dialogs {
         let _ = start("dialog", move || {
             let clock = Clock::start();
             let file = match purpose.writes() {
-                _ if purpose.is_folder() => block_on(dialog.pick_folder()),
-                false => block_on(dialog.pick_file()),
-                true => block_on(dialog.set_file_name(name).save_file()),
+                _ if purpose.is_folder() => wait(dialog.pick_folder()),
+                false => wait(dialog.pick_file()),
+                true => wait(dialog.set_file_name(name).save_file()),
             };
             let answer = match file {
                 Some(file) => Answer::File(purpose, purpose.complete(file.path().to_path_buf())),

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use crate::diag::Diagnostic;
 use crate::document::Look;
-use crate::export::{self, Export};
+use crate::export::{self, File};
 use crate::files::Outputs;
 use crate::library::Library;
 use crate::state::session::Session;
@@ -132,12 +132,12 @@ fn run(job: &LookExportRequest) -> LookExportResult {
     });
     let done = exported.and_then(|(exported, languages)| match &job.to {
         Destination::Folder(folder) => {
-            let told = write(&exported, folder, job)?;
+            let told = write(&exported.value, folder, job)?;
             let unverified =
                 export::unverified(&languages).map(|told| format!(" · {told}")).unwrap_or_default();
             Ok(LookExportResult::Told(told + &unverified))
         }
-        Destination::Clipboard(ending) => copy(&exported, ending, job),
+        Destination::Clipboard(ending) => copy(&exported.value, ending, job),
     });
     done.unwrap_or_else(|problems| LookExportResult::Told(told(&problems)))
 }
@@ -146,15 +146,15 @@ fn run(job: &LookExportRequest) -> LookExportResult {
 /// rather than nowhere: whoever takes the look's own folder, where dialogs begin, has made no
 /// mistake.
 fn write(
-    exported: &Export,
+    exported: &[File],
     folder: &Path,
     job: &LookExportRequest,
 ) -> Result<String, Vec<Diagnostic>> {
     let mut outputs = Outputs::new(false);
     job.path.iter().for_each(|path| outputs.reads(path));
-    let is_free = export::in_the_way(&exported.files, folder, &outputs).is_none();
+    let is_free = export::in_the_way(exported, folder, &outputs).is_none();
     let folder = if is_free { folder.to_owned() } else { folder.join(own_folder(&job.stem)) };
-    let written = export::write(&exported.files, &folder, &mut outputs)?;
+    let written = export::write(exported, &folder, &mut outputs)?;
     let count = match written.len() {
         1 => "1 file".to_owned(),
         count => format!("{count} files"),
@@ -163,14 +163,14 @@ fn write(
 }
 
 fn copy(
-    exported: &Export,
+    exported: &[File],
     ending: &str,
     job: &LookExportRequest,
 ) -> Result<LookExportResult, Vec<Diagnostic>> {
     // The look's own module is called as the look is: `rim.es300.frag`, and
     // `rim.normals.es300.frag` that of a pass.
     let own = format!("{}{ending}", job.stem);
-    let file = exported.files.iter().find(|file| file.name == own);
+    let file = exported.iter().find(|file| file.name == own);
     let text =
         file.and_then(|file| Some((String::from_utf8(file.bytes.clone()).ok()?, &file.name)));
     let Some((text, name)) = text else {
@@ -182,7 +182,7 @@ fn copy(
     let is_of_pass = |file: &export::File| {
         file.name != own && file.name.ends_with(ending) && !file.name.contains(".prepare.")
     };
-    let more = if exported.files.iter().any(is_of_pass) {
+    let more = if exported.iter().any(is_of_pass) {
         ". It reads what other passes draw: Export writes those too"
     } else {
         ""

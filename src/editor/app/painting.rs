@@ -8,7 +8,7 @@ use super::App;
 use super::files::Pending;
 use crate::app::dock::Workspace;
 use crate::commands::{FilePurpose, Heading, PaintCommand, PanelId, PictureImport};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::{Edit, Grid, Hcbtf, HcbtfEdit, Storage};
 use crate::frame::UNSAVED_HCBTF;
 use crate::hcbtf::exchange::Form;
@@ -274,13 +274,9 @@ impl App {
         }
     }
 
-    fn take_import(
-        &mut self,
-        path: &Path,
-        made: Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>>,
-    ) {
+    fn take_import(&mut self, path: &Path, made: Result<Warned<Hcbtf>, Vec<Diagnostic>>) {
         match made {
-            Ok((hcbtf, notes)) => {
+            Ok(Warned { value: hcbtf, warnings: notes }) => {
                 let told = format!(
                     "{} of {} samples are painted",
                     hcbtf.painted.len(),

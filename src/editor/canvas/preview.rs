@@ -158,7 +158,7 @@ impl Previews {
         };
         let worker = self.worker.get_or_insert_with(|| {
             let (ctx, crashes, mut assets) =
-                (ctx.clone(), session.journals.crashes.clone(), Assets::default());
+                (ctx.clone(), session.journals.crashes.clone(), Assets::of(&session.assets));
             Worker::new(
                 "previews",
                 move || ctx.request_repaint(),

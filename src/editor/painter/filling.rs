@@ -7,7 +7,7 @@ use std::sync::{Arc, Weak};
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf, Tile};
 use crate::hcbtf::fill::{fill, refill, sample};
-use crate::hcbtf::{Device, Filled, NotFilled};
+use crate::hcbtf::{Device, FilledSamples, NotFilled};
 use crate::progress::Progress;
 use crate::state::painting::work::OpenPainting;
 use crate::state::worker::Worker;
@@ -22,7 +22,7 @@ struct FillResult {
     /// What it was asked for.
     of: Arc<Hcbtf>,
     number: u64,
-    filled: Result<Arc<Filled>, NotFilled>,
+    filled: Result<Arc<FilledSamples>, NotFilled>,
 }
 
 /// One sample, ahead of the rest.
@@ -53,7 +53,7 @@ impl Filling {
     /// `wake` is called from another thread when something is filled.
     pub(super) fn new(wake: impl Fn() + Clone + Send + 'static) -> Self {
         // A stroke changes little of what was filled before, which whoever shows it keeps.
-        let mut before: (Arc<Hcbtf>, Weak<Filled>) =
+        let mut before: (Arc<Hcbtf>, Weak<FilledSamples>) =
             (Arc::new(Hcbtf::new(Grid::THESIS)), Weak::new());
         let work = move |wish: FillRequest| {
             let filled = match before.1.upgrade() {
@@ -156,7 +156,7 @@ impl Filling {
     }
 
     /// What the rules have made of all that is shown now, if they have.
-    pub(super) fn of(&self, work: &OpenPainting) -> Option<Arc<Filled>> {
+    pub(super) fn of(&self, work: &OpenPainting) -> Option<Arc<FilledSamples>> {
         let is_it = self.has.as_ref().is_some_and(|has| Arc::ptr_eq(has, work.shown()));
         work.filled().filter(|_| is_it).cloned()
     }

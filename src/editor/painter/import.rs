@@ -7,7 +7,7 @@ use eframe::egui::{self, Button, ComboBox, DragValue, Id, Modal, RichText, Ui, W
 
 use super::grid::directions;
 use crate::commands::{Command, PaintCommand, PictureImport};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::{Grid, Hcbtf};
 use crate::hcbtf::contact::MAX_GAP;
 use crate::hcbtf::exchange::{self, Form};
@@ -24,13 +24,13 @@ impl PictureImport {
         self,
         from: &Path,
         progress: &Progress,
-    ) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+    ) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
         let Self { form, light, view, gap, is_tiling } = self;
         let grid = exchange::fitted(from, form, Grid { size: Grid::THESIS.size, light, view }, gap);
-        let (hcbtf, notes) = exchange::import(from, form, grid, gap, progress)?;
+        let (hcbtf, notes) = exchange::import(from, form, grid, gap, progress)?.into_parts();
         // What Chiaro wrote tells by itself whether it repeats.
         let is_tiling = if exchange::tells_all(from, form) { hcbtf.is_tiling } else { is_tiling };
-        Ok((Hcbtf { is_tiling, ..hcbtf }, notes))
+        Ok(Warned::new(Hcbtf { is_tiling, ..hcbtf }, notes))
     }
 }
 

@@ -9,12 +9,12 @@ use eframe::egui::{Id, Modal, ProgressBar, RichText, Ui};
 use super::counted;
 use crate::clock::Clock;
 use crate::commands::PictureImport;
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::{Address, Grid, Hcbtf, Tile};
 use crate::files::write_atomic;
 use crate::frame::{Assets, Overlay, SetupLook, tile_assets};
 use crate::hcbtf::fill::{fill, sample};
-use crate::hcbtf::{Filled, Synthesis, synthesize_filled, write};
+use crate::hcbtf::{FilledSamples, Synthesis, synthesize_filled, write};
 use crate::ids::LightId;
 use crate::library::Library;
 use crate::progress::Progress;
@@ -35,7 +35,7 @@ pub(super) enum MakeRequest {
     /// sample `at` as it will look.
     Synthesize {
         hcbtf: Arc<Hcbtf>,
-        filled: Option<Arc<Filled>>,
+        filled: Option<Arc<FilledSamples>>,
         how: Synthesis,
         at: Address,
     },
@@ -59,7 +59,7 @@ pub(crate) type SynthesizedTile = (Arc<Hcbtf>, Option<Arc<Tile>>);
 pub(crate) enum MadePainting {
     Imported {
         from: PathBuf,
-        made: Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>>,
+        made: Result<Warned<Hcbtf>, Vec<Diagnostic>>,
     },
     /// Another tile.
     Tile {
@@ -233,7 +233,7 @@ impl MakeRequest {
 
 fn tile(
     hcbtf: &Hcbtf,
-    filled: Option<Arc<Filled>>,
+    filled: Option<Arc<FilledSamples>>,
     how: &Synthesis,
     at: Address,
     [ready, made]: &Stages,

@@ -7,7 +7,9 @@ use eframe::egui::{CollapsingHeader, Grid as Table, RichText, Ui};
 
 use crate::document::{Grid, Storage};
 use crate::figures::bytes;
-use crate::hcbtf::{Device, Filled, Need, filled_at_most, layers_bytes, needs, needs_at_most};
+use crate::hcbtf::{
+    Device, FilledSamples, Need, filled_at_most, layers_bytes, needs, needs_at_most,
+};
 use crate::state::painting::work::OpenPainting;
 use crate::state::worker::Worker;
 use crate::widgets::theme;
@@ -19,15 +21,15 @@ pub(super) type Measured = (Grid, u64, Vec<Need>);
 pub(super) struct Memory {
     pub(super) device: Device,
     /// To measure the storages all tiles are compared, which takes longer than a frame.
-    worker: Worker<Arc<Filled>, Measured>,
-    asked: Weak<Filled>,
+    worker: Worker<Arc<FilledSamples>, Measured>,
+    asked: Weak<FilledSamples>,
     known: Option<Measured>,
 }
 
 impl Memory {
     /// `wake` is called from another thread when something is measured.
     pub(super) fn new(device: Device, wake: impl Fn() + Send + 'static) -> Self {
-        let measure = |filled: Arc<Filled>| {
+        let measure = |filled: Arc<FilledSamples>| {
             let needs = needs(&filled.grid(), |address| filled.tile(address));
             (filled.grid(), filled.bytes(), needs)
         };
@@ -110,7 +112,7 @@ pub(super) fn table(ui: &mut Ui, grid: &Grid, now: Option<(u64, &[Need])>, devic
         };
         let help = "All samples as they are filled, four bytes a texel; equal ones count once";
         row(
-            "Filled, raw",
+            "FilledSamples, raw",
             help,
             now.map(|(bytes, _)| bytes),
             filled_at_most(grid),

@@ -13,7 +13,7 @@ use eframe::egui::{
 use super::moves;
 use crate::commands::{Command, PaintCommand};
 use crate::document::{Address, Direction, Grid};
-use crate::hcbtf::sheet::{Held, column, held, place, row, size};
+use crate::hcbtf::sheet::{SheetTexel, column, held, place, row, size};
 use crate::state::painting::work::{OpenPainting, State};
 use crate::widgets::theme;
 
@@ -331,8 +331,8 @@ fn outline(ui: &Ui, laid: &SheetPlacement, texel: [u32; 2], color: Color32) {
 }
 
 /// What lies under the pointer: where in the six dimensions, which color, and how it came about.
-fn tell(work: &OpenPainting, held: &Held) -> [String; 3] {
-    let Held { address, texel: [x, y], is_copy } = *held;
+fn tell(work: &OpenPainting, held: &SheetTexel) -> [String; 3] {
+    let SheetTexel { address, texel: [x, y], is_copy } = *held;
     let grid = work.grid();
     let [r, g, b, a] = work.tile(address).map_or([0; 4], |tile| tile.texel(x.into(), y.into()));
     let color = format!("#{r:02x}{g:02x}{b:02x}, {:.0}%", f64::from(a) / 2.55);

@@ -15,7 +15,7 @@ use super::{grid, memory};
 use crate::commands::{Command, PaintCommand};
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf};
-use crate::hcbtf::{Device, Filled, Synthesis};
+use crate::hcbtf::{Device, FilledSamples, Synthesis};
 use crate::state::painting::work::OpenPainting;
 use crate::state::problem_text::sentence;
 use crate::widgets::confirm;
@@ -30,7 +30,7 @@ pub(super) struct SynthesisDialog {
     how: Synthesis,
     /// What it is laid of, as it was when the dialog was opened.
     of: Arc<Hcbtf>,
-    filled: Option<Arc<Filled>>,
+    filled: Option<Arc<FilledSamples>>,
     at: Address,
     /// What was asked for last.
     asked: Option<Synthesis>,
@@ -40,7 +40,7 @@ pub(super) struct SynthesisDialog {
 }
 
 impl SynthesisDialog {
-    pub(super) fn of(work: &OpenPainting, filled: Option<Arc<Filled>>) -> Self {
+    pub(super) fn of(work: &OpenPainting, filled: Option<Arc<FilledSamples>>) -> Self {
         let of = work.shown().clone();
         let how = Synthesis { size: of.grid.size, seed: 1, patch: None };
         let (before, after) = (TileTexture::default(), TileTexture::default());

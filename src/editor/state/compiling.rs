@@ -85,7 +85,7 @@ fn compile(request: &CompileRequest) -> Result<Shaders, Vec<Diagnostic>> {
         Some((look, root)) => (look, Some(root)),
         None => (&*request.look, None),
     };
-    let (typed, warnings) = check(look, &request.library, root)?;
+    let (typed, warnings) = check(look, &request.library, root)?.into_parts();
     let with = |live| Options {
         root: root.cloned(),
         live,

@@ -6,9 +6,9 @@ use std::sync::Arc;
 
 use glam::DQuat;
 
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::{Look, SourceMap};
-use crate::frame::{Assets, Overlay, Planner, Setup, SetupLook, default_setup};
+use crate::frame::{AssetStore, Assets, Overlay, Planner, Setup, SetupLook, default_setup};
 use crate::library::Library;
 use crate::state::orbit::Orbit;
 use crate::state::painting::work::OpenPainting;
@@ -34,6 +34,8 @@ pub(crate) struct RenderSnapshot {
     pub(crate) stage: Option<Arc<SceneSnapshot>>,
     /// The HCBTF that is being painted, in place of its file.
     pub(crate) painting: Option<Overlay>,
+    /// What all pictures of the window share.
+    pub(crate) assets: AssetStore,
 }
 
 impl RenderSnapshot {
@@ -49,10 +51,9 @@ impl RenderSnapshot {
     ///
     /// # Errors
     /// What is wrong with the mesh, without a stage.
-    pub(crate) fn setup(
-        &self,
-        assets: &mut Assets,
-    ) -> Result<(Setup, Vec<Diagnostic>), Vec<Diagnostic>> {
+    pub(crate) fn setup(&self, assets: &mut Assets) -> Result<Warned<Setup>, Vec<Diagnostic>> {
+        assets.share(&self.assets);
+        assets.begin_picture();
         assets.overlay(self.painting.clone());
         let look = SetupLook {
             look: (*self.look).clone(),
@@ -62,14 +63,15 @@ impl RenderSnapshot {
         let (mut setup, notes) = match &self.stage {
             Some(stage) => stage.setup(look, assets),
             None => default_setup(look, &self.orbit.mesh, assets)?,
-        };
+        }
+        .into_parts();
         if self.orbit.z_is_up && self.stage.is_none() {
             setup.stand_up();
         }
         setup.scene.camera = self.orbit.camera();
         setup.scene.backdrop = self.orbit.backdrop.or(setup.scene.backdrop);
         setup.scene.illumination = DQuat::to_array(&self.orbit.illumination);
-        Ok((setup, notes))
+        Ok(Warned::new(setup, notes))
     }
 }
 
@@ -130,6 +132,7 @@ impl Session {
             time: self.view.time,
             stage: self.stage().map(|stage| self.solo().lit_stage(stage.staged())),
             painting: self.painting().map(OpenPainting::overlay),
+            assets: self.assets.clone(),
         }
     }
 

@@ -49,6 +49,15 @@ impl<Q: Send + 'static, A: Send + 'static> Worker<Q, A> {
         wake: impl Fn() + Send + 'static,
         mut work: impl FnMut(Q) -> A + Send + 'static,
     ) -> Self {
+        Self::waiting(name, wake, async move |request| work(request))
+    }
+
+    /// Starts the thread for work that waits for the GPU. `wake` is called when an answer is there.
+    pub(crate) fn waiting(
+        name: &str,
+        wake: impl Fn() + Send + 'static,
+        mut work: impl AsyncFnMut(Q) -> A + Send + 'static,
+    ) -> Self {
         let state = State {
             waiting: None,
             is_busy: false,
@@ -61,7 +70,7 @@ impl<Q: Send + 'static, A: Send + 'static> Worker<Q, A> {
             let shared = shared.clone();
             start(name, move || {
                 while let Some(request) = next(&shared) {
-                    let answer = work(request);
+                    let answer = wait(work(request));
                     let mut state = shared.lock();
                     state.is_busy = false;
                     state.is_waking = true;
@@ -145,6 +154,13 @@ fn next<Q, A>(shared: &Shared<Q, A>) -> Option<Q> {
     }
     state.is_busy = true;
     state.waiting.take()
+}
+
+/// Waits for a future on the thread that calls: the one place of the window that does, and never
+/// the window's own thread.
+#[expect(clippy::disallowed_methods, reason = "threads of the window's wait for the GPU")]
+pub(crate) fn wait<T>(future: impl Future<Output = T>) -> T {
+    pollster::block_on(future)
 }
 
 /// Starts a thread; `None` where the system has none to give.

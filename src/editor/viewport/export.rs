@@ -13,7 +13,7 @@ use crate::diag::Diagnostic;
 use crate::document::Projection;
 use crate::files::{OutputKind, Outputs};
 use crate::frame::{Assets, Picture, PlanOptions, Planner};
-use crate::render::{Gpu, Renderer, block_on};
+use crate::render::{Gpu, Renderer};
 use crate::state::orbit::Orbit;
 use crate::state::snapshot::RenderSnapshot;
 use crate::state::worker::Worker;
@@ -58,11 +58,15 @@ impl Exports {
     pub(super) fn new(gpu: Option<Gpu>, wake: impl Fn() + Send + 'static) -> Self {
         let mut drawer =
             gpu.map(|gpu| Drawer { renderer: Renderer::new(gpu), assets: Assets::default() });
-        let work = move |jobs: Vec<PictureExportRequest>| {
-            let done = jobs.into_iter().map(|job| run(job, drawer.as_mut()));
-            done.map(|done| done.unwrap_or_else(PictureExportResult::Failed)).collect()
+        let work = async move |jobs: Vec<PictureExportRequest>| {
+            let mut all = Vec::new();
+            for job in jobs {
+                let done = run(job, drawer.as_mut()).await;
+                all.push(done.unwrap_or_else(PictureExportResult::Failed));
+            }
+            all
         };
-        Self { worker: Worker::new("export", wake, work) }
+        Self { worker: Worker::waiting("export", wake, work) }
     }
 
     /// Draws and saves or copies.
@@ -94,7 +98,7 @@ impl Exports {
     }
 }
 
-fn run(
+async fn run(
     job: PictureExportRequest,
     drawer: Option<&mut Drawer>,
 ) -> Result<PictureExportResult, Diagnostic> {
@@ -108,7 +112,7 @@ fn run(
                 Diagnostic::error("no-gpu", "there is no GPU to draw with")
                     .hint("`chiaro render --on reference` needs none")
             })?;
-            let picture = drawer.draw(export, *still)?;
+            let picture = drawer.draw(export, *still).await?;
             match to {
                 Destination::File(path) => {
                     // The dialog has asked about what is there; but the picture must not take what
@@ -149,7 +153,7 @@ struct Drawer {
 }
 
 impl Drawer {
-    fn draw(
+    async fn draw(
         &mut self,
         export: PictureExport,
         mut still: RenderSnapshot,
@@ -163,7 +167,7 @@ impl Drawer {
             }
         };
         let mut planner = Planner::new(std::mem::take(&mut self.assets));
-        let drawn = self.try_draw(&mut planner, &still, export, size);
+        let drawn = self.try_draw(&mut planner, &still, export, size).await;
         self.assets = planner.assets;
         // The list of problems tells all of them; one is enough to say why.
         let picture = drawn.map_err(|mut problems| {
@@ -176,20 +180,20 @@ impl Drawer {
         Ok(if matches!(export, PictureExport::LitSphere(_)) { filled(picture) } else { picture })
     }
 
-    fn try_draw(
+    async fn try_draw(
         &mut self,
         planner: &mut Planner,
         still: &RenderSnapshot,
         export: PictureExport,
         size: [u32; 2],
     ) -> Result<Picture, Vec<Diagnostic>> {
-        let (mut setup, _) = still.setup(&mut planner.assets)?;
+        let mut setup = still.setup(&mut planner.assets)?.value;
         if matches!(export, PictureExport::LitSphere(_)) {
             setup.scene.backdrop = None;
         }
         let options = PlanOptions { size, samples: 4, time: still.time };
         let plan = planner.plan(&setup, &still.library, &Live::Keyed, &options)?;
-        block_on(self.renderer.picture(&plan)).map_err(|error| vec![error.into()])
+        self.renderer.picture(&plan).await.map_err(|error| vec![error.into()])
     }
 }
 

@@ -15,7 +15,7 @@ use crate::document::Look;
 use crate::frame::{Cull, Effect, PlanOptions, Planner, effects};
 use crate::library::Library;
 use crate::milestones;
-use crate::render::{Gpu, Renderer, block_on, set_times};
+use crate::render::{Gpu, Renderer, set_times};
 use crate::state::orbit::Orbit;
 use crate::state::revision::{DocumentNumber, PictureRevision};
 use crate::state::safety::crashes::{CrashLog, CrashMark, DocumentOrigin, Step};
@@ -212,7 +212,7 @@ impl Picture {
         let planner = Planner::default().culling(Cull::Objects);
         let renderer = Renderer::new(gpu.clone());
         let mut artist = Artist { renderer, planner, provided: None, library: None, crashes };
-        let worker = Worker::new("picture", wake, move |wish| artist.draw(&wish));
+        let worker = Worker::waiting("picture", wake, async move |wish| artist.draw(&wish).await);
         Self {
             state,
             gpu,
@@ -407,13 +407,13 @@ struct Artist {
 }
 
 impl Artist {
-    fn draw(&mut self, wish: &PictureRequest) -> DrawnPicture {
+    async fn draw(&mut self, wish: &PictureRequest) -> DrawnPicture {
         let subject = wish.subject.clone();
         let going = wish.first_of.as_ref().map(|(name, path)| {
             let origin = || DocumentOrigin::new(name, path.as_deref(), &wish.showing.look);
             self.crashes.begin(Step::Draw, origin)
         });
-        let drawn = self.try_draw(wish);
+        let drawn = self.try_draw(wish).await;
         let unfinished = going.map(|going| self.hand_to_gpu(going));
         match drawn {
             Ok(effects) => {
@@ -450,14 +450,17 @@ impl Artist {
 
     /// Draws, and tells the effects where they are wanted and the look is at rest: of a look that
     /// is being edited nothing is left out, which would only flicker.
-    fn try_draw(&mut self, wish: &PictureRequest) -> Result<Option<Vec<Effect>>, Vec<Diagnostic>> {
+    async fn try_draw(
+        &mut self,
+        wish: &PictureRequest,
+    ) -> Result<Option<Vec<Effect>>, Vec<Diagnostic>> {
         let showing = &wish.showing;
         if !self.library.as_ref().is_some_and(|library| Arc::ptr_eq(library, &wish.still.library)) {
             self.planner =
                 Planner::new(std::mem::take(&mut self.planner.assets)).culling(Cull::Objects);
             (self.library, self.provided) = (Some(wish.still.library.clone()), None);
         }
-        let (mut setup, notes) = wish.still.setup(&mut self.planner.assets)?;
+        let (mut setup, notes) = wish.still.setup(&mut self.planner.assets)?.into_parts();
         setup.edited = Some(0);
         if !self.provided.as_ref().is_some_and(|(shader, look)| {
             Arc::ptr_eq(shader, &showing.shader) && same_keys(look, &showing.look)
@@ -471,7 +474,7 @@ impl Artist {
         self.planner.warnings.extend(self.renderer.gpu().warnings(&plan));
         let is_told = wish.tells_effects && showing.live == Live::Keyed;
         let mut effects = is_told.then(|| effects(&plan, self.renderer.done()));
-        block_on(self.renderer.draw(&plan)).map_err(|error| vec![error.into()])?;
+        self.renderer.draw(&plan).await.map_err(|error| vec![error.into()])?;
         if milestones::are_told() {
             self.renderer
                 .gpu()
@@ -481,8 +484,7 @@ impl Artist {
         if let Some(effects) = &mut effects {
             // Once more with a clock, everything anew: what was drawn just now may have been
             // little, or the first time.
-            let times =
-                block_on(self.renderer.measure(&plan)).map_err(|error| vec![error.into()])?;
+            let times = self.renderer.measure(&plan).await.map_err(|error| vec![error.into()])?;
             set_times(effects, &times);
         }
         Ok(effects)

@@ -254,7 +254,7 @@ impl Surfaces {
 
 /// `None` where there is no mesh: the picture tells why.
 fn make(wish: &SurfaceRequest, assets: &mut Assets) -> Option<Surface> {
-    let (setup, _) = wish.still.setup(assets).ok()?;
+    let setup = wish.still.setup(assets).ok()?.value;
     let surface = surface_of(&setup, &wish.key).ok()?;
     Some(if wish.with_kappa { with_kappa(&surface) } else { surface })
 }

@@ -14,7 +14,7 @@ use crate::frame::{Assets, FramePlan, PlanOptions, Planner, Setup};
 use crate::ids::NodeId;
 use crate::library::Library;
 use crate::progress::Progress;
-use crate::render::{Renderer, block_on};
+use crate::render::Renderer;
 
 /// What is measured.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,7 +44,7 @@ pub enum MeasuredNodes {
 ///
 /// # Errors
 /// What is wrong with the setup, what the GPU refuses, or that `progress` stopped it.
-pub fn bench(
+pub async fn bench(
     setup: &Setup,
     library: &Library,
     renderer: &mut Renderer,
@@ -57,10 +57,10 @@ pub fn bench(
     let precise = Renderer::new(renderer.gpu().precise());
     let mut bench =
         Bench { setup, library, renderer, precise, options, planner: Planner::default() };
-    let truth = if options.truth { Some(bench.truth(progress)?) } else { None };
-    let mut rows = bench.looks(&tiers, truth.as_ref(), progress)?;
+    let truth = if options.truth { Some(bench.truth(progress).await?) } else { None };
+    let mut rows = bench.looks(&tiers, truth.as_ref(), progress).await?;
     for node in &nodes {
-        rows.extend(bench.node(node, truth.as_ref(), progress)?);
+        rows.extend(bench.node(node, truth.as_ref(), progress).await?);
     }
     Ok(Report {
         adapter: renderer.gpu().name(),
@@ -74,7 +74,7 @@ pub fn bench(
 }
 
 /// A node that is measured.
-struct Measured {
+struct BenchNode {
     look: usize,
     id: NodeId,
     name: String,
@@ -83,10 +83,10 @@ struct Measured {
     can_be_left_out: bool,
 }
 
-fn nodes(setup: &Setup, library: &Library, wanted: MeasuredNodes) -> Vec<Measured> {
+fn nodes(setup: &Setup, library: &Library, wanted: MeasuredNodes) -> Vec<BenchNode> {
     let of_look = |(index, look): (usize, &crate::frame::SetupLook)| {
         let look = &look.look;
-        let measured = look.graph.nodes.iter().map(move |(id, node)| Measured {
+        let measured = look.graph.nodes.iter().map(move |(id, node)| BenchNode {
             look: index,
             id: id.clone(),
             name: if node.name.is_empty() { id.to_string() } else { node.name.clone() },
@@ -97,7 +97,7 @@ fn nodes(setup: &Setup, library: &Library, wanted: MeasuredNodes) -> Vec<Measure
         measured.collect::<Vec<_>>()
     };
     let all = setup.looks.iter().enumerate().flat_map(of_look);
-    let is_wanted = |node: &Measured| match wanted {
+    let is_wanted = |node: &BenchNode| match wanted {
         MeasuredNodes::None => false,
         MeasuredNodes::Tiered => node.tiers.len() > 1,
         MeasuredNodes::Every => node.tiers.len() > 1 || node.can_be_left_out,
@@ -133,14 +133,14 @@ impl Bench<'_> {
     }
 
     /// The truth, [settled](Truth::settle) with the exact tier's picture.
-    fn truth(&mut self, progress: &Progress) -> Result<Truth, MeasureError> {
+    async fn truth(&mut self, progress: &Progress) -> Result<Truth, MeasureError> {
         let exact = Variant::Looks(Tier::Exact);
         let setup = exact.of(self.setup);
         let options = &self.options.plan;
         let mut planner = Planner::for_truth(Assets::default());
         let mut truth = Truth::of(&setup, self.library, &mut planner, options, &progress.part(1))?;
         let plan = FramePlan { samples: 1, ..self.plan(&exact)? };
-        let got = block_on(self.precise.picture(&plan))?;
+        let got = self.precise.picture(&plan).await?;
         truth.settle(
             &Colors::from(&got),
             |_| VISIBLE,
@@ -152,17 +152,20 @@ impl Bench<'_> {
         Ok(truth)
     }
 
-    fn error(
+    async fn error(
         &mut self,
         plan: &FramePlan,
         truth: Option<&Truth>,
     ) -> Result<Option<ErrorFigures>, MeasureError> {
         let plan = FramePlan { samples: 1, ..plan.clone() };
-        truth.map(|truth| truth.compare(&mut self.precise, &plan)).transpose()
+        match truth {
+            Some(truth) => Ok(Some(truth.compare(&mut self.precise, &plan).await?)),
+            None => Ok(None),
+        }
     }
 
     /// The whole, in each tier and as it asks itself; with the passes of each.
-    fn looks(
+    async fn looks(
         &mut self,
         tiers: &[Tier],
         truth: Option<&Truth>,
@@ -185,10 +188,11 @@ impl Bench<'_> {
             &plans.iter().collect::<Vec<_>>(),
             self.options.rounds,
             progress,
-        )?;
+        )
+        .await?;
         let mut rows = Vec::new();
         for (((subject, tier, _), plan), series) in variants.into_iter().zip(&plans).zip(&series) {
-            let error = self.error(plan, truth)?;
+            let error = self.error(plan, truth).await?;
             let passes =
                 series.passes.iter().filter(|_| series.passes.len() > 1).map(|(pass, times)| Row {
                     subject: Subject::Pass(*pass),
@@ -206,9 +210,9 @@ impl Bench<'_> {
     }
 
     /// A node in each tier, against the same look without it.
-    fn node(
+    async fn node(
         &mut self,
-        node: &Measured,
+        node: &BenchNode,
         truth: Option<&Truth>,
         progress: &Progress,
     ) -> Result<Vec<Row>, MeasureError> {
@@ -225,7 +229,8 @@ impl Bench<'_> {
             &plans.iter().collect::<Vec<_>>(),
             self.options.rounds,
             progress,
-        )?;
+        )
+        .await?;
         // What cannot be left out is told against its own cheapest tier, which then costs nothing.
         let without = series.last().cloned().unwrap_or_default();
         let sizes_without = plans.last().map(Sizes::of).unwrap_or_default();
@@ -238,7 +243,7 @@ impl Bench<'_> {
                 kind: node.kind.clone(),
             };
             let sizes = Sizes::of(plan).over(&sizes_without);
-            let error = self.error(plan, truth)?;
+            let error = self.error(plan, truth).await?;
             rows.push(Row {
                 subject,
                 tier: Some(tier),

@@ -6,7 +6,7 @@ use serde::Serialize;
 use super::MeasureError;
 use crate::frame::{FramePlan, PassId};
 use crate::progress::Progress;
-use crate::render::{Renderer, block_on};
+use crate::render::Renderer;
 
 /// Frames before the first that counts: pipelines are made and caches filled in them.
 const WARM_UP: usize = 2;
@@ -82,7 +82,7 @@ impl Series {
 ///
 /// # Errors
 /// What the GPU refuses, or that it was stopped.
-pub fn alternate(
+pub async fn alternate(
     renderer: &mut Renderer,
     plans: &[&FramePlan],
     rounds: usize,
@@ -95,7 +95,7 @@ pub fn alternate(
         let forwards = round % 2 == 0;
         for turn in 0..plans.len() {
             let index = if forwards { turn } else { plans.len() - 1 - turn };
-            let times = block_on(renderer.measure(plans[index]))?;
+            let times = renderer.measure(plans[index]).await?;
             if round < WARM_UP {
                 continue;
             }

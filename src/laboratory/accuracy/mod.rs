@@ -14,11 +14,11 @@ pub mod measure;
 pub mod plot;
 pub mod report;
 pub mod size;
-pub mod station;
 pub mod sweep;
 pub mod truth;
 pub mod tune;
 pub mod variant;
+pub mod viewpoint;
 
 use crate::diag::Diagnostic;
 use crate::progress::Stopped;

@@ -12,7 +12,7 @@ use crate::interp::Precision;
 use crate::library::Library;
 use crate::progress::Progress;
 use crate::reference::{self, Modules, ReferencePicture, Snap};
-use crate::render::{Renderer, block_on};
+use crate::render::Renderer;
 
 /// GPUs and software Vulkan decide coverage where they have rounded vertices to, to 2^-8 of a
 /// pixel; it agrees where the truth does the same. What is interpolated lies between vertices as
@@ -149,12 +149,12 @@ impl Truth {
     ///
     /// # Errors
     /// What the GPU refuses.
-    pub fn compare(
+    pub async fn compare(
         &self,
         renderer: &mut Renderer,
         plan: &FramePlan,
     ) -> Result<ErrorFigures, MeasureError> {
-        Ok(self.figures(&Colors::from(&block_on(renderer.picture(plan))?)))
+        Ok(self.figures(&Colors::from(&renderer.picture(plan).await?)))
     }
 
     /// How far a picture that was drawn is from this one.

@@ -10,9 +10,9 @@ use serde::Serialize;
 
 use super::cost::alternate;
 use super::measure::Measure;
-use super::station::{Station, stations};
 use super::truth::Truth;
 use super::variant::{Variant, tiers_of};
+use super::viewpoint::{Viewpoint, viewpoints};
 use super::{ErrorFigures, Estimate, MeasureError};
 use crate::compile::Live;
 use crate::document::Tier;
@@ -80,12 +80,12 @@ pub struct Worst {
     /// Which of the setups.
     pub setup: usize,
     /// Seen from where.
-    pub station: Station,
+    pub station: Viewpoint,
 }
 
 /// What was chosen.
 #[derive(Clone, Debug, Serialize)]
-pub struct Tuned {
+pub struct TuneReport {
     /// What was to be kept.
     pub goal: Goal,
     /// By what errors were judged.
@@ -116,7 +116,7 @@ pub struct Tuned {
     pub stations: usize,
 }
 
-impl Tuned {
+impl TuneReport {
     /// The tier of each node that could have another: what was chosen, or exact.
     pub fn tiers(&self) -> Vec<(&NodeId, Tier)> {
         let mut tiers: Vec<(&NodeId, Tier)> = Vec::new();
@@ -188,13 +188,13 @@ pub fn is_beaten(candidate: &Candidate, other: &Candidate) -> bool {
 ///
 /// # Errors
 /// What is wrong with the setups, what the GPU refuses, or that `progress` stopped it.
-pub fn tune(
+pub async fn tune(
     setups: &[Setup],
     library: &Library,
     renderer: &mut Renderer,
     options: &TuneOptions,
     progress: &Progress,
-) -> Result<Tuned, MeasureError> {
+) -> Result<TuneReport, MeasureError> {
     let exact: Vec<Setup> =
         setups.iter().map(|setup| Variant::Looks(Tier::Exact).of(setup)).collect();
     let nodes = exact.first().map(|setup| nodes(setup, library)).unwrap_or_default();
@@ -204,20 +204,19 @@ pub fn tune(
     let mut tuner = Tuner::new(&exact, library, renderer, options, progress)?;
     let mut candidates = Vec::new();
     for (look, node, tiers) in &nodes {
-        candidates.extend(tuner.candidates(*look, node, tiers, progress)?);
+        candidates.extend(tuner.candidates(*look, node, tiers, progress).await?);
     }
-    let (error_exact, worst_exact) = tuner.error(&[], progress)?;
-    let time_exact = tuner.times(&[&[]], &candidates, progress)?[0].estimate();
-    let mut joint = |chosen: &[usize]| {
-        tuner
-            .error(&chosen_of(&candidates, chosen), progress)
-            .map(|(figures, _)| options.measure.of(&figures))
+    let (error_exact, worst_exact) = tuner.error(&[], progress).await?;
+    let time_exact = tuner.times(&[&[]], &candidates, progress).await?[0].estimate();
+    let mut joint = async |chosen: &[usize]| {
+        let (figures, _) = tuner.error(&chosen_of(&candidates, chosen), progress).await?;
+        Ok::<_, MeasureError>(options.measure.of(&figures))
     };
-    let chosen = choose(&candidates, options.goal, time_exact.median, &mut joint)?;
-    let (error, worst) = tuner.error(&chosen_of(&candidates, &chosen), progress)?;
-    let series = tuner.times(&[&[], &chosen], &candidates, progress)?;
+    let chosen = choose(&candidates, options.goal, time_exact.median, &mut joint).await?;
+    let (error, worst) = tuner.error(&chosen_of(&candidates, &chosen), progress).await?;
+    let series = tuner.times(&[&[], &chosen], &candidates, progress).await?;
     let time = series[1].estimate();
-    Ok(Tuned {
+    Ok(TuneReport {
         goal: options.goal,
         measure: options.measure,
         is_met: match options.goal {
@@ -262,11 +261,11 @@ fn nodes(setup: &Setup, library: &Library) -> Vec<(usize, NodeId, Vec<Tier>)> {
 ///
 /// # Errors
 /// What `joint` says.
-pub fn choose<E>(
+pub async fn choose<E>(
     candidates: &[Candidate],
     goal: Goal,
     time_exact: f64,
-    joint: &mut dyn FnMut(&[usize]) -> Result<f64, E>,
+    joint: &mut impl AsyncFnMut(&[usize]) -> Result<f64, E>,
 ) -> Result<Vec<usize>, E> {
     let place = |index: usize| (candidates[index].look, candidates[index].node.clone());
     let mut usable: Vec<usize> =
@@ -290,7 +289,7 @@ pub fn choose<E>(
                     chosen.push(index);
                 }
             }
-            while !chosen.is_empty() && joint(&chosen)? > most {
+            while !chosen.is_empty() && joint(&chosen).await? > most {
                 let price = |index: usize| {
                     candidates[index].error / candidates[index].saves.median.max(1e-9)
                 };
@@ -342,7 +341,7 @@ struct Tuner<'a> {
     options: &'a TuneOptions,
     planner: Planner,
     /// Each station's truth, with the index of its setup.
-    truths: Vec<(usize, Station, Truth)>,
+    truths: Vec<(usize, Viewpoint, Truth)>,
 }
 
 impl<'a> Tuner<'a> {
@@ -365,7 +364,7 @@ impl<'a> Tuner<'a> {
         };
         let mut truth_planner = Planner::for_truth(Assets::default());
         for (index, setup) in setups.iter().enumerate() {
-            for station in stations(setup, options.stations) {
+            for station in viewpoints(setup, options.stations) {
                 let plan = tuner.error_plan(&station);
                 let truth = Truth::of(
                     &station.of(setup),
@@ -380,7 +379,7 @@ impl<'a> Tuner<'a> {
         Ok(tuner)
     }
 
-    fn error_plan(&self, station: &Station) -> PlanOptions {
+    fn error_plan(&self, station: &Viewpoint) -> PlanOptions {
         let side = self.options.error_side;
         PlanOptions { size: [side; 2], samples: 1, time: station.time }
     }
@@ -393,7 +392,7 @@ impl<'a> Tuner<'a> {
     }
 
     /// The worst over all stations, and where that is.
-    fn error(
+    async fn error(
         &mut self,
         chosen: &[Candidate],
         progress: &Progress,
@@ -405,7 +404,7 @@ impl<'a> Tuner<'a> {
             let setup = station.of(&self.with(*index, chosen));
             let options = self.error_plan(station);
             let plan = self.planner.plan(&setup, self.library, &Live::Keyed, &options)?;
-            let found = truth.compare(&mut self.precise, &plan)?;
+            let found = truth.compare(&mut self.precise, &plan).await?;
             if found.max > worst.error {
                 let side = self.options.error_side;
                 worst = Worst {
@@ -422,7 +421,7 @@ impl<'a> Tuner<'a> {
         Ok((ErrorFigures::join(&figures), worst))
     }
 
-    fn times(
+    async fn times(
         &mut self,
         choices: &[&[usize]],
         candidates: &[Candidate],
@@ -439,9 +438,10 @@ impl<'a> Tuner<'a> {
             )?);
         }
         alternate(self.renderer, &plans.iter().collect::<Vec<_>>(), self.options.rounds, progress)
+            .await
     }
 
-    fn candidates(
+    async fn candidates(
         &mut self,
         look: usize,
         node: &NodeId,
@@ -461,13 +461,13 @@ impl<'a> Tuner<'a> {
             .chain((0..candidates.len()).map(|index| vec![index]))
             .collect();
         let choices: Vec<&[usize]> = single.iter().map(Vec::as_slice).collect();
-        let series = self.times(&choices, &candidates, progress)?;
+        let series = self.times(&choices, &candidates, progress).await?;
         for (index, candidate) in candidates.iter_mut().enumerate() {
             candidate.saves = series[0].over(&series[index + 1]);
             let is_tie = |other: &usize| series[index + 1].over(&series[other + 1]).low <= 0.0;
             candidate.ties =
                 (index + 1..tiers.len()).filter(is_tie).map(|other| tiers[other]).collect();
-            let (figures, _) = self.error(std::slice::from_ref(candidate), progress)?;
+            let (figures, _) = self.error(std::slice::from_ref(candidate), progress).await?;
             candidate.error = self.options.measure.of(&figures);
         }
         Ok(candidates)
@@ -483,8 +483,13 @@ mod tests {
         Candidate { look: 0, node: node.into(), tier, error, saves, ties: Vec::new() }
     }
 
-    fn sum(candidates: &[Candidate]) -> impl FnMut(&[usize]) -> Result<f64, ()> + '_ {
-        |chosen| Ok(chosen.iter().map(|&index| candidates[index].error).sum())
+    /// Chooses where the errors of candidates add up.
+    #[expect(clippy::disallowed_methods, reason = "nothing is waited for: no GPU measures here")]
+    fn chosen(candidates: &[Candidate], goal: Goal, time_exact: f64) -> Vec<usize> {
+        let mut sum = async |chosen: &[usize]| {
+            Ok::<f64, ()>(chosen.iter().map(|&index| candidates[index].error).sum())
+        };
+        pollster::block_on(choose(candidates, goal, time_exact, &mut sum)).unwrap()
     }
 
     #[test]
@@ -496,9 +501,9 @@ mod tests {
             candidate("c", Tier::Fast, 0.0001, 0.01),
         ];
         let goal = Goal::MaxError(1.0 / 255.0);
-        let mut chosen = choose(&candidates, goal, 10.0, &mut sum(&candidates)).unwrap();
-        chosen.sort_unstable();
-        assert_eq!(chosen, [0, 2], "too wrong, and lost in the noise, are left out");
+        let mut best = chosen(&candidates, goal, 10.0);
+        best.sort_unstable();
+        assert_eq!(best, [0, 2], "too wrong, and lost in the noise, are left out");
     }
 
     /// Both are much faster than exact, and nobody can say which is the faster one.
@@ -507,12 +512,12 @@ mod tests {
         let mut candidates =
             [candidate("a", Tier::Balanced, 0.0005, 1.0), candidate("a", Tier::Fast, 0.003, 1.02)];
         let goal = Goal::MaxError(1.0 / 255.0);
-        assert_eq!(choose(&candidates, goal, 10.0, &mut sum(&candidates)).unwrap(), [1]);
+        assert_eq!(chosen(&candidates, goal, 10.0), [1]);
         candidates[0].ties = vec![Tier::Fast];
-        assert_eq!(choose(&candidates, goal, 10.0, &mut sum(&candidates)).unwrap(), [0]);
+        assert_eq!(chosen(&candidates, goal, 10.0), [0]);
         // Where that one is too far from the truth, or lost in the noise itself, the other stays.
         candidates[0].error = 0.004;
-        assert_eq!(choose(&candidates, goal, 10.0, &mut sum(&candidates)).unwrap(), [1]);
+        assert_eq!(chosen(&candidates, goal, 10.0), [1]);
     }
 
     #[test]
@@ -523,9 +528,9 @@ mod tests {
             candidate("b", Tier::Fast, 0.002, 2.0),
         ];
         let goal = Goal::MaxError(0.004);
-        let mut chosen = choose(&candidates, goal, 10.0, &mut sum(&candidates)).unwrap();
-        chosen.sort_unstable();
-        assert_eq!(chosen, [1, 2]);
+        let mut best = chosen(&candidates, goal, 10.0);
+        best.sort_unstable();
+        assert_eq!(best, [1, 2]);
     }
 
     #[test]
@@ -535,12 +540,8 @@ mod tests {
             candidate("b", Tier::Fast, 0.002, 2.0),
             candidate("c", Tier::Fast, 0.001, 2.0),
         ];
-        let chosen = choose(&candidates, Goal::MaxTime(7.0), 10.0, &mut sum(&candidates)).unwrap();
-        assert_eq!(chosen, [2, 1]);
-        assert!(
-            choose(&candidates, Goal::MaxTime(20.0), 10.0, &mut sum(&candidates))
-                .unwrap()
-                .is_empty()
-        );
+        let best = chosen(&candidates, Goal::MaxTime(7.0), 10.0);
+        assert_eq!(best, [2, 1]);
+        assert!(chosen(&candidates, Goal::MaxTime(20.0), 10.0).is_empty());
     }
 }

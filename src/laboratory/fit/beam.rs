@@ -1,11 +1,11 @@
 //! Of many stacks of layers the few with which a search goes on.
 
 use super::lit::Lit;
-use super::solve::Found;
+use super::solve::Minimum;
 use super::stack::Layer;
 
 /// Some layers with how far off they are.
-pub(super) type Stack = Found<Vec<Layer>>;
+pub(super) type Stack = Minimum<Vec<Layer>>;
 
 /// What a search begins with, and what is tried where that does not come near.
 pub(super) const WIDTHS: [Width; 2] =

@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use glam::DVec3;
 
 use super::model::{Model, Shot};
-use super::target::{Target, Wish};
+use super::target::{PixelGoal, Target};
 use crate::diag::Diagnostic;
 use crate::document::{Endpoint, Graph, Look, Node, Wire};
 use crate::frame::Setup;
@@ -14,7 +14,7 @@ use crate::frame::Setup;
 pub(super) const MAX_PIXELS: usize = 4096;
 
 /// Painted pixels, thinned evenly where there are very many.
-pub(super) fn thinned(target: &Target) -> Vec<Wish> {
+pub(super) fn thinned(target: &Target) -> Vec<PixelGoal> {
     evenly(target.wishes.len(), MAX_PIXELS).into_iter().map(|index| target.wishes[index]).collect()
 }
 
@@ -43,10 +43,11 @@ pub(super) fn telling(missing: &[f64], most: usize) -> Vec<usize> {
 /// `fit-target`: there is none.
 pub(super) fn wishes_of(
     pixels: &[[u32; 2]],
-    wishes: &[Wish],
-) -> Result<Vec<Wish>, Vec<Diagnostic>> {
-    let by_pixel: HashMap<[u32; 2], &Wish> = wishes.iter().map(|wish| (wish.pixel, wish)).collect();
-    let found: Vec<Wish> =
+    wishes: &[PixelGoal],
+) -> Result<Vec<PixelGoal>, Vec<Diagnostic>> {
+    let by_pixel: HashMap<[u32; 2], &PixelGoal> =
+        wishes.iter().map(|wish| (wish.pixel, wish)).collect();
+    let found: Vec<PixelGoal> =
         pixels.iter().filter_map(|pixel| by_pixel.get(pixel).map(|wish| **wish)).collect();
     if found.is_empty() {
         let message = "no painted pixel lies within an object that wears the look";
@@ -59,7 +60,7 @@ pub(super) fn wishes_of(
 }
 
 /// The pixels of wishes.
-pub(super) fn pixels_of(wishes: &[Wish]) -> HashSet<[u32; 2]> {
+pub(super) fn pixels_of(wishes: &[PixelGoal]) -> HashSet<[u32; 2]> {
     wishes.iter().map(|wish| wish.pixel).collect()
 }
 

@@ -20,12 +20,12 @@ use super::lit::{Kind, Lit};
 use super::model::Shot;
 use super::report::{Report, compared_as_is, painted};
 use super::rest::Rest;
-use super::solve::{Found, Until, descend, stopped};
+use super::solve::{Minimum, StopRule, descend, stopped};
 use super::stack::{Layer, MAX_LAYERS, Mode, Search};
 use super::state::{Shape, even_directions};
-use super::target::{Target, Wish};
+use super::target::{PixelGoal, Target};
 use super::turn::{Polished, polished};
-use super::{FitOptions, Fitted};
+use super::{FitOptions, FittedLook};
 use crate::diag::Diagnostic;
 use crate::document::Edit;
 use crate::frame::Setup;
@@ -68,7 +68,7 @@ pub fn fit_layers(
     layers: usize,
     options: &FitOptions,
     progress: &Progress,
-) -> Result<Fitted, Vec<Diagnostic>> {
+) -> Result<FittedLook, Vec<Diagnostic>> {
     let one = |problem| vec![problem];
     if !(1..=MAX_LAYERS).contains(&layers) {
         let message = format!("{layers} layers cannot be laid; it is 1 to {MAX_LAYERS}");
@@ -124,7 +124,7 @@ pub fn fit_layers(
     let report = Report::new(&shot, &fitted, target, &before, &after, options)?;
     let report = Report { is_stopped: progress.is_stopped(), ..report };
     let misses = painted(&after);
-    Ok(Fitted {
+    Ok(FittedLook {
         edit: Edit::Replace { look: Box::new(fitted.clone()) },
         look: fitted,
         report,
@@ -135,7 +135,7 @@ pub fn fit_layers(
 struct Grower<'a> {
     /// The normal and the mirrored view at each pixel.
     surface: &'a [[DVec3; 2]],
-    wishes: &'a [Wish],
+    wishes: &'a [PixelGoal],
     /// All pixels, and as many as stand for them.
     whole: &'a Search,
     even: &'a Search,
@@ -186,12 +186,12 @@ impl Grower<'_> {
         let step = |stack: &mut Stack| -> Result<(), Diagnostic> {
             stack.error = whole.error(&whole.taken_over(&stack.point));
             if stack.error > whole.error_of(self.enough) {
-                let until = Until { steps: 20, error: even.error_of(0.5 * self.enough) };
+                let until = StopRule { steps: 20, error: even.error_of(0.5 * self.enough) };
                 let point =
                     descend(even, even.taken_over(&stack.point), until, self.progress)?.point;
                 let error = whole.error(&whole.taken_over(&point));
                 if error < stack.error {
-                    *stack = Found { point, error };
+                    *stack = Minimum { point, error };
                 }
             }
             Ok(())
@@ -205,7 +205,7 @@ impl Grower<'_> {
     /// the whole nearer.
     fn again(&self, best: Vec<Layer>) -> Result<Stack, Diagnostic> {
         let whole = self.whole;
-        let mut best = Found { error: whole.error(&whole.taken_over(&best)), point: best };
+        let mut best = Minimum { error: whole.error(&whole.taken_over(&best)), point: best };
         for _ in 0..ROUNDS {
             let before = best.error;
             // First the lowest turned over, then each without the layer in turn.
@@ -258,7 +258,7 @@ impl Grower<'_> {
             descend(
                 search,
                 stack,
-                Until { steps, error: search.error_of(share * self.enough) },
+                StopRule { steps, error: search.error_of(share * self.enough) },
                 self.progress,
             )
         };
@@ -295,7 +295,7 @@ impl Grower<'_> {
                 point.insert(place, Layer { lit: *lit, mode, tone: tone.clone() });
                 let error = few.error(&point);
                 if best.as_ref().is_none_or(|best| error < best.error) {
-                    best = Some(Found { point, error });
+                    best = Some(Minimum { point, error });
                 }
             }
             best.map(|best| (*lit, best))

@@ -148,7 +148,7 @@ pub(super) fn knobs_of(
         setup.looks[index].source.locate_all(&mut problems);
         problems
     };
-    let (typed, _) = check(look, library, None).map_err(located)?;
+    let typed = check(look, library, None).map_err(located)?.value;
     let fixed = fixed(setup, index, &typed);
     let live = reaching(&typed);
     let mut knobs = Vec::new();

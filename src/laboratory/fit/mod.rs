@@ -31,8 +31,8 @@ mod turn;
 use crate::document::{Edit, Look};
 
 pub use grow::fit_layers;
-pub use report::{Changed, Missed, Report, Things, picture_of};
-pub use target::{MAX_SIDE, Target, Wish};
+pub use report::{Changed, KnobCounts, MissedPixel, Report, picture_of};
+pub use target::{MAX_SIDE, PixelGoal, Target};
 pub use turn::fit_look;
 
 /// What of a look stays as it is.
@@ -72,7 +72,7 @@ impl Default for FitOptions {
 
 /// A look that was fitted.
 #[derive(Clone, Debug)]
-pub struct Fitted {
+pub struct FittedLook {
     /// The look.
     pub look: Look,
     /// What makes it of the look that was given, to be undone as one.
@@ -80,5 +80,5 @@ pub struct Fitted {
     /// How far off it was and is.
     pub report: Report,
     /// How far off it is at every painted pixel that was compared, by row and column.
-    pub misses: Vec<Missed>,
+    pub misses: Vec<MissedPixel>,
 }

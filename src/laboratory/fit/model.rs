@@ -15,7 +15,7 @@ use super::choose::{evenly, telling};
 use super::knobs::Knob;
 use super::solve::Problem;
 use super::state::Setting;
-use super::target::Wish;
+use super::target::PixelGoal;
 use crate::compile::{HostInputs, Live, Param, ParamId};
 use crate::diag::Diagnostic;
 use crate::document::{Light, Values};
@@ -124,7 +124,7 @@ impl Model {
         }
         let time =
             [shot.time, ((shot.time - setup.scene.time.start) * setup.scene.time.fps).round()];
-        let (rig, lights) = (Rig::new(look).0, look.lights.clone());
+        let (rig, lights) = (Rig::new(look).value, look.lights.clone());
         let is_chosen = |pixel: [u32; 2]| chosen.contains(&pixel);
         let gathered = Gathered::new(plan, &is_chosen, &Options::default(), &Progress::new())
             .map_err(|one| vec![one])?;
@@ -307,14 +307,14 @@ pub(super) fn rms_of(channels: [f64; 3]) -> f64 {
 pub(super) struct Painted<'a> {
     pub(super) model: &'a Model,
     pub(super) sheet: Sheet,
-    pub(super) wishes: Vec<Wish>,
+    pub(super) wishes: Vec<PixelGoal>,
     /// How much a hard or narrow profile counts as an error of its own.
     pub(super) soft: f64,
 }
 
 impl<'a> Painted<'a> {
     /// The pixels of `wishes` (one for each of the model's pixels) at these places.
-    pub(super) fn new(model: &'a Model, wishes: &[Wish], chosen: &[usize]) -> Self {
+    pub(super) fn new(model: &'a Model, wishes: &[PixelGoal], chosen: &[usize]) -> Self {
         let wishes = chosen.iter().map(|&index| wishes[index]).collect();
         Self { model, sheet: model.sheet(chosen), wishes, soft: 0.0 }
     }

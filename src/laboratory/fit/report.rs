@@ -8,7 +8,7 @@ use super::choose::{pixels_of, wearing, wishes_of};
 use super::knobs::{Knob, knobs_of};
 use super::model::{Model, Shot, rms_of};
 use super::state::Setting;
-use super::target::{Target, Wish};
+use super::target::{PixelGoal, Target};
 use super::{FitOptions, Keep};
 use crate::diag::Diagnostic;
 use crate::document::Look;
@@ -39,9 +39,9 @@ pub struct Report {
     /// Numbers that could be turned: two of a light, three of a profile and of a color.
     pub turned: usize,
     /// What these are of.
-    pub tried: Things,
+    pub tried: KnobCounts,
     /// What could have been turned as well, and was kept.
-    pub kept: Things,
+    pub kept: KnobCounts,
     /// The RMS error of the look as it was.
     pub before: f64,
     /// The RMS error now.
@@ -53,12 +53,12 @@ pub struct Report {
     /// Everything that is another now.
     pub changed: Vec<Changed>,
     /// The pixels that are farthest off, as much as they count, the worst first.
-    pub worst: Vec<Missed>,
+    pub worst: Vec<MissedPixel>,
 }
 
 /// How many things of a look.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Things {
+pub struct KnobCounts {
     /// Directional lights.
     pub lights: usize,
     /// Profiles.
@@ -67,7 +67,7 @@ pub struct Things {
     pub colors: usize,
 }
 
-impl Things {
+impl KnobCounts {
     fn of(knobs: &[(Knob, Setting)]) -> Self {
         let mut things = Self::default();
         for (knob, _) in knobs {
@@ -118,7 +118,7 @@ pub struct Changed {
 
 /// A pixel that does not show what was painted.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Missed {
+pub struct MissedPixel {
     /// Column and row.
     pub pixel: [u32; 2],
     /// Straight RGB as painted.
@@ -134,7 +134,7 @@ const BRIGHT: f64 = 0.1;
 
 /// Where a look misses what was painted: black where it does not, over red and yellow to white;
 /// transparent where nothing was compared.
-pub fn picture_of(size: [u32; 2], misses: &[Missed]) -> Picture {
+pub fn picture_of(size: [u32; 2], misses: &[MissedPixel]) -> Picture {
     let mut rgba = vec![[0.0; 4]; size[0] as usize * size[1] as usize];
     for missed in misses {
         let share = 3.0 * (missed.error / BRIGHT).min(1.0) as f32;
@@ -149,13 +149,13 @@ pub fn picture_of(size: [u32; 2], misses: &[Missed]) -> Picture {
 
 /// A compared pixel.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct One {
-    missed: Missed,
+pub(super) struct ComparedPixel {
+    missed: MissedPixel,
     weight: f64,
     is_rest: bool,
 }
 
-impl One {
+impl ComparedPixel {
     /// How far off it is, as much as it counts: the root of its sum of squared residuals.
     pub(super) fn miss(&self) -> f64 {
         (3.0 * self.weight).sqrt() * self.missed.error
@@ -163,10 +163,10 @@ impl One {
 }
 
 /// Every compared pixel.
-pub(super) type Compared = Vec<One>;
+pub(super) type ComparedPixels = Vec<ComparedPixel>;
 
 /// Those of them that were painted.
-pub(super) fn painted(compared: &Compared) -> Vec<Missed> {
+pub(super) fn painted(compared: &ComparedPixels) -> Vec<MissedPixel> {
     compared.iter().filter(|one| !one.is_rest).map(|one| one.missed).collect()
 }
 
@@ -176,17 +176,17 @@ impl Report {
         shot: &Shot<'_>,
         fitted: &Look,
         target: &Target,
-        before: &Compared,
-        after: &Compared,
+        before: &ComparedPixels,
+        after: &ComparedPixels,
         how: &FitOptions,
     ) -> Result<Self, Vec<Diagnostic>> {
         let turned = knobs_of(&wearing(shot, fitted.clone()), shot.look, shot.library, &how.keep)?;
         let all = Keep::default();
         let old = knobs_of(shot.setup, shot.look, shot.library, &all)?;
         let new = knobs_of(&wearing(shot, fitted.clone()), shot.look, shot.library, &all)?;
-        let mut worst: Vec<&One> = after.iter().filter(|one| !one.is_rest).collect();
+        let mut worst: Vec<&ComparedPixel> = after.iter().filter(|one| !one.is_rest).collect();
         let compared = worst.len();
-        let tried = Things::of(&turned);
+        let tried = KnobCounts::of(&turned);
         // What a brush hardly touched, at the edge of a stroke, hardly counts.
         worst.sort_by(|a, b| b.miss().total_cmp(&a.miss()));
         let worst = worst.into_iter().take(WORST).map(|one| one.missed).collect();
@@ -196,7 +196,7 @@ impl Report {
             places: places(target.size, after),
             turned: turned.iter().map(|(_, setting)| setting.count()).sum(),
             tried,
-            kept: tried.left_of(&Things::of(&new)),
+            kept: tried.left_of(&KnobCounts::of(&new)),
             before: rms(before, false).unwrap_or_default(),
             after: rms(after, false).unwrap_or_default(),
             rest: rms(after, true),
@@ -264,7 +264,7 @@ impl Report {
 }
 
 /// The cells that pixels lie in, of a picture that is cut into 32 by 32.
-fn places(size: [u32; 2], compared: &Compared) -> usize {
+fn places(size: [u32; 2], compared: &ComparedPixels) -> usize {
     let cell = |pixel: [u32; 2]| {
         [0, 1].map(|axis| u64::from(pixel[axis]) * CELLS / u64::from(size[axis].max(1)))
     };
@@ -272,7 +272,10 @@ fn places(size: [u32; 2], compared: &Compared) -> usize {
 }
 
 /// How far the look of `shot` is off as it is.
-pub(super) fn compared_as_is(shot: &Shot<'_>, given: &[Wish]) -> Result<Compared, Vec<Diagnostic>> {
+pub(super) fn compared_as_is(
+    shot: &Shot<'_>,
+    given: &[PixelGoal],
+) -> Result<ComparedPixels, Vec<Diagnostic>> {
     let model = Model::new(shot, Vec::new(), &pixels_of(given))?;
     let wishes = wishes_of(&model.pixels, given)?;
     compared(&model, &wishes, &[]).map_err(|one| vec![one])
@@ -281,20 +284,20 @@ pub(super) fn compared_as_is(shot: &Shot<'_>, given: &[Wish]) -> Result<Compared
 /// How far a model is off at each of its pixels.
 pub(super) fn compared(
     model: &Model,
-    wishes: &[Wish],
+    wishes: &[PixelGoal],
     state: &[Setting],
-) -> Result<Compared, Diagnostic> {
+) -> Result<ComparedPixels, Diagnostic> {
     let colors = model.colors(&model.sheet(&model.all()), state)?;
-    let missed = |(wish, shown): (&Wish, [f64; 3])| {
+    let missed = |(wish, shown): (&PixelGoal, [f64; 3])| {
         let error = rms_of(std::array::from_fn(|c| shown[c] - wish.color[c]));
-        let missed = Missed { pixel: wish.pixel, wished: wish.color, shown, error };
-        One { missed, weight: wish.weight, is_rest: wish.is_rest }
+        let missed = MissedPixel { pixel: wish.pixel, wished: wish.color, shown, error };
+        ComparedPixel { missed, weight: wish.weight, is_rest: wish.is_rest }
     };
     Ok(wishes.iter().zip(colors).map(missed).collect())
 }
 
 /// The RMS of what was painted, or of the rest; `None` where there is none.
-fn rms(compared: &Compared, of_rest: bool) -> Option<f64> {
+fn rms(compared: &ComparedPixels, of_rest: bool) -> Option<f64> {
     let chosen = compared.iter().filter(|one| one.is_rest == of_rest);
     let (sum, weight) = chosen.fold((0.0, 0.0), |(sum, total), one| {
         (sum + one.weight * one.missed.error.powi(2), total + one.weight)

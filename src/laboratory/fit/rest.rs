@@ -9,7 +9,7 @@ use std::collections::HashSet;
 
 use super::choose::evenly;
 use super::model::{Model, Shot};
-use super::target::{Target, Wish};
+use super::target::{PixelGoal, Target};
 use crate::diag::Diagnostic;
 
 /// As many pixels tell of what was not painted.
@@ -27,7 +27,7 @@ const REACH: f64 = 0.1;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Rest {
     /// Pixels that are to stay, with what they show.
-    pub(super) wishes: Vec<Wish>,
+    pub(super) wishes: Vec<PixelGoal>,
     /// Of the object, the part that was not painted, from 0 to 1.
     pub(super) share: f64,
 }
@@ -63,11 +63,11 @@ impl Rest {
         let colors = model.colors(&model.sheet(&chosen), &[]).map_err(|one| vec![one])?;
         let weighed = |(place, color): (&usize, [f64; 3])| {
             let pixel = model.pixels[*place];
-            Wish { pixel, color, weight: away(pixel, target), is_rest: true }
+            PixelGoal { pixel, color, weight: away(pixel, target), is_rest: true }
         };
-        let mut wishes: Vec<Wish> =
+        let mut wishes: Vec<PixelGoal> =
             chosen.iter().zip(colors).map(weighed).filter(|wish| wish.weight > 0.0).collect();
-        let sum = |wishes: &[Wish]| wishes.iter().map(|wish| wish.weight).sum::<f64>();
+        let sum = |wishes: &[PixelGoal]| wishes.iter().map(|wish| wish.weight).sum::<f64>();
         let each = share_of(kept) * sum(&target.wishes) / sum(&wishes).max(1e-9);
         wishes.iter_mut().for_each(|wish| wish.weight *= each);
         Ok(Self { wishes, share })
@@ -77,7 +77,7 @@ impl Rest {
 /// How far a pixel is from all strokes: 0 beside one, 1 where it is none of their business.
 fn away([x, y]: [u32; 2], target: &Target) -> f64 {
     let reach = REACH * f64::from(target.size[1]);
-    let squared = |wish: &Wish| {
+    let squared = |wish: &PixelGoal| {
         let [across, down] =
             [f64::from(wish.pixel[0]) - f64::from(x), f64::from(wish.pixel[1]) - f64::from(y)];
         across * across + down * down
@@ -112,7 +112,7 @@ mod tests {
 
     #[test]
     fn the_rest_counts_from_a_distance_on() {
-        let wish = Wish { pixel: [10, 50], color: [0.5; 3], weight: 1.0, is_rest: false };
+        let wish = PixelGoal { pixel: [10, 50], color: [0.5; 3], weight: 1.0, is_rest: false };
         let target = Target { size: [100, 100], wishes: vec![wish] };
         let at = |x: u32| away([x, 50], &target);
         assert!(at(11) < 0.05 && (at(15) - 0.5).abs() < 1e-12 && at(20) == 1.0 && at(90) == 1.0);

@@ -36,7 +36,7 @@ pub(super) trait Problem: Sync {
 
 /// Where the descent came to.
 #[derive(Clone, Debug)]
-pub(super) struct Found<P> {
+pub(super) struct Minimum<P> {
     pub(super) point: P,
     /// The sum of squared residuals.
     pub(super) error: f64,
@@ -44,7 +44,7 @@ pub(super) struct Found<P> {
 
 /// When to end.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Until {
+pub(super) struct StopRule {
     /// So many steps.
     pub(super) steps: usize,
     /// A sum of squares that is small enough.
@@ -60,9 +60,9 @@ pub(super) struct Until {
 pub(super) fn descend<P: Problem>(
     problem: &P,
     start: P::Point,
-    until: Until,
+    until: StopRule,
     progress: &Progress,
-) -> Result<Found<P::Point>, Diagnostic> {
+) -> Result<Minimum<P::Point>, Diagnostic> {
     let mut point = start;
     let mut residuals = problem.residuals(&point)?;
     let mut error = squared(&residuals);
@@ -81,7 +81,7 @@ pub(super) fn descend<P: Problem>(
         let before = error;
         for _ in 0..TRIES {
             if progress.is_stopped() {
-                return Ok(Found { point, error });
+                return Ok(Minimum { point, error });
             }
             let by = normal.step(damping, &room);
             let next = problem.moved(&point, &by)?;
@@ -110,7 +110,7 @@ pub(super) fn descend<P: Problem>(
         }
         slow = if error > 0.999 * before { slow + 1 } else { 0 };
     }
-    Ok(Found { point, error })
+    Ok(Minimum { point, error })
 }
 
 /// What is said of a fit that was stopped before it came any nearer.
@@ -277,7 +277,7 @@ mod tests {
 
     #[test]
     fn it_comes_to_the_ground_of_a_bent_valley_or_to_the_bound() {
-        let until = Until { steps: 200, error: 1e-20 };
+        let until = StopRule { steps: 200, error: 1e-20 };
         for patience in [0, 3] {
             let valley = Valley { high: 2.0, patience };
             let found = descend(&valley, [-1.2, 1.0], until, &Progress::new()).unwrap();
@@ -297,7 +297,7 @@ mod tests {
     fn once_it_is_stopped_it_stays_where_it_is() {
         let progress = Progress::new();
         progress.stop();
-        let until = Until { steps: 200, error: 0.0 };
+        let until = StopRule { steps: 200, error: 0.0 };
         let found =
             descend(&Valley { high: 2.0, patience: 0 }, [-1.2, 1.0], until, &progress).unwrap();
         assert_eq!(found.point, [-1.2, 1.0]);

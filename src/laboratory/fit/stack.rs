@@ -12,7 +12,7 @@ use super::choose::evenly;
 use super::lit::{Kind, Lit};
 use super::solve::{Problem, solve_in_place};
 use super::state::Setting;
-use super::target::Wish;
+use super::target::PixelGoal;
 use crate::diag::Diagnostic;
 
 /// As many layers as are laid.
@@ -52,14 +52,14 @@ pub(super) struct Layer {
 pub(super) struct Search {
     /// The normal and the mirrored view at each pixel.
     surface: Vec<[DVec3; 2]>,
-    wishes: Vec<Wish>,
+    wishes: Vec<PixelGoal>,
     /// How much a hard profile counts as an error of its own, an RMS of a channel.
     soft: f64,
 }
 
 impl Search {
     /// At these places among all pixels.
-    pub(super) fn new(surface: &[[DVec3; 2]], wishes: &[Wish], chosen: &[usize]) -> Self {
+    pub(super) fn new(surface: &[[DVec3; 2]], wishes: &[PixelGoal], chosen: &[usize]) -> Self {
         let surface = chosen.iter().map(|&index| surface[index]).collect();
         Self { surface, wishes: chosen.iter().map(|&index| wishes[index]).collect(), soft: 0.0 }
     }

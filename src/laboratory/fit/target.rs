@@ -11,7 +11,7 @@ pub const MAX_SIDE: u32 = 8192;
 
 /// What one pixel should show.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Wish {
+pub struct PixelGoal {
     /// Column and row.
     pub pixel: [u32; 2],
     /// Straight RGB as shown (sRGB-encoded), 0 to 1.
@@ -28,7 +28,7 @@ pub struct Target {
     /// Width and height in pixels.
     pub size: [u32; 2],
     /// Each pixel at most once.
-    pub wishes: Vec<Wish>,
+    pub wishes: Vec<PixelGoal>,
 }
 
 impl Target {
@@ -37,7 +37,7 @@ impl Target {
     pub fn from_rgba8(size: [u32; 2], rgba: &[u8]) -> Self {
         let channel = |byte: u8| f64::from(byte) / 255.0;
         let wishes = rgba.chunks_exact(4).zip(0_u32..).filter(|(texel, _)| texel[3] > 0).map(
-            |(texel, index)| Wish {
+            |(texel, index)| PixelGoal {
                 pixel: [index % size[0].max(1), index / size[0].max(1)],
                 color: [channel(texel[0]), channel(texel[1]), channel(texel[2])],
                 weight: channel(texel[3]),
@@ -92,7 +92,7 @@ mod tests {
         let png = Picture { size: [2, 2], rgba }.to_png().unwrap();
         let target = Target::from_png(&png).unwrap();
         assert_eq!(target.size, [2, 2]);
-        let wish = |pixel, color, weight| Wish { pixel, color, weight, is_rest: false };
+        let wish = |pixel, color, weight| PixelGoal { pixel, color, weight, is_rest: false };
         assert_eq!(
             target.wishes,
             [wish([0, 0], [1.0, 0.0, 0.0], 1.0), wish([0, 1], [0.0, 1.0, 0.0], 0.2)]

@@ -4,12 +4,12 @@
 use super::choose::{Surface, pixels_of, thinned, wearing, wishes_of};
 use super::knobs::{Knob, edits, knobs_of};
 use super::model::{Model, Painted, Shot};
-use super::report::{Compared, One, Report, compared, painted as painted_of};
+use super::report::{ComparedPixel, ComparedPixels, Report, compared, painted as painted_of};
 use super::rest::Rest;
-use super::solve::{Found, Until, descend, stopped};
+use super::solve::{Minimum, StopRule, descend, stopped};
 use super::state::Setting;
-use super::target::{Target, Wish};
-use super::{FitOptions, Fitted};
+use super::target::{PixelGoal, Target};
+use super::{FitOptions, FittedLook};
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Look};
 use crate::frame::Setup;
@@ -45,7 +45,7 @@ pub fn fit_look(
     target: &Target,
     options: &FitOptions,
     progress: &Progress,
-) -> Result<Fitted, Vec<Diagnostic>> {
+) -> Result<FittedLook, Vec<Diagnostic>> {
     let one = |problem| vec![problem];
     progress.begin(options.starts.max(1) as u64 + GOING_ON as u64 + 1);
     let shot = Shot { setup, look, library, size: target.size, time: options.time };
@@ -59,9 +59,9 @@ pub fn fit_look(
     let missing = missing_of(&before);
     let painted = Painted::new(&model, &wishes, &model.telling(&missing, QUADS));
     let enough = error_of(&painted.wishes, options.enough);
-    let mut found: Vec<Found<Vec<Setting>>> = Vec::new();
+    let mut found: Vec<Minimum<Vec<Setting>>> = Vec::new();
     for start in starts(&shot, &given, &begin, &missing, options.starts)? {
-        let until = Until { steps: FIRST_STEPS, error: enough };
+        let until = StopRule { steps: FIRST_STEPS, error: enough };
         found.push(descend(&painted, start, until, progress).map_err(one)?);
         progress.add(1);
         found.sort_by(|a, b| a.error.total_cmp(&b.error));
@@ -73,7 +73,7 @@ pub fn fit_look(
     let mut best = Nearest::new(&model, &wishes, begin).map_err(one)?;
     for start in found {
         let far =
-            descend(&painted, start.point, Until { steps: 40, error: 0.25 * enough }, progress)
+            descend(&painted, start.point, StopRule { steps: 40, error: 0.25 * enough }, progress)
                 .map_err(one)?;
         progress.add(1);
         best.offer(&model, &wishes, far.point).map_err(one)?;
@@ -82,7 +82,7 @@ pub fn fit_look(
         // Not all of it can be had, and what is farthest off must not have its way alone.
         let even = Painted::new(&model, &wishes, &model.even(EVEN_QUADS));
         let until =
-            Until { steps: EVEN_STEPS, error: error_of(&even.wishes, 0.5 * options.enough) };
+            StopRule { steps: EVEN_STEPS, error: error_of(&even.wishes, 0.5 * options.enough) };
         let next = descend(&even, best.state.clone(), until, progress).map_err(one)?;
         best.offer(&model, &wishes, next.point).map_err(one)?;
     }
@@ -102,7 +102,7 @@ pub fn fit_look(
             Report::new(&shot, &setup.looks[look].look, target, &before, &before, options)?;
         let misses = painted_of(&before);
         let edit = Edit::Group { edits: Vec::new() };
-        return Ok(Fitted { edit, look: setup.looks[look].look.clone(), report, misses });
+        return Ok(FittedLook { edit, look: setup.looks[look].look.clone(), report, misses });
     }
     let report =
         Report { is_stopped, ..Report::new(&shot, &fitted, target, &before, &after, options)? };
@@ -112,7 +112,7 @@ pub fn fit_look(
     }
     let edit = Edit::Group { edits: first.into_iter().chain(edits).collect() };
     let misses = painted_of(&after);
-    Ok(Fitted { edit, look: fitted, report, misses })
+    Ok(FittedLook { edit, look: fitted, report, misses })
 }
 
 /// A look that was turned to where it is nearest.
@@ -121,7 +121,7 @@ pub(super) struct Polished {
     /// What makes it of the look before.
     pub(super) edits: Vec<Edit>,
     /// How far off it is.
-    pub(super) after: Compared,
+    pub(super) after: ComparedPixels,
 }
 
 /// Turns a look that is near downhill at all painted pixels; its profiles are to be broad where
@@ -131,7 +131,7 @@ pub(super) struct Polished {
 /// As [`fit_look`].
 pub(super) fn polished(
     shot: &Shot<'_>,
-    given: &[Wish],
+    given: &[PixelGoal],
     soft: f64,
     options: &FitOptions,
     progress: &Progress,
@@ -150,7 +150,7 @@ pub(super) fn polished(
             if is_even { model.even(EVEN_QUADS) } else { model.telling(&best.missing, QUADS) };
         let painted = Painted::new(&model, &wishes, &chosen).softly(soft);
         let steps = if is_even { EVEN_STEPS } else { 25 };
-        let until = Until { steps, error: error_of(&painted.wishes, 0.1 / 255.0) };
+        let until = StopRule { steps, error: error_of(&painted.wishes, 0.1 / 255.0) };
         let before = best.error;
         let next = descend(&painted, best.state.clone(), until, progress).map_err(one)?.point;
         best.offer(&model, &wishes, next).map_err(one)?;
@@ -182,7 +182,7 @@ struct Nearest {
 }
 
 impl Nearest {
-    fn new(model: &Model, wishes: &[Wish], state: Vec<Setting>) -> Result<Self, Diagnostic> {
+    fn new(model: &Model, wishes: &[PixelGoal], state: Vec<Setting>) -> Result<Self, Diagnostic> {
         let missing = missing_of(&compared(model, wishes, &state)?);
         Ok(Self { state, error: squares(&missing), missing })
     }
@@ -191,7 +191,7 @@ impl Nearest {
     fn offer(
         &mut self,
         model: &Model,
-        wishes: &[Wish],
+        wishes: &[PixelGoal],
         state: Vec<Setting>,
     ) -> Result<(), Diagnostic> {
         let other = Self::new(model, wishes, state)?;
@@ -209,7 +209,7 @@ fn squares(missing: &[f64]) -> f64 {
 /// The look at the painted pixels, with where everything stands.
 fn model(
     shot: &Shot<'_>,
-    given: &[Wish],
+    given: &[PixelGoal],
     options: &FitOptions,
 ) -> Result<(Model, Vec<Setting>), Vec<Diagnostic>> {
     let (knobs, begin): (Vec<Knob>, Vec<Setting>) =
@@ -236,20 +236,20 @@ fn applied(model: &Model, state: &[Setting], look: &Look) -> Result<(Look, Vec<E
 }
 
 /// The sum of squared residuals that is an RMS of `enough` in a channel.
-fn error_of(wishes: &[Wish], enough: f64) -> f64 {
+fn error_of(wishes: &[PixelGoal], enough: f64) -> f64 {
     3.0 * enough * enough * wishes.iter().map(|wish| wish.weight).sum::<f64>()
 }
 
 /// How far off each pixel is, as much as it counts.
-fn missing_of(compared: &Compared) -> Vec<f64> {
-    compared.iter().map(One::miss).collect()
+fn missing_of(compared: &ComparedPixels) -> Vec<f64> {
+    compared.iter().map(ComparedPixel::miss).collect()
 }
 
 /// Where to begin: as it is, then with soft profiles, then also with the lights where most is
 /// missing.
 fn starts(
     shot: &Shot<'_>,
-    given: &[Wish],
+    given: &[PixelGoal],
     begin: &[Setting],
     missing: &[f64],
     count: usize,

@@ -4,15 +4,15 @@ use std::collections::BTreeMap;
 use std::collections::HashSet;
 use std::sync::Arc;
 
-use super::{Options, Shown};
+use super::{GalleryDocument, Options};
 use crate::accuracy::{BenchOptions, MeasuredNodes, Report, bench};
 use crate::compile::Live;
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::Look;
 use crate::frame::{Assets, FramePlan, Pass, PlanOptions, Planner, Setup, open};
 use crate::library::Library;
 use crate::progress::Progress;
-use crate::render::{Renderer, block_on};
+use crate::render::Renderer;
 
 /// Everything that a page tells.
 pub(super) struct Entry {
@@ -48,13 +48,13 @@ struct DocumentPlan {
 impl DocumentPlan {
     /// Reads with `assets`, and keeps in them what was read.
     fn new(
-        shown: &Shown,
+        shown: &GalleryDocument,
         library: &Library,
         options: &Options,
         assets: &mut Assets,
     ) -> Result<Self, Vec<Diagnostic>> {
         let mesh = options.mesh.as_deref().or(shown.mesh.as_deref());
-        let (mut setup, mut warnings) = open(&shown.file, mesh, assets)?;
+        let (mut setup, mut warnings) = open(&shown.file, mesh, assets)?.into_parts();
         setup.scene.backdrop = shown.backdrop.or(setup.scene.backdrop);
         shown.place(&mut setup.scene).map_err(|problem| vec![problem])?;
         let time = shown.time.unwrap_or(setup.scene.time.start);
@@ -70,7 +70,7 @@ impl DocumentPlan {
 
 /// Hands over what a page is made of: what is drawn, and what the page says of it.
 pub(super) fn content(
-    shown: &Shown,
+    shown: &GalleryDocument,
     library: &Library,
     options: &Options,
     assets: &mut Assets,
@@ -86,15 +86,15 @@ pub(super) fn content(
 
 impl Entry {
     /// Draws and measures a document.
-    pub(super) fn make(
-        shown: &Shown,
+    pub(super) async fn make(
+        shown: &GalleryDocument,
         library: &Library,
         renderer: &mut Renderer,
         options: &Options,
-    ) -> Result<(Self, Vec<Diagnostic>), Vec<Diagnostic>> {
+    ) -> Result<Warned<Self>, Vec<Diagnostic>> {
         let DocumentPlan { setup, options: plan_options, plan, warnings } =
             DocumentPlan::new(shown, library, options, &mut Assets::default())?;
-        let picture = block_on(renderer.picture(&plan)).map_err(|error| vec![error.into()])?;
+        let picture = renderer.picture(&plan).await.map_err(|error| vec![error.into()])?;
         let png = picture.to_png().map_err(|problem| vec![problem])?;
         let mut seen = HashSet::new();
         let modules = plan.draws.iter().filter(|draw| seen.insert(Arc::as_ptr(&draw.look)));
@@ -102,7 +102,7 @@ impl Entry {
             modules.map(|draw| (draw.look_name.clone(), draw.look.wgsl.clone())).collect();
         let report = match options.rounds {
             0 => None,
-            rounds => Some(measure(&setup, library, renderer, &plan_options, rounds)?),
+            rounds => Some(measure(&setup, library, renderer, &plan_options, rounds).await?),
         };
         let looks = looks(&setup);
         let (name, about) = told(shown, &setup);
@@ -123,11 +123,11 @@ impl Entry {
             report,
             triangles: setup.objects.iter().map(|object| object.mesh.triangle_count()).sum(),
         };
-        Ok((entry, warnings))
+        Ok(Warned::new(entry, warnings))
     }
 }
 
-fn measure(
+async fn measure(
     setup: &Setup,
     library: &Library,
     renderer: &mut Renderer,
@@ -140,7 +140,7 @@ fn measure(
         nodes: MeasuredNodes::None,
         truth: true,
     };
-    Ok(bench(setup, library, renderer, &options, &Progress::new())?)
+    Ok(bench(setup, library, renderer, &options, &Progress::new()).await?)
 }
 
 /// Looks that differ, in the order in which they are worn.
@@ -169,7 +169,7 @@ fn kinds(looks: &[Look]) -> BTreeMap<String, usize> {
 }
 
 /// The document's name and paragraph: a scene's own, or those of the one look that was opened.
-fn told(shown: &Shown, setup: &Setup) -> (String, String) {
+fn told(shown: &GalleryDocument, setup: &Setup) -> (String, String) {
     let (mut name, mut about) = (setup.scene.name.clone(), setup.scene.about.clone());
     if let [only] = setup.looks.as_slice() {
         if name.is_empty() {

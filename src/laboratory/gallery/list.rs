@@ -36,12 +36,12 @@ pub struct Section {
     /// A paragraph below it.
     pub about: String,
     /// In order.
-    pub shown: Vec<Shown>,
+    pub shown: Vec<GalleryDocument>,
 }
 
 /// A document, and on what it is shown.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Shown {
+pub struct GalleryDocument {
     /// A look or a scene.
     pub file: PathBuf,
     /// A mesh, named from the working folder, or an own shape for a look; the default one without.
@@ -58,7 +58,7 @@ pub struct Shown {
     pub time: Option<f64>,
 }
 
-impl Shown {
+impl GalleryDocument {
     /// Places a scene's camera and turns its lights as the list has them.
     ///
     /// # Errors
@@ -143,7 +143,7 @@ pub fn list(paths: &[PathBuf]) -> Result<List, Vec<Diagnostic>> {
     let mut problems = Vec::new();
     for path in paths {
         if !path.is_dir() {
-            own.shown.push(Shown { file: path.clone(), ..Shown::default() });
+            own.shown.push(GalleryDocument { file: path.clone(), ..GalleryDocument::default() });
             continue;
         }
         match of_folder(path) {
@@ -239,7 +239,7 @@ fn parsed(text: &str, file: &Path, place: &dyn Fn(&Path) -> PathBuf) -> Result<L
     let shown = |entry: EntryText| {
         let EntryText { file, mesh, backdrop, name, camera, turn_lights: lights, time } = entry;
         let backdrop = backdrop.map(|text| color(&file, text)).transpose()?;
-        let shown = Shown {
+        let shown = GalleryDocument {
             file: place(&file),
             mesh: mesh.map(mesh_of),
             backdrop,
@@ -261,14 +261,14 @@ fn parsed(text: &str, file: &Path, place: &dyn Fn(&Path) -> PathBuf) -> Result<L
 }
 
 /// The documents right in a folder, by name.
-fn documents(folder: &Path) -> Result<Vec<Shown>, Diagnostic> {
+fn documents(folder: &Path) -> Result<Vec<GalleryDocument>, Diagnostic> {
     let is_document = |path: &PathBuf| {
         let is_json =
             path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"));
         is_json && path.file_name().is_some_and(|name| name != LIST_FILE)
     };
     let found = entries(folder)?.into_iter().filter(is_document);
-    Ok(found.map(|file| Shown { file, ..Shown::default() }).collect())
+    Ok(found.map(|file| GalleryDocument { file, ..GalleryDocument::default() }).collect())
 }
 
 fn entries(folder: &Path) -> Result<Vec<PathBuf>, Diagnostic> {

@@ -24,7 +24,7 @@ use crate::library::Library;
 use crate::progress::Progress;
 use crate::render::{Gpu, Renderer};
 use entry::Entry;
-pub use list::{List, Section, Shown};
+pub use list::{GalleryDocument, List, Section};
 
 /// A page of a gallery is smaller, in bytes.
 const MAX_PAGE_BYTES: u64 = 64 << 20;
@@ -47,7 +47,7 @@ pub struct Options {
 
 /// What was made of a gallery.
 #[derive(Debug, Default)]
-pub struct Made {
+pub struct GalleryReport {
     /// How many documents have a page.
     pub pages: usize,
     /// What was wrong with the others, and what is odd.
@@ -72,7 +72,7 @@ fn is_page(bytes: &[u8]) -> bool {
 /// # Errors
 /// Where nothing can be written there, or a file of somebody else lies in the way, or `progress`
 /// stopped it: the pages that are done stay.
-pub fn build(
+pub async fn build(
     list: &List,
     folder: &Path,
     outputs: &mut Outputs,
@@ -80,11 +80,11 @@ pub fn build(
     library_for: &dyn Fn(&Path) -> Library,
     options: &Options,
     progress: &Progress,
-) -> Result<Made, Vec<Diagnostic>> {
+) -> Result<GalleryReport, Vec<Diagnostic>> {
     check(list, folder, outputs)?;
     make_folder(folder)?;
     let one = |problem| vec![problem];
-    let mut made = Made::default();
+    let mut made = GalleryReport::default();
     let mut index = page::Index::new(list);
     let slugs = slugs(list);
     let mut order = slugs.iter().map(String::as_str);
@@ -96,10 +96,10 @@ pub fn build(
             let library = library_for(&shown.file);
             made.problems.extend(library.problems.iter().cloned());
             // A renderer of its own, or the pipelines and textures of all would be kept.
-            let mut renderer = Renderer::new(gpu.clone());
-            match Entry::make(shown, &library, &mut renderer, options) {
-                Ok((entry, warnings)) => {
-                    made.problems.extend(warnings);
+            let mut renderer = Renderer::new(gpu.with_own_store());
+            match Entry::make(shown, &library, &mut renderer, options).await {
+                Ok(entry) => {
+                    let entry = entry.tell(&mut made.problems);
                     let mut catalog = Catalog::new(&library);
                     let page = folder.join(format!("{slug}.html"));
                     let is_picture = |bytes: &[u8]| is_picture(bytes, &page);
@@ -153,7 +153,7 @@ pub fn build(
 /// # Errors
 /// What is wrong with the document.
 pub fn content(
-    shown: &Shown,
+    shown: &GalleryDocument,
     library: &Library,
     options: &Options,
     assets: &mut Assets,
@@ -167,7 +167,7 @@ pub fn content(
 fn slugs(list: &List) -> Vec<String> {
     let mut taken: HashSet<String> = HashSet::from(["index".to_owned(), "style".to_owned()]);
     let all = list.sections.iter().flat_map(|section| &section.shown);
-    let slug = |shown: &Shown| {
+    let slug = |shown: &GalleryDocument| {
         let stem = shown
             .file
             .file_stem()

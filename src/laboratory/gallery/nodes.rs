@@ -31,7 +31,7 @@ pub struct NodePictures {
 ///
 /// # Errors
 /// What cannot be drawn, what `done` says, or that `progress` stopped it.
-pub fn draw_nodes(
+pub async fn draw_nodes(
     library: &Library,
     gpu: &Gpu,
     progress: &Progress,
@@ -47,9 +47,9 @@ pub fn draw_nodes(
     let kinds: Vec<_> = catalog.all().filter(|kind| kind.id != CUSTOM_KIND).collect();
     progress.expect(kinds.len() as u64);
     for kind in kinds {
-        let mut renderer = Renderer::new(gpu.clone());
+        let mut renderer = Renderer::new(gpu.with_own_store());
         let picture =
-            sample::picture(kind, &catalog, library, &mut renderer, (folder.path(), SIDE))?;
+            sample::picture(kind, &catalog, library, &mut renderer, (folder.path(), SIDE)).await?;
         done(NodePictures { kind: kind.id.clone(), svg: node_svg(&kind.id, &catalog), picture })
             .map_err(one)?;
         progress.step()?;
@@ -78,7 +78,7 @@ pub fn check_nodes(library: &Library, folder: &Path, outputs: &Outputs) -> Resul
 ///
 /// # Errors
 /// As [`draw_nodes`], and where nothing can be written, or files of others are in the way.
-pub fn write_nodes(
+pub async fn write_nodes(
     library: &Library,
     folder: &Path,
     gpu: &Gpu,
@@ -100,6 +100,7 @@ pub fn write_nodes(
         outputs.add(&svg, OutputKind::DRAWING, node.svg.as_bytes())?;
         outputs.commit()
     })
+    .await
 }
 
 /// The drawing and the picture of a kind.

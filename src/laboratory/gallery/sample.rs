@@ -11,7 +11,7 @@ use crate::document::{Endpoint, Light, Look, Node, Value, Values, Wire};
 use crate::examples;
 use crate::frame::{Assets, Picture, PlanOptions, Planner, SHAPE_PREFIX, SetupLook, default_setup};
 use crate::library::{Fallback, Library, Type};
-use crate::render::{Renderer, block_on};
+use crate::render::Renderer;
 
 /// What shows more of a node than its defaults, by kind: values as in a look's JSON, which source
 /// `feed`s which input, what the output is multiplied by (`times`), on which own shape it is seen
@@ -29,7 +29,7 @@ const STRIPES: &str = "example:hcbtf/stripes.hcbtf";
 
 /// How a kind is shown.
 #[derive(Default)]
-struct Showing {
+struct NodeSample {
     values: Values,
     /// Inputs, each with its source.
     feed: Vec<(String, String)>,
@@ -39,7 +39,7 @@ struct Showing {
 
 /// A look that shows the first output of a node of `kind`; `None` where there is nothing to see of
 /// it.
-fn look_of(kind: &Kind, catalog: &Catalog, showing: Showing) -> Option<Look> {
+fn look_of(kind: &Kind, catalog: &Catalog, showing: NodeSample) -> Option<Look> {
     let mut build = Build { look: Look::default(), catalog };
     let lights = [("key", [-0.5, 0.6, 0.62]), ("back", [0.8, -0.1, 0.2])];
     for (id, direction) in lights {
@@ -81,7 +81,7 @@ fn look_of(kind: &Kind, catalog: &Catalog, showing: Showing) -> Option<Look> {
     Some(build.look)
 }
 
-impl Showing {
+impl NodeSample {
     /// What the table says of a kind, with files and lights for inputs that name some.
     fn of(kind: &Kind) -> Option<Self> {
         let table: serde_json::Map<String, Json> = serde_json::from_str(VALUES).unwrap_or_default();
@@ -275,21 +275,21 @@ impl Build<'_> {
 
 /// Draws what a node of a kind gives, on a transparent ground; `None` where nothing could be seen
 /// of it. `folder` is where the image and the HCBTF lie that some nodes read ([`write_assets`]).
-pub(super) fn picture(
+pub(super) async fn picture(
     kind: &Kind,
     catalog: &Catalog,
     library: &Library,
     renderer: &mut Renderer,
     (folder, side): (&Path, u32),
 ) -> Result<Option<Picture>, Vec<Diagnostic>> {
-    let Some(showing) = Showing::of(kind) else { return Ok(None) };
+    let Some(showing) = NodeSample::of(kind) else { return Ok(None) };
     let mesh = format!("{SHAPE_PREFIX}{}", showing.mesh);
     let Some(look) = look_of(kind, catalog, showing) else { return Ok(None) };
     let mut assets = Assets::default();
     // No text of it is anywhere.
     let source = Look::read("{}", &kind.id).source.into();
     let look = SetupLook { look, source, folder: folder.to_path_buf() };
-    let (mut setup, _) = default_setup(look, &mesh, &mut assets)?;
+    let mut setup = default_setup(look, &mesh, &mut assets)?.value;
     setup.scene.backdrop = None;
     if mesh.ends_with(MESH) {
         // It fills its picture.
@@ -298,7 +298,7 @@ pub(super) fn picture(
     }
     let options = PlanOptions { size: [side, side], samples: 4, time: 0.4 };
     let plan = Planner::new(assets).plan(&setup, library, &Live::Keyed, &options)?;
-    Ok(Some(block_on(renderer.picture(&plan)).map_err(|error| vec![error.into()])?))
+    Ok(Some(renderer.picture(&plan).await.map_err(|error| vec![error.into()])?))
 }
 
 /// Writes the files that samples read.
@@ -351,7 +351,7 @@ mod tests {
         let catalog = Catalog::new(library);
         let mut unseen = Vec::new();
         for kind in catalog.all().filter(|kind| kind.id != crate::catalog::CUSTOM_KIND) {
-            match Showing::of(kind).and_then(|showing| look_of(kind, &catalog, showing)) {
+            match NodeSample::of(kind).and_then(|showing| look_of(kind, &catalog, showing)) {
                 None => unseen.push(kind.id.clone()),
                 Some(look) => {
                     let compiled = crate::compile::compile(&look, library, &Default::default());

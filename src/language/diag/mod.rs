@@ -207,6 +207,46 @@ impl fmt::Display for Diagnostic {
     }
 }
 
+/// A value that can be used, and what is odd about it: the one channel of warnings. Whoever makes a
+/// value of a file or a graph returns this; whoever shows something to people passes a list down to
+/// [`tell`](Self::tell).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Warned<T> {
+    /// The value.
+    pub value: T,
+    /// Warnings and notes, in the order in which they were found; no errors.
+    pub warnings: Vec<Diagnostic>,
+}
+
+impl<T> Warned<T> {
+    /// A value with what is odd about it.
+    pub fn new(value: T, warnings: Vec<Diagnostic>) -> Self {
+        Self { value, warnings }
+    }
+
+    /// Hands the warnings to whoever collects them, and the value to the caller.
+    pub fn tell(self, collected: &mut Vec<Diagnostic>) -> T {
+        collected.extend(self.warnings);
+        self.value
+    }
+
+    /// The value and the warnings.
+    pub fn into_parts(self) -> (T, Vec<Diagnostic>) {
+        (self.value, self.warnings)
+    }
+
+    /// Another value made of this one, with the same warnings.
+    pub fn map<U>(self, make: impl FnOnce(T) -> U) -> Warned<U> {
+        Warned { value: make(self.value), warnings: self.warnings }
+    }
+}
+
+impl<T> From<T> for Warned<T> {
+    fn from(value: T) -> Self {
+        Self { value, warnings: Vec::new() }
+    }
+}
+
 /// Whether any of them is an error.
 pub fn has_errors(diagnostics: &[Diagnostic]) -> bool {
     diagnostics.iter().any(Diagnostic::is_error)

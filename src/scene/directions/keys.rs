@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 
 /// Keys that are closer than this (radians) are one: raw weights grow like 1 over their distance,
 /// to -2e3 here.
@@ -39,7 +39,7 @@ pub(super) struct KeySet {
 
 impl KeySet {
     /// Normalises and merges, and tells of every key that is not what it seems.
-    pub(super) fn gather(directions: &[DVec3]) -> (Self, Vec<Diagnostic>) {
+    pub(super) fn gather(directions: &[DVec3]) -> Warned<Self> {
         let mut set = Self::default();
         let mut diagnostics = Vec::new();
         for (key, &direction) in directions.iter().enumerate() {
@@ -57,11 +57,11 @@ impl KeySet {
                     .hint("those past the limit have no weight"),
             );
         }
-        (set, diagnostics)
+        Warned::new(set, diagnostics)
     }
 
     /// The same of places: any numbers but those that are not finite.
-    pub(super) fn gather_places(places: &[DVec3]) -> (Self, Vec<Diagnostic>) {
+    pub(super) fn gather_places(places: &[DVec3]) -> Warned<Self> {
         let mut set = Self::default();
         let mut diagnostics = Vec::new();
         for (key, &place) in places.iter().enumerate() {
@@ -89,7 +89,7 @@ impl KeySet {
                     .hint("those past the limit have no weight"),
             );
         }
-        (set, diagnostics)
+        Warned::new(set, diagnostics)
     }
 
     /// The group of a new key.
@@ -210,7 +210,7 @@ mod tests {
         let near = |angle: f64| DVec3::new(angle.cos(), angle.sin(), 0.0);
         let keys =
             [DVec3::X, DVec3::ZERO, DVec3::X * 7.0, near(1e-6), near(0.05), DVec3::NAN, DVec3::Z];
-        let (set, diagnostics) = KeySet::gather(&keys);
+        let (set, diagnostics) = KeySet::gather(&keys).into_parts();
         assert_eq!(set.group_of, [0, NO_GROUP, 0, 0, 1, NO_GROUP, 2]);
         assert_eq!(set.sizes, [3, 1, 1]);
         let wanted = [
@@ -227,7 +227,7 @@ mod tests {
 
     #[test]
     fn the_count_is_bounded() {
-        let (set, diagnostics) = KeySet::gather(&vec![DVec3::Y; MAX_KEYS + 5]);
+        let (set, diagnostics) = KeySet::gather(&vec![DVec3::Y; MAX_KEYS + 5]).into_parts();
         assert_eq!(set.centers.len(), 1);
         assert_eq!(set.group_of[MAX_KEYS..], [NO_GROUP; 5]);
         assert_eq!(codes(&diagnostics).last(), Some(&"too-many-keys"));

@@ -7,7 +7,7 @@ use super::icosphere::Icosphere;
 use super::kernel::Kernel;
 use super::keys::{KeySet, NO_GROUP, unit};
 use super::tessellated::{Tessellated, Tessellation};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::KeyScheme;
 
 /// The weights of keys as a function of direction. Made once for a set of keys, asked for every
@@ -18,7 +18,7 @@ use crate::document::KeyScheme;
 /// use chiaro_scene::directions::KeyWeights;
 /// use glam::DVec3;
 ///
-/// let (keys, problems) = KeyWeights::new(&[DVec3::Z, DVec3::NEG_Z], KeyScheme::Biharmonic);
+/// let (keys, problems) = KeyWeights::new(&[DVec3::Z, DVec3::NEG_Z], KeyScheme::Biharmonic).into_parts();
 /// assert!(problems.is_empty());
 /// assert_eq!(keys.weights(DVec3::Z), [1.0, 0.0]);
 /// assert!((keys.weights(DVec3::X)[0] - 0.5).abs() < 1e-12);
@@ -58,15 +58,15 @@ impl KeyWeights {
     /// [`MAX_KEYS`](super::MAX_KEYS), have weight 0. All of these are reported, as are keys closer
     /// than [`CLOSE_ANGLE`](super::CLOSE_ANGLE); a diagnostic's JSON path starts at the list,
     /// `keys[3].direction`. Should a solve fail, that is reported and simpler weights stand in.
-    pub fn new(directions: &[DVec3], scheme: KeyScheme) -> (Self, Vec<Diagnostic>) {
-        let (set, mut diagnostics) = KeySet::gather(directions);
+    pub fn new(directions: &[DVec3], scheme: KeyScheme) -> Warned<Self> {
+        let (set, mut diagnostics) = KeySet::gather(directions).into_parts();
         let field = match scheme {
             _ if set.centers.len() < 2 => Field::Whole,
             KeyScheme::Biharmonic => closed(Kernel::Biharmonic, &set, &mut diagnostics),
             KeyScheme::AppendixB => closed(Kernel::AppendixB, &set, &mut diagnostics),
             KeyScheme::Tessellated => meshed(Tessellation::default(), &set, &mut diagnostics),
         };
-        (Self { set, field, space: Space::Sphere }, diagnostics)
+        Warned::new(Self { set, field, space: Space::Sphere }, diagnostics)
     }
 
     /// Solves for the weights of keys at places: the values of one to three drivers, 0 where there
@@ -76,34 +76,31 @@ impl KeyWeights {
     /// together. Raw weights are of the kernel -|x - y|: of the sphere's in space, and along one
     /// axis straight lines from key to key, so that weights go by a smoothstep from one to the next
     /// and stay beyond the outermost.
-    pub fn at_places(places: &[DVec3]) -> (Self, Vec<Diagnostic>) {
+    pub fn at_places(places: &[DVec3]) -> Warned<Self> {
         let finite = || places.iter().copied().filter(|place| place.is_finite());
         let origin = finite().reduce(DVec3::min).unwrap_or(DVec3::ZERO);
         let extent = finite().reduce(DVec3::max).unwrap_or(DVec3::ZERO) - origin;
         let scale =
             DVec3::from_array(extent.to_array().map(|x| if x > 0.0 { 1.0 / x } else { 0.0 }));
         let scaled: Vec<DVec3> = places.iter().map(|place| (*place - origin) * scale).collect();
-        let (set, mut diagnostics) = KeySet::gather_places(&scaled);
+        let (set, mut diagnostics) = KeySet::gather_places(&scaled).into_parts();
         let field = if set.centers.len() < 2 {
             Field::Whole
         } else {
             closed(Kernel::Distance, &set, &mut diagnostics)
         };
-        (Self { set, field, space: Space::Places { origin, scale } }, diagnostics)
+        Warned::new(Self { set, field, space: Space::Places { origin, scale } }, diagnostics)
     }
 
     /// As [`KeyWeights::new`] with [`KeyScheme::Tessellated`], on a mesh of one's choice.
-    pub fn tessellated(
-        directions: &[DVec3],
-        tessellation: Tessellation,
-    ) -> (Self, Vec<Diagnostic>) {
-        let (set, mut diagnostics) = KeySet::gather(directions);
+    pub fn tessellated(directions: &[DVec3], tessellation: Tessellation) -> Warned<Self> {
+        let (set, mut diagnostics) = KeySet::gather(directions).into_parts();
         let field = if set.centers.len() < 2 {
             Field::Whole
         } else {
             meshed(tessellation, &set, &mut diagnostics)
         };
-        (Self { set, field, space: Space::Sphere }, diagnostics)
+        Warned::new(Self { set, field, space: Space::Sphere }, diagnostics)
     }
 
     /// The number of keys it was made of, and of weights it gives.

@@ -31,7 +31,7 @@ mod wgsl;
 use std::path::Path;
 
 use crate::compile::check;
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::Look;
 use crate::library::Library;
 
@@ -118,18 +118,10 @@ impl File {
     }
 }
 
-/// An exported look.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Export {
-    /// What to write, in order; no two have the same name.
-    pub files: Vec<File>,
-    /// What is odd about the look, but stopped nothing.
-    pub warnings: Vec<Diagnostic>,
-}
-
 /// Exports `look` in `languages` as files whose names begin with `stem`, such as `rim` for
 /// `rim.frag`. The images and HCBTFs that it reads, whose paths are relative to `folder`, are
-/// carried along; one that cannot be read is a warning.
+/// carried along; one that cannot be read is a warning. Returns what to write, in order; no two
+/// files have the same name.
 ///
 /// # Errors
 /// Everything that is wrong with the look, or what a language cannot express.
@@ -139,12 +131,11 @@ pub fn export(
     stem: &str,
     languages: &[&'static Language],
     folder: &Path,
-) -> Result<Export, Vec<Diagnostic>> {
-    let (typed, mut warnings) = check(look, library, None)?;
+) -> Result<Warned<Vec<File>>, Vec<Diagnostic>> {
+    let (typed, mut warnings) = check(look, library, None)?.into_parts();
     let mut modules = modules::compile(&typed, stem)?;
     warnings.append(&mut modules.warnings);
-    let (carried, mut missing) = textures::carried(&mut modules.images, stem, folder);
-    warnings.append(&mut missing);
+    let carried = textures::carried(&mut modules.images, stem, folder).tell(&mut warnings);
     let mut files = Vec::new();
     let mut written = Vec::new();
     let mut problems = Vec::new();
@@ -166,5 +157,5 @@ pub fn export(
     files.extend(modules.prepare_files());
     files.push(File::text(format!("{stem}.json"), description));
     files.extend(carried);
-    Ok(Export { files, warnings })
+    Ok(Warned::new(files, warnings))
 }

@@ -6,18 +6,14 @@ use std::path::Path;
 use super::File;
 use super::modules::Image;
 use crate::compile::ImageShape;
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::frame::{Assets, image_bytes};
 use crate::hcbtf::{LayerOptions, Layers, ktx2};
 
 /// Reads every image, relative to `folder`, names the file that carries it, and returns those files
 /// with what could not be read. An image goes as it is; an HCBTF goes as the texture that the
 /// shader looks up.
-pub(super) fn carried(
-    images: &mut [Image],
-    stem: &str,
-    folder: &Path,
-) -> (Vec<File>, Vec<Diagnostic>) {
+pub(super) fn carried(images: &mut [Image], stem: &str, folder: &Path) -> Warned<Vec<File>> {
     let mut assets = Assets::default();
     let mut files: Vec<File> = Vec::new();
     let mut problems = Vec::new();
@@ -33,7 +29,8 @@ pub(super) fn carried(
             ImageShape::Hcbtf { has_levels, storage } => {
                 let options =
                     LayerOptions { has_levels, is_decoded: image.used.is_decoded, storage };
-                let baked = assets.hcbtf(folder, &image.path, options).map(|(image, _)| {
+                let baked = assets.hcbtf(folder, &image.path, options).map(|warned| {
+                    let image = warned.value;
                     let (coding, bytes) = (image.coding, image.bytes.clone());
                     let layers = Layers { size: image.size, count: image.layers, coding, bytes };
                     ktx2::write(&layers)
@@ -55,7 +52,7 @@ pub(super) fn carried(
             Err(found) => problems.extend(found.iter().map(|problem| left_out(problem, image))),
         }
     }
-    (files, problems)
+    Warned::new(files, problems)
 }
 
 /// A name that no other file of the export has: the look's, then the image's own.

@@ -6,13 +6,13 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::SystemTime;
 
-use crate::diag::Diagnostic;
+use super::store::{AssetStore, FileStamp, HcbtfKey};
+use crate::diag::{Diagnostic, Warned};
 use crate::document::{Address, Directions, Grid, Hcbtf, Tile};
 use crate::files::{self, ReadError};
 use crate::geometry::{self, Mesh};
-use crate::hcbtf::{self, Coding, Filled, LayerOptions, Layers, Region};
+use crate::hcbtf::{self, Coding, FilledSamples, LayerOptions, Layers, Region};
 use crate::progress::Progress;
 
 /// What an object's mesh begins with where it is an own shape.
@@ -73,12 +73,25 @@ impl Image {
     }
 }
 
+/// An asset that a picture uses.
 #[derive(Clone, Debug)]
-struct Kept<T> {
-    stamp: Option<(SystemTime, u64)>,
-    value: Arc<T>,
-    notes: Vec<Diagnostic>,
+struct UsedAsset<T> {
+    stamp: FileStamp,
+    warned: Warned<Arc<T>>,
+    /// The round in which it was asked for last.
+    round: u64,
 }
+
+impl<T> UsedAsset<T> {
+    /// The asset, where its file is as it was.
+    fn at(&mut self, stamp: FileStamp, round: u64) -> Option<Warned<Arc<T>>> {
+        self.round = round;
+        (self.stamp == stamp).then(|| self.warned.clone())
+    }
+}
+
+/// What none of so many pictures used is dropped.
+const MOST_ROUNDS: u64 = 16;
 
 /// An HCBTF as it is being painted, in place of what its file holds.
 #[derive(Clone, Debug)]
@@ -90,7 +103,7 @@ pub struct Overlay {
     /// What is painted.
     pub hcbtf: Arc<Hcbtf>,
     /// What the rules made of the rest, as far as that is known.
-    pub filled: Option<Arc<Filled>>,
+    pub filled: Option<Arc<FilledSamples>>,
 }
 
 impl Overlay {
@@ -193,9 +206,13 @@ fn around(one: &Region, other: &Region) -> Region {
     Region { layer: one.layer, at, size: [0, 1].map(|axis| end(axis) - at[axis]) }
 }
 
-/// Reads meshes and images, each once.
+/// Reads meshes and images, each once, and holds what a picture uses; what is read is shared with
+/// all who have the same [`AssetStore`].
 #[derive(Clone, Debug, Default)]
 pub struct Assets {
+    store: AssetStore,
+    /// Counts pictures.
+    round: u64,
     overlay: Option<Overlay>,
     /// Whether what rules make is made for few directions alone.
     drafts: bool,
@@ -203,12 +220,33 @@ pub struct Assets {
     progress: Progress,
     /// What was baked of it, or of what it was before.
     baked: HashMap<LayerOptions, (Overlay, Arc<Image>)>,
-    meshes: HashMap<String, Kept<Mesh>>,
-    images: HashMap<PathBuf, Kept<Image>>,
-    hcbtfs: HashMap<(PathBuf, LayerOptions), Kept<Image>>,
+    meshes: HashMap<String, UsedAsset<Mesh>>,
+    images: HashMap<PathBuf, UsedAsset<Image>>,
+    hcbtfs: HashMap<HcbtfKey, UsedAsset<Image>>,
 }
 
 impl Assets {
+    /// Nothing is used yet; what is read is shared with all who have the same store.
+    pub fn of(store: &AssetStore) -> Self {
+        Self { store: store.clone(), ..Self::default() }
+    }
+
+    /// Shares what is read from now on with all who have the same store.
+    pub fn share(&mut self, store: &AssetStore) {
+        if !self.store.is_same(store) {
+            self.store = store.clone();
+        }
+    }
+
+    /// Another picture begins: what none of the last few used is dropped.
+    pub fn begin_picture(&mut self) {
+        self.round += 1;
+        let least = self.round.saturating_sub(MOST_ROUNDS);
+        self.meshes.retain(|_, used| used.round >= least);
+        self.images.retain(|_, used| used.round >= least);
+        self.hcbtfs.retain(|_, used| used.round >= least);
+    }
+
     /// The mesh that `name` means, a path relative to `folder` or `shape:` and an own shape, with
     /// what was odd in it.
     ///
@@ -218,21 +256,19 @@ impl Assets {
         &mut self,
         folder: &Path,
         name: &str,
-    ) -> Result<(Arc<Mesh>, Vec<Diagnostic>), Vec<Diagnostic>> {
+    ) -> Result<Warned<Arc<Mesh>>, Vec<Diagnostic>> {
         if let Some(shape) = name.strip_prefix(SHAPE_PREFIX) {
-            return Ok((self.shape(shape)?, Vec::new()));
+            return Ok(self.shape(shape)?.into());
         }
         let path = folder.join(name);
         let key = path.display().to_string();
-        let stamp = stamp(&path);
-        if let Some(kept) = self.meshes.get(&key).filter(|kept| kept.stamp == stamp) {
-            return Ok((kept.value.clone(), kept.notes.clone()));
+        let (stamp, round) = (stamp(&path), self.round);
+        if let Some(known) = self.meshes.get_mut(&key).and_then(|used| used.at(stamp, round)) {
+            return Ok(known);
         }
-        let imported = geometry::load(&path)?;
-        let value = Arc::new(imported.mesh);
-        self.meshes
-            .insert(key, Kept { stamp, value: value.clone(), notes: imported.notes.clone() });
-        Ok((value, imported.notes))
+        let warned = self.store.mesh(&key, stamp, || geometry::load(&path))?;
+        self.meshes.insert(key, UsedAsset { stamp, warned: warned.clone(), round });
+        Ok(warned)
     }
 
     /// Every file that was read: meshes, images and HCBTFs.
@@ -240,26 +276,30 @@ impl Assets {
         let meshes =
             self.meshes.keys().filter(|name| !name.starts_with(SHAPE_PREFIX)).map(Path::new);
         let images = self.images.keys().map(PathBuf::as_path);
-        meshes.chain(images).chain(self.hcbtfs.keys().map(|(path, _)| path.as_path()))
+        meshes.chain(images).chain(self.hcbtfs.keys().map(|key| key.path.as_path()))
     }
 
     fn shape(&mut self, name: &str) -> Result<Arc<Mesh>, Vec<Diagnostic>> {
         let key = format!("{SHAPE_PREFIX}{name}");
-        if let Some(kept) = self.meshes.get(&key) {
-            return Ok(kept.value.clone());
+        let round = self.round;
+        if let Some(known) = self.meshes.get_mut(&key).and_then(|used| used.at(None, round)) {
+            return Ok(known.value);
         }
-        let Some(mesh) = geometry::shape(name) else {
+        let shape = || {
+            if let Some(mesh) = geometry::shape(name) {
+                return Ok(mesh.into());
+            }
             let known = geometry::SHAPES.iter().map(|shape| shape.name);
             let names: Vec<&str> = known.clone().collect();
             let problem =
                 Diagnostic::error("unknown-shape", format!("there is no own shape `{name}`"));
-            return Err(vec![
+            Err(vec![
                 problem.suggest(name, known).hint(format!("the shapes are {}", names.join(", "))),
-            ]);
+            ])
         };
-        let value = Arc::new(mesh);
-        self.meshes.insert(key, Kept { stamp: None, value: value.clone(), notes: Vec::new() });
-        Ok(value)
+        let warned = self.store.mesh(&key, None, shape)?;
+        self.meshes.insert(key, UsedAsset { stamp: None, warned: warned.clone(), round });
+        Ok(warned.value)
     }
 
     /// The image at `path`, relative to `folder`.
@@ -268,12 +308,12 @@ impl Assets {
     /// Why it cannot be used; the caller adds who names it.
     pub fn image(&mut self, folder: &Path, path: &str) -> Result<Arc<Image>, Diagnostic> {
         let path = folder.join(path);
-        let stamp = stamp(&path);
-        if let Some(kept) = self.images.get(&path).filter(|kept| kept.stamp == stamp) {
-            return Ok(kept.value.clone());
+        let (stamp, round) = (stamp(&path), self.round);
+        if let Some(known) = self.images.get_mut(&path).and_then(|used| used.at(stamp, round)) {
+            return Ok(known.value);
         }
-        let value = Arc::new(read_image(&path)?);
-        self.images.insert(path, Kept { stamp, value: value.clone(), notes: Vec::new() });
+        let value = self.store.image(&path, stamp, || read_image(&path))?;
+        self.images.insert(path, UsedAsset { stamp, warned: value.clone().into(), round });
         Ok(value)
     }
 
@@ -328,25 +368,19 @@ impl Assets {
         folder: &Path,
         path: &str,
         options: LayerOptions,
-    ) -> Result<(Arc<Image>, Vec<Diagnostic>), Vec<Diagnostic>> {
+    ) -> Result<Warned<Arc<Image>>, Vec<Diagnostic>> {
         let path = folder.join(path);
         if let Some(image) = self.overlaid(&path, options) {
-            return Ok((image.map_err(|problem| vec![problem])?, Vec::new()));
+            return Ok(image.map_err(|problem| vec![problem])?.into());
         }
-        let stamp = stamp(&path);
-        let key = (path, options);
-        if let Some(kept) = self.hcbtfs.get(&key).filter(|kept| kept.stamp == stamp) {
-            return Ok((kept.value.clone(), kept.notes.clone()));
+        let (stamp, round) = (stamp(&path), self.round);
+        let key = HcbtfKey { path, options, is_draft: self.drafts };
+        if let Some(known) = self.hcbtfs.get_mut(&key).and_then(|used| used.at(stamp, round)) {
+            return Ok(known);
         }
-        let (mut hcbtf, notes) = hcbtf::load(&key.0)?;
-        if self.drafts && hcbtf.painted.is_empty() {
-            hcbtf.grid = drafted(hcbtf.grid);
-        }
-        let value = bake(&hcbtf, options, &self.progress)
-            .map_err(|problem| vec![problem.in_file(key.0.display().to_string())])?;
-        let value = Arc::new(value);
-        self.hcbtfs.insert(key, Kept { stamp, value: value.clone(), notes: notes.clone() });
-        Ok((value, notes))
+        let warned = self.store.hcbtf(&key, stamp, || read_hcbtf(&key, &self.progress))?;
+        self.hcbtfs.insert(key, UsedAsset { stamp, warned: warned.clone(), round });
+        Ok(warned)
     }
 }
 
@@ -356,6 +390,17 @@ pub(super) fn plain_hcbtf(color: [u8; 4]) -> Image {
     let grid = Grid { size: [1, 1], light: one, view: one };
     let tile = Arc::new(Tile::filled(grid.size, color));
     Image::new(hcbtf::layers(&grid, |_| Some(&tile), LayerOptions::default()))
+}
+
+/// Reads an HCBTF and fills it by its rules.
+fn read_hcbtf(key: &HcbtfKey, progress: &Progress) -> Result<Warned<Image>, Vec<Diagnostic>> {
+    let (mut hcbtf, notes) = hcbtf::load(&key.path)?.into_parts();
+    if key.is_draft && hcbtf.painted.is_empty() {
+        hcbtf.grid = drafted(hcbtf.grid);
+    }
+    let image = bake(&hcbtf, key.options, progress)
+        .map_err(|problem| vec![problem.in_file(key.path.display().to_string())])?;
+    Ok(Warned::new(image, notes))
 }
 
 /// A grid with few directions.
@@ -373,7 +418,7 @@ fn bake(hcbtf: &Hcbtf, options: LayerOptions, progress: &Progress) -> Result<Ima
     Ok(Image::new(hcbtf::stored(&hcbtf.grid, |address| filled.tile(address), options, progress)?))
 }
 
-fn stamp(path: &Path) -> Option<(SystemTime, u64)> {
+fn stamp(path: &Path) -> FileStamp {
     let data = std::fs::metadata(path).ok()?;
     Some((data.modified().ok()?, data.len()))
 }
@@ -442,7 +487,10 @@ mod tests {
         let mut assets = Assets::default();
         let mut baked = |overlay: &Overlay| {
             assets.overlay(Some(overlay.clone()));
-            assets.hcbtf(Path::new("nowhere"), UNSAVED_HCBTF, LayerOptions::default()).unwrap().0
+            assets
+                .hcbtf(Path::new("nowhere"), UNSAVED_HCBTF, LayerOptions::default())
+                .unwrap()
+                .value
         };
         let one = baked(&overlay(1, &[(first, [9, 9, 9, 255])]));
         assert_eq!(one.change, None);
@@ -472,14 +520,14 @@ mod tests {
         let progress = Progress::new();
         let filled = hcbtf::fill::fill(&hcbtf, &progress).unwrap();
         let mut assets = Assets::default();
-        let mut baked = |version: u64, hcbtf: &Hcbtf, filled: &Filled| {
+        let mut baked = |version: u64, hcbtf: &Hcbtf, filled: &FilledSamples| {
             let (hcbtf, filled) = (Arc::new(hcbtf.clone()), Some(Arc::new(filled.clone())));
             let overlay = Overlay { path: None, version, hcbtf, filled };
             assets.overlay(Some(overlay.clone()));
             let image = assets
                 .hcbtf(Path::new("nowhere"), UNSAVED_HCBTF, LayerOptions::default())
                 .unwrap()
-                .0;
+                .value;
             assert!(
                 image.rgba() == overlay.bake(LayerOptions::default()).unwrap().rgba(),
                 "version {version}"

@@ -20,6 +20,7 @@ mod plan;
 mod samples;
 mod screen;
 mod setup;
+mod store;
 mod tiles;
 mod uvs;
 mod values;
@@ -54,6 +55,7 @@ pub use setup::{
     ANY_MATERIAL, DEFAULT_MESH, Setup, SetupLook, SetupObject, Wardrobe, default_setup, look_of,
     object_matrix, open, place_objects, scene_setup,
 };
+pub use store::AssetStore;
 pub use tiles::{MAX_TILE_SAMPLES, TileView, moving_light, tile_assets};
 pub use uvs::missing_uvs;
 pub use values::check_exposed_value;

@@ -151,7 +151,7 @@ impl<'a> Evaluable<'a> {
         assets: &mut Assets,
     ) -> Result<Self, Vec<Diagnostic>> {
         let images = images(assets, &shader, setup)?;
-        let (rig, _) = Rig::new(look);
+        let rig = Rig::new(look).value;
         let table = ParamTable::new(&shader.params);
         Ok(Self { setup, shader, images, rig, table })
     }
@@ -201,7 +201,7 @@ pub fn eval_batches(
     let mut problems = check_samples(setup, samples);
     let any_set = samples.iter().any(|sample| !sample.values.is_empty());
     if problems.is_empty() && any_set {
-        let (typed, _) = check(&setup.look, library, None).map_err(located)?;
+        let typed = check(&setup.look, library, None).map_err(located)?.value;
         problems = check_values(&setup.look, &typed, samples);
     }
     if !problems.is_empty() {

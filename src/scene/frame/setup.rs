@@ -7,7 +7,7 @@ use glam::{DMat4, DQuat, DVec3};
 use indexmap::IndexMap;
 
 use super::assets::Assets;
-use crate::diag::{Diagnostic, has_errors};
+use crate::diag::{Diagnostic, Warned, has_errors};
 use crate::document::{Document, Look, Object, Scene, SourceMap, Transform, Values};
 use crate::examples;
 use crate::geometry::Mesh;
@@ -133,7 +133,7 @@ pub fn open(
     path: &Path,
     mesh: Option<&str>,
     assets: &mut Assets,
-) -> Result<(Setup, Vec<Diagnostic>), Vec<Diagnostic>> {
+) -> Result<Warned<Setup>, Vec<Diagnostic>> {
     let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
     match Document::load(&crate::files::Disk, path) {
         Document::Look(loaded) => {
@@ -142,10 +142,10 @@ pub fn open(
                 return Err(problems);
             };
             let look = SetupLook { look, source: loaded.source.clone().into(), folder };
-            let (setup, found) = default_setup(look, mesh.unwrap_or(DEFAULT_MESH), assets)
-                .map_err(|more| [problems.clone(), more].concat())?;
-            problems.extend(found);
-            Ok((setup, problems))
+            let setup = default_setup(look, mesh.unwrap_or(DEFAULT_MESH), assets)
+                .map_err(|more| [problems.clone(), more].concat())?
+                .tell(&mut problems);
+            Ok(Warned::new(setup, problems))
         }
         Document::Scene(loaded) => {
             let mut problems = loaded.diagnostics.clone();
@@ -153,7 +153,7 @@ pub fn open(
                 return Err(problems);
             };
             let setup = scene_setup(scene, &folder, &loaded.source, mesh, assets, &mut problems);
-            if has_errors(&problems) { Err(problems) } else { Ok((setup, problems)) }
+            if has_errors(&problems) { Err(problems) } else { Ok(Warned::new(setup, problems)) }
         }
     }
 }
@@ -170,8 +170,8 @@ pub fn default_setup(
     look: SetupLook,
     mesh: &str,
     assets: &mut Assets,
-) -> Result<(Setup, Vec<Diagnostic>), Vec<Diagnostic>> {
-    let (mesh, notes) = assets.mesh(Path::new(""), mesh)?;
+) -> Result<Warned<Setup>, Vec<Diagnostic>> {
+    let (mesh, notes) = assets.mesh(Path::new(""), mesh)?.into_parts();
     let world_from_object = object_matrix(&Transform::default(), &mesh);
     let looks = vec![Some(0); mesh.parts.len()];
     let object = SetupObject {
@@ -181,7 +181,7 @@ pub fn default_setup(
         looks,
         values: Values::new(),
     };
-    Ok((Setup { looks: vec![look], objects: vec![object], ..Setup::default() }, notes))
+    Ok(Warned::new(Setup { looks: vec![look], objects: vec![object], ..Setup::default() }, notes))
 }
 
 /// World from object space: fit, scale, turn, move.
@@ -246,10 +246,7 @@ pub fn place_objects(
             None => assets.mesh(folder, &object.mesh),
         };
         let mesh = match found {
-            Ok((mesh, notes)) => {
-                problems.extend(notes);
-                mesh
-            }
+            Ok(mesh) => mesh.tell(problems),
             Err(found) => {
                 // What was given in place of the scene's meshes has no place in the scene.
                 let place = mesh.is_none().then(|| path_of("mesh"));

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use super::setup::{Setup, SetupLook, SetupObject};
 use crate::compile::{Attribute, CompiledShader, Options, TypedSource, check, compile};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::ids::NodePath;
 use crate::library::{Context, Library, Special};
 
@@ -118,7 +118,9 @@ pub(super) fn readers(
     lack: Lack,
     library: &Library,
 ) -> Vec<NodePath> {
-    let Ok((typed, _)) = check(&look.look, library, None) else { return Vec::new() };
+    let Ok(Warned { value: typed, .. }) = check(&look.look, library, None) else {
+        return Vec::new();
+    };
     let emitted: HashSet<&NodePath> = shader.spans.nodes().collect();
     let is_reader = |node: &&crate::compile::TypedNode| {
         let mut inputs = node.inputs.iter().flatten();

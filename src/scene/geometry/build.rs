@@ -12,7 +12,7 @@ use super::tangents::{self, CornerTangents};
 
 /// What was done on the way to the mesh, for the reader's notes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Made {
+pub(super) struct BuildNotes {
     /// Triangles without area, which were dropped.
     pub degenerate: usize,
     /// Corners that had no normal.
@@ -21,7 +21,7 @@ pub(super) struct Made {
 
 /// Builds the mesh: drops triangles without area, makes normals, joins corners, makes tangents,
 /// sorts by material. The mesh has no triangles where all of them are degenerate.
-pub(super) fn build(mut soup: Soup, crease_angle: f64) -> (Mesh, Made) {
+pub(super) fn build(mut soup: Soup, crease_angle: f64) -> (Mesh, BuildNotes) {
     let welded = weld(&soup.points);
     let degenerate = drop_degenerate(&mut soup, &welded);
     let normals = make_missing(&mut soup, &welded, crease_angle);
@@ -44,7 +44,7 @@ pub(super) fn build(mut soup: Soup, crease_angle: f64) -> (Mesh, Made) {
         extend_parts(&mut mesh, &soup, t as usize);
         mesh.indices.extend(indices[t as usize]);
     }
-    (mesh, Made { degenerate, normals })
+    (mesh, BuildNotes { degenerate, normals })
 }
 
 /// Scales to unit length in f64, so that tiny and huge normals survive; 0 stays.

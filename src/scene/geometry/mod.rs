@@ -17,7 +17,7 @@ mod tangents;
 mod triangulate;
 
 pub use import::{
-    Imported, MAX_FILE_BYTES, MAX_TRIANGLES, MAX_VERTICES, Siblings, import, load, no_siblings,
+    MAX_FILE_BYTES, MAX_TRIANGLES, MAX_VERTICES, Siblings, import, load, no_siblings,
 };
 pub use mesh::{Bounds, DEFAULT_MATERIAL, Fit, Mesh, Part};
 pub use normals::CREASE_ANGLE;

@@ -6,11 +6,11 @@
 //! ring by ring. Between tiles there may be a gap, which is transparent and not read.
 
 use super::MAX_PAINTED_BYTES;
-use super::fill::{Filled, Which};
+use super::fill::{FilledSamples, SampleChoice};
 use super::picture::{Picture, decode, reduced};
 use super::report::Report;
 use super::sheet::{gathered, painted};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::{Address, Grid, Hcbtf};
 use crate::progress::Progress;
 
@@ -53,7 +53,11 @@ fn place(grid: &Grid, address: Address, gap: u32) -> [usize; 2] {
 ///
 /// # Errors
 /// As [`size`].
-pub fn export(filled: &Filled, gap: u32, which: Which) -> Result<Picture, Box<Diagnostic>> {
+pub fn export(
+    filled: &FilledSamples,
+    gap: u32,
+    which: SampleChoice,
+) -> Result<Picture, Box<Diagnostic>> {
     let grid = filled.grid();
     let size = size(&grid, gap).map_err(|why| {
         let problem =
@@ -81,7 +85,7 @@ pub fn read(
     gap: u32,
     name: &str,
     progress: &Progress,
-) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
     let mut report = Report::new(name);
     let accept = |found: [u32; 2], asked: [u32; 2]| {
         let message = || {
@@ -152,16 +156,16 @@ mod tests {
         let progress = Progress::new();
         for gap in [0, 1, 5] {
             let filled = fill(&hcbtf, &progress).unwrap();
-            let picture = export(&filled, gap, Which::All).unwrap();
+            let picture = export(&filled, gap, SampleChoice::All).unwrap();
             // 5 views across, 4 lights down.
             assert_eq!(picture.size, [5 * 3 + 4 * gap, 4 * 2 + 3 * gap]);
             let back =
                 read(&picture.to_png().unwrap(), grid, gap, "c.png", &Progress::new()).unwrap();
-            assert_eq!(back.0.painted, hcbtf.painted, "gap {gap}");
-            assert!(back.1.is_empty());
+            assert_eq!(back.value.painted, hcbtf.painted, "gap {gap}");
+            assert!(back.warnings.is_empty());
         }
         let filled = fill(&hcbtf, &progress).unwrap();
-        let picture = export(&filled, 2, Which::All).unwrap();
+        let picture = export(&filled, 2, SampleChoice::All).unwrap();
         // The sample of light 1.1 (the third light) and view 0 (the first view), painted or not.
         let address = Address::new([1, 1], [0, 0]);
         let expected = hcbtf.painted(address).map_or([0; 4], |tile| tile.texel(0, 0));

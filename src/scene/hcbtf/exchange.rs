@@ -4,10 +4,10 @@
 use std::path::{Path, PathBuf};
 
 use super::blocks::{Loss, loss};
-use super::fill::{Filled, NotFilled, Which};
+use super::fill::{FilledSamples, NotFilled, SampleChoice};
 use super::layers::{LayerOptions, from_layers, stored};
 use super::{contact, folder, ktx2, read_bytes, sheet};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::{Grid, Hcbtf, Storage};
 use crate::figures::{bytes, count};
 use crate::files::{FileSet, write_atomic};
@@ -97,7 +97,7 @@ pub fn import(
     grid: Grid,
     gap: u32,
     progress: &Progress,
-) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
     let name = from.display().to_string();
     let bytes = || read_bytes(from).map_err(|problem| vec![*problem]);
     match form {
@@ -114,7 +114,7 @@ pub fn import(
             }
             let hcbtf = from_layers(&texture).map_err(|problem| vec![problem.in_file(name)])?;
             progress.add(1);
-            Ok((hcbtf, Vec::new()))
+            Ok(hcbtf.into())
         }
     }
 }
@@ -123,7 +123,7 @@ pub fn import(
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Manner {
     /// Which of them; sheets and textures hold every sample, whatever this says.
-    pub which: Which,
+    pub which: SampleChoice,
     /// Texels between the tiles of a contact sheet.
     pub gap: u32,
     /// How a texture lies.
@@ -137,7 +137,7 @@ pub struct Manner {
 /// # Errors
 /// Where it would be too large, cannot be written, or is stopped.
 pub fn export(
-    filled: &Filled,
+    filled: &FilledSamples,
     form: Form,
     manner: Manner,
     path: &Path,
@@ -174,7 +174,7 @@ fn alone(problem: Box<Diagnostic>) -> Vec<Diagnostic> {
 }
 
 fn export_texture(
-    filled: &Filled,
+    filled: &FilledSamples,
     storage: Storage,
     path: &Path,
     progress: &Progress,
@@ -197,8 +197,8 @@ fn export_texture(
 /// All of a folder comes at once, its listing last, and what it holds of an earlier export goes:
 /// none of those images are taken for those of this one.
 fn export_folder(
-    filled: &Filled,
-    which: Which,
+    filled: &FilledSamples,
+    which: SampleChoice,
     path: &Path,
     progress: &Progress,
 ) -> Result<String, Vec<Diagnostic>> {
@@ -259,7 +259,7 @@ mod tests {
             let found = fitted(&path, form, unknown, gap);
             assert_eq!(found.size, if form == Form::Ktx2 { [1, 1] } else { grid.size }, "{form:?}");
             let progress = Progress::new();
-            let (back, notes) = import(&path, form, found, gap, &progress).unwrap();
+            let (back, notes) = import(&path, form, found, gap, &progress).unwrap().into_parts();
             assert_eq!(progress.share(), 1.0, "{form:?}");
             let stopped = Progress::new();
             stopped.stop();

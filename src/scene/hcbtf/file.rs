@@ -16,7 +16,7 @@ use super::manifest::{
 use super::picture::{MAX_PNG_EXTRAS, decode, encode, reduced};
 use super::report::Report;
 use super::{MAX_FILE_BYTES, MAX_PAINTED, MAX_PAINTED_BYTES, MAX_RULES};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::{Address, Hcbtf, Rule, Tile};
 use crate::files::{self, ReadError};
 
@@ -27,7 +27,7 @@ const THUMBNAIL_SIDE: u32 = 256;
 ///
 /// # Errors
 /// As [`read`], and where the file cannot be read.
-pub fn load(path: &Path) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+pub fn load(path: &Path) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
     let bytes = read_bytes(path).map_err(|problem| vec![*problem])?;
     read(&bytes, &path.display().to_string())
 }
@@ -63,7 +63,7 @@ pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Box<Diagnostic>> {
 /// # Errors
 /// Everything that keeps the file from being used, up to a bound: nothing of it is taken then,
 /// since saving it would lose the rest.
-pub fn read(bytes: &[u8], name: &str) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+pub fn read(bytes: &[u8], name: &str) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
     let mut report = Report::new(name);
     let hcbtf = read_into(bytes, &mut report);
     report.finish(hcbtf)

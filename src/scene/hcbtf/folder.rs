@@ -13,13 +13,13 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::file::{idle_rules, read_bytes, tile};
-use super::fill::{Filled, Which};
+use super::fill::{FilledSamples, SampleChoice};
 use super::listing::{self, Listing};
 use super::picture::encode;
 use super::report::Report;
 use super::sheet::gathered;
 use super::{MAX_PAINTED, MAX_PAINTED_BYTES};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Tile};
 use crate::figures::count;
 use crate::progress::Progress;
@@ -63,7 +63,7 @@ pub fn load(
     folder: &Path,
     grid: Grid,
     progress: &Progress,
-) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
     let name = folder.display().to_string();
     let entries = std::fs::read_dir(folder).map_err(|error| {
         let problem =
@@ -110,7 +110,7 @@ pub fn import(
     grid: Grid,
     folder: &str,
     progress: &Progress,
-) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
     let mut report = Report::new(folder);
     let hcbtf = import_into(names, read, grid, &mut report, progress);
     report.finish(hcbtf)
@@ -305,7 +305,10 @@ fn placed<'a>(
 ///
 /// # Errors
 /// Where the rules cannot be written.
-pub fn listing(filled: &Filled, which: Which) -> Result<(&'static str, String), Box<Diagnostic>> {
+pub fn listing(
+    filled: &FilledSamples,
+    which: SampleChoice,
+) -> Result<(&'static str, String), Box<Diagnostic>> {
     let text = listing::text(filled, which).map_err(|error| {
         let message = format!("`{}` cannot be written: {error}", listing::NAME);
         Box::new(Diagnostic::error("cannot-write", message))
@@ -326,8 +329,8 @@ pub(super) fn exported(folder: &Path) -> Vec<PathBuf> {
 
 /// The name and the PNG of each sample, made one at a time.
 pub fn export(
-    filled: &Filled,
-    which: Which,
+    filled: &FilledSamples,
+    which: SampleChoice,
 ) -> impl Iterator<Item = Result<(String, Vec<u8>), Box<Diagnostic>>> {
     let taken = filled.iter().filter(move |(_, _, provenance)| which.has(provenance));
     taken.map(|(address, tile, _)| {
@@ -358,7 +361,7 @@ mod tests {
         encode([2, 2], &[byte; 16]).unwrap()
     }
 
-    fn read(names: &[&str]) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+    fn read(names: &[&str]) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
         let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
         import(names, &|name| Ok(png(name.len() as u8)), grid(), "folder", &Progress::new())
     }
@@ -388,25 +391,25 @@ mod tests {
     fn a_folder_comes_back_as_it_was() {
         let names: Vec<String> = grid().addresses().map(file_name).collect();
         let names: Vec<&str> = names.iter().map(String::as_str).step_by(2).collect();
-        let (hcbtf, notes) = read(&names).unwrap();
+        let (hcbtf, notes) = read(&names).unwrap().into_parts();
         assert!(notes.is_empty() && hcbtf.painted.len() == 6, "{notes:?}");
         let filled = fill(&hcbtf, &Progress::new()).unwrap();
         let written: Vec<(String, Vec<u8>)> =
-            export(&filled, Which::All).map(Result::unwrap).collect();
+            export(&filled, SampleChoice::All).map(Result::unwrap).collect();
         assert_eq!(written.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>(), names);
         let images: std::collections::HashMap<String, Vec<u8>> = written.into_iter().collect();
         let all = images.keys().cloned().collect();
         let back =
             import(all, &|name| Ok(images[name].clone()), grid(), "folder", &Progress::new())
                 .unwrap();
-        assert_eq!(back.0, hcbtf);
+        assert_eq!(back.value, hcbtf);
     }
 
     #[test]
     fn numbers_follow_the_grid_from_0_or_1() {
         let addresses: Vec<Address> = grid().addresses().collect();
         let numbers =
-            |names: &[&str]| read(names).unwrap().0.painted.keys().copied().collect::<Vec<_>>();
+            |names: &[&str]| read(names).unwrap().value.painted.keys().copied().collect::<Vec<_>>();
         assert_eq!(
             numbers(&["b1.png", "b02.png", "b12.png"]),
             [addresses[0], addresses[1], addresses[11]]
@@ -419,7 +422,8 @@ mod tests {
         assert!(told(&["l0.1_v0.0.png", "l0.0_v0.1.png"]).contains("duplicate-sample"));
         assert!(told(&["l9.1_v0.0.png"]).contains("out-of-range"));
         assert!(told(&["x.jpg"]).contains("no sample"));
-        let (hcbtf, notes) = read(&["l1.1_v0.0.png", "sketch.png", "notes.txt"]).unwrap();
+        let (hcbtf, notes) =
+            read(&["l1.1_v0.0.png", "sketch.png", "notes.txt"]).unwrap().into_parts();
         assert!(hcbtf.painted.len() == 1 && notes[0].code == "hcbtf-stray" && notes.len() == 1);
     }
 

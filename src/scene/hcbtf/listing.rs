@@ -9,7 +9,7 @@ use std::collections::HashMap;
 
 use serde_json::Value;
 
-use super::fill::{Filled, Which};
+use super::fill::{FilledSamples, SampleChoice};
 use super::folder::file_name;
 use super::manifest;
 use super::report::Report;
@@ -43,10 +43,13 @@ impl Listing {
 }
 
 /// Its text, for these samples.
-pub(super) fn text(filled: &Filled, which: Which) -> Result<String, serde_json::Error> {
-    let taken = filled
-        .iter()
-        .filter(|(_, _, provenance)| which.has(provenance) && !Which::Painted.has(provenance));
+pub(super) fn text(
+    filled: &FilledSamples,
+    which: SampleChoice,
+) -> Result<String, serde_json::Error> {
+    let taken = filled.iter().filter(|(_, _, provenance)| {
+        which.has(provenance) && !SampleChoice::Painted.has(provenance)
+    });
     // Many samples share a tile.
     let digests: Vec<u64> = filled.tiles().iter().map(|tile| tile.digest()).collect();
     let lines: Vec<String> = taken
@@ -126,9 +129,9 @@ mod tests {
     fn what_was_exported_comes_back_and_what_was_changed_is_painted() {
         let hcbtf = painted();
         let filled = fill(&hcbtf, &Progress::new()).unwrap();
-        let (name, text) = folder::listing(&filled, Which::All).unwrap();
+        let (name, text) = folder::listing(&filled, SampleChoice::All).unwrap();
         let mut files: HashMap<String, Vec<u8>> =
-            folder::export(&filled, Which::All).map(Result::unwrap).collect();
+            folder::export(&filled, SampleChoice::All).map(Result::unwrap).collect();
         files.insert(name.to_owned(), text.into_bytes());
         let import = |files: &HashMap<String, Vec<u8>>| {
             let read = |name: &str| Ok(files[name].clone());
@@ -140,7 +143,7 @@ mod tests {
                 &Progress::new(),
             )
         };
-        assert_eq!(import(&files).unwrap(), (hcbtf.clone(), vec![]));
+        assert_eq!(import(&files).unwrap(), hcbtf.clone().into());
         // An image that another program wrote anew, other below its transparent texels, is the
         // same; another color is not.
         let address = Address::new([1, 0], [0, 0]);
@@ -148,25 +151,28 @@ mod tests {
         let tile = filled.tile(address).unwrap();
         let mut rgba = tile.bytes().to_vec();
         files.insert(file.clone(), super::super::picture::encode([2, 2], &rgba).unwrap());
-        assert_eq!(import(&files).unwrap().0, hcbtf);
+        assert_eq!(import(&files).unwrap().value, hcbtf);
         rgba[0] ^= 1;
         files.insert(file.clone(), super::super::picture::encode([2, 2], &rgba).unwrap());
-        let changed = import(&files).unwrap().0;
+        let changed = import(&files).unwrap().value;
         assert_eq!(changed.painted.len(), 4);
         assert_eq!(changed.painted(address).unwrap().bytes(), rgba);
         // A painting that was thrown away is no longer painted.
         files.remove(&file_name(Address::new([0, 0], [1, 2])));
-        assert_eq!(import(&files).unwrap().0.painted.len(), 3);
+        assert_eq!(import(&files).unwrap().value.painted.len(), 3);
     }
 
     #[test]
     fn what_lies_is_told() {
         let filled = fill(&painted(), &Progress::new()).unwrap();
-        let (_, text) = folder::listing(&filled, Which::All).unwrap();
+        let (_, text) = folder::listing(&filled, SampleChoice::All).unwrap();
         let told = |text: &str| {
             let mut report = Report::new("folder");
             let listing = parse(text.as_bytes(), &mut report);
-            (listing.is_some(), report.finish(Some(())).map_or_else(|all| all, |(_, notes)| notes))
+            (
+                listing.is_some(),
+                report.finish(Some(())).map_or_else(|all| all, |warned| warned.warnings),
+            )
         };
         assert_eq!(told(&text), (true, vec![]));
         for (text, code) in [

@@ -268,7 +268,7 @@ pub fn read_rules(text: &str, grid: &Grid, name: &str) -> Result<Vec<Rule>, Vec<
             None
         }
     };
-    report.finish(rules).map(|(rules, _)| rules)
+    report.finish(rules).map(|rules| rules.value)
 }
 
 fn rule(value: &Value, index: usize, grid: &Grid, report: &mut Report) -> Option<Rule> {

@@ -2,7 +2,7 @@
 //! not painted, and how all of it becomes the texture that shaders look up.
 //!
 //! [`load`] and [`read`] take an `.hcbtf` file, [`write()`] gives its bytes. [`fill`](fill::fill)
-//! runs the rules and gives a [`Filled`]: a tile and its [`Provenance`] for every sample of the
+//! runs the rules and gives a [`FilledSamples`]: a tile and its [`Provenance`] for every sample of the
 //! grid, which is what shaders look up. [`sheet`], [`folder`] and [`contact`] exchange samples with
 //! other programs: the thesis's flattened texture, a folder of images, and one picture with all
 //! samples side by side; [`exchange`] has all of them by one name each. docs/format.md documents
@@ -44,7 +44,9 @@ use crate::document::{Grid, Hcbtf};
 pub use blocks::{Coding, Loss, loss};
 pub use cover::{Cover, cover};
 pub use file::{load, read, read_bytes, write};
-pub use fill::{Estimate, Filled, NotFilled, Provenance, Which, estimate, filled_at_most};
+pub use fill::{
+    Estimate, FilledSamples, NotFilled, Provenance, SampleChoice, estimate, filled_at_most,
+};
 pub use layers::{
     LayerOptions, Layers, MAX_LAYERS_BYTES, check_layers, from_layers, layers, layers_bytes,
     layers_size, stored, stored_size,

@@ -1,7 +1,7 @@
 //! Collects what is to be said of one file, all of it up to a bound.
 
 use super::NotFilled;
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 
 /// How many problems of one file are told; the others are counted.
 const MAX_TOLD: usize = 20;
@@ -54,16 +54,13 @@ impl Report {
     }
 
     /// Everything that was said, as the error that it is where something is wrong.
-    pub(super) fn finish<T>(
-        mut self,
-        value: Option<T>,
-    ) -> Result<(T, Vec<Diagnostic>), Vec<Diagnostic>> {
+    pub(super) fn finish<T>(mut self, value: Option<T>) -> Result<Warned<T>, Vec<Diagnostic>> {
         if self.untold > 0 {
             let message = format!("there are {} more problems, which are not listed", self.untold);
             self.told.push(Diagnostic::note("more-problems", message).in_file(self.file.as_str()));
         }
         match value {
-            Some(value) if !self.has_errors => Ok((value, self.told)),
+            Some(value) if !self.has_errors => Ok(Warned::new(value, self.told)),
             _ => Err(self.told),
         }
     }

@@ -19,11 +19,11 @@ use std::sync::Arc;
 use rayon::iter::{IndexedParallelIterator as _, IntoParallelIterator as _, ParallelIterator as _};
 use rayon::slice::ParallelSliceMut as _;
 
-use super::fill::{Filled, shared};
+use super::fill::{FilledSamples, shared};
 use super::picture::{Picture, decode, reduced};
 use super::report::Report;
 use super::{MAX_PAINTED_BYTES, folder};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::{Address, Direction, Grid, Hcbtf, Tile};
 use crate::progress::Progress;
 
@@ -40,7 +40,7 @@ pub fn size(grid: &Grid) -> [u32; 2] {
 ///
 /// # Errors
 /// Where it would take more than [`MAX_PAINTED_BYTES`].
-pub fn export(filled: &Filled) -> Result<Picture, Box<Diagnostic>> {
+pub fn export(filled: &FilledSamples) -> Result<Picture, Box<Diagnostic>> {
     let grid = filled.grid();
     let mut sheet = Picture::transparent(size(&grid), "sheet")?;
     let (width, stride) = (4 * grid.size[0] as usize, 4 * sheet.size[0] as usize);
@@ -64,7 +64,7 @@ pub fn export(filled: &Filled) -> Result<Picture, Box<Diagnostic>> {
 
 /// What a texel of the sheet holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Held {
+pub struct SheetTexel {
     /// The sample that it is of, as it is kept.
     pub address: Address,
     /// Which texel of that tile, from its upper left corner.
@@ -74,13 +74,13 @@ pub struct Held {
 }
 
 /// What the sheet of a grid holds at a place, in texels from its upper left corner; `None` outside.
-pub fn held(grid: &Grid, [x, y]: [u32; 2]) -> Option<Held> {
+pub fn held(grid: &Grid, [x, y]: [u32; 2]) -> Option<SheetTexel> {
     let [ix, theta_r, theta_i] = column(grid, x)?;
     let ([iy, phi_r, phi_i], is_padding) = row(grid, y)?;
     let direction = |theta, phi| Direction { theta, phi };
     let written = Address { view: direction(theta_r, phi_r), light: direction(theta_i, phi_i) };
     let address = written.canonical();
-    Some(Held { address, texel: [ix, iy], is_copy: is_padding || address != written })
+    Some(SheetTexel { address, texel: [ix, iy], is_copy: is_padding || address != written })
 }
 
 /// What a column of the sheet holds: the texel's column in the tile, the ring of the view, and that
@@ -155,7 +155,7 @@ pub fn read(
     grid: Grid,
     name: &str,
     progress: &Progress,
-) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
     let mut report = Report::new(name);
     let hcbtf = decode_sheet(png, &grid, &mut report)
         .and_then(|sheet| import_into(&sheet, grid, &mut report, progress));
@@ -199,11 +199,7 @@ fn fits([width, height]: [u32; 2], grid: &Grid) -> Result<(), String> {
 ///
 /// # Errors
 /// Where the sheet's size is not what the grid asks for.
-pub fn import(
-    sheet: &Picture,
-    grid: Grid,
-    name: &str,
-) -> Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>> {
+pub fn import(sheet: &Picture, grid: Grid, name: &str) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
     let mut report = Report::new(name);
     let hcbtf = match grid.check().and_then(|()| fits(sheet.size, &grid)) {
         Ok(())

@@ -9,7 +9,8 @@ use std::sync::OnceLock;
 
 use chiaro::document::Look;
 use chiaro::editor::App;
-use chiaro::render::{Gpu, block_on};
+use chiaro::render::Gpu;
+use chiaro_test_drawing::wait::block_on;
 use eframe::egui::{
     self, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect, Vec2, ViewportId, vec2,
 };

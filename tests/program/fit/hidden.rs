@@ -105,7 +105,7 @@ pub(crate) fn setup_of(look: Look, mesh: &str) -> Setup {
     // Meshes are made once.
     static ASSETS: Mutex<Option<Assets>> = Mutex::new(None);
     let mut assets = ASSETS.lock().unwrap();
-    default_setup(look, mesh, assets.get_or_insert_default()).unwrap().0
+    default_setup(look, mesh, assets.get_or_insert_default()).unwrap().value
 }
 
 /// The picture of a setup in f64.

@@ -1,7 +1,7 @@
 //! A few strokes of light and dark on the picture of a look, as a hand paints them.
 
 use chiaro::document::Look;
-use chiaro::fit::{Target, Wish};
+use chiaro::fit::{PixelGoal, Target};
 
 use super::hidden::{SIDE, picture, setup_of};
 
@@ -9,7 +9,7 @@ use super::hidden::{SIDE, picture, setup_of};
 pub(crate) struct Strokes {
     pub(crate) painted: Target,
     /// Pixels within the object that nobody painted, as they are.
-    pub(crate) rest: Vec<Wish>,
+    pub(crate) rest: Vec<PixelGoal>,
 }
 
 /// Two broad strokes: light on the right, dark on the left, in parts of the picture's side from its
@@ -38,9 +38,16 @@ pub(crate) fn strokes(look: &Look, mesh: &str) -> Strokes {
             Some((_, by)) => {
                 let color =
                     shown.map(|c| if *by > 0.0 { c + by * (1.0 - c) } else { c * (1.0 + by) });
-                painted.wishes.push(Wish { pixel: [x, y], color, weight: 1.0, is_rest: false });
+                painted.wishes.push(PixelGoal {
+                    pixel: [x, y],
+                    color,
+                    weight: 1.0,
+                    is_rest: false,
+                });
             }
-            None => rest.push(Wish { pixel: [x, y], color: shown, weight: 1.0, is_rest: false }),
+            None => {
+                rest.push(PixelGoal { pixel: [x, y], color: shown, weight: 1.0, is_rest: false })
+            }
         }
     }
     Strokes { painted, rest }
@@ -50,7 +57,7 @@ pub(crate) fn strokes(look: &Look, mesh: &str) -> Strokes {
 /// rest, and the largest there, 0 to 1.
 pub(crate) fn off(strokes: &Strokes, look: &Look, mesh: &str) -> [f64; 3] {
     let picture = picture(&setup_of(look.clone(), mesh));
-    let off = |wishes: &[Wish]| {
+    let off = |wishes: &[PixelGoal]| {
         let each = wishes.iter().map(|wish| {
             let shown = picture.straight(wish.pixel[0], wish.pixel[1]);
             (0..3).map(|c| (shown[c] - wish.color[c]).powi(2)).sum::<f64>() / 3.0

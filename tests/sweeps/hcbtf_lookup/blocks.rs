@@ -9,12 +9,13 @@ use chiaro::hcbtf::fill::fill;
 use chiaro::hcbtf::{LayerOptions, Layers, from_layers, load, loss, stored};
 use chiaro::library::Library;
 use chiaro::progress::Progress;
-use chiaro::render::{Gpu, Renderer, block_on, device_descriptor};
+use chiaro::render::{Gpu, Renderer, device_descriptor};
 
 use super::{Directions, LOOKUPS, at_random, by_hand, file, note, stored_as};
 use crate::support::eval::{eval_on, options, renderer, scene_of, shape, truth};
 use crate::support::random::Random;
 use crate::support::report::Errors;
+use crate::support::wait::block_on;
 
 const OPTIONS: LayerOptions =
     LayerOptions { has_levels: true, is_decoded: false, storage: Storage::Blocks };
@@ -131,7 +132,7 @@ fn a_device_without_blocks_says_so_once_and_draws_the_same() {
 fn the_examples_lose_little() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/hcbtf");
     for name in ["pencil", "halftone"] {
-        let (hcbtf, _) = load(&folder.join(format!("{name}.hcbtf"))).unwrap();
+        let hcbtf = load(&folder.join(format!("{name}.hcbtf"))).unwrap().value;
         let filled = fill(&hcbtf, &Progress::new()).unwrap();
         let found = loss(&hcbtf.grid, |address| filled.tile(address), &blocks_of(&hcbtf));
         println!("{name}: {found:?}");

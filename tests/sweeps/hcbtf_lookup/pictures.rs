@@ -15,6 +15,7 @@ use chiaro::render::Renderer;
 use super::{Directions, file, stored_as};
 use crate::support::eval::{renderer, scene_of, shape, told};
 use crate::support::random::Random;
+use crate::support::wait::block_on;
 
 /// Paint whose colors follow the directions smoothly, with noise from texel to texel.
 fn moss() -> Hcbtf {
@@ -90,7 +91,7 @@ fn measured(
             let plan = plan.unwrap_or_else(|problems| panic!("{}", told(&problems)));
             (
                 format!("{storage} {tier} from {far} with {repeats}"),
-                flawless(truth.compare(precise, &plan)),
+                flawless(block_on(truth.compare(precise, &plan))),
             )
         })
         .collect()

@@ -82,7 +82,7 @@ impl Shaders for Noted {
 fn plan(look: &str, size: [u32; 2]) -> FramePlan {
     let mut assets = Assets::default();
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks").join(look);
-    let (mut setup, _) = open(&path, Some("shape:sphere"), &mut assets).expect("an example");
+    let mut setup = open(&path, Some("shape:sphere"), &mut assets).expect("an example").value;
     setup.objects[0].world_from_object = glam::DMat4::IDENTITY;
     let options = PlanOptions { size, samples: 4, time: 0.0 };
     Planner::new(assets)

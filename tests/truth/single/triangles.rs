@@ -8,11 +8,12 @@ use chiaro::interp::Precision;
 use chiaro::library::Library;
 use chiaro::progress::Progress;
 use chiaro::reference::{self, Modules, Options, ReferencePicture, Snap};
-use chiaro::render::{Picture, Renderer, block_on};
+use chiaro::render::{Picture, Renderer};
 use serde_json::json;
 
 use crate::support::eval::{look, renderer, scene};
 use crate::support::random::Random;
+use crate::support::wait::block_on;
 
 const SIZE: [u32; 2] = [192, 144];
 

@@ -11,7 +11,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Edit, GraphId, Look, Tier};
 use crate::frame::{Assets, PlanOptions};
 use crate::progress::{Progress, Stopped};
-use crate::render::{Gpu, Renderer, block_on};
+use crate::render::{Gpu, Renderer};
 use crate::state::revision::{DocumentNumber, LookRevision, PictureRevision};
 use crate::state::session::Session;
 use crate::state::snapshot::RenderSnapshot;
@@ -70,7 +70,9 @@ impl Cost {
     pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Clone + Send + Sync + 'static) -> Self {
         let start = |gpu: Gpu| {
             let mut renderer = None;
-            Worker::new("measure", wake.clone(), move |job| measure(&mut renderer, &gpu, &job))
+            Worker::waiting("measure", wake.clone(), async move |job| {
+                measure(&mut renderer, &gpu, &job).await
+            })
         };
         Self {
             worker: gpu.map(start),
@@ -174,20 +176,29 @@ fn adopt(look: &Look, row: &Row) -> Option<Edit> {
     }
 }
 
-fn measure(renderer: &mut Option<Renderer>, window: &Gpu, job: &MeasureRequest) -> Measurement {
+async fn measure(
+    renderer: &mut Option<Renderer>,
+    window: &Gpu,
+    job: &MeasureRequest,
+) -> Measurement {
     // A device of its own: the window's may have no timestamps, and has a window to draw.
-    let renderer = renderer.get_or_insert_with(|| {
-        let gpu = block_on(Gpu::headless()).unwrap_or_else(|_| window.clone());
-        Renderer::new(gpu)
-    });
-    let mut run = || {
-        let (setup, _) = job.still.setup(&mut Assets::default())?;
+    let renderer = match renderer {
+        Some(renderer) => renderer,
+        None => {
+            let gpu = Gpu::headless().await.unwrap_or_else(|_| window.clone());
+            renderer.insert(Renderer::new(gpu))
+        }
+    };
+    let mut run = async || {
+        let setup = job.still.setup(&mut Assets::of(&job.still.assets))?.value;
         let plan = PlanOptions { size: job.size, samples: 1, time: job.still.time };
         let options =
             BenchOptions { plan, rounds: ROUNDS, nodes: MeasuredNodes::Tiered, truth: true };
-        bench(&setup, &job.still.library, renderer, &options, &job.progress).map_err(Vec::from)
+        bench(&setup, &job.still.library, renderer, &options, &job.progress)
+            .await
+            .map_err(Vec::from)
     };
-    let result = run();
+    let result = run().await;
     let stage = job.still.stage.as_ref().map(|stage| stage.version());
     Measurement { of: Measured::of(&job.still.look, &job.still.orbit.mesh, stage), result }
 }

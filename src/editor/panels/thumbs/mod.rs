@@ -15,7 +15,7 @@ use eframe::egui::{self, ColorImage, TextureHandle, TextureId, Ui};
 use crate::compile::Live;
 use crate::document::Look;
 use crate::frame::{Cull, DEFAULT_MESH, Picture, PlanOptions, Planner, SHAPE_PREFIX};
-use crate::render::{Gpu, Renderer, block_on};
+use crate::render::{Gpu, Renderer};
 use crate::state::orbit::Orbit;
 use crate::state::revision::{DocumentNumber, LookRevision};
 use crate::state::safety::crashes::{CrashLog, DocumentOrigin, Step};
@@ -144,9 +144,9 @@ impl Thumbs {
                 renderer: Renderer::new(gpu),
                 planner: Reused::new(|assets| Planner::new(assets).culling(Cull::Objects)),
             };
-            Worker::new("thumbs", wake, move |job: ThumbRequest| {
+            Worker::waiting("thumbs", wake, async move |job: ThumbRequest| {
                 let _going = crashes.begin(Step::Draw, || job.origin.clone());
-                ThumbResult { key: job.key, image: artist.draw(&job) }
+                ThumbResult { key: job.key, image: artist.draw(&job).await }
             })
         };
         Self {
@@ -339,19 +339,22 @@ struct Artist {
 }
 
 impl Artist {
-    fn draw(&mut self, ThumbRequest { subject, side, .. }: &ThumbRequest) -> Option<ColorImage> {
+    async fn draw(
+        &mut self,
+        ThumbRequest { subject, side, .. }: &ThumbRequest,
+    ) -> Option<ColorImage> {
         let options = PlanOptions { size: [side * FINER; 2], samples: 4, time: 0.0 };
         let plan = match subject {
             Subject::Look(still, _) => {
                 let planner = self.planner.of(&still.look, &still.library);
                 planner.assets.draft();
-                let (mut setup, _) = still.setup(&mut planner.assets).ok()?;
+                let mut setup = still.setup(&mut planner.assets).ok()?.value;
                 setup.scene.backdrop = None;
                 planner.plan(&setup, &still.library, &Live::Keyed, &options).ok()?
             }
             Subject::Scene(path) => scene::plan(path, &options)?,
         };
-        let picture = block_on(self.renderer.picture(&plan)).ok()?;
+        let picture = self.renderer.picture(&plan).await.ok()?;
         Some(smaller(&picture, matches!(subject, Subject::Look(_, Shot::Lifted))))
     }
 }

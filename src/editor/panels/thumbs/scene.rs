@@ -106,7 +106,7 @@ mod tests {
         {
             let path = Path::new(env!("CARGO_MANIFEST_DIR"))
                 .join(format!("../../examples/scenes/{name}.json"));
-            let (mut setup, _) = open(&path, None, &mut Assets::default()).unwrap();
+            let mut setup = open(&path, None, &mut Assets::default()).unwrap().value;
             setup.scene.camera = fitted(&setup);
             let view = View::new(&setup.scene.camera, [100, 100], DVec3::ZERO, 20.0);
             let mut most: f64 = 0.0;

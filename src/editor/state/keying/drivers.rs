@@ -40,7 +40,7 @@ impl Session {
         let base = |node: &NodePath, port: &PortName| {
             self.own_value(&Target::Input { node: node.clone(), port: port.clone() })
         };
-        let (rig, _) = Rig::new(&trial);
+        let rig = Rig::new(&trial).value;
         let now = self
             .at_this_moment(|moment| rig.keyed_values(&base, Some(Wires::of(&shader)), moment))
             .ok()?;

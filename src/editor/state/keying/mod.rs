@@ -63,7 +63,7 @@ impl Session {
         let look = self.look();
         let rig = match &self.keyed.rig {
             Some(rig) => rig.renewed(look),
-            None => Rig::new(look).0,
+            None => Rig::new(look).value,
         };
         let base = |node: &NodePath, port: &PortName| {
             self.own_value(&Target::Input { node: node.clone(), port: port.clone() })

@@ -13,7 +13,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf, HcbtfEdit, History, Rule, Tile};
 use crate::files::write_atomic;
 use crate::frame::Overlay;
-use crate::hcbtf::{self, Filled, Provenance};
+use crate::hcbtf::{self, FilledSamples, Provenance};
 use crate::state::document::{FileDocument, OnDisk, OpenDocument};
 use crate::state::paths::absolute;
 
@@ -113,7 +113,7 @@ pub struct OpenPainting {
     live: Option<(Address, Arc<Tile>)>,
     /// Everything as it is shown, the stroke that goes on included.
     shown: Arc<Hcbtf>,
-    filled: Option<Arc<Filled>>,
+    filled: Option<Arc<FilledSamples>>,
     /// What the rules made of one sample, ahead of the rest.
     ahead: Option<(Address, Arc<Tile>)>,
     /// The sample that shaders see marked.
@@ -171,7 +171,7 @@ impl OpenPainting {
     /// # Errors
     /// Everything that keeps the file from being used.
     pub(crate) fn open(path: &Path) -> Result<Self, Vec<Diagnostic>> {
-        let (hcbtf, notes) = hcbtf::load(path)?;
+        let (hcbtf, notes) = hcbtf::load(path)?.into_parts();
         if crate::examples::file(path).is_some() {
             let name = path.file_stem().unwrap_or_default().to_string_lossy();
             let (title, example) = (format!("{name}{COPY}"), Some(path.to_owned()));
@@ -215,7 +215,7 @@ impl OpenPainting {
         let Some(path) = self.document.path.clone() else { return Ok(false) };
         // Taken before it is read: what comes in between is noticed the next time.
         let read = FileStamp::of(&path);
-        let (hcbtf, notes) = hcbtf::load(&path)?;
+        let (hcbtf, notes) = hcbtf::load(&path)?.into_parts();
         let is_other = hcbtf != *self.hcbtf();
         if is_other {
             let change = HcbtfEdit::Replace { hcbtf: Box::new(hcbtf) };
@@ -341,7 +341,7 @@ impl OpenPainting {
         let at = address.canonical();
         let stroke = stroke.filter(|(over, _)| over.canonical() == at).map(|(_, tile)| tile);
         let ahead = || self.ahead.as_ref().filter(|(over, _)| *over == at).map(|(_, tile)| tile);
-        let is_filled = |filled: &&Arc<Filled>| {
+        let is_filled = |filled: &&Arc<FilledSamples>| {
             matches!(filled.provenance(address), Some(Provenance::Filled { .. }))
         };
         let filled = || self.filled.as_ref().filter(is_filled)?.tile(address);
@@ -369,7 +369,7 @@ impl OpenPainting {
     }
 
     /// What the rules made of the rest, as far as that is known.
-    pub(crate) fn filled(&self) -> Option<&Arc<Filled>> {
+    pub(crate) fn filled(&self) -> Option<&Arc<FilledSamples>> {
         self.filled.as_ref()
     }
 
@@ -379,7 +379,7 @@ impl OpenPainting {
     }
 
     /// Takes what the rules made.
-    pub(crate) fn set_filled(&mut self, filled: Arc<Filled>) {
+    pub(crate) fn set_filled(&mut self, filled: Arc<FilledSamples>) {
         (self.filled, self.ahead) = (Some(filled), None);
         self.version = next_version();
     }

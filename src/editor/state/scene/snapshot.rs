@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::{Object, Scene, SourceMap};
 use crate::frame::{Assets, Setup, SetupLook, Wardrobe, place_objects};
 use crate::ids::ObjectId;
@@ -95,7 +95,7 @@ impl SceneSnapshot {
 
     /// The scene with everything that it names, as far as that is there, and what is wrong. `open`
     /// is the first of its looks, whether anything wears it or not.
-    pub(crate) fn setup(&self, open: SetupLook, assets: &mut Assets) -> (Setup, Vec<Diagnostic>) {
+    pub(crate) fn setup(&self, open: SetupLook, assets: &mut Assets) -> Warned<Setup> {
         let mut problems = Vec::new();
         let mut worn = Worn { staged: self, looks: vec![open], known: HashMap::new() };
         let objects = place_objects(
@@ -116,7 +116,7 @@ impl SceneSnapshot {
             }
             setup.objects.retain(|object| object.looks.iter().any(Option::is_some));
         }
-        (setup, problems)
+        Warned::new(setup, problems)
     }
 }
 

@@ -22,6 +22,7 @@ use crate::document::{
     DirectionKeys, Document, Edit, GraphId, History, Light, Look, SourceMap, Target, Value,
 };
 use crate::files::write_atomic;
+use crate::frame::AssetStore;
 use crate::ids::{LightId, NodeId};
 use crate::library::{Fallback, Library};
 use crate::state::compiling::{self};
@@ -55,6 +56,8 @@ pub struct Session {
     pub(crate) keyed: KeyEvaluation,
     compilation: Compilation,
     pub(crate) journals: Journals,
+    /// Meshes and images that all pictures of the window share.
+    pub(crate) assets: AssetStore,
     /// What keeps the picture from being drawn, or was odd about it.
     picture_problems: Vec<Diagnostic>,
     revisions: Revisions,
@@ -92,6 +95,7 @@ impl Session {
                 crashes,
                 holding: holding::Holding::default(),
             },
+            assets: AssetStore::new(),
             picture_problems: Vec::new(),
             revisions: Revisions::default(),
             awaits_first_picture: false,

@@ -9,7 +9,7 @@ use super::{ENOUGH, Fitting, LEAST_PAINTED};
 use crate::commands::{Command, FitGoal};
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Look, Tile};
-use crate::fit::{FitOptions, Fitted, Keep, Report, Target};
+use crate::fit::{FitOptions, FittedLook, Keep, Report, Target};
 use crate::progress::Progress;
 use crate::state::problem_text::sentence;
 use crate::state::revision::{DocumentNumber, LookRevision, PictureRevision};
@@ -142,7 +142,7 @@ impl Fitting {
                      {help}"
                 ));
             }
-            Ok(Fitted { look, edit, report, .. }) => {
+            Ok(FittedLook { look, edit, report, .. }) => {
                 self.told =
                     report.is_stopped.then(|| "Stopped: this is the best so far".to_owned());
                 let strokes = Strokes::of(session);

@@ -191,7 +191,7 @@ fn draw(planner: &mut Reused, job: &GroundRequest) -> Result<Ground, Vec<Diagnos
     let one = |problem| vec![problem];
     let GroundRequest { moment: GroundInputs { size, .. }, still, progress } = job;
     let planner = planner.of(&still.look, &still.library);
-    let (setup, _) = still.setup(&mut planner.assets)?;
+    let setup = still.setup(&mut planner.assets)?.value;
     let options = PlanOptions { size: *size, samples: 1, time: still.time };
     let plan = planner.plan(&setup, &still.library, &Live::Keyed, &options)?;
     let modules = Modules::new(&plan, Precision::F64).map_err(one)?;

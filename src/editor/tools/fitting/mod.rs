@@ -26,7 +26,7 @@ use eframe::egui::{self, Rect, Ui};
 use crate::commands::{Command, LightBrush, SketchCommand};
 use crate::diag::has_errors;
 use crate::document::{Look, Tile};
-use crate::fit::{Keep, Wish as Painted};
+use crate::fit::{Keep, PixelGoal as Painted};
 use crate::state::revision::DocumentNumber;
 use crate::state::session::Session;
 pub(crate) use crate::state::sketch::Standpoint;

@@ -2,7 +2,7 @@
 
 use super::ground::Ground;
 use crate::document::Tile;
-use crate::fit::{Missed, Wish};
+use crate::fit::{MissedPixel, PixelGoal};
 
 /// A sketch has so many pixels along each side of one that is fitted.
 pub(super) const FINENESS: u32 = 3;
@@ -11,7 +11,7 @@ const LEAST: f64 = 1.0 / 32.0;
 
 /// The wishes of a sketch at the pixels that can be compared. Colors are means of what covers a
 /// pixel, and the weight is how much of it is covered.
-pub(super) fn wishes(tile: &Tile, ground: &Ground) -> Vec<Wish> {
+pub(super) fn wishes(tile: &Tile, ground: &Ground) -> Vec<PixelGoal> {
     let [width, height] = ground.size;
     if tile.size() != ground.size.map(|side| side * FINENESS) {
         return Vec::new();
@@ -35,7 +35,7 @@ pub(super) fn wishes(tile: &Tile, ground: &Ground) -> Vec<Wish> {
         }
         let weight = alpha / f64::from(FINENESS * FINENESS);
         if weight >= LEAST {
-            wishes.push(Wish {
+            wishes.push(PixelGoal {
                 pixel: [x, y],
                 color: sum.map(|channel| channel / alpha),
                 weight,
@@ -47,7 +47,7 @@ pub(super) fn wishes(tile: &Tile, ground: &Ground) -> Vec<Wish> {
 }
 
 /// The RMS of a channel, weighted as painted, from 0 to 1.
-pub(super) fn off(wishes: &[Wish], shown: impl Fn([u32; 2]) -> Option<[f64; 3]>) -> f64 {
+pub(super) fn off(wishes: &[PixelGoal], shown: impl Fn([u32; 2]) -> Option<[f64; 3]>) -> f64 {
     let (mut sum, mut total) = (0.0, 0.0);
     for wish in wishes {
         let Some(shown) = shown(wish.pixel) else { continue };
@@ -60,11 +60,11 @@ pub(super) fn off(wishes: &[Wish], shown: impl Fn([u32; 2]) -> Option<[f64; 3]>)
 }
 
 /// How far each wish is from what the ground shows.
-pub(super) fn misses(wishes: &[Wish], ground: &Ground) -> Vec<Missed> {
-    let missed = |wish: &Wish| {
+pub(super) fn misses(wishes: &[PixelGoal], ground: &Ground) -> Vec<MissedPixel> {
+    let missed = |wish: &PixelGoal| {
         let shown = shown(ground, wish.pixel);
-        let error = off(&[Wish { weight: 1.0, ..*wish }], |_| Some(shown));
-        Missed { pixel: wish.pixel, wished: wish.color, shown, error }
+        let error = off(&[PixelGoal { weight: 1.0, ..*wish }], |_| Some(shown));
+        MissedPixel { pixel: wish.pixel, wished: wish.color, shown, error }
     };
     wishes.iter().map(missed).collect()
 }
@@ -90,7 +90,7 @@ mod tests {
         let painted = wishes(&tile, &ground);
         let at: Vec<[u32; 2]> = painted.iter().map(|wish| wish.pixel).collect();
         assert_eq!(at, [[0, 0], [2, 0], [3, 0]]);
-        let near = |wish: &Wish| {
+        let near = |wish: &PixelGoal| {
             wish.color.iter().zip([1.0, 0.0, 0.2]).all(|(a, b)| (a - b).abs() < 1e-12)
         };
         assert!(painted.iter().all(near));

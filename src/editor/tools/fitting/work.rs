@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::commands::FitGoal;
 use crate::diag::Diagnostic;
 use crate::document::Look;
-use crate::fit::{FitOptions, Fitted, Target, fit_layers, fit_look};
+use crate::fit::{FitOptions, FittedLook, Target, fit_layers, fit_look};
 use crate::frame::Assets;
 use crate::progress::Progress;
 use crate::state::snapshot::RenderSnapshot;
@@ -25,7 +25,7 @@ pub(super) struct FitResult {
     pub(super) what: FitGoal,
     pub(super) look: Arc<Look>,
     pub(super) progress: Progress,
-    pub(super) result: Result<Fitted, Vec<Diagnostic>>,
+    pub(super) result: Result<FittedLook, Vec<Diagnostic>>,
 }
 
 /// A thread that fits.
@@ -37,9 +37,9 @@ pub(super) fn start(wake: impl Fn() + Send + 'static) -> Worker<FitRequest, FitR
     })
 }
 
-fn fit(assets: &mut Assets, job: &FitRequest) -> Result<Fitted, Vec<Diagnostic>> {
+fn fit(assets: &mut Assets, job: &FitRequest) -> Result<FittedLook, Vec<Diagnostic>> {
     let FitRequest { what, still, target, options, progress, .. } = job;
-    let (setup, _) = still.setup(assets)?;
+    let setup = still.setup(assets)?.value;
     // The open look is the first.
     match what {
         FitGoal::ThisLook => fit_look(&setup, 0, &still.library, target, options, progress),

@@ -269,7 +269,7 @@ fn other_look(setup: &Setup, draw: &Draw) -> Option<Diagnostic> {
 fn probe(planner: &mut Reused, Query { spot, still, progress }: Query) -> ProbeResult {
     let planner = planner.of(&still.look, &still.library);
     let mut find = || {
-        let (setup, _) = still.setup(&mut planner.assets)?;
+        let setup = still.setup(&mut planner.assets)?.value;
         let options = PlanOptions { size: spot.size, samples: 1, time: still.time };
         let plan = planner.plan(&setup, &still.library, &Live::All, &options)?;
         let wires = probe_wires(&plan, spot.pixel, &Options::default(), &progress)

@@ -8,7 +8,7 @@ use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::Tier;
 use crate::frame::{Assets, Cull, Picture, PlanOptions, Planner, Setup};
-use crate::render::{Gpu, Renderer, block_on};
+use crate::render::{Gpu, Renderer};
 use crate::state::snapshot::Reused;
 
 /// What it keeps between comparisons.
@@ -26,28 +26,31 @@ impl Comparer {
         Self { renderer: None, window, planner }
     }
 
-    pub(super) fn run(&mut self, job: ComparisonRequest) -> ComparisonResult {
-        let result = self.try_run(&job);
+    pub(super) async fn run(&mut self, job: ComparisonRequest) -> ComparisonResult {
+        let result = self.try_run(&job).await;
         ComparisonResult { moment: job.moment, result }
     }
 
-    fn try_run(&mut self, job: &ComparisonRequest) -> Result<Compared, Vec<Diagnostic>> {
+    async fn try_run(&mut self, job: &ComparisonRequest) -> Result<Compared, Vec<Diagnostic>> {
         let library = &job.still.library;
         let options = PlanOptions { size: job.moment.size, samples: 1, time: job.still.time };
         let planner = self.planner.of(&job.still.look, &job.still.library);
-        let (setup, _) = job.still.setup(&mut planner.assets)?;
-        let renderer = self.renderer.get_or_insert_with(|| {
-            let gpu = block_on(Gpu::headless()).unwrap_or_else(|_| self.window.clone());
-            Renderer::new(gpu.precise())
-        });
-        let mut draw = |setup: &Setup| -> Result<Picture, Vec<Diagnostic>> {
-            let plan = planner.plan(setup, library, &Live::Keyed, &options)?;
-            block_on(renderer.picture(&plan)).map_err(|error| vec![error.into()])
+        let setup = job.still.setup(&mut planner.assets)?.value;
+        let renderer = match &mut self.renderer {
+            Some(renderer) => renderer,
+            none => {
+                let gpu = Gpu::headless().await.unwrap_or_else(|_| self.window.clone());
+                none.insert(Renderer::new(gpu.precise()))
+            }
         };
-        let present = draw(&setup)?;
+        let mut draw = async |setup: &Setup| -> Result<Picture, Vec<Diagnostic>> {
+            let plan = planner.plan(setup, library, &Live::Keyed, &options)?;
+            renderer.picture(&plan).await.map_err(|error| vec![error.into()])
+        };
+        let present = draw(&setup).await?;
         match job.moment.against {
             ComparisonTarget::Tier(tier) => {
-                let other = draw(&Variant::Looks(tier).of(&setup))?;
+                let other = draw(&Variant::Looks(tier).of(&setup)).await?;
                 Ok(together(&present, &other, &Colors::from(&other), |_| false))
             }
             ComparisonTarget::Truth => {
@@ -64,7 +67,7 @@ fn truth(
     setup: &Setup,
     options: &PlanOptions,
 ) -> Result<Truth, Vec<Diagnostic>> {
-    let mut planner = Planner::for_truth(Assets::default());
+    let mut planner = Planner::for_truth(Assets::of(&job.still.assets));
     let truth = Truth::of(setup, &job.still.library, &mut planner, options, &job.progress);
     Ok(truth?)
 }

@@ -129,7 +129,7 @@ impl Wipe {
     pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Clone + Send + Sync + 'static) -> Self {
         let start = |gpu: Gpu| {
             let mut comparer = Comparer::new(gpu);
-            Worker::new("compare", wake.clone(), move |job| comparer.run(job))
+            Worker::waiting("compare", wake.clone(), async move |job| comparer.run(job).await)
         };
         Self {
             worker: gpu.map(start),

@@ -7,7 +7,7 @@ use glam::DVec3;
 use serde::Serialize;
 
 use crate::accuracy::error::VISIBLE;
-use crate::accuracy::station::stations;
+use crate::accuracy::viewpoint::viewpoints;
 use crate::accuracy::{Colors, ErrorFigures, MeasureError, Variant, truth::Truth};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
@@ -15,7 +15,7 @@ use crate::document::{Look, Tier};
 use crate::frame::{Assets, PlanOptions, Planner, Setup, open};
 use crate::library::Library;
 use crate::progress::Progress;
-use crate::render::{Renderer, block_on};
+use crate::render::Renderer;
 
 /// What looks are worn by.
 pub const MESHES: [&str; 3] = ["shape:sphere", "shape:creature", "shape:plane"];
@@ -168,7 +168,7 @@ impl LookEffort {
 
 /// What a look came to in a tier.
 #[derive(Clone, Debug, Serialize)]
-pub struct LookMeasured {
+pub struct LookFigures {
     /// The file's stem.
     pub look: String,
     /// The tier of all of its nodes.
@@ -185,7 +185,7 @@ pub struct LookMeasured {
     pub bound: LookBound,
 }
 
-impl LookMeasured {
+impl LookFigures {
     /// Whether it keeps what it is held to.
     pub fn holds(&self) -> bool {
         let (error, bound) = (&self.error, &self.bound);
@@ -235,7 +235,7 @@ pub fn content(
     let mut assets = Assets::default();
     let options = PlanOptions { size: [16; 2], samples: 1, time: 0.0 };
     for mesh in meshes {
-        let (setup, _) = open(path, Some(mesh), &mut assets)?;
+        let setup = open(path, Some(mesh), &mut assets)?.value;
         setup.looks.iter().for_each(|worn| sink(worn.look.to_text().as_bytes()));
         let exact = Variant::Looks(Tier::Exact).of(&setup);
         Planner::for_truth(Assets::default())
@@ -256,13 +256,13 @@ pub fn content(
 ///
 /// # Errors
 /// What is wrong with the look, what the GPU refuses, or that `progress` stopped it.
-pub fn measure_look(
+pub async fn measure_look(
     path: &Path,
     library: &Library,
     precise: &mut Renderer,
     effort: &LookEffort,
     progress: &Progress,
-) -> Result<Vec<LookMeasured>, MeasureError> {
+) -> Result<Vec<LookFigures>, MeasureError> {
     let look = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let mut assets = Assets::default();
     let mut figures = vec![Vec::new(); effort.tiers.len()];
@@ -272,14 +272,14 @@ pub fn measure_look(
     let mut bounds: Vec<LookBound> =
         effort.tiers.iter().map(|tier| LookBound::of(*tier).at(side)).collect();
     for mesh in &effort.meshes {
-        let (setup, _) = open(path, Some(mesh), &mut assets)?;
+        let setup = open(path, Some(mesh), &mut assets)?.value;
         if let [worn, ..] = setup.looks.as_slice() {
             let of = |tier: &Tier| LookBound::of_look(&worn.look, library, *tier).at(side);
             bounds = effort.tiers.iter().map(of).collect();
         }
         let mut truths = Planner::for_truth(Assets::default());
         let mut planners: Vec<Planner> = effort.tiers.iter().map(|_| Planner::default()).collect();
-        for (index, station) in stations(&setup, effort.stations).iter().enumerate() {
+        for (index, station) in viewpoints(&setup, effort.stations).iter().enumerate() {
             let sides = if index == 0 {
                 effort.sides.clone()
             } else {
@@ -303,7 +303,7 @@ pub fn measure_look(
                 for (number, &tier) in effort.tiers.iter().enumerate() {
                     let drawn = Variant::Looks(tier).of(&seen);
                     let plan = planners[number].plan(&drawn, library, &Live::Keyed, &options)?;
-                    let got = Colors::from(&block_on(precise.picture(&plan))?);
+                    let got = Colors::from(&precise.picture(&plan).await?);
                     if bounds[number].max.is_some() {
                         settled[number] += truth.settle(
                             &got,
@@ -331,7 +331,7 @@ pub fn measure_look(
     let measured = effort.tiers.iter().zip(bounds).zip(figures).zip(settled).zip(worst);
     let measured = measured.map(|((((&tier, bound), figures), settled), (_, worst_words))| {
         let error = ErrorFigures::join(&figures);
-        LookMeasured {
+        LookFigures {
             look: look.clone(),
             tier,
             pictures: figures.len(),

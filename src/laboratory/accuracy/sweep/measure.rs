@@ -15,7 +15,7 @@ use crate::ids::{NodePath, PortName};
 use crate::interp::Precision;
 use crate::library::{Library, SurfacePart, Type};
 use crate::reference;
-use crate::render::{Renderer, block_on};
+use crate::render::Renderer;
 
 /// What all measurements share.
 pub struct Lab<'a> {
@@ -62,7 +62,7 @@ pub struct Finding {
 
 /// What a case came to.
 #[derive(Clone, Debug, Serialize)]
-pub struct Measured {
+pub struct CaseFigures {
     /// The case.
     pub case: Case,
     /// How many samples were compared.
@@ -86,7 +86,7 @@ pub struct Measured {
     pub worst_words: String,
 }
 
-impl Measured {
+impl CaseFigures {
     /// Whether it keeps what it is held to.
     pub fn holds(&self) -> bool {
         self.broken == 0 && self.max <= self.bound
@@ -142,7 +142,11 @@ impl<'a> Lab<'a> {
     ///
     /// # Errors
     /// What the compiler or the GPU refuses.
-    pub fn run(&mut self, bench: &Bench, all: &[Numbers]) -> Result<Vec<Vec<f64>>, MeasureError> {
+    pub async fn run(
+        &mut self,
+        bench: &Bench,
+        all: &[Numbers],
+    ) -> Result<Vec<Vec<f64>>, MeasureError> {
         let samples: Vec<EvalSample> =
             all.iter().map(|numbers| sample(&bench.slots, numbers)).collect();
         let unspecialized = self.is_unspecialized(bench);
@@ -152,7 +156,7 @@ impl<'a> Lab<'a> {
         }
         for root in &bench.roots {
             for batch in self.batches(&bench.look, root, &samples, unspecialized)? {
-                let values = block_on(self.renderer.evaluate(&batch))?;
+                let values = self.renderer.evaluate(&batch).await?;
                 collect(&batch, values.iter().map(|value| value.map(f64::from)), &mut rows);
             }
         }
@@ -236,13 +240,17 @@ impl<'a> Lab<'a> {
     ///
     /// # Errors
     /// What the compiler, the GPU or the interpreter refuses.
-    pub fn measure(&mut self, case: &Case, effort: &Effort) -> Result<Measured, MeasureError> {
+    pub async fn measure(
+        &mut self,
+        case: &Case,
+        effort: &Effort,
+    ) -> Result<CaseFigures, MeasureError> {
         let bench = self.bench(case)?;
         let samples = samples(&bench, effort);
-        let findings = self.compare(&bench, &samples)?;
+        let findings = self.compare(&bench, &samples).await?;
         let mut worst = self.sum_up(&bench, findings);
         if effort.rounds > 0 {
-            super::search::climb(self, &bench, &mut worst, effort.rounds)?;
+            super::search::climb(self, &bench, &mut worst, effort.rounds).await?;
         }
         Ok(worst)
     }
@@ -252,12 +260,12 @@ impl<'a> Lab<'a> {
     ///
     /// # Errors
     /// What the compiler, the GPU or the interpreter refuses.
-    pub fn compare(
+    pub async fn compare(
         &mut self,
         bench: &Bench,
         samples: &[Numbers],
     ) -> Result<Vec<Finding>, MeasureError> {
-        let got = self.run(bench, samples)?;
+        let got = self.run(bench, samples).await?;
         let truth = self.truth(bench, samples)?;
         let finding = |((numbers, got), truth): ((&Numbers, Vec<f64>), Vec<f64>)| {
             let (absolute, error) = (
@@ -368,9 +376,9 @@ impl<'a> Lab<'a> {
         Ok(())
     }
 
-    fn sum_up(&self, bench: &Bench, findings: Vec<Finding>) -> Measured {
+    fn sum_up(&self, bench: &Bench, findings: Vec<Finding>) -> CaseFigures {
         let bound = bound(&bench.case, &self.library);
-        let mut measured = Measured {
+        let mut measured = CaseFigures {
             case: bench.case.clone(),
             samples: findings.len(),
             rounded: 0,

@@ -22,9 +22,9 @@ pub mod survey;
 
 pub use bounds::{Judging, bound, judging};
 pub use case::{Bench, Case};
-pub use looks::{LookBound, LookEffort, LookMeasured, looks_in, measure_look};
-pub use measure::{Effort, Finding, Lab, Measured};
+pub use looks::{LookBound, LookEffort, LookFigures, looks_in, measure_look};
+pub use measure::{CaseFigures, Effort, Finding, Lab};
 pub use report::AccuracyReport;
 pub use search::{Worst, climb};
-pub use stability::{StabilityEffort, StabilityMeasured, measure_stability};
+pub use stability::{StabilityEffort, StabilityFigures, measure_stability};
 pub use survey::{Survey, survey};

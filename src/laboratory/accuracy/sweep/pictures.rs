@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::looks::{
-    EDGE_SHARE, LARGE_ROWS, LookBound, LookEffort, LookMeasured, RARE_INSIDE, place_rounding,
+    EDGE_SHARE, LARGE_ROWS, LookBound, LookEffort, LookFigures, RARE_INSIDE, place_rounding,
 };
 use super::report::{AccuracyReport, small, word_of};
 use super::stability::{Flicker, ON_SMOOTH, STEP};
@@ -75,7 +75,7 @@ const EXACT_HEAD: &str = "| look | pictures | pixels | NaN or inf | largest | RM
                           | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | \
                           --- |";
 
-fn exact_rows(looks: &[LookMeasured], text: &mut String) {
+fn exact_rows(looks: &[LookFigures], text: &mut String) {
     for one in looks.iter().filter(|one| one.tier == Tier::Exact) {
         let e = &one.error;
         let _ = writeln!(

@@ -6,10 +6,10 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::bounds::{EXCEPTIONS, Judging, STEEP_FOOT};
-use super::looks::LookMeasured;
-use super::measure::Measured;
+use super::looks::LookFigures;
+use super::measure::CaseFigures;
 use super::search::Worst;
-use super::stability::StabilityMeasured;
+use super::stability::StabilityFigures;
 use super::{pictures, plot, stability};
 use crate::diag::Diagnostic;
 use crate::document::Tier;
@@ -23,13 +23,13 @@ pub struct AccuracyReport {
     /// Whether it is a program on the CPU.
     pub is_software: bool,
     /// Each case of each node.
-    pub nodes: Vec<Measured>,
+    pub nodes: Vec<CaseFigures>,
     /// Each look, in each tier.
-    pub looks: Vec<LookMeasured>,
+    pub looks: Vec<LookFigures>,
     /// The same in the largest pictures, where they were wanted.
-    pub large: Vec<LookMeasured>,
+    pub large: Vec<LookFigures>,
     /// Each look on each mesh, turning.
-    pub stability: Vec<StabilityMeasured>,
+    pub stability: Vec<StabilityFigures>,
     /// The worst inputs, to be kept.
     #[serde(skip)]
     pub worst: Vec<Worst>,
@@ -146,7 +146,8 @@ impl AccuracyReport {
                 .max_by(|a, b| (a.max / a.bound).total_cmp(&(b.max / b.bound)))
                 .copied();
             let Some(worst) = worst else { continue };
-            let sum = |get: fn(&Measured) -> usize| group.iter().map(|one| get(one)).sum::<usize>();
+            let sum =
+                |get: fn(&CaseFigures) -> usize| group.iter().map(|one| get(one)).sum::<usize>();
             let p999 = group.iter().map(|one| one.p999).fold(0.0, f64::max);
             let case = if worst.max == 0.0 { "exact".to_owned() } else { self.words_of(worst) };
             let _ = writeln!(
@@ -164,7 +165,7 @@ impl AccuracyReport {
         text.push('\n');
     }
 
-    fn words_of(&self, one: &Measured) -> String {
+    fn words_of(&self, one: &CaseFigures) -> String {
         let setting = one.case.name();
         let setting =
             setting.trim_start_matches(one.case.node.as_str()).trim_start_matches([' ', ',']);
@@ -173,10 +174,10 @@ impl AccuracyReport {
     }
 
     /// The cases of each node and tier.
-    fn groups(&self) -> Vec<Vec<&Measured>> {
-        let mut groups: Vec<Vec<&Measured>> = Vec::new();
+    fn groups(&self) -> Vec<Vec<&CaseFigures>> {
+        let mut groups: Vec<Vec<&CaseFigures>> = Vec::new();
         for one in &self.nodes {
-            let same = |group: &&mut Vec<&Measured>| {
+            let same = |group: &&mut Vec<&CaseFigures>| {
                 group[0].case.node == one.case.node && group[0].case.tier == one.case.tier
             };
             match groups.iter_mut().find(same) {
@@ -224,7 +225,7 @@ impl AccuracyReport {
     }
 
     fn plots(&self) -> Vec<(&'static str, String)> {
-        let node = |group: &Vec<&Measured>| {
+        let node = |group: &Vec<&CaseFigures>| {
             let worst = group.iter().map(|one| one.max).fold(0.0, f64::max);
             let bound = group.iter().map(|one| one.bound).fold(0.0, f64::max);
             let one = group[0];
@@ -237,7 +238,7 @@ impl AccuracyReport {
             plot::Row { label, points: vec![(worst, color)], bound: Some(bound) }
         };
         let nodes: Vec<plot::Row> = self.groups().iter().map(node).collect();
-        let look = |one: &LookMeasured| plot::Row {
+        let look = |one: &LookFigures| plot::Row {
             label: one.look.clone(),
             points: vec![
                 (one.error.edge_max, "#b9b4a9"),
@@ -248,7 +249,7 @@ impl AccuracyReport {
         };
         let exact = self.looks.iter().filter(|one| one.tier == Tier::Exact);
         let looks: Vec<plot::Row> = exact.map(look).collect();
-        let turning = |one: &StabilityMeasured| {
+        let turning = |one: &StabilityFigures| {
             let kinds =
                 [(one.silhouettes, "#b9b4a9"), (one.edges, "#c0583f"), (one.smooth, "#35618f")];
             let points = kinds
@@ -356,7 +357,7 @@ fn exceptions_part(text: &mut String) {
     text.push('\n');
 }
 
-fn tier(one: &Measured) -> &'static str {
+fn tier(one: &CaseFigures) -> &'static str {
     word_of(one.case.tier)
 }
 

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::bounds::is_stated;
 use super::case::{Bench, Case};
-use super::measure::{Finding, Lab, Measured, told};
+use super::measure::{CaseFigures, Finding, Lab, told};
 use super::random::Random;
 use super::slot::{Numbers, relate};
 use crate::accuracy::MeasureError;
@@ -24,10 +24,10 @@ const CHILDREN: usize = 40;
 ///
 /// # Errors
 /// What the compiler, the GPU or the interpreter refuses.
-pub fn climb(
+pub async fn climb(
     lab: &mut Lab<'_>,
     bench: &Bench,
-    measured: &mut Measured,
+    measured: &mut CaseFigures,
     rounds: usize,
 ) -> Result<(), MeasureError> {
     if bench.slots.is_empty() || measured.broken > 0 {
@@ -39,7 +39,7 @@ pub fn climb(
         for parent in &measured.worst {
             children.extend((0..CHILDREN).map(|_| child(bench, &parent.numbers, &mut random)));
         }
-        for finding in lab.compare(bench, &children)? {
+        for finding in lab.compare(bench, &children).await? {
             let is_broken = finding.got.iter().any(|x| !x.is_finite());
             measured.broken += usize::from(is_broken);
             measured.samples += 1;

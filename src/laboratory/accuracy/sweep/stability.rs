@@ -12,7 +12,7 @@ use crate::compile::Live;
 use crate::frame::{Assets, PlanOptions, Planner, Setup, open};
 use crate::library::Library;
 use crate::progress::Progress;
-use crate::render::{Renderer, block_on};
+use crate::render::Renderer;
 
 /// What turns.
 pub const MESHES: [&str; 2] = ["shape:sphere", "shape:creature"];
@@ -68,7 +68,7 @@ impl Flicker {
 
 /// What a look on a mesh came to.
 #[derive(Clone, Debug, Serialize)]
-pub struct StabilityMeasured {
+pub struct StabilityFigures {
     /// The file's stem.
     pub look: String,
     /// The mesh.
@@ -84,7 +84,7 @@ pub struct StabilityMeasured {
     pub silhouettes: Flicker,
 }
 
-impl StabilityMeasured {
+impl StabilityFigures {
     /// Whether it keeps what it is held to.
     pub fn holds(&self) -> bool {
         // Either of two frames may have the pixel.
@@ -110,17 +110,17 @@ struct Frame {
 ///
 /// # Errors
 /// What is wrong with the look, what the GPU refuses, or that `progress` stopped it.
-pub fn measure_stability(
+pub async fn measure_stability(
     path: &Path,
     mesh: &str,
     library: &Library,
     precise: &mut Renderer,
     effort: &StabilityEffort,
     progress: &Progress,
-) -> Result<StabilityMeasured, MeasureError> {
-    let (setup, _) = open(path, Some(mesh), &mut Assets::default())?;
+) -> Result<StabilityFigures, MeasureError> {
+    let setup = open(path, Some(mesh), &mut Assets::default())?.value;
     let (mut planner, mut truths) = (Planner::default(), Planner::for_truth(Assets::default()));
-    let mut measured = StabilityMeasured {
+    let mut measured = StabilityFigures {
         look: path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default(),
         mesh: mesh.trim_start_matches("shape:").to_owned(),
         has_direction_keys: setup.looks.iter().any(|look| !look.look.direction_keys.is_empty()),
@@ -135,7 +135,8 @@ pub fn measure_stability(
         seen.turn_camera([turn, 0.4 * turn]);
         seen.turn_lights([-2.0 * turn, turn]);
         let frame =
-            frame(&seen, library, precise, (&mut planner, &mut truths), effort.side, progress)?;
+            frame(&seen, library, precise, (&mut planner, &mut truths), effort.side, progress)
+                .await?;
         if let Some(before) = &before {
             compare(before, &frame, effort.side as usize, &mut measured);
         }
@@ -144,7 +145,7 @@ pub fn measure_stability(
     Ok(measured)
 }
 
-fn frame(
+async fn frame(
     setup: &Setup,
     library: &Library,
     precise: &mut Renderer,
@@ -155,7 +156,7 @@ fn frame(
     let options = PlanOptions { size: [side; 2], samples: 1, time: 0.0 };
     let mut truth = Truth::of(setup, library, truths, &options, &progress.part(1))?;
     let plan = planner.plan(setup, library, &Live::Keyed, &options)?;
-    let got = Colors::from(&block_on(precise.picture(&plan))?);
+    let got = Colors::from(&precise.picture(&plan).await?);
     let colors = truth.colors().rgba.into_owned();
     // Either of two frames makes half of a change.
     let above =
@@ -165,7 +166,7 @@ fn frame(
     Ok(Frame { got: got.rgba.into_owned(), truth: colors, outlines })
 }
 
-fn compare(before: &Frame, after: &Frame, width: usize, measured: &mut StabilityMeasured) {
+fn compare(before: &Frame, after: &Frame, width: usize, measured: &mut StabilityFigures) {
     for index in 0..after.got.len() {
         let change = |pixels: [&[[f64; 4]]; 2], channel: usize| {
             pixels[1][index][channel] - pixels[0][index][channel]

@@ -5,20 +5,21 @@
 
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
+use std::pin::Pin;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, mpsc};
 use std::thread;
 
 use super::case::Case;
-use super::looks::{LookEffort, LookMeasured, looks_in, measure_look};
-use super::measure::{Effort, Lab, Measured};
+use super::looks::{LookEffort, LookFigures, looks_in, measure_look};
+use super::measure::{CaseFigures, Effort, Lab};
 use super::report::AccuracyReport;
 use super::search::Worst;
-use super::stability::{MESHES, StabilityEffort, StabilityMeasured, measure_stability};
+use super::stability::{MESHES, StabilityEffort, StabilityFigures, measure_stability};
 use crate::accuracy::MeasureError;
 use crate::library::Library;
 use crate::progress::Progress;
-use crate::render::{Gpu, Renderer, block_on};
+use crate::render::{Gpu, Renderer};
 
 /// What is surveyed.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,7 +45,7 @@ const MOST_WORKERS: usize = 4;
 const KEPT_OF_A_CASE: usize = 2;
 
 /// What is measured in one go.
-enum Job {
+enum SurveyTask {
     Case(Case),
     Look(PathBuf),
     /// A look's largest pictures: only one worker makes such at a time, as two would take all
@@ -53,21 +54,25 @@ enum Job {
 }
 
 /// What a job came to.
-enum Found {
-    Case(Measured, Vec<Worst>),
-    Look(Vec<LookMeasured>, Vec<StabilityMeasured>),
-    Large(Vec<LookMeasured>),
+enum TaskResult {
+    Case(CaseFigures, Vec<Worst>),
+    Look(Vec<LookFigures>, Vec<StabilityFigures>),
+    Large(Vec<LookFigures>),
 }
 
 /// A message of a worker.
 enum WorkerMessage {
     /// The job of this number is done.
-    Found(usize, Found),
+    Finished(usize, TaskResult),
     /// The worker cannot go on.
     Failed(MeasureError),
 }
 
-/// Measures everything.
+/// Waits for a future on the thread that calls it. A survey has its own threads, and the library
+/// itself waits nowhere: whoever asks for a survey says how.
+pub type Wait<'a> = &'a (dyn Fn(Pin<Box<dyn Future<Output = ()> + '_>>) + Sync);
+
+/// Measures everything, each worker on a thread of its own that `wait`s for its device.
 ///
 /// # Errors
 /// What is wrong with a look or a node, no GPU or what it refuses, or that `progress` stopped it.
@@ -75,10 +80,11 @@ enum WorkerMessage {
     clippy::disallowed_methods,
     reason = "the one place of the survey that starts threads: each waits for a device of its own"
 )]
-pub fn survey(
+pub async fn survey(
     survey: &Survey,
     library: &Library,
     progress: &Progress,
+    wait: Wait<'_>,
 ) -> Result<AccuracyReport, MeasureError> {
     let looks = survey.looks.as_deref().map_or_else(|| Ok(Vec::new()), looks_in)?;
     let mut kinds: Vec<&String> = library.nodes.keys().collect();
@@ -93,13 +99,14 @@ pub fn survey(
     let progress = progress.part(steps);
     progress.begin(steps);
     let large = looks.iter().filter(|_| survey.large.is_some());
-    let large: Vec<Job> = large.map(|path| Job::Large(path.clone())).collect();
+    let large: Vec<SurveyTask> = large.map(|path| SurveyTask::Large(path.clone())).collect();
     // What takes longest comes first.
-    let small = looks.into_iter().map(Job::Look).chain(cases.into_iter().map(Job::Case));
+    let small =
+        looks.into_iter().map(SurveyTask::Look).chain(cases.into_iter().map(SurveyTask::Case));
     let first_small = large.len();
-    let jobs: Vec<Job> = large.into_iter().chain(small).collect();
+    let jobs: Vec<SurveyTask> = large.into_iter().chain(small).collect();
 
-    let gpu = block_on(Gpu::headless())?;
+    let gpu = Gpu::headless().await?;
     let report = AccuracyReport {
         adapter: gpu.name(),
         is_software: gpu.is_software(),
@@ -120,7 +127,7 @@ pub fn survey(
         for _ in 0..workers {
             let tell = tell.clone();
             let team = &team;
-            scope.spawn(move || team.work(&tell));
+            scope.spawn(move || wait(Box::pin(team.work(&tell))));
         }
         drop(tell);
         team.gather(&told)
@@ -133,7 +140,7 @@ struct Team<'a> {
     survey: &'a Survey,
     library: &'a Library,
     /// The large ones first.
-    jobs: &'a [Job],
+    jobs: &'a [SurveyTask],
     /// How many are large.
     first_small: usize,
     /// The number of the next large one; who makes one holds it.
@@ -146,8 +153,8 @@ struct Team<'a> {
 
 impl Team<'_> {
     /// Does one job after the other, and tells what keeps it from going on.
-    fn work(&self, tell: &mpsc::Sender<WorkerMessage>) {
-        if let Err(why) = self.work_on(tell) {
+    async fn work(&self, tell: &mpsc::Sender<WorkerMessage>) {
+        if let Err(why) = self.work_on(tell).await {
             // First what is wrong: whoever stops because of it tells only that.
             drop(tell.send(WorkerMessage::Failed(why)));
             self.progress.stop();
@@ -155,19 +162,23 @@ impl Team<'_> {
     }
 
     /// The same, until there are no more jobs; on a device of its own.
-    fn work_on(&self, tell: &mpsc::Sender<WorkerMessage>) -> Result<(), MeasureError> {
-        let gpu = block_on(Gpu::headless())?;
+    async fn work_on(&self, tell: &mpsc::Sender<WorkerMessage>) -> Result<(), MeasureError> {
+        let gpu = Gpu::headless().await?;
         let precise = gpu.precise();
         let mut renderer = Renderer::new(gpu);
         let mut lab = Lab::new(self.library, &mut renderer)?;
         while let Some((number, _alone)) = self.next_job() {
             let found = match &self.jobs[number] {
-                Job::Case(case) => self.measure_case(case, &mut lab),
+                SurveyTask::Case(case) => self.measure_case(case, &mut lab).await,
                 // What a look's shaders and textures take is given back after it.
-                Job::Look(path) => self.measure_look(path, &mut Renderer::new(precise.clone())),
-                Job::Large(path) => self.measure_large(path, &mut Renderer::new(precise.clone())),
+                SurveyTask::Look(path) => {
+                    self.measure_look(path, &mut Renderer::new(precise.with_own_store())).await
+                }
+                SurveyTask::Large(path) => {
+                    self.measure_large(path, &mut Renderer::new(precise.with_own_store())).await
+                }
             }?;
-            if tell.send(WorkerMessage::Found(number, found)).is_err() {
+            if tell.send(WorkerMessage::Finished(number, found)).is_err() {
                 break;
             }
         }
@@ -190,39 +201,59 @@ impl Team<'_> {
         (number < self.jobs.len()).then_some((number, None))
     }
 
-    fn measure_case(&self, case: &Case, lab: &mut Lab<'_>) -> Result<Found, MeasureError> {
-        let measured = lab.measure(case, &self.survey.effort)?;
+    async fn measure_case(
+        &self,
+        case: &Case,
+        lab: &mut Lab<'_>,
+    ) -> Result<TaskResult, MeasureError> {
+        let measured = lab.measure(case, &self.survey.effort).await?;
         let bench = lab.bench(case)?;
         let worst =
             measured.worst.iter().take(KEPT_OF_A_CASE).filter(|finding| finding.error > 0.0);
         let worst = worst.map(|finding| Worst::new(&bench, finding)).collect();
         self.progress.step()?;
-        Ok(Found::Case(measured, worst))
+        Ok(TaskResult::Case(measured, worst))
     }
 
-    fn measure_look(&self, path: &Path, precise: &mut Renderer) -> Result<Found, MeasureError> {
+    async fn measure_look(
+        &self,
+        path: &Path,
+        precise: &mut Renderer,
+    ) -> Result<TaskResult, MeasureError> {
         let progress = &self.progress;
-        let drawn = measure_look(path, self.library, precise, &self.survey.look_effort, progress)?;
-        let turning = |mesh| {
-            measure_stability(path, mesh, self.library, precise, &self.survey.stability, progress)
-        };
-        let stability = MESHES.into_iter().map(turning).collect::<Result<_, _>>()?;
-        Ok(Found::Look(drawn, stability))
+        let drawn =
+            measure_look(path, self.library, precise, &self.survey.look_effort, progress).await?;
+        let effort = &self.survey.stability;
+        let mut stability = Vec::new();
+        for mesh in MESHES {
+            stability.push(
+                measure_stability(path, mesh, self.library, precise, effort, progress).await?,
+            );
+        }
+        Ok(TaskResult::Look(drawn, stability))
     }
 
-    fn measure_large(&self, path: &Path, precise: &mut Renderer) -> Result<Found, MeasureError> {
+    async fn measure_large(
+        &self,
+        path: &Path,
+        precise: &mut Renderer,
+    ) -> Result<TaskResult, MeasureError> {
         let effort = self.survey.large.clone().unwrap_or_else(LookEffort::large);
-        measure_look(path, self.library, precise, &effort, &self.progress).map(Found::Large)
+        let drawn = measure_look(path, self.library, precise, &effort, &self.progress).await?;
+        Ok(TaskResult::Large(drawn))
     }
 
     /// What all jobs came to, in their order. The first that fails stops them all.
-    fn gather(&self, told: &mpsc::Receiver<WorkerMessage>) -> Result<Vec<Found>, MeasureError> {
-        let mut found: Vec<Option<Found>> = self.jobs.iter().map(|_| None).collect();
+    fn gather(
+        &self,
+        told: &mpsc::Receiver<WorkerMessage>,
+    ) -> Result<Vec<TaskResult>, MeasureError> {
+        let mut found: Vec<Option<TaskResult>> = self.jobs.iter().map(|_| None).collect();
         let mut failed = None;
         // Until the last worker has left.
         for message in told {
             match message {
-                WorkerMessage::Found(number, of) => found[number] = Some(of),
+                WorkerMessage::Finished(number, of) => found[number] = Some(of),
                 WorkerMessage::Failed(why) => {
                     failed.get_or_insert(why);
                 }
@@ -234,18 +265,18 @@ impl Team<'_> {
 }
 
 impl AccuracyReport {
-    fn with(mut self, found: Vec<Found>) -> Self {
+    fn with(mut self, found: Vec<TaskResult>) -> Self {
         for found in found {
             match found {
-                Found::Case(measured, worst) => {
+                TaskResult::Case(measured, worst) => {
                     self.nodes.push(measured);
                     self.worst.extend(worst);
                 }
-                Found::Look(drawn, stability) => {
+                TaskResult::Look(drawn, stability) => {
                     self.looks.extend(drawn);
                     self.stability.extend(stability);
                 }
-                Found::Large(drawn) => self.large.extend(drawn),
+                TaskResult::Large(drawn) => self.large.extend(drawn),
             }
         }
         self

@@ -19,7 +19,7 @@ use crate::interp::{Shape, TextureDimension};
 
 /// Where a global variable lies.
 #[derive(Clone, Copy)]
-enum Home {
+enum GlobalPlace {
     /// The first of its slots.
     Private(Slot),
     /// The number of the resource.
@@ -31,7 +31,7 @@ enum Home {
 /// The global variables of a program.
 #[derive(Default)]
 pub(super) struct Globals {
-    homes: HashMap<Handle<GlobalVariable>, Home>,
+    homes: HashMap<Handle<GlobalVariable>, GlobalPlace>,
     pub(super) resources: Vec<Resource>,
     /// In order, with the first slot of each.
     pub(super) private: Vec<(Handle<GlobalVariable>, Slot)>,
@@ -81,18 +81,18 @@ impl Globals {
                 let count = layouts.slots(&module.types[variable.ty].inner)?;
                 let slot = assembler.reserve(count).map_err(|_| Problem::TooBig)?;
                 self.private.push((handle, slot));
-                Home::Private(slot)
+                GlobalPlace::Private(slot)
             }
             AddressSpace::Uniform | AddressSpace::Storage { .. } => {
                 if matches!(variable.space, AddressSpace::Storage { access } if access.contains(StorageAccess::STORE))
                 {
                     return Err(Problem::Unsupported("a storage buffer that can be written"));
                 }
-                Home::Buffer(self.resource(variable, buffer(module, layouts, variable.ty)?)?)
+                GlobalPlace::Buffer(self.resource(variable, buffer(module, layouts, variable.ty)?)?)
             }
-            AddressSpace::Handle => {
-                Home::Handle(self.resource(variable, opaque(&module.types[variable.ty].inner)?)?)
-            }
+            AddressSpace::Handle => GlobalPlace::Handle(
+                self.resource(variable, opaque(&module.types[variable.ty].inner)?)?,
+            ),
             AddressSpace::WorkGroup => return Err(Problem::Unsupported("workgroup memory")),
             _ => return Err(Problem::Unsupported("in an address space of its own")),
         };
@@ -121,11 +121,11 @@ impl Globals {
         assembler: &mut Assembler,
     ) -> Outcome<Option<Operand>> {
         Ok(Some(match self.homes.get(&handle) {
-            Some(Home::Private(slot)) => Operand::Place(Place::fixed(*slot)),
-            Some(Home::Buffer(number)) => {
+            Some(GlobalPlace::Private(slot)) => Operand::Place(Place::fixed(*slot)),
+            Some(GlobalPlace::Buffer(number)) => {
                 Operand::Place(Place { buffer: Some(*number), ..Place::fixed(0) })
             }
-            Some(Home::Handle(number)) => {
+            Some(GlobalPlace::Handle(number)) => {
                 let slot = assembler.constant(u64::from(*number))?;
                 Operand::Value([slot].into())
             }

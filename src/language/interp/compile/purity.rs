@@ -9,7 +9,7 @@ const LEAST: usize = 48;
 
 /// Of each function of a module that has been compiled.
 #[derive(Clone, Copy, Default)]
-struct Known {
+struct FunctionFacts {
     is_pure: bool,
     has_loop: bool,
     /// Instructions, callees included.
@@ -17,11 +17,11 @@ struct Known {
 }
 
 /// What is known of functions; callees are told before callers.
-pub(super) struct Purity(Vec<Known>);
+pub(super) struct Purity(Vec<FunctionFacts>);
 
 impl Purity {
     pub(super) fn new(module: &Module) -> Self {
-        Self(vec![Known::default(); module.functions.len()])
+        Self(vec![FunctionFacts::default(); module.functions.len()])
     }
 
     /// Adds a function of `length` instructions.
@@ -32,7 +32,7 @@ impl Purity {
         function: &Function,
         length: usize,
     ) {
-        let mut known = Known {
+        let mut known = FunctionFacts {
             is_pure: is_pure(context.module, function),
             has_loop: has_loop(function),
             length,
@@ -48,7 +48,7 @@ impl Purity {
 
     /// Whether it is pure and takes long.
     pub(super) fn is_worth_sharing(&self, handle: Handle<Function>) -> bool {
-        let Known { is_pure, has_loop, length } = self.0[handle.index()];
+        let FunctionFacts { is_pure, has_loop, length } = self.0[handle.index()];
         is_pure && (has_loop || length >= LEAST)
     }
 }

@@ -12,7 +12,7 @@ use super::params::ParamTable;
 use super::time::at_time;
 use super::{KeyedValues, ObjectValues, RigInputs};
 use crate::compile::{HostInputs, LightValues, Param};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::directions::KeyWeights;
 use crate::document::{
     ColorSpace, DirectionKeys, KeyDirection, Light, Look, Target, TimeKeys, Value,
@@ -32,11 +32,11 @@ pub struct Rig {
 impl Rig {
     /// Solves the direction keys of `look`. Diagnostics tell of keys that are merged or lie too
     /// close.
-    pub fn new(look: &Look) -> (Self, Vec<Diagnostic>) {
+    pub fn new(look: &Look) -> Warned<Self> {
         let mut problems = Vec::new();
         let mut index = 0;
         let rig = Self::with(look, &mut |keys| {
-            let (weights, found) = solve(keys);
+            let (weights, found) = solve(keys).into_parts();
             problems.extend(found.into_iter().map(|mut problem| {
                 let inner = problem.place.json_path.take().unwrap_or_else(|| "keys".to_owned());
                 problem.json_path(format!("direction_keys[{index}].{inner}"))
@@ -44,7 +44,7 @@ impl Rig {
             index += 1;
             weights
         });
-        (rig, problems)
+        Warned::new(rig, problems)
     }
 
     fn with(look: &Look, weights_of: &mut dyn FnMut(&DirectionKeys) -> KeyWeights) -> Self {
@@ -81,7 +81,7 @@ impl Rig {
             };
             known.find(|(own, _)| is_same(own)).map(|(_, w)| w.clone())
         };
-        Self::with(look, &mut |keys| known(keys).unwrap_or_else(|| solve(keys).0))
+        Self::with(look, &mut |keys| known(keys).unwrap_or_else(|| solve(keys).value))
     }
 
     /// The values at a moment, of a module with these parameters.
@@ -246,7 +246,7 @@ type Known<'a> = (
     &'a dyn Fn(&NodePath, &PortName) -> Option<Value>,
 );
 
-fn solve(keys: &DirectionKeys) -> (KeyWeights, Vec<Diagnostic>) {
+fn solve(keys: &DirectionKeys) -> Warned<KeyWeights> {
     let places: Vec<DVec3> = keys.keys.iter().map(|key| DVec3::from(key.direction)).collect();
     match keys.by {
         KeyDirection::Drivers(_) => KeyWeights::at_places(&places),
@@ -295,7 +295,7 @@ mod tests {
             rig.keyed_values(&|_, _| None, None, &inputs).unwrap().values[&target].clone()
         };
         let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
-        let (first, _) = Rig::new(&look_with(&[x, z], 1.0));
+        let first = Rig::new(&look_with(&[x, z], 1.0)).value;
         // Other values, other places, one more key, one less: always as if it were made anew.
         for look in [
             look_with(&[x, z], 3.0),
@@ -303,7 +303,7 @@ mod tests {
             look_with(&[x, y, z], 1.0),
             look_with(&[x], 1.0),
         ] {
-            assert_eq!(of(&first.renewed(&look)), of(&Rig::new(&look).0));
+            assert_eq!(of(&first.renewed(&look)), of(&Rig::new(&look).value));
         }
         assert_ne!(of(&first), of(&first.renewed(&look_with(&[x, z], 3.0))));
     }

@@ -35,7 +35,7 @@ pub(in crate::frame) fn images(
                 ImageShape::Hcbtf { has_levels, storage } => {
                     let options =
                         LayerOptions { has_levels, is_decoded: image.is_decoded, storage };
-                    assets.hcbtf(&setup.folder, &image.path, options).map(|(image, _)| image)
+                    assets.hcbtf(&setup.folder, &image.path, options).map(|image| image.value)
                 }
             };
             read.unwrap_or_else(|found| {

@@ -70,7 +70,7 @@ impl Planner {
                 },
             );
         let shaders = known.unwrap_or_else(|| {
-            let (rig, problems) = Rig::new(look);
+            let (rig, problems) = Rig::new(look).into_parts();
             self.warnings = problems;
             LookShaders::new(draw, rig)
         });

@@ -146,7 +146,7 @@ impl Planner {
     ) -> Result<LookShaders, Vec<Diagnostic>> {
         let options = Options { display: true, ..self.options(live, variant) };
         let draw = compile(look, library, &options).map_err(|found| located(setup, found))?;
-        let (rig, mut problems) = Rig::new(look);
+        let (rig, mut problems) = Rig::new(look).into_parts();
         problems.extend(draw.warnings.iter().cloned());
         self.warnings.extend(located(setup, problems));
         Ok(LookShaders::new(Arc::new(draw), rig))

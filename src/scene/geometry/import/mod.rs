@@ -19,7 +19,7 @@ use super::build::build;
 use super::mesh::Mesh;
 use super::normals::CREASE_ANGLE;
 use super::soup::Soup;
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::files;
 
 /// Files (and the buffers beside a glTF) longer than this are refused.
@@ -43,34 +43,29 @@ pub fn no_siblings(_: &str) -> Result<Vec<u8>, String> {
     Err("only the file itself was given".to_owned())
 }
 
-/// A mesh, and what was done to get it that its maker should know.
-#[derive(Clone, Debug)]
-pub struct Imported {
-    /// The mesh; it has at least one triangle.
-    pub mesh: Mesh,
-    /// Warnings and notes.
-    pub notes: Vec<Diagnostic>,
-}
-
 /// Reads a file's `bytes` as the format that the ending of `name` says (obj, ply, stl, gltf, glb),
 /// or else its first bytes. `name` is also what diagnostics call the file.
 ///
 /// # Errors
 /// Everything that keeps the file from being used, up to a bound.
-pub fn import(name: &str, bytes: &[u8], siblings: Siblings) -> Result<Imported, Vec<Diagnostic>> {
+pub fn import(
+    name: &str,
+    bytes: &[u8],
+    siblings: Siblings,
+) -> Result<Warned<Mesh>, Vec<Diagnostic>> {
     let mut report = Report::new(name);
     let soup = read(name, bytes, siblings, &mut report);
     report.stop_on_errors()?;
     let mesh = finish(soup, &mut report);
     report.stop_on_errors()?;
-    Ok(Imported { mesh, notes: report.into_list() })
+    Ok(Warned::new(mesh, report.into_list()))
 }
 
 /// [`import`]s the file at `path`; files that a glTF names are read from its folder.
 ///
 /// # Errors
 /// As [`import`], and where the file cannot be read.
-pub fn load(path: &Path) -> Result<Imported, Vec<Diagnostic>> {
+pub fn load(path: &Path) -> Result<Warned<Mesh>, Vec<Diagnostic>> {
     let name = path.display().to_string();
     let bytes = files::read(path, MAX_FILE_BYTES).map_err(|why| {
         let hint = if path.exists() {

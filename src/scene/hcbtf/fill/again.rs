@@ -13,7 +13,7 @@ use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
 use super::bake::{self, Mapping};
 use super::plan::{Plan, Recipe, Source};
-use super::{Filled, NotFilled, blend, fill};
+use super::{FilledSamples, NotFilled, blend, fill};
 use crate::document::{Hcbtf, Rule, Tile};
 use crate::progress::Progress;
 
@@ -32,9 +32,9 @@ type Part = [u32; 4];
 /// As [`fill`].
 pub fn refill(
     hcbtf: &Hcbtf,
-    before: (&Hcbtf, &Filled),
+    before: (&Hcbtf, &FilledSamples),
     progress: &Progress,
-) -> Result<Filled, NotFilled> {
+) -> Result<FilledSamples, NotFilled> {
     let (old, filled) = before;
     let changed =
         changed(hcbtf, old).filter(|_| filled.grid == hcbtf.grid && old.grid == hcbtf.grid);
@@ -44,7 +44,7 @@ pub fn refill(
     for ([recipe, _], [tile, _]) in plan.samples.iter().zip(&filled.samples) {
         old_tiles[*recipe as usize] = *tile;
     }
-    let again = Again { plan: &plan, filled, changed: &changed, progress };
+    let again = Refill { plan: &plan, filled, changed: &changed, progress };
     let wanted: Vec<(usize, Part)> = (0..plan.recipes.len())
         .into_par_iter()
         .filter_map(|recipe| Some((recipe, again.part(&plan.recipes[recipe])?)))
@@ -54,12 +54,12 @@ pub fn refill(
         let tile = again.tile(&plan.recipes[recipe], old_tiles[recipe], part);
         tile.map(|tile| (recipe, tile)).ok_or(NotFilled::Stopped)
     });
-    let made: HashMap<usize, Made> = made.collect::<Result<_, _>>()?;
+    let made: HashMap<usize, RefilledTile> = made.collect::<Result<_, _>>()?;
     Ok(together(&plan, filled, &old_tiles, made))
 }
 
 /// What came of a recipe.
-enum Made {
+enum RefilledTile {
     /// The tile that it had.
     AsBefore,
     /// Another tile.
@@ -113,14 +113,14 @@ fn is_opaque(tile: &Tile) -> bool {
 }
 
 /// What tiles are made again of.
-struct Again<'a> {
+struct Refill<'a> {
     plan: &'a Plan<'a>,
-    filled: &'a Filled,
+    filled: &'a FilledSamples,
     changed: &'a HashMap<u32, Part>,
     progress: &'a Progress,
 }
 
-impl Again<'_> {
+impl Refill<'_> {
     /// The part of a recipe's tile that may be another now.
     fn part(&self, recipe: &Recipe) -> Option<Part> {
         let part = match recipe.source {
@@ -151,13 +151,13 @@ impl Again<'_> {
     }
 
     /// A recipe's tile; `None` where it is stopped.
-    fn tile(&self, recipe: &Recipe, old: u32, part: Part) -> Option<Made> {
+    fn tile(&self, recipe: &Recipe, old: u32, part: Part) -> Option<RefilledTile> {
         if self.progress.is_stopped() {
             return None;
         }
         let old = self.filled.tiles.get(old as usize)?;
         if is_whole(recipe) {
-            return bake::tile(self.plan, recipe, self.progress).map(Made::Other);
+            return bake::tile(self.plan, recipe, self.progress).map(RefilledTile::Other);
         }
         let [left, top, wide, high] = part.map(|side| side as usize);
         let width = self.plan.grid.size[0] as usize;
@@ -189,7 +189,7 @@ impl Again<'_> {
             is_other |= old.bytes().get(4 * from..4 * (from + wide))? != &texels[begin..];
             self.progress.add(1);
         }
-        Some(if is_other { Made::Patched(part, texels) } else { Made::AsBefore })
+        Some(if is_other { RefilledTile::Patched(part, texels) } else { RefilledTile::AsBefore })
     }
 }
 
@@ -211,10 +211,10 @@ fn around(one: Part, other: Part) -> Part {
 /// All tiles, each that was the same and is patched alike once.
 fn together(
     plan: &Plan<'_>,
-    filled: &Filled,
+    filled: &FilledSamples,
     old_tiles: &[u32],
-    mut made: HashMap<usize, Made>,
-) -> Filled {
+    mut made: HashMap<usize, RefilledTile>,
+) -> FilledSamples {
     let mut patched: HashMap<(u32, Part, Vec<u8>), Arc<Tile>> = HashMap::new();
     let mut known: HashMap<*const Tile, u32> = HashMap::new();
     let mut tiles: Vec<Arc<Tile>> = Vec::new();
@@ -222,9 +222,9 @@ fn together(
     for (recipe, old) in old_tiles.iter().enumerate() {
         let before = &filled.tiles[*old as usize];
         let tile = match made.remove(&recipe) {
-            None | Some(Made::AsBefore) => before.clone(),
-            Some(Made::Other(tile)) => tile,
-            Some(Made::Patched(part, texels)) => {
+            None | Some(RefilledTile::AsBefore) => before.clone(),
+            Some(RefilledTile::Other(tile)) => tile,
+            Some(RefilledTile::Patched(part, texels)) => {
                 let patch = |(_, part, texels): &(u32, Part, Vec<u8>)| {
                     Arc::new(with(before, *part, texels))
                 };
@@ -244,7 +244,7 @@ fn together(
     let samples = plan.samples.iter().map(sample).collect();
     // The rules are as they were, or nothing would have come of what is there.
     let (grid, is_tiling, rules) = (filled.grid, filled.is_tiling, filled.rules.clone());
-    Filled { grid, is_tiling, rules, tiles, provenances: plan.provenances.clone(), samples }
+    FilledSamples { grid, is_tiling, rules, tiles, provenances: plan.provenances.clone(), samples }
 }
 
 /// A tile with other texels in a part of it.

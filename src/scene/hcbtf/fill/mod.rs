@@ -55,7 +55,7 @@ pub enum Provenance {
 
 /// Which samples are given to other programs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Which {
+pub enum SampleChoice {
     /// Every sample, with what the rules fill.
     #[default]
     All,
@@ -63,7 +63,7 @@ pub enum Which {
     Painted,
 }
 
-impl Which {
+impl SampleChoice {
     /// Whether a sample of this provenance is one of them.
     pub fn has(self, provenance: &Provenance) -> bool {
         match self {
@@ -123,7 +123,7 @@ impl From<NotFilled> for Diagnostic {
 
 /// A tile for every sample of a grid.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Filled {
+pub struct FilledSamples {
     grid: Grid,
     is_tiling: bool,
     rules: Arc<[Rule]>,
@@ -133,7 +133,7 @@ pub struct Filled {
     samples: Vec<[u32; 2]>,
 }
 
-impl Filled {
+impl FilledSamples {
     /// The grid that is filled.
     pub fn grid(&self) -> Grid {
         self.grid
@@ -236,7 +236,7 @@ fn laid_out<'a>(hcbtf: &'a Hcbtf, progress: &Progress) -> Result<(Plan<'a>, Esti
 ///
 /// # Errors
 /// Where it was stopped, and where the grid is too large or none at all.
-pub fn fill(hcbtf: &Hcbtf, progress: &Progress) -> Result<Filled, NotFilled> {
+pub fn fill(hcbtf: &Hcbtf, progress: &Progress) -> Result<FilledSamples, NotFilled> {
     let (mut plan, _) = laid_out(hcbtf, progress)?;
     plan.prepare(hcbtf, progress).ok_or(NotFilled::Stopped)?;
     let baked = plan
@@ -250,7 +250,7 @@ pub fn fill(hcbtf: &Hcbtf, progress: &Progress) -> Result<Filled, NotFilled> {
         *tile = place[*tile as usize];
     }
     let (grid, is_tiling, rules) = (hcbtf.grid, hcbtf.is_tiling, hcbtf.rules.as_slice().into());
-    Ok(Filled { grid, is_tiling, rules, tiles, provenances: plan.provenances, samples })
+    Ok(FilledSamples { grid, is_tiling, rules, tiles, provenances: plan.provenances, samples })
 }
 
 /// Runs the rules for one sample alone: what [`fill`] would give it, in the time of one tile. For

@@ -39,7 +39,7 @@ fn painted(grid: Grid, addresses: &[Address], rules: Vec<Rule>) -> Hcbtf {
     hcbtf
 }
 
-fn filled(hcbtf: &Hcbtf) -> Filled {
+fn filled(hcbtf: &Hcbtf) -> FilledSamples {
     fill(hcbtf, &Progress::new()).unwrap()
 }
 
@@ -328,7 +328,7 @@ fn lock_takes_the_nearest_that_agrees_in_the_free_angles() {
 }
 
 /// One sample, copied everywhere and turned.
-fn turned(tile: Tile, is_tiling: bool, steps: u32, turns: &[f64]) -> (Hcbtf, Filled) {
+fn turned(tile: Tile, is_tiling: bool, steps: u32, turns: &[f64]) -> (Hcbtf, FilledSamples) {
     let one = Directions { theta: 1, phi: 1 };
     let grid = Grid { size: tile.size(), light: one, view: Directions { theta: 2, phi: steps } };
     let mut hcbtf = Hcbtf::new(grid);
@@ -341,7 +341,7 @@ fn turned(tile: Tile, is_tiling: bool, steps: u32, turns: &[f64]) -> (Hcbtf, Fil
     (hcbtf, filled)
 }
 
-fn at_step(filled: &Filled, phi: u32) -> &Arc<Tile> {
+fn at_step(filled: &FilledSamples, phi: u32) -> &Arc<Tile> {
     filled.tile(Address::new([0, 0], [1, phi])).unwrap()
 }
 
@@ -593,7 +593,7 @@ fn after_a_stroke_only_what_it_changed_is_made_again() {
             let (progress, all) = (Progress::new(), Progress::new());
             let again = refill(&now, (&hcbtf, &before), &progress).unwrap();
             let anew = fill(&now, &all).unwrap();
-            let tiles = |filled: &Filled| {
+            let tiles = |filled: &FilledSamples| {
                 filled.iter().map(|(_, tile, _)| (**tile).clone()).collect::<Vec<_>>()
             };
             assert!(tiles(&again) == tiles(&anew), "{:?}", hcbtf.rules);

@@ -27,7 +27,7 @@ struct Level {
 
 /// A picture laid on the tile.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Laid<'p> {
+pub(super) struct PlacedPicture<'p> {
     picture: &'p Picture,
     center: DVec2,
     copy: Mirrored,
@@ -75,11 +75,12 @@ impl Picture {
     }
 
     /// The picture, `size` texels wide.
-    pub(super) fn laid(&self, center: DVec2, size: f64, copy: Mirrored) -> Laid<'_> {
+    pub(super) fn laid(&self, center: DVec2, size: f64, copy: Mirrored) -> PlacedPicture<'_> {
         let half = DVec2::new(size, size * self.aspect()) / 2.0;
         let mut scale = f64::from(self.tile.size()[0]) / size;
         let turned = copy.turn.x_axis.abs() * half.x + copy.turn.y_axis.abs() * half.y;
-        let mut laid = Laid { picture: self, center, copy, reach: turned + 0.5, scale, level: 0 };
+        let mut laid =
+            PlacedPicture { picture: self, center, copy, reach: turned + 0.5, scale, level: 0 };
         while scale > FINEST && laid.level < self.halves.len() {
             scale /= 2.0;
             laid.level += 1;
@@ -107,7 +108,7 @@ impl Picture {
     }
 }
 
-impl Laid<'_> {
+impl PlacedPicture<'_> {
     /// The texels that it may meet, along x and along y.
     pub(super) fn ranges(&self) -> [[i64; 2]; 2] {
         let (low, high) = ((self.center - self.reach).floor(), (self.center + self.reach).ceil());

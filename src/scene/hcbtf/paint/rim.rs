@@ -10,7 +10,7 @@
 use super::canvas::Canvas;
 
 /// Red, green, blue and alpha, each from 0 to 255, weighted by alpha.
-type Seen = [f64; 4];
+type WeightedColor = [f64; 4];
 
 /// A texel may be this far from the mix that it is taken for, in 255ths: each of the three colors
 /// is rounded, and brushes blend straight bytes.
@@ -35,7 +35,8 @@ pub(super) fn recolor(before: &[[u8; 4]], edge: &Edge, is_filled: &[bool], after
     let mut rim = climbed(edge, is_filled, &far);
     // From the tops downward: what lies above a texel is known before it.
     rim.sort_by(|a, b| far(*b).total_cmp(&far(*a)).then(a.cmp(b)));
-    let mut beyond: Vec<Option<Seen>> = vec![None; if rim.is_empty() { 0 } else { before.len() }];
+    let mut beyond: Vec<Option<WeightedColor>> =
+        vec![None; if rim.is_empty() { 0 } else { before.len() }];
     for index in rim {
         let own = seen(before[index]);
         let higher = neighbours(edge.canvas, index)
@@ -102,7 +103,7 @@ fn neighbours(canvas: Canvas, index: usize) -> impl Iterator<Item = usize> {
 }
 
 /// Which part of a color is the other end of a mix, and how far the color is from that mix.
-fn share(own: Seen, first: Seen, top: Seen) -> (f64, f64) {
+fn share(own: WeightedColor, first: WeightedColor, top: WeightedColor) -> (f64, f64) {
     let whole = [0, 1, 2, 3].map(|channel| top[channel] - first[channel]);
     let length = whole.iter().map(|part| part * part).sum::<f64>();
     let along = [0, 1, 2, 3]
@@ -114,12 +115,12 @@ fn share(own: Seen, first: Seen, top: Seen) -> (f64, f64) {
     (part, distance(own, mix))
 }
 
-fn seen([r, g, b, a]: [u8; 4]) -> Seen {
+fn seen([r, g, b, a]: [u8; 4]) -> WeightedColor {
     let weighted = |channel: u8| f64::from(channel) * f64::from(a) / 255.0;
     [weighted(r), weighted(g), weighted(b), f64::from(a)]
 }
 
-fn straight([r, g, b, a]: Seen) -> [u8; 4] {
+fn straight([r, g, b, a]: WeightedColor) -> [u8; 4] {
     let byte = |number: f64| number.round().clamp(0.0, 255.0) as u8;
     match byte(a) {
         0 => [0; 4],
@@ -131,6 +132,6 @@ fn straight([r, g, b, a]: Seen) -> [u8; 4] {
 }
 
 /// How far two colors are apart in the channel in which they are farthest.
-fn distance(a: Seen, b: Seen) -> f64 {
+fn distance(a: WeightedColor, b: WeightedColor) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }

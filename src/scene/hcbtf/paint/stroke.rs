@@ -293,7 +293,7 @@ fn cover(
 /// Lays a picture over what earlier stamps of the stroke laid.
 fn lay_picture(
     laid: &mut [[f32; 4]],
-    stamp: &super::picture::Laid<'_>,
+    stamp: &super::picture::PlacedPicture<'_>,
     opacity: f32,
     flow: f32,
     canvas: Canvas,

@@ -41,7 +41,7 @@ fn hash_sheet(grid: &Grid) -> Picture {
 }
 
 fn there_and_back(sheet: &Picture, grid: Grid) -> (Picture, Vec<Diagnostic>) {
-    let (hcbtf, notes) = import(sheet, grid, "sheet.png").unwrap();
+    let (hcbtf, notes) = import(sheet, grid, "sheet.png").unwrap().into_parts();
     (export(&fill(&hcbtf, &Progress::new()).unwrap()).unwrap(), notes)
 }
 
@@ -60,9 +60,9 @@ fn a_consistent_sheet_comes_back_byte_for_byte() {
         let (back, notes) = there_and_back(&sheet, grid);
         assert!(notes.is_empty(), "{notes:?}");
         assert!(back == sheet, "{grid:?}");
-        let (read, _) =
-            read(&sheet.to_png().unwrap(), grid, "sheet.png", &Progress::new()).unwrap();
-        assert_eq!(read, import(&sheet, grid, "sheet.png").unwrap().0);
+        let read =
+            read(&sheet.to_png().unwrap(), grid, "sheet.png", &Progress::new()).unwrap().value;
+        assert_eq!(read, import(&sheet, grid, "sheet.png").unwrap().value);
         assert_eq!(read.painted.len() as u64, grid.sample_count());
     }
     assert_eq!(size(&Grid::THESIS), [1152, 3840]);
@@ -71,7 +71,7 @@ fn a_consistent_sheet_comes_back_byte_for_byte() {
 #[test]
 fn texels_lie_where_the_thesis_has_them() {
     let sheet = hash_sheet(&Grid::THESIS);
-    let (hcbtf, _) = import(&sheet, Grid::THESIS, "sheet.png").unwrap();
+    let hcbtf = import(&sheet, Grid::THESIS, "sheet.png").unwrap().value;
     let (light, view, ix, iy) = ([4, 7], [3, 9], 31, 20);
     let tile = hcbtf.painted(Address::new(light, view)).unwrap();
     let (x, y) = (ix * 36 + view[0] * 6 + light[0], iy * 120 + view[1] * 12 + light[1] + 1);
@@ -163,7 +163,7 @@ fn empty_samples_stay_empty() {
         .painted
         .insert(Address::new([1, 2], [3, 0]), Arc::new(Tile::filled(ODD.size, [1, 2, 3, 0])));
     let sheet = export(&fill(&hcbtf, &Progress::new()).unwrap()).unwrap();
-    assert_eq!(import(&sheet, ODD, "a.png").unwrap().0.painted, hcbtf.painted);
+    assert_eq!(import(&sheet, ODD, "a.png").unwrap().value.painted, hcbtf.painted);
 }
 
 #[test]
@@ -172,7 +172,7 @@ fn every_place_of_the_sheet_tells_what_it_holds() {
     let [width, height] = size(&grid);
     let mut own = 0;
     for [x, y] in (0..height).flat_map(|y| (0..width).map(move |x| [x, y])) {
-        let Held { address, texel, is_copy } = held(&grid, [x, y]).unwrap();
+        let SheetTexel { address, texel, is_copy } = held(&grid, [x, y]).unwrap();
         assert_eq!(address, address.canonical());
         let is_own = place(&grid, address, texel.map(|n| n as usize)) == [x as usize, y as usize];
         assert_eq!(is_own, !is_copy, "{address} at {x}, {y}");
@@ -183,5 +183,8 @@ fn every_place_of_the_sheet_tells_what_it_holds() {
     // By hand from A.3: the third light ring of the second view ring, in the block of the texel to
     // the right; the row of padding above light step 0 of view step 1 is a copy of light step 3.
     let found = held(&grid, [6 + 3 + 2, 6]).unwrap();
-    assert_eq!(found, Held { address: Address::new([2, 3], [1, 1]), texel: [1, 0], is_copy: true });
+    assert_eq!(
+        found,
+        SheetTexel { address: Address::new([2, 3], [1, 1]), texel: [1, 0], is_copy: true }
+    );
 }

@@ -14,7 +14,7 @@ use std::sync::Arc;
 use rayon::iter::{IntoParallelIterator as _, IntoParallelRefIterator as _, ParallelIterator as _};
 
 use super::check_painted;
-use super::fill::{Filled, fill};
+use super::fill::{FilledSamples, fill};
 use super::noise::hash;
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Hcbtf, Rule, Tile};
@@ -67,7 +67,7 @@ pub fn synthesize(
 /// As [`synthesize`].
 pub fn synthesize_filled(
     hcbtf: &Hcbtf,
-    filled: &Filled,
+    filled: &FilledSamples,
     how: &Synthesis,
     progress: &Progress,
 ) -> Result<Hcbtf, Diagnostic> {
@@ -139,7 +139,7 @@ struct Quilt {
 const EMPTY: u32 = u32::MAX;
 
 impl Quilt {
-    fn new(filled: &Filled, is_tiling: bool, how: &Synthesis, patch: u32) -> Self {
+    fn new(filled: &FilledSamples, is_tiling: bool, how: &Synthesis, patch: u32) -> Self {
         let [source, size] =
             [filled.grid().size, how.size].map(|size| size.map(|side| side as usize));
         let all = filled.tiles();

@@ -93,8 +93,8 @@ impl Ground {
         if !self.weights.as_ref().is_some_and(is_known) {
             let directions: Vec<DVec3> = places.iter().map(|&place| place.into()).collect();
             let solved = match keys.by.axes() {
-                Some(_) => KeyWeights::at_places(&directions).0,
-                None => KeyWeights::new(&directions, keys.scheme).0,
+                Some(_) => KeyWeights::at_places(&directions).value,
+                None => KeyWeights::new(&directions, keys.scheme).value,
             };
             self.vertices.clear();
             self.weights = Some((places, keys.scheme, solved));

@@ -14,7 +14,7 @@ use crate::geometry::import::report::Problem;
 pub(super) const INSTANCING: &str = "EXT_mesh_gpu_instancing";
 
 /// A mesh with the places where it stands.
-pub(super) struct Placed<'a> {
+pub(super) struct PlacedMesh<'a> {
     pub(super) mesh: Mesh<'a>,
     /// Of the node that has the mesh.
     world: DMat4,
@@ -30,7 +30,7 @@ struct Instances {
     scales: Option<Vec<[f64; 3]>>,
 }
 
-impl<'a> Placed<'a> {
+impl<'a> PlacedMesh<'a> {
     /// The mesh of a node with the copies that the node asks for. `drawn` counts the primitives of
     /// the whole file, each as often as it is there.
     ///
@@ -47,8 +47,11 @@ impl<'a> Placed<'a> {
         let Some(mesh) = node.mesh() else { return Ok(None) };
         let mut instances = None;
         if let Some(extension) = node.extension_value(INSTANCING) {
-            let named =
-                Named { document, node: node.index(), attributes: &extension["attributes"] };
+            let named = InstanceAccessors {
+                document,
+                node: node.index(),
+                attributes: &extension["attributes"],
+            };
             let count = |count| count_drawn(&mesh, count, drawn);
             instances = named.read(buffers, count)?;
         }
@@ -92,13 +95,13 @@ impl Instances {
 }
 
 /// The accessors that a node names for its copies.
-struct Named<'d, 'j> {
+struct InstanceAccessors<'d, 'j> {
     document: &'d Document,
     node: usize,
     attributes: &'j gltf::json::Value,
 }
 
-impl<'d> Named<'d, '_> {
+impl<'d> InstanceAccessors<'d, '_> {
     fn wrong(&self, why: &str) -> Problem {
         let message = format!("node {} has wrong {INSTANCING}: {why}", self.node);
         Box::new(Diagnostic::error("mesh-syntax", message))

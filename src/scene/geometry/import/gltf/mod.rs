@@ -20,7 +20,7 @@ use gltf::json::{self, Root};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
-use self::instances::Placed;
+use self::instances::PlacedMesh;
 
 use super::Siblings;
 use super::report::Report;
@@ -210,7 +210,7 @@ fn place_meshes<'a>(
     document: &'a Document,
     buffers: &[Vec<u8>],
     report: &mut Report,
-) -> Vec<Placed<'a>> {
+) -> Vec<PlacedMesh<'a>> {
     let mut open: Vec<(gltf::Node, DMat4)> =
         match document.default_scene().or_else(|| document.scenes().next()) {
             Some(scene) => scene.nodes().map(|node| (node, DMat4::IDENTITY)).collect(),
@@ -250,7 +250,7 @@ fn place_meshes<'a>(
             );
             continue;
         }
-        match Placed::read(document, &node, world, buffers, &mut drawn) {
+        match PlacedMesh::read(document, &node, world, buffers, &mut drawn) {
             Ok(mesh) => placed.extend(mesh),
             Err(problem) => {
                 report.add(*problem);

@@ -25,7 +25,7 @@ use std::sync::OnceLock;
 use self::field::Field;
 use self::lit::Lit;
 use self::pattern::Sampler;
-use self::seen::Seen;
+use self::seen::VisibleSurface;
 use self::transport::Transport;
 use super::Color;
 use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Relief};
@@ -58,7 +58,7 @@ pub(in crate::hcbtf) struct Ready {
     field: Field,
     transport: Transport,
     /// By the view's place in the grid; `None` in it where it was stopped.
-    seen: Vec<OnceLock<Option<Seen>>>,
+    seen: Vec<OnceLock<Option<VisibleSurface>>>,
     /// By the light's.
     lit: Vec<OnceLock<Option<Lit>>>,
 }
@@ -89,7 +89,7 @@ impl Ready {
         let seen = self.seen.get(of(self.grid.view, address.view)?)?;
         let rows = u64::from(self.grid.size[1]);
         let seen = seen.get_or_init(|| {
-            let seen = Seen::new(&self.relief, &self.field, view, progress);
+            let seen = VisibleSurface::new(&self.relief, &self.field, view, progress);
             progress.add(SEEN_TILES * rows);
             seen
         });

@@ -22,14 +22,14 @@ pub(super) struct Hit {
 }
 
 /// What an eye sees.
-pub(super) struct Seen {
+pub(super) struct VisibleSurface {
     /// One a cell of the tile, row by row.
     pub(super) hits: Vec<Hit>,
     /// How much ink lies there, from 0 to 255.
     pub(super) ink: Vec<u8>,
 }
 
-impl Seen {
+impl VisibleSurface {
     /// What is seen from a direction: along x, along y (down), and out of the tile. `None` where it
     /// is stopped.
     pub(super) fn new(

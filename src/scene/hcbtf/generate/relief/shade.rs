@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use super::lit::Lit;
 use super::noise::{chances, hash, mix, mix3, ramp, rough};
 use super::pattern::linear;
-use super::seen::{Hit, Seen};
+use super::seen::{Hit, VisibleSurface};
 use super::{Color, Ready};
 use crate::document::relief::Pattern;
 use crate::progress::Progress;
@@ -13,7 +13,7 @@ use crate::progress::Progress;
 /// The tile of a sample; `None` where it is stopped.
 pub(super) fn tile(
     ready: &Ready,
-    seen: &Seen,
+    seen: &VisibleSurface,
     lit: &Lit,
     view: [f32; 3],
     progress: &Progress,

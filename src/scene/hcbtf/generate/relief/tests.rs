@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::field::Field;
 use super::lit::Lit;
 use super::pattern::{Material, Sampler};
-use super::seen::{FARTHEST_VIEW, Seen};
+use super::seen::{FARTHEST_VIEW, VisibleSurface};
 use super::transport::Transport;
 use super::*;
 use crate::document::relief::{Channel, Finish, Illumination, Pattern};
@@ -103,7 +103,7 @@ fn a_raised_plane_is_seen_where_it_ought_to_be() {
         for pivot in [0.0, 0.25, 1.0] {
             let relief = Relief { pivot, ..Relief::default() };
             let toward = [theta.sin() * around.sin(), theta.sin() * around.cos(), theta.cos()];
-            let seen = Seen::new(&relief, &plane, toward, &Progress::new()).unwrap();
+            let seen = VisibleSurface::new(&relief, &plane, toward, &Progress::new()).unwrap();
             let moved = (1.0 - pivot as f32) * high * theta.min(FARTHEST_VIEW).tan();
             for (at, hit) in seen.hits.iter().enumerate() {
                 let start = [(at % 24) as f32 + 0.5, (at / 24) as f32 + 0.5];

@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 
 use super::canvas::{Canvas, GROUND, Hit};
-use super::seen::{Rays, Seen, slope};
+use super::seen::{Rays, VisibleStroke, slope};
 use super::{BIAS, CELLS, Color, Ready};
 
 /// What stands highest between the light and each place of the tile.
@@ -15,7 +15,7 @@ pub(super) struct Shadows {
 
 /// A light on what an eye sees.
 pub(super) struct Light<'a> {
-    there: &'a [Option<Seen<'a>>],
+    there: &'a [Option<VisibleStroke<'a>>],
     shadows: Option<&'a Shadows>,
     jitter: &'a [Vec2],
     /// The ground's color as it is lit, and how much of it shadows take.
@@ -37,7 +37,7 @@ impl<'a> Light<'a> {
     pub(super) fn new(
         of: &'a Ready,
         rays: Rays,
-        there: &'a [Option<Seen<'a>>],
+        there: &'a [Option<VisibleStroke<'a>>],
         shadows: Option<&'a Shadows>,
     ) -> Self {
         let ground = &of.strokes.ground;

@@ -24,7 +24,7 @@ use glam::Vec2;
 use self::canvas::{Canvas, Hit};
 use self::light::{Light, Shadows};
 use self::scatter::Stroke;
-use self::seen::{Rays, Seen, draw, seen, slope};
+use self::seen::{Rays, VisibleStroke, draw, seen, slope};
 use super::Color;
 use crate::document::{Address, Grid, Strokes};
 use crate::progress::Progress;
@@ -124,7 +124,7 @@ impl Ready {
         &self,
         address: Address,
         rays: Rays,
-        there: &[Option<Seen<'_>>],
+        there: &[Option<VisibleStroke<'_>>],
         rows: Range<usize>,
         progress: &Progress,
     ) -> Option<Arc<Canvas>> {

@@ -46,7 +46,7 @@ struct Node {
 }
 
 /// A stroke that is there.
-pub(super) struct Seen<'a> {
+pub(super) struct VisibleStroke<'a> {
     pub(super) number: u32,
     pub(super) stroke: &'a Stroke,
     pub(super) bundle: &'a Bundle,
@@ -56,11 +56,20 @@ pub(super) struct Seen<'a> {
 }
 
 /// All strokes that are there in a light, by number.
-pub(super) fn seen<'a>(of: &'a Strokes, all: &'a [Stroke], rays: Rays) -> Vec<Option<Seen<'a>>> {
+pub(super) fn seen<'a>(
+    of: &'a Strokes,
+    all: &'a [Stroke],
+    rays: Rays,
+) -> Vec<Option<VisibleStroke<'a>>> {
     all.iter().enumerate().map(|(number, stroke)| one(of, number as u32, stroke, rays)).collect()
 }
 
-fn one<'a>(of: &'a Strokes, number: u32, stroke: &'a Stroke, rays: Rays) -> Option<Seen<'a>> {
+fn one<'a>(
+    of: &'a Strokes,
+    number: u32,
+    stroke: &'a Stroke,
+    rays: Rays,
+) -> Option<VisibleStroke<'a>> {
     let bundle = of.bundles.get(stroke.bundle)?;
     let tone = f64::from(rays.light.z);
     let share = bundle.tones.map_or(1.0, |tones| tones.share(tone, stroke.rank)) as f32;
@@ -81,7 +90,13 @@ fn one<'a>(of: &'a Strokes, number: u32, stroke: &'a Stroke, rays: Rays) -> Opti
         let width = (1.0 - root * (1.0 - part).powi(2)) * (1.0 - tip * part.powi(2));
         lit(bundle, points[index], tangent, radius * width, rays)
     };
-    Some(Seen { number, stroke, bundle, radius, nodes: (0..points.len()).map(node).collect() })
+    Some(VisibleStroke {
+        number,
+        stroke,
+        bundle,
+        radius,
+        nodes: (0..points.len()).map(node).collect(),
+    })
 }
 
 /// How a point of a stroke is lit, and where its side is.
@@ -116,7 +131,7 @@ fn lit(bundle: &Bundle, point: Vec3, tangent: Vec3, half_width: f32, rays: Rays)
 /// width of the tile, `height` that of the tile in its widths.
 pub(super) fn draw<'a>(
     canvas: &mut Canvas,
-    all: impl Iterator<Item = &'a Seen<'a>>,
+    all: impl Iterator<Item = &'a VisibleStroke<'a>>,
     slope: Vec2,
     scale: f32,
     height: f32,
@@ -154,7 +169,7 @@ pub(super) fn draw<'a>(
     Some(())
 }
 
-impl Seen<'_> {
+impl VisibleStroke<'_> {
     /// How it is lit between two nodes: the cosines between the light, and its face and its side,
     /// and its highlight.
     pub(super) fn lit(&self, along: f32) -> [f32; 3] {

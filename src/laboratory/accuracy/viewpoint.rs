@@ -4,7 +4,7 @@ use crate::frame::Setup;
 
 /// A view, a turn of the lights and a time.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
-pub struct Station {
+pub struct Viewpoint {
     /// Around the target, radians: to the right, then up.
     pub orbit: [f64; 2],
     /// Of the illumination frame, radians: around the vertical, then up.
@@ -13,7 +13,7 @@ pub struct Station {
     pub time: f64,
 }
 
-impl Station {
+impl Viewpoint {
     /// What people read, in degrees.
     pub fn told(&self) -> String {
         let [turn, rise] = self.orbit.map(f64::to_degrees);
@@ -36,7 +36,7 @@ impl Station {
 
 /// So many stations, the first one as the scene is; the rest spread evenly over views, lights and
 /// times.
-pub fn stations(setup: &Setup, count: usize) -> Vec<Station> {
+pub fn viewpoints(setup: &Setup, count: usize) -> Vec<Viewpoint> {
     // Multiples of powers of the generalised golden ratio fill a cube evenly (Roberts 2018).
     const STEPS: [f64; 5] =
         [0.856_674_883_7, 0.733_891_856_6, 0.628_706_720_8, 0.538_597_158_5, 0.461_402_658_3];
@@ -47,13 +47,13 @@ pub fn stations(setup: &Setup, count: usize) -> Vec<Station> {
         // Even over the sphere, but not onto the poles, where a look is seldom seen.
         let rise = |share: f64| (1.6 * share - 0.8).asin();
         let time = range.start + share(4) * (range.end - range.start);
-        Station {
+        Viewpoint {
             orbit: [turn(share(0)), rise(share(1))],
             lights: [turn(share(2)), rise(share(3))],
             time,
         }
     };
-    let first = Station { orbit: [0.0; 2], lights: [0.0; 2], time: range.start };
+    let first = Viewpoint { orbit: [0.0; 2], lights: [0.0; 2], time: range.start };
     std::iter::once(first).chain((1..count.max(1)).map(station)).collect()
 }
 
@@ -63,7 +63,7 @@ mod tests {
 
     #[test]
     fn stations_are_spread() {
-        let stations = stations(&Setup::default(), 64);
+        let stations = viewpoints(&Setup::default(), 64);
         assert_eq!(stations[0].orbit, [0.0; 2]);
         let octants: std::collections::HashSet<_> = stations[1..]
             .iter()

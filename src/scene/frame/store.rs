@@ -1,0 +1,210 @@
+//! What was read of files, shared by all pictures that are made of them.
+//!
+//! A window has a dozen planners on as many threads, which show the same meshes, images and HCBTFs.
+//! Each of them holds what its own pictures use, in its [`Assets`](super::Assets); the store knows
+//! where all of that is, and holds nothing itself: what no picture uses any more is gone. Whoever
+//! asks for a file that another is just reading waits for that one.
+
+use std::collections::HashMap;
+use std::hash::Hash;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError, Weak};
+use std::time::SystemTime;
+
+use super::assets::Image;
+use crate::diag::{Diagnostic, Warned};
+use crate::geometry::Mesh;
+use crate::hcbtf::LayerOptions;
+
+/// What tells a file from what it was: when it was written, and its length. `None` of what is no
+/// file.
+pub(super) type FileStamp = Option<(SystemTime, u64)>;
+
+/// Meshes, images and HCBTFs that some picture holds. Clones are handles to the same store.
+#[derive(Clone, Debug, Default)]
+pub struct AssetStore(Arc<Shelves>);
+
+#[derive(Debug, Default)]
+struct Shelves {
+    meshes: Shelf<String, Mesh>,
+    images: Shelf<PathBuf, Image>,
+    hcbtfs: Shelf<HcbtfKey, Image>,
+    reads: AtomicU64,
+}
+
+/// What makes the texture of an HCBTF another one, beside its file's content.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) struct HcbtfKey {
+    pub(super) path: PathBuf,
+    pub(super) options: LayerOptions,
+    /// Whether what rules make is made for few directions alone.
+    pub(super) is_draft: bool,
+}
+
+impl AssetStore {
+    /// A store in which nothing is yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Whether both are handles to the same store.
+    pub fn is_same(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+
+    /// How often a file was read, or an own shape made, since the store was made.
+    pub fn reads(&self) -> u64 {
+        self.0.reads.load(Ordering::Relaxed)
+    }
+
+    /// How many meshes, images and HCBTFs some picture holds.
+    pub fn len(&self) -> usize {
+        self.0.meshes.len() + self.0.images.len() + self.0.hcbtfs.len()
+    }
+
+    /// Whether no picture holds anything.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    pub(super) fn mesh(
+        &self,
+        key: &str,
+        stamp: FileStamp,
+        read: impl FnOnce() -> Result<Warned<Mesh>, Vec<Diagnostic>>,
+    ) -> Result<Warned<Arc<Mesh>>, Vec<Diagnostic>> {
+        self.0.meshes.get(&key.to_owned(), stamp, || self.counted(read))
+    }
+
+    pub(super) fn image(
+        &self,
+        path: &PathBuf,
+        stamp: FileStamp,
+        read: impl FnOnce() -> Result<Image, Diagnostic>,
+    ) -> Result<Arc<Image>, Diagnostic> {
+        let read = || self.counted(read).map(Warned::from);
+        self.0.images.get(path, stamp, read).map(|warned| warned.value)
+    }
+
+    pub(super) fn hcbtf(
+        &self,
+        key: &HcbtfKey,
+        stamp: FileStamp,
+        read: impl FnOnce() -> Result<Warned<Image>, Vec<Diagnostic>>,
+    ) -> Result<Warned<Arc<Image>>, Vec<Diagnostic>> {
+        self.0.hcbtfs.get(key, stamp, || self.counted(read))
+    }
+
+    fn counted<T>(&self, read: impl FnOnce() -> T) -> T {
+        self.0.reads.fetch_add(1, Ordering::Relaxed);
+        read()
+    }
+}
+
+/// Values of one kind by their names.
+#[derive(Debug)]
+struct Shelf<K, T>(Mutex<HashMap<K, Slot<T>>>);
+
+/// A value, or nothing while nobody has read it. Who reads holds the lock.
+type Slot<T> = Arc<Mutex<Option<Entry<T>>>>;
+
+#[derive(Debug)]
+struct Entry<T> {
+    stamp: FileStamp,
+    value: Weak<T>,
+    warnings: Vec<Diagnostic>,
+}
+
+impl<K, T> Default for Shelf<K, T> {
+    fn default() -> Self {
+        Self(Mutex::new(HashMap::new()))
+    }
+}
+
+impl<K: Clone + Eq + Hash, T> Shelf<K, T> {
+    /// The value of a file as it is now; `read` where nobody holds it.
+    fn get<E>(
+        &self,
+        key: &K,
+        stamp: FileStamp,
+        read: impl FnOnce() -> Result<Warned<T>, E>,
+    ) -> Result<Warned<Arc<T>>, E> {
+        let slot = self.slot(key);
+        let mut entry = slot.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = entry.as_ref().filter(|known| known.stamp == stamp)
+            && let Some(value) = known.value.upgrade()
+        {
+            return Ok(Warned::new(value, known.warnings.clone()));
+        }
+        let warned = read()?.map(Arc::new);
+        let value = Arc::downgrade(&warned.value);
+        *entry = Some(Entry { stamp, value, warnings: warned.warnings.clone() });
+        Ok(warned)
+    }
+
+    fn slot(&self, key: &K) -> Slot<T> {
+        let mut slots = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        slots.retain(|_, slot| is_held(slot));
+        slots.entry(key.clone()).or_default().clone()
+    }
+
+    fn len(&self) -> usize {
+        let slots = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        slots.values().filter(|slot| is_held(slot)).count()
+    }
+}
+
+/// Whether somebody holds the value of a slot, or is about to read or has just asked for it.
+fn is_held<T>(slot: &Slot<T>) -> bool {
+    let is_alive = |entry: &Option<Entry<T>>| {
+        entry.as_ref().is_some_and(|entry| entry.value.strong_count() > 0)
+    };
+    Arc::strong_count(slot) > 1 || slot.try_lock().map_or(true, |entry| is_alive(&entry))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn get(shelf: &Shelf<&'static str, u32>, stamp: FileStamp, value: u32) -> Warned<Arc<u32>> {
+        let note = Diagnostic::note("odd", "it is odd");
+        shelf.get::<()>(&"a", stamp, || Ok(Warned::new(value, vec![note]))).unwrap()
+    }
+
+    #[test]
+    fn a_value_is_read_once_while_somebody_holds_it() {
+        let shelf = Shelf::default();
+        let first = get(&shelf, None, 1);
+        let second = get(&shelf, None, 2);
+        assert!(Arc::ptr_eq(&first.value, &second.value) && second.warnings.len() == 1);
+        // Another file lies there now.
+        let changed = get(&shelf, Some((SystemTime::UNIX_EPOCH, 3)), 3);
+        assert_eq!((*changed.value, *first.value, shelf.len()), (3, 1, 1));
+        drop((first, second, changed));
+        assert_eq!(shelf.len(), 0, "nobody holds it any more");
+        assert_eq!(*get(&shelf, None, 4).value, 4);
+        // What could not be read is tried again.
+        assert_eq!(shelf.get(&"b", None, || Err("no")).unwrap_err(), "no");
+        assert_eq!(*shelf.get::<()>(&"b", None, || Ok(5.into())).unwrap().value, 5);
+    }
+
+    #[test]
+    fn who_comes_while_it_is_read_waits() {
+        let shelf: Shelf<&'static str, u32> = Shelf::default();
+        let reads = AtomicU64::new(0);
+        let values: Vec<Arc<u32>> = std::thread::scope(|scope| {
+            let read = || {
+                let read = || -> Result<Warned<u32>, ()> {
+                    Ok((reads.fetch_add(1, Ordering::Relaxed) as u32).into())
+                };
+                shelf.get(&"a", None, read).unwrap().value
+            };
+            // All values are held until the last one has come.
+            let threads: Vec<_> = (0..8).map(|_| scope.spawn(read)).collect();
+            threads.into_iter().map(|thread| thread.join().unwrap()).collect()
+        });
+        assert!(values.iter().all(|value| Arc::ptr_eq(value, &values[0])));
+        assert_eq!(reads.into_inner(), 1);
+    }
+}

@@ -1,0 +1,7 @@
+//! Waiting for a GPU, which the library leaves to whoever calls it.
+
+/// Waits for a future on the thread that calls.
+#[expect(clippy::disallowed_methods, reason = "the one place where tests and benches wait")]
+pub fn block_on<T>(future: impl Future<Output = T>) -> T {
+    pollster::block_on(future)
+}
