@@ -6,7 +6,7 @@
 
 use chiaro_compiler::{catalog, compile, document, library};
 use chiaro_files as files;
-use chiaro_language::{clock, diag, figures, ids, interp, milestones, progress};
+use chiaro_language::{clock, diag, figures, ids, milestones, progress};
 use chiaro_reference as reference;
 use chiaro_scene::{frame, threads};
 

@@ -5,11 +5,12 @@
 //! surface samples. Creation and readback are async; [`block_on`] is for the command line.
 
 use chiaro_compiler::compile;
-use chiaro_language::{clock, diag, milestones};
+use chiaro_language::{clock, diag, milestones, progress};
 use chiaro_scene::{frame, geometry, hcbtf};
 
 mod error;
 mod eval;
+mod executor;
 mod gpu;
 mod image;
 mod mesh;
@@ -93,7 +94,7 @@ impl Renderer {
                 continue;
             }
             match pass.id.stage() {
-                None => self.draw_screen(plan, pass.id, &mut encoder),
+                None => self.draw_screen(plan, pass.id, &mut encoder)?,
                 Some(Stage::Draw) => self.draw_look(plan, &mut encoder)?,
                 Some(stage) => self.draw_meshes(plan, (pass.id, stage), &mut encoder)?,
             }

@@ -44,7 +44,19 @@ const CRATES: &[(&str, &[&[&str]])] = &[
     ("reference", &[]),
     ("render", &[]),
     ("laboratory", &[&["accuracy", "fit"], &["gallery"]]),
-    ("editor", &[]),
+    (
+        "editor",
+        &[
+            &["state"],
+            &["commands"],
+            &["widgets"],
+            &["fields"],
+            &["tools"],
+            &["canvas", "painter", "viewport"],
+            &["panels"],
+            &["app"],
+        ],
+    ),
     ("cli", &[]),
 ];
 
@@ -55,6 +67,13 @@ const APART: &[(&str, &str, &str)] = &[("reference", "chiaro_compiler", "compile
 /// What the compiler may not ask of the system: whoever runs it says where files come from, and on
 /// which thread.
 const NOT_FOR_THE_COMPILER: &[&str] = &["env", "fs", "net", "process", "thread"];
+
+/// What a room of a crate may not know although the floors would allow it: modules of the crate and
+/// packages. The window's state goes without a window, and its widgets fit any state.
+const STRANGERS: &[(&str, &str, &[&str])] = &[
+    ("editor", "state", &["eframe", "egui", "egui_tiles", "egui_extras"]),
+    ("editor", "widgets", &["state"]),
+];
 
 /// Packages that belong to some crates only: the compiler is to build without a GPU and without a
 /// window, and who wants WGSL from a graph pays for no command line and no archives.
@@ -124,6 +143,7 @@ fn check_source(path: &Path, text: &str) -> Vec<String> {
     if matches!(room, "lib" | "build") {
         return complaints;
     }
+    complaints.extend(check_strangers(krate, room, path, text));
     let depth = inside.len()
         - usize::from(inside.len() > 1 && inside.last().is_some_and(|last| last == "mod.rs"));
     complaints.extend(scan::references(text, depth).into_iter().filter_map(|found| {
@@ -154,6 +174,24 @@ fn check_apart(krate: &str, path: &Path, text: &str) -> Vec<String> {
         );
     }
     complaints
+}
+
+/// What a room names that it may not know.
+fn check_strangers(krate: &str, room: &str, path: &Path, text: &str) -> Vec<String> {
+    let rules = STRANGERS.iter().filter(|(of, name, _)| *of == krate && *name == room);
+    let strangers = rules.flat_map(|(.., strangers)| strangers.iter());
+    strangers
+        .flat_map(|stranger| {
+            let of_package = scan::crate_paths(text, stranger).into_iter();
+            let of_crate = scan::crate_paths(text, "crate").into_iter().filter(
+                move |found| matches!(&found.reference, Reference::Module(name) if name == stranger),
+            );
+            of_package.chain(of_crate).map(move |found| {
+                let (line, path) = (found.line, path.display());
+                format!("src/{path}:{line}: `{}`: `{room}` may not know `{stranger}`", found.path)
+            })
+        })
+        .collect()
 }
 
 /// The program only hands over: it may know `chiaro::cli` and `chiaro::editor`, and nothing else of
@@ -358,6 +396,23 @@ mod rules {
         assert_eq!(check("compiler/document/mod.rs", "use crate::library::NodeDef;").len(), 1);
         assert_eq!(check("compiler/library/mod.rs", "use crate::interp::Value;"), [""; 0]);
         assert_eq!(check("language/ids.rs", "use crate::diag::Diagnostic;").len(), 1);
+    }
+
+    #[test]
+    fn the_editor_has_floors_of_its_own() {
+        assert_eq!(check("editor/panels/history.rs", "use crate::state::Session;"), [""; 0]);
+        assert_eq!(check("editor/app/mod.rs", "use crate::{panels, commands::Command};"), [""; 0]);
+        assert_eq!(check("editor/state/still.rs", "use crate::panels::stack;").len(), 1);
+        assert_eq!(check("editor/canvas/mod.rs", "use crate::viewport::Viewport;").len(), 1);
+        assert_eq!(
+            check("editor/state/settings.rs", "use eframe::egui;"),
+            ["src/editor/state/settings.rs:1: `eframe::egui`: `state` may not know `eframe`"]
+        );
+        assert!(
+            check("editor/widgets/rows.rs", "use crate::state::orbit;")[0]
+                .contains("`widgets` may not know `state`")
+        );
+        assert_eq!(check("editor/widgets/rows.rs", "use eframe::egui;"), [""; 0]);
     }
 
     #[test]

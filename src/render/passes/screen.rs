@@ -1,11 +1,13 @@
 //! Passes over the whole picture: the files of `shaders/passes`, each with what earlier passes drew.
 
+use std::collections::hash_map::Entry;
+
 use wgpu::util::DeviceExt as _;
 
-use crate::Renderer;
 use crate::frame::{FramePlan, PassId, ScreenModule, ScreenResource};
 use crate::gpu::Gpu;
 use crate::target::format_of;
+use crate::{RenderError, Renderer};
 
 /// The fixed pipeline of one of them.
 #[derive(Debug)]
@@ -16,9 +18,15 @@ pub(crate) struct ScreenPipeline {
 }
 
 impl ScreenPipeline {
-    /// The pipeline of a pass; `None` where the pass draws meshes.
-    fn new(gpu: &Gpu, pass: PassId) -> Option<Self> {
-        let module = ScreenModule::of(pass).ok().flatten()?;
+    /// The pipeline of a pass.
+    ///
+    /// # Errors
+    /// That its file is not what its row says.
+    fn new(gpu: &Gpu, pass: PassId) -> Result<Self, RenderError> {
+        let refused = |message: String| RenderError::Refused { message };
+        let module = ScreenModule::of(pass)
+            .map_err(|problems| refused(problems[0].message.clone()))?
+            .ok_or_else(|| refused(format!("`{}` draws meshes", pass.label())))?;
         let label = Some(pass.label());
         let source = wgpu::ShaderSource::Wgsl(module.text.as_str().into());
         let shader =
@@ -56,7 +64,7 @@ impl ScreenPipeline {
             multiview_mask: None,
             cache: None,
         });
-        Some(Self { pipeline, layout, module })
+        Ok(Self { pipeline, layout, module })
     }
 }
 
@@ -89,13 +97,10 @@ impl Renderer {
         plan: &FramePlan,
         pass: PassId,
         encoder: &mut wgpu::CommandEncoder,
-    ) {
-        if !self.screens.contains_key(&pass) {
-            let Some(made) = ScreenPipeline::new(&self.gpu, pass) else { return };
-            self.screens.insert(pass, made);
-        }
-        let Some(ScreenPipeline { pipeline, layout, module }) = self.screens.get(&pass) else {
-            return;
+    ) -> Result<(), RenderError> {
+        let ScreenPipeline { pipeline, layout, module } = match self.screens.entry(pass) {
+            Entry::Occupied(made) => made.into_mut(),
+            Entry::Vacant(place) => place.insert(ScreenPipeline::new(&self.gpu, pass)?),
         };
         let device = &self.gpu.device;
         let numbers = plan.view.screen_numbers(plan.samples).map(|number| number as f32);
@@ -108,7 +113,10 @@ impl Renderer {
         for binding in &module.bindings {
             let resource = match binding.holds {
                 ScreenResource::Image(image) => {
-                    let Some(view) = self.targets.image(image) else { return };
+                    let missing = || RenderError::Refused {
+                        message: format!("`{}` comes before what it reads", pass.label()),
+                    };
+                    let view = self.targets.image(image).ok_or_else(missing)?;
                     wgpu::BindingResource::TextureView(view)
                 }
                 ScreenResource::View => uniform.as_entire_binding(),
@@ -130,5 +138,6 @@ impl Renderer {
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &group, &[]);
         pass.draw(0..3, 0..1);
+        Ok(())
     }
 }

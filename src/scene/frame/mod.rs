@@ -10,6 +10,7 @@ mod camera;
 mod content;
 mod cost;
 mod effects;
+mod executor;
 mod handover;
 mod keys;
 mod nearest;
@@ -37,6 +38,7 @@ pub use assets::{
 pub use camera::{View, widened};
 pub use cost::{EffectCost, attribute_bytes};
 pub use effects::{Effect, EffectKind, EffectState, effects};
+pub use executor::{Executor, PictureFuture};
 pub use handover::stack_of;
 pub use handover::{MAX_DEPTH, SHORTEN, too_deep};
 pub use keys::{

@@ -1,6 +1,6 @@
 //! What comes to a fragment from the vertices of a mesh.
 
-use super::surface::Reads;
+use super::surface::ExpressionInputs;
 use crate::compile::Needs;
 use crate::library::Context;
 
@@ -115,7 +115,7 @@ impl Needs {
 impl Attribute {
     /// The attributes that a context is made from where a mesh is drawn.
     pub fn read_by(context: Context) -> Vec<Self> {
-        let reads = Reads::of(context);
+        let reads = ExpressionInputs::of(context);
         let is_read = |varying: &&Varying| reads.varying(varying.name);
         VARYINGS.iter().filter(is_read).map(|varying| varying.attribute).collect()
     }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::attributes::{Attribute, VARYINGS, Varying};
-use super::surface::{Reads, expression};
+use super::surface::{ExpressionInputs, expression};
 use super::{Binding, BindingKind, Emitter};
 use crate::compile::{ImageShape, Stage};
 use crate::document::ColorSpace;
@@ -91,13 +91,14 @@ impl Emitter<'_> {
         ];
         let own = own.into_iter().filter(|(_, is_used)| *is_used).map(|(name, _)| name.to_owned());
         let contexts = self.needs.contexts.iter();
-        own.chain(contexts.flat_map(|context| Reads::at(*context, stage).functions)).collect()
+        own.chain(contexts.flat_map(|context| ExpressionInputs::at(*context, stage).functions))
+            .collect()
     }
 
     pub(super) fn write_structs(&mut self) {
         let is_eval = self.options.stage == Stage::Eval;
         if !is_eval {
-            let reads_screen = self.needs.contexts.iter().any(|c| Reads::of(*c).screen);
+            let reads_screen = self.needs.contexts.iter().any(|c| ExpressionInputs::of(*c).screen);
             self.out.push_str(if reads_screen { VIEW_WITH_SCREEN } else { VIEW });
             self.out.push('\n');
             self.out.push_str(OBJECT);
@@ -257,7 +258,8 @@ impl Emitter<'_> {
     /// The varyings that the fragment reads.
     fn varyings(&self) -> Vec<&'static Varying> {
         let attributes = self.needs.attributes();
-        let reads: Vec<Reads> = self.needs.contexts.iter().map(|c| Reads::of(*c)).collect();
+        let reads: Vec<ExpressionInputs> =
+            self.needs.contexts.iter().map(|c| ExpressionInputs::of(*c)).collect();
         let is_read = |varying: &&Varying| match varying.attribute {
             // Normals are drawn with their depth.
             Attribute::Position => {
@@ -281,7 +283,7 @@ impl Emitter<'_> {
         }
         let result = if is_normals { "Fragment" } else { "@location(0) vec4f" };
         let stage = self.options.stage;
-        let uses_front = self.needs.contexts.iter().any(|c| Reads::at(*c, stage).normal);
+        let uses_front = self.needs.contexts.iter().any(|c| ExpressionInputs::at(*c, stage).normal);
         let front = if uses_front { ", @builtin(front_facing) is_front: bool" } else { "" };
         let _ = write!(self.out, "\n@fragment\nfn fs_main(in: Varyings{front}) -> {result} {{\n");
         if uses_front {

@@ -28,7 +28,7 @@ fn zero(ty: &Type) -> String {
 
 /// What an expression reads of the module around it.
 #[derive(Debug, Default)]
-pub(super) struct Reads {
+pub(super) struct ExpressionInputs {
     /// The names of varyings, and `clip`.
     varyings: Vec<String>,
     /// Whether it reads the unit `normal` toward the seen side, which is made of the varying.
@@ -39,7 +39,7 @@ pub(super) struct Reads {
     pub(super) functions: Vec<String>,
 }
 
-impl Reads {
+impl ExpressionInputs {
     /// What a context reads where looks are drawn.
     pub(super) fn of(context: Context) -> Self {
         Self::at(context, Stage::Draw)
@@ -86,11 +86,12 @@ mod tests {
 
     #[test]
     fn what_an_expression_reads_is_known_by_its_words() {
-        let reads = Reads::within("cross(normal, in.tangent.xyz) * in.normal.w + view.screen.x");
+        let reads =
+            ExpressionInputs::within("cross(normal, in.tangent.xyz) * in.normal.w + view.screen.x");
         assert_eq!(reads.varyings, ["tangent", "normal"]);
         assert_eq!(reads.functions, ["cross"]);
         assert!(reads.normal && reads.screen && reads.varying("tangent"));
-        let reads = Reads::within("object.normal * f(in.uv)");
+        let reads = ExpressionInputs::within("object.normal * f(in.uv)");
         assert!(!reads.normal && !reads.varying("normal") && reads.varying("uv"));
     }
 
@@ -99,7 +100,7 @@ mod tests {
     #[test]
     fn varyings_of_rows_exist() {
         for context in Context::all() {
-            for name in &Reads::of(context).varyings {
+            for name in &ExpressionInputs::of(context).varyings {
                 let mut known = super::super::attributes::VARYINGS.iter();
                 let is_known = name == "clip" || known.any(|varying| varying.name == name);
                 assert!(is_known, "{context:?} reads `in.{name}`");

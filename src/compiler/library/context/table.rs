@@ -112,6 +112,13 @@ pub(super) const TABLE: &[Row] = &[
     )
     .sampled(&[Position, Camera], |at| Value::Float(-(at.camera * at.position).z)),
     Row::of_pass(
+        "mean_depth",
+        "f32",
+        ("mean_depth", "texel.x"),
+        "the mean distance in front of the eye around the pixel, scene units",
+    )
+    .sampled(&[Position, Camera], |at| Value::Float(-(at.camera * at.position).z)),
+    Row::of_pass(
         "kappa",
         "f32",
         ("curvature", "texel.x"),
@@ -268,6 +275,13 @@ pub(super) const TABLE: &[Row] = &[
             ")"
         ),
         "how large a unit of the scene is seen at this distance, in picture heights",
+    )
+    .given(&[1.0], (Some(0.0), Some(4.0))),
+    Row::fragment(
+        "eye_distance",
+        "f32",
+        "size_on_screen(length((view.camera_from_world * vec4f(in.position, 1.0)).xyz), 1.0, 1.0)",
+        "how large a unit of the scene is seen at this distance from the eye itself",
     )
     .given(&[1.0], (Some(0.0), Some(4.0))),
     Row::fragment(

@@ -101,6 +101,17 @@ pub(super) const TABLE: &[PassRow] = &[
         result: "curvature is",
         help: "Finds curvature by direction from normals and depth.",
     },
+    PassRow {
+        slug: "mean_depth",
+        label: "mean depth",
+        work: measured("mean_depth", 2),
+        reads: reads!("normals", "normals"),
+        writes: &[PassOutput { name: "depth", format: TexelFormat::Number }],
+        map: "mean_depth_map",
+        purpose: "the mean depth around it",
+        result: "mean depth is",
+        help: "Finds the mean depth around a pixel.",
+    },
     smooth(
         "smooth_normals_1",
         ("smooth normals 1", "smooth_normal_1_map"),

@@ -175,7 +175,7 @@ impl Card {
             Content::Painting(_) => "painting",
             _ => "look",
         };
-        let suspect = self.suspect(&session.crashes);
+        let suspect = self.suspect(&session.journals.crashes);
         let state = suspect
             .as_ref()
             .map_or_else(String::new, |suspect| format!(", which was {}", undone(suspect.step)));

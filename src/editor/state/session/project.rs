@@ -82,14 +82,14 @@ impl ProjectReader {
 impl Session {
     /// What is in no folder has no nodes but those that Chiaro ships.
     pub(super) fn leave_project(&mut self) {
-        if self.path.is_some() || self.stage.is_some() {
+        if self.look.path.is_some() || self.stage.is_some() {
             self.leave_all_projects();
         }
     }
 
     /// As [`leave_project`](Self::leave_project), wherever the document of before was.
     pub(super) fn leave_all_projects(&mut self) {
-        self.project.forget();
+        self.project.reader.forget();
         self.use_library(Library::built_in().clone());
     }
 
@@ -107,9 +107,9 @@ impl Session {
         folders.retain(|folder| folder.is_dir());
         let is_asked = !folders.is_empty();
         if is_asked {
-            self.project.ask(folders, keeps_broken);
+            self.project.reader.ask(folders, keeps_broken);
         } else {
-            self.project.forget();
+            self.project.reader.forget();
         }
         is_asked
     }
@@ -117,10 +117,10 @@ impl Session {
     /// Takes the project's own nodes, once they are read. Returns whether they are being read: what
     /// is compiled without them would be of other nodes.
     pub(super) fn awaits_nodes(&mut self) -> bool {
-        if let Some(NodesAnswer { request, library }) = self.project.answer() {
+        if let Some(NodesAnswer { request, library }) = self.project.reader.answer() {
             self.renew_library(library, request.keeps_broken);
         }
-        self.project.owes()
+        self.project.reader.owes()
     }
 
     /// The folders that the project's own nodes come from, be they there or not: those beside the
@@ -140,7 +140,7 @@ impl Session {
     /// node as it was.
     pub(crate) fn reload_library(&mut self) {
         let of_scene = || self.stage.as_ref().and_then(|stage| stage.path()).map(Path::to_path_buf);
-        let Some(path) = self.path.clone().or_else(of_scene) else { return };
+        let Some(path) = self.look.path.clone().or_else(of_scene) else { return };
         remove_abandoned(path.parent().unwrap_or(Path::new("")));
         if !self.read_nodes(&path, true) {
             self.renew_library(Library::built_in().clone(), true);
@@ -148,42 +148,42 @@ impl Session {
     }
 
     fn renew_library(&mut self, library: Library, keeps_broken: bool) {
-        let before = self.library.clone();
+        let before = self.project.library.clone();
         self.use_library(library);
         if keeps_broken {
-            let broken = self.library.problems.iter().filter_map(kind_of).map(str::to_owned);
+            let broken =
+                self.project.library.problems.iter().filter_map(kind_of).map(str::to_owned);
             let lost: Vec<String> =
-                broken.filter(|kind| !self.library.nodes.contains_key(kind)).collect();
+                broken.filter(|kind| !self.project.library.nodes.contains_key(kind)).collect();
             for kind in lost {
                 if let Some(node) = before.nodes.get(&kind) {
-                    Arc::make_mut(&mut self.library).nodes.insert(kind, node.clone());
+                    Arc::make_mut(&mut self.project.library).nodes.insert(kind, node.clone());
                 }
             }
-            self.catalog = Catalog::new(&self.library);
+            self.project.catalog = Catalog::new(&self.project.library);
         }
-        self.catalog.sync(self.kept.history.document(), &self.library);
+        self.project.sync(self.look.document());
         self.place_library_problems();
-        self.shaders.structure_changed();
+        self.compilation.shaders.structure_changed();
         // What was probed or compared was so with the nodes of before.
         self.files_changed();
     }
 
     /// Tells what is wrong with node files at a node of theirs, where the look has one.
     pub(super) fn place_library_problems(&mut self) {
-        let nodes = &self.kept.history.document().graph.nodes;
-        let placed = self.library.problems.iter().cloned().map(|mut problem| {
+        let nodes = &self.look.document().graph.nodes;
+        let placed = self.project.library.problems.iter().cloned().map(|mut problem| {
             let used =
                 kind_of(&problem).and_then(|kind| nodes.iter().find(|(_, node)| node.kind == kind));
             problem.place.node = used.map(|(id, _)| NodePath::root(id.clone()));
             problem
         });
-        self.library_problems = placed.collect();
-        self.problems_number += 1;
+        self.project.problems = placed.collect();
+        self.revisions.problems.advance();
     }
 
     pub(super) fn use_library(&mut self, library: Library) {
-        self.library = Arc::new(library);
-        self.catalog = Catalog::new(&self.library);
+        self.project.set_library(library);
     }
 }
 
@@ -206,16 +206,22 @@ mod tests {
         std::fs::write(&node, "fn half(x: f32) -> f32 {\n    return 0.5 * x;\n}\n").unwrap();
         let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
         session.open(&look).unwrap();
-        assert!(session.is_compiling() && !session.library.nodes.contains_key("half"));
+        assert!(session.is_compiling() && !session.project.library.nodes.contains_key("half"));
         session.wait();
         session.tick(0.0);
-        assert!(session.library.nodes.contains_key("half") && session.library_problems.is_empty());
+        assert!(
+            session.project.library.nodes.contains_key("half")
+                && session.project.problems.is_empty()
+        );
 
         // What is broken later is told, and the node stays as it was.
         std::fs::write(&node, "fn half(x: f32) -> f32 {\n    return 0.5 *;\n}\n").unwrap();
         session.reload_library();
         session.wait();
         session.tick(0.0);
-        assert!(session.library.nodes.contains_key("half") && !session.library_problems.is_empty());
+        assert!(
+            session.project.library.nodes.contains_key("half")
+                && !session.project.problems.is_empty()
+        );
     }
 }

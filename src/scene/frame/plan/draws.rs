@@ -8,7 +8,7 @@ use indexmap::IndexMap;
 
 use super::Draw;
 use super::images::images;
-use super::placement::{PlacedScene, Visible};
+use super::placement::{PlacedScene, VisibleObject};
 use super::planner::Planner;
 use super::variants::{LookShaders, Variants};
 use crate::compile::{CompiledShader, HostInputs, Param, Uniform};
@@ -23,9 +23,9 @@ use crate::ids::{LightId, ObjectId};
 use crate::library::Stage;
 
 /// One part of an object with all that its draw is made of.
-struct PartToDraw<'a> {
+struct PartDraw<'a> {
     scene: &'a PlacedScene<'a>,
-    visible: Visible<'a>,
+    visible: VisibleObject<'a>,
     part: &'a Part,
     setup: &'a SetupLook,
     /// The look with the words that it has now.
@@ -52,7 +52,7 @@ impl Planner {
     pub(super) fn draws(
         &mut self,
         scene: &PlacedScene<'_>,
-        visible: &[Visible<'_>],
+        visible: &[VisibleObject<'_>],
         variants: &Variants,
         stages: &[Stage],
     ) -> Result<Vec<Draw>, Vec<Diagnostic>> {
@@ -73,11 +73,11 @@ impl Planner {
     fn object_draws(
         &mut self,
         scene: &PlacedScene<'_>,
-        visible: Visible<'_>,
+        visible: VisibleObject<'_>,
         variants: &Variants,
         stages: &[Stage],
     ) -> Result<Vec<Draw>, Vec<Diagnostic>> {
-        let Visible { number, object } = visible;
+        let VisibleObject { number, object } = visible;
         let near = scene.setup.others_of(object);
         let mut draws = Vec::new();
         for (part, look) in object.mesh.parts.iter().zip(&object.looks) {
@@ -88,17 +88,16 @@ impl Planner {
             let look = structural_look(&setup.look, scene.options.time, &object.values);
             let lights = scene.lights(index);
             let (near, lights) = (&near, &*lights);
-            let part =
-                PartToDraw { scene, visible, part, setup, look: &look, shaders, near, lights };
+            let part = PartDraw { scene, visible, part, setup, look: &look, shaders, near, lights };
             draws.push(part.draw(&mut self.assets, stages)?);
         }
         Ok(draws)
     }
 }
 
-impl PartToDraw<'_> {
+impl PartDraw<'_> {
     fn draw(&self, assets: &mut Assets, stages: &[Stage]) -> Result<Draw, Vec<Diagnostic>> {
-        let Self { scene, visible: Visible { number, object }, part, shaders, .. } = *self;
+        let Self { scene, visible: VisibleObject { number, object }, part, shaders, .. } = *self;
         let before: BTreeMap<Stage, Arc<CompiledShader>> = stages
             .iter()
             .filter_map(|stage| Some((*stage, shaders.before.get(stage)?.clone())))
@@ -138,7 +137,7 @@ impl PartToDraw<'_> {
     /// Where and when the object is shaded.
     fn rig_inputs(&self) -> RigInputs<'_> {
         let PlacedScene { setup, options, view, placed, .. } = self.scene;
-        let Visible { number, object } = self.visible;
+        let VisibleObject { number, object } = self.visible;
         let center = placed[number].center;
         let time = &setup.scene.time;
         RigInputs {

@@ -5,7 +5,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 
 use super::omissions::quoted;
-use super::placement::{PlacedScene, Visible};
+use super::placement::{PlacedScene, VisibleObject};
 use super::variants::{LookShaders, Variants};
 use super::{Draw, Dropped, Pass, PlanOptions};
 use crate::compile::Proof;
@@ -18,17 +18,17 @@ use crate::library::{Context, PassId, Stage};
 pub(super) struct WantedPasses(BTreeMap<PassId, String>);
 
 /// Looks as visible objects wear them: who reads a context first is the reason for its pass.
-pub(super) struct Readers<'a> {
+pub(super) struct ContextReaders<'a> {
     pub(super) scene: &'a PlacedScene<'a>,
-    pub(super) visible: &'a [Visible<'a>],
+    pub(super) visible: &'a [VisibleObject<'a>],
     pub(super) variants: &'a Variants,
     pub(super) shaders: &'a std::collections::HashMap<u64, LookShaders>,
 }
 
-impl Readers<'_> {
+impl ContextReaders<'_> {
     /// Why a context is wanted, where any look reads it; `what` is what people call it.
     fn reason(&self, context: Context, what: &str) -> Option<String> {
-        self.visible.iter().find_map(|Visible { number, object }| {
+        self.visible.iter().find_map(|VisibleObject { number, object }| {
             let reads = |look: usize| {
                 let variant = self.variants.get(&(*number, look))?;
                 let shaders = self.shaders.get(&variant.key)?;
@@ -44,7 +44,7 @@ impl Readers<'_> {
 impl WantedPasses {
     /// What `readers` read, and what that is made from. Looks of different tiers may want curvature
     /// in different ways, side by side.
-    pub(super) fn new(readers: &Readers<'_>) -> Self {
+    pub(super) fn new(readers: &ContextReaders<'_>) -> Self {
         let mut wanted = BTreeMap::from([(PassId::LOOK, "it is the picture".to_owned())]);
         // From the last to the first, so that whoever reads a pass is known before it.
         for pass in PassId::all().rev() {

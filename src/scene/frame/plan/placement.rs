@@ -33,7 +33,7 @@ pub(super) struct PlacedScene<'a> {
 
 /// An object of which something may be seen, with its number in the scene.
 #[derive(Clone, Copy)]
-pub(super) struct Visible<'a> {
+pub(super) struct VisibleObject<'a> {
     pub(super) number: usize,
     pub(super) object: &'a SetupObject,
 }
@@ -78,7 +78,7 @@ impl Planner {
         &self,
         scene: &PlacedScene<'a>,
         dropped: &mut Vec<Dropped>,
-    ) -> Vec<Visible<'a>> {
+    ) -> Vec<VisibleObject<'a>> {
         let mut visible = Vec::new();
         for (number, object) in scene.setup.objects.iter().enumerate() {
             let hidden = hidden(object, &scene.placed[number], &scene.view);
@@ -91,7 +91,7 @@ impl Planner {
                     look: None,
                     cost: EffectCost::bytes(4 * object.mesh.indices.len() as u64),
                 }),
-                None => visible.push(Visible { number, object }),
+                None => visible.push(VisibleObject { number, object }),
             }
         }
         visible

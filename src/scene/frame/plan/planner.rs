@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::key::look_key;
 use super::omissions::push_equal_looks;
-use super::passes::{Readers, WantedPasses};
+use super::passes::{ContextReaders, WantedPasses};
 use super::variants::LookShaders;
 use super::{FramePlan, PlanOptions};
 use crate::compile::{CompiledShader, Live};
@@ -97,7 +97,7 @@ impl Planner {
         let variants = self.compile_looks(&scene, &visible, &mut dropped)?;
         push_equal_looks(&mut dropped, setup, &variants);
         let shaders = &self.shaders;
-        let wanted = WantedPasses::new(&Readers {
+        let wanted = WantedPasses::new(&ContextReaders {
             scene: &scene,
             visible: &visible,
             variants: &variants,

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use super::Dropped;
 use super::key::look_key;
 use super::omissions::push_lights;
-use super::placement::{PlacedScene, Visible};
+use super::placement::{PlacedScene, VisibleObject};
 use super::planner::Planner;
 use crate::compile::{CompiledShader, Live, Options, compile};
 use crate::diag::Diagnostic;
@@ -60,12 +60,12 @@ impl Planner {
     pub(super) fn compile_looks(
         &mut self,
         scene: &PlacedScene<'_>,
-        visible: &[Visible<'_>],
+        visible: &[VisibleObject<'_>],
         dropped: &mut Vec<Dropped>,
     ) -> Result<Variants, Vec<Diagnostic>> {
         let mut problems = Vec::new();
         let mut variants = Variants::new();
-        for &Visible { number, object } in visible {
+        for &VisibleObject { number, object } in visible {
             for &index in object.looks.iter().flatten() {
                 if variants.contains_key(&(number, index)) {
                     continue;
@@ -100,12 +100,12 @@ impl Planner {
     pub(super) fn compile_before(
         &mut self,
         scene: &PlacedScene<'_>,
-        visible: &[Visible<'_>],
+        visible: &[VisibleObject<'_>],
         variants: &Variants,
         stages: &[Stage],
     ) -> Result<(), Vec<Diagnostic>> {
         let mut problems = Vec::new();
-        for &Visible { number, object } in visible {
+        for &VisibleObject { number, object } in visible {
             for index in object.worn_looks() {
                 let Some(variant) = variants.get(&(number, index)) else { continue };
                 let look = &scene.setup.looks[index];

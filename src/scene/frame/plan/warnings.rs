@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::placement::{PlacedScene, Visible};
+use super::placement::{PlacedScene, VisibleObject};
 use super::planner::Planner;
 use super::variants::{LookShaders, Variants};
 use crate::diag::Diagnostic;
@@ -16,11 +16,11 @@ impl Planner {
     pub(super) fn warn(
         &mut self,
         scene: &PlacedScene<'_>,
-        visible: &[Visible<'_>],
+        visible: &[VisibleObject<'_>],
         variants: &Variants,
     ) {
         self.warn_of_uvs(scene, visible, variants);
-        for Visible { object, .. } in visible {
+        for VisibleObject { object, .. } in visible {
             for look in object.worn_looks() {
                 self.warn_of_missing(scene.setup, &scene.setup.looks[look], &object.id);
             }
@@ -32,11 +32,12 @@ impl Planner {
     fn warn_of_uvs(
         &mut self,
         scene: &PlacedScene<'_>,
-        visible: &[Visible<'_>],
+        visible: &[VisibleObject<'_>],
         variants: &Variants,
     ) {
         self.uv_readers.retain(|key, _| self.used.contains(key));
-        for Visible { number, object } in visible.iter().filter(|of| !of.object.mesh.has_uvs) {
+        for VisibleObject { number, object } in visible.iter().filter(|of| !of.object.mesh.has_uvs)
+        {
             for &index in object.looks.iter().flatten().collect::<BTreeSet<_>>() {
                 let look = &scene.setup.looks[index];
                 let Some(variant) = variants.get(&(*number, index)) else { continue };

@@ -8,15 +8,16 @@ use crate::diag::Diagnostic;
 use crate::document::{Object, Scene, SourceMap};
 use crate::frame::{Assets, Setup, SetupLook, Wardrobe, place_objects};
 use crate::ids::ObjectId;
+use crate::state::revision::PictureRevision;
 
 /// A scene with the looks that are not open.
 #[derive(Clone)]
-pub(crate) struct Staged {
+pub(crate) struct SceneSnapshot {
     /// Another number is another picture.
-    pub(super) version: u64,
+    pub(super) version: PictureRevision,
     /// Another number is another shape: objects are elsewhere, on other meshes, or wear other
     /// looks.
-    pub(super) shape: u64,
+    pub(super) shape: PictureRevision,
     pub(crate) scene: Scene,
     /// What meshes are relative to.
     pub(super) base: PathBuf,
@@ -29,11 +30,11 @@ pub(crate) struct Staged {
     pub(super) is_alone: bool,
 }
 
-impl Default for Staged {
+impl Default for SceneSnapshot {
     fn default() -> Self {
         Self {
-            version: 0,
-            shape: 0,
+            version: PictureRevision::default(),
+            shape: PictureRevision::default(),
             scene: Scene::default(),
             base: PathBuf::new(),
             source: Arc::new(Scene::read("{}", "").source),
@@ -44,9 +45,9 @@ impl Default for Staged {
     }
 }
 
-impl Staged {
+impl SceneSnapshot {
     /// Tells one picture of a stage from another.
-    pub(crate) fn version(&self) -> u64 {
+    pub(crate) fn version(&self) -> PictureRevision {
         self.version
     }
 
@@ -61,7 +62,7 @@ impl Staged {
     }
 
     /// Tells one shape of it from another; lights and values are none of it.
-    pub(crate) fn shape(&self) -> u64 {
+    pub(crate) fn shape(&self) -> PictureRevision {
         self.shape
     }
 
@@ -121,7 +122,7 @@ impl Staged {
 
 /// The open look and the others, as objects ask for them.
 struct Worn<'s> {
-    staged: &'s Staged,
+    staged: &'s SceneSnapshot,
     looks: Vec<SetupLook>,
     known: HashMap<*const SetupLook, usize>,
 }

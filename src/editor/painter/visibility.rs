@@ -7,32 +7,33 @@ use eframe::egui::Ui;
 
 use crate::commands::{Command, ViewCommand};
 use crate::state::orbit::Orbit;
-use crate::state::painting::work::Work;
+use crate::state::painting::work::OpenPainting;
 use crate::state::painting::{PaintingUpdate, look};
+use crate::state::revision::{DocumentNumber, MeaningRevision, PictureRevision};
 use crate::state::session::Session;
 
 /// What is known of it.
 #[derive(Default)]
-pub(super) struct Seen {
+pub(super) struct PaintingVisibility {
     /// Whether the sample at work is marked in the picture.
     marks: bool,
     /// Whether what is open shows what is painted, and of what that is known: to find out, files
     /// are looked at.
-    shown: Option<(Of, bool)>,
+    shown: Option<(VisibilityInputs, bool)>,
     /// The view that the picture had before it was turned to a sample on a flat square, and of
     /// which document.
-    turned_from: Option<(u64, Box<Orbit>)>,
+    turned_from: Option<(DocumentNumber, Box<Orbit>)>,
 }
 
 /// For as long as it stays as it is, what is painted is shown or not.
 #[derive(Clone, PartialEq)]
-struct Of {
-    look: (u64, u64, Option<PathBuf>),
+struct VisibilityInputs {
+    look: (DocumentNumber, MeaningRevision, Option<PathBuf>),
     painting: Option<(u64, Option<PathBuf>)>,
-    stage: Option<u64>,
+    stage: Option<PictureRevision>,
 }
 
-impl Of {
+impl VisibilityInputs {
     fn now(session: &Session) -> Self {
         Self {
             look: (
@@ -48,15 +49,15 @@ impl Of {
     }
 }
 
-impl Seen {
+impl PaintingVisibility {
     /// What is due once a frame.
     pub(super) fn tick(&mut self, session: &Session) -> PaintingUpdate {
-        let now = Of::now(session);
+        let now = VisibilityInputs::now(session);
         if self.shown.as_ref().is_none_or(|(of, _)| *of != now) {
             self.shown = Some((now, look::shows(session)));
         }
         let number = session.document_number();
-        let is_there = look::lies_flat(&session.view);
+        let is_there = look::lies_flat(&session.view.orbit);
         self.turned_from = self.turned_from.take().filter(|(of, _)| *of == number && is_there);
         PaintingUpdate { is_shown: self.is_shown(), is_marked: self.marks && self.is_shown() }
     }
@@ -81,7 +82,7 @@ impl Seen {
         &mut self,
         ui: &mut Ui,
         session: &Session,
-        work: &Work,
+        work: &OpenPainting,
         out: &mut Vec<Command>,
     ) {
         if let Some(view) = look::from_here(session, work) {
@@ -89,7 +90,7 @@ impl Seen {
                         that you paint for, over a \
                         flat square";
             if ui.small_button("Show in the picture").on_hover_text(help).clicked() {
-                let before = &session.view;
+                let before = &session.view.orbit;
                 if !look::lies_flat(before) {
                     self.turned_from = Some((session.document_number(), Box::new(before.clone())));
                 }
@@ -97,7 +98,7 @@ impl Seen {
             }
         }
         if let Some((_, view)) =
-            self.turned_from.as_ref().filter(|_| look::lies_flat(&session.view))
+            self.turned_from.as_ref().filter(|_| look::lies_flat(&session.view.orbit))
         {
             let help = "Shows what the picture showed before, from where it was seen";
             if ui.small_button("Back to the mesh").on_hover_text(help).clicked() {

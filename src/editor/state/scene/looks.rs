@@ -18,20 +18,20 @@ use crate::state::reading::{Parameter, Reading};
 /// Looks by their files.
 #[derive(Default)]
 pub(super) struct Looks {
-    known: BTreeMap<PathBuf, Known>,
+    known: BTreeMap<PathBuf, LookFile>,
     /// The nodes that they were read with.
     library: Option<Arc<Library>>,
 }
 
-struct Known {
+struct LookFile {
     stamp: Option<(SystemTime, u64)>,
     /// `None` where it could never be read.
-    look: Option<Arc<Closed>>,
+    look: Option<Arc<ClosedLook>>,
     problems: Vec<Diagnostic>,
 }
 
 /// A look that is not open, and what the window needs to know of it.
-pub(super) struct Closed {
+pub(super) struct ClosedLook {
     pub(super) look: Arc<SetupLook>,
     /// What objects that wear it may set.
     pub(super) parameters: Vec<Parameter>,
@@ -68,7 +68,7 @@ impl Looks {
     }
 
     /// The look in a file, or that it is broken; `None` where there is no such file.
-    pub(super) fn get(&self, file: &Path) -> Option<Option<Arc<Closed>>> {
+    pub(super) fn get(&self, file: &Path) -> Option<Option<Arc<ClosedLook>>> {
         self.known.get(file).map(|known| known.look.clone())
     }
 
@@ -91,10 +91,10 @@ fn stamp(file: &Path) -> Option<(SystemTime, u64)> {
 fn read(
     file: &Path,
     stamp: Option<(SystemTime, u64)>,
-    before: Option<Arc<Closed>>,
+    before: Option<Arc<ClosedLook>>,
     library: &Library,
     catalog: &mut Option<Catalog>,
-) -> Known {
+) -> LookFile {
     let loaded = Look::load(&crate::files::Disk, file);
     let mut problems = loaded.diagnostics;
     let folder = file.parent().map(Path::to_path_buf).unwrap_or_default();
@@ -114,11 +114,15 @@ fn read(
     });
     let source = Arc::new(loaded.source);
     let look = look.map(|(look, parameters, images)| {
-        Arc::new(Closed { look: Arc::new(SetupLook { look, source, folder }), parameters, images })
+        Arc::new(ClosedLook {
+            look: Arc::new(SetupLook { look, source, folder }),
+            parameters,
+            images,
+        })
     });
     let stays = look.is_none() && before.is_some();
     let told = problems.into_iter().map(|problem| of_file(problem, file, stays)).collect();
-    Known { stamp, look: look.or(before), problems: told }
+    LookFile { stamp, look: look.or(before), problems: told }
 }
 
 /// The files of the images that a look's nodes name.

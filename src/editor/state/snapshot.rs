@@ -11,14 +11,17 @@ use crate::document::{Look, SourceMap};
 use crate::frame::{Assets, Overlay, Planner, Setup, SetupLook, default_setup};
 use crate::library::Library;
 use crate::state::orbit::Orbit;
-use crate::state::painting::work::Work;
+use crate::state::painting::work::OpenPainting;
+use crate::state::revision::{
+    DocumentNumber, FilesRevision, LookRevision, PictureRevision, PreviewRevision,
+};
+use crate::state::scene::SceneSnapshot;
 use crate::state::session::Session;
 use crate::state::solo::Solo;
-use crate::state::stage::Staged;
 
 /// A look with everything that its picture depends on, but for the size.
 #[derive(Clone)]
-pub(crate) struct Still {
+pub(crate) struct RenderSnapshot {
     pub(crate) look: Arc<Look>,
     pub(crate) source: Arc<SourceMap>,
     /// What the look's assets are relative to.
@@ -28,12 +31,12 @@ pub(crate) struct Still {
     /// In seconds.
     pub(crate) time: f64,
     /// The scene around the look; without one it is on a mesh of its own.
-    pub(crate) stage: Option<Arc<Staged>>,
+    pub(crate) stage: Option<Arc<SceneSnapshot>>,
     /// The HCBTF that is being painted, in place of its file.
     pub(crate) painting: Option<Overlay>,
 }
 
-impl Still {
+impl RenderSnapshot {
     /// Without what does not wear the look.
     #[must_use]
     pub(crate) fn alone(self) -> Self {
@@ -98,40 +101,40 @@ impl Reused {
 /// Tells one moment of a session from another: the same stamp is the same look in the same view.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Stamp {
-    document: u64,
-    revision: u64,
-    files: u64,
+    document: DocumentNumber,
+    revision: LookRevision,
+    files: FilesRevision,
     orbit: Orbit,
     time: f64,
     solo: Solo,
-    preview: u64,
+    preview: PreviewRevision,
     /// Of what there is of a scene.
-    stage: Option<u64>,
+    stage: Option<PictureRevision>,
     painting: Option<u64>,
 }
 
 impl Session {
     /// The document as it is shown, in the view as it is.
-    pub(crate) fn still(&self) -> Still {
-        self.still_of(Arc::new(self.shown_look().into_owned()))
+    pub(crate) fn snapshot(&self) -> RenderSnapshot {
+        self.snapshot_of(Arc::new(self.shown_look().into_owned()))
     }
 
     /// Another look in its place.
-    pub(crate) fn still_of(&self, look: Arc<Look>) -> Still {
-        Still {
+    pub(crate) fn snapshot_of(&self, look: Arc<Look>) -> RenderSnapshot {
+        RenderSnapshot {
             look,
             source: self.source().clone(),
             folder: self.folder(),
-            library: self.library.clone(),
-            orbit: self.view.clone(),
-            time: self.time,
+            library: self.project.library.clone(),
+            orbit: self.view.orbit.clone(),
+            time: self.view.time,
             stage: self.stage().map(|stage| self.solo().lit_stage(stage.staged())),
-            painting: self.painting().map(Work::overlay),
+            painting: self.painting().map(OpenPainting::overlay),
         }
     }
 
     /// What tells the scene as it is from what it was, if there is one.
-    pub(crate) fn stage_version(&self) -> Option<u64> {
+    pub(crate) fn stage_version(&self) -> Option<PictureRevision> {
         self.stage().map(|stage| stage.staged().version())
     }
 
@@ -140,18 +143,18 @@ impl Session {
         self.path().and_then(Path::parent).map(Path::to_path_buf).unwrap_or_default()
     }
 
-    /// What changes whenever [`still`](Self::still) does.
+    /// What changes whenever [`snapshot`](Self::snapshot) does.
     pub(crate) fn stamp(&self) -> Stamp {
         Stamp {
             document: self.document_number(),
             revision: self.revision(),
             files: self.files(),
-            orbit: self.view.clone(),
-            time: self.time,
+            orbit: self.view.orbit.clone(),
+            time: self.view.time,
             solo: self.solo().clone(),
-            preview: self.preview_number(),
+            preview: self.preview_revision(),
             stage: self.stage_version(),
-            painting: self.painting().map(Work::version),
+            painting: self.painting().map(OpenPainting::version),
         }
     }
 }

@@ -4,19 +4,19 @@
 use std::path::Path;
 
 use super::Session;
-use super::keeping::VIEW;
 use crate::diag::Diagnostic;
 use crate::document::{Light, Loaded, Scene, SceneEdit};
 use crate::examples;
 use crate::files::journal::{Recovered, Slot};
 use crate::ids::{LightId, ObjectId};
-use crate::state::painting::work::Work;
+use crate::state::document::journal::VIEW;
+use crate::state::painting::work::OpenPainting;
 use crate::state::paths::absolute;
-use crate::state::stage::{OPEN_LOOK, Stage, Wanted, real, scene_of};
+use crate::state::scene::{LookToOpen, OPEN_LOOK, OpenScene, real, scene_of};
 
 /// Which of the documents something is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Of {
+enum DocumentKind {
     Look,
     Scene,
     Painting,
@@ -25,11 +25,11 @@ enum Of {
 
 impl Session {
     /// The scene around the look, where there is one.
-    pub fn stage(&self) -> Option<&Stage> {
+    pub fn stage(&self) -> Option<&OpenScene> {
         self.stage.as_ref()
     }
 
-    pub(crate) fn stage_mut(&mut self) -> Option<&mut Stage> {
+    pub(crate) fn stage_mut(&mut self) -> Option<&mut OpenScene> {
         self.stage.as_mut()
     }
 
@@ -52,7 +52,7 @@ impl Session {
         path: &Path,
         loaded: Loaded<Scene>,
     ) -> Result<(), Vec<Diagnostic>> {
-        self.set_stage(Stage::opened(path, loaded)?);
+        self.set_stage(OpenScene::opened(path, loaded)?);
         Ok(())
     }
 
@@ -67,26 +67,26 @@ impl Session {
         let wear = scene.objects.values_mut().flat_map(|object| object.looks.values_mut());
         wear.filter(|look| **look == first).for_each(|look| OPEN_LOOK.clone_into(look));
         self.start_from(&text, name);
-        self.stage = Some(Stage::unsaved(scene));
+        self.stage = Some(OpenScene::unsaved(scene));
         self.keep_stage();
         self.stage_changed();
         self.reset_view();
-        self.time = 0.0;
+        self.view.time = 0.0;
     }
 
     /// Takes a scene back that a journal gave, in place of what is open. The journal goes on where
     /// it is.
     pub(crate) fn take_back_scene(&mut self, found: Recovered<Scene>, slot: Slot) {
         let view = found.about.window.get(VIEW).cloned();
-        self.set_stage(Stage::taken_back(found));
-        self.kept_view = view;
+        self.set_stage(OpenScene::taken_back(found));
+        self.journals.view = view;
         if let Some(stage) = &mut self.stage {
             stage.begin_journal(Some(slot));
         }
     }
 
     /// Puts the open documents aside for a scene, around a new look to begin with.
-    fn set_stage(&mut self, stage: Stage) {
+    fn set_stage(&mut self, stage: OpenScene) {
         self.leave_journal(false);
         self.leave_stage(false);
         self.stage = Some(stage);
@@ -99,17 +99,17 @@ impl Session {
         }
         self.stage_changed();
         self.reset_view();
-        self.time = 0.0;
+        self.view.time = 0.0;
     }
 
     /// The look that the scene lacks: the one that was open in it, or else one that an object
     /// wears. `None` where the open look is of the scene.
-    pub(crate) fn look_to_open(&mut self) -> Option<Wanted> {
+    pub(crate) fn look_to_open(&mut self) -> Option<LookToOpen> {
         let stage = self.stage.as_mut()?;
         match stage.wanted.take() {
-            Some(Wanted::File(path)) if stage.wears(&path) => Some(Wanted::File(path)),
-            Some(Wanted::Unsaved) if stage.wears_unsaved() => Some(Wanted::Unsaved),
-            _ => stage.look_to_open().map(Wanted::File),
+            Some(LookToOpen::File(path)) if stage.wears(&path) => Some(LookToOpen::File(path)),
+            Some(LookToOpen::Unsaved) if stage.wears_unsaved() => Some(LookToOpen::Unsaved),
+            _ => stage.look_to_open().map(LookToOpen::File),
         }
     }
 
@@ -123,17 +123,17 @@ impl Session {
             Some(path) => absolute(path).to_string_lossy().into_owned(),
             None => OPEN_LOOK.to_owned(),
         };
-        let mut orbit = self.view.clone();
+        let mut orbit = self.view.orbit.clone();
         // A scene may lie elsewhere than the working folder.
         if !orbit.mesh.starts_with(crate::frame::SHAPE_PREFIX)
             && let Ok(path) = std::path::absolute(&orbit.mesh)
         {
             orbit.mesh = path.to_string_lossy().into_owned();
         }
-        self.stage = Some(Stage::unsaved(scene_of(&orbit, look)));
+        self.stage = Some(OpenScene::unsaved(scene_of(&orbit, look)));
         self.keep_stage();
         self.stage_changed();
-        if self.path.is_none() {
+        if self.look.path.is_none() {
             self.begin_journal(None);
         }
     }
@@ -143,38 +143,39 @@ impl Session {
         if let Some(mut stage) = self.stage.take() {
             stage.leave_journal(in_peace);
             self.keep_solo();
-            self.picture += 1;
-            self.problems_number += 1;
+            self.revisions.picture.advance();
+            self.revisions.problems.advance();
         }
     }
 
     /// The same, unless the scene wears the look of this file, or the one that has none.
     pub(super) fn leave_stage_unless_worn(&mut self, look: Option<&Path>) {
-        let is_worn = |stage: &Stage| look.map_or(stage.wears_unsaved(), |look| stage.wears(look));
+        let is_worn =
+            |stage: &OpenScene| look.map_or(stage.wears_unsaved(), |look| stage.wears(look));
         if !self.stage.as_ref().is_some_and(is_worn) {
             self.leave_stage(false);
         }
     }
 
     pub(super) fn keep_stage(&mut self) {
-        if let (Some(stage), Some((folder, wake))) = (&mut self.stage, &self.keeps) {
+        if let (Some(stage), Some((folder, wake))) = (&mut self.stage, &self.journals.folder) {
             stage.keep_in(folder, wake.clone());
         }
     }
 
     /// Brings what the picture shows of the scene up to date.
     pub(super) fn stage_changed(&mut self) {
-        self.picture += 1;
+        self.revisions.picture.advance();
         if let Some(stage) = &mut self.stage {
-            stage.sync(self.path.as_deref(), &self.library, self.picture);
-            self.problems_number += 1;
+            stage.sync(self.look.path.as_deref(), &self.project.library, self.revisions.picture);
+            self.revisions.problems.advance();
         }
         self.keep_solo();
     }
 
     /// Forgets solos of what is no longer there.
     pub(super) fn keep_solo(&mut self) {
-        self.solo.keep(self.kept.history.document(), self.stage.as_ref().map(Stage::scene));
+        self.view.solo.keep(self.look.document(), self.stage.as_ref().map(OpenScene::scene));
     }
 
     /// Applies an edit of the scene. With a `hand`, consecutive edits by it are one step.
@@ -189,9 +190,9 @@ impl Session {
         let Some(stage) = &mut self.stage else {
             return Err(Box::new(Diagnostic::error("impossible-edit", "no scene is open")));
         };
-        self.now += 1;
-        if stage.apply(edit, hand, self.now)? {
-            self.kept.end_gesture();
+        self.revisions.step += 1;
+        if stage.apply(edit, hand, self.revisions.step)? {
+            self.look.end_gesture();
             self.stage_changed();
         }
         Ok(())
@@ -234,34 +235,36 @@ impl Session {
 
     /// Turns camera and lights to where the scene has them, or to where they are in the beginning.
     pub(crate) fn reset_view(&mut self) {
-        let Some(stage) = &self.stage else { return self.view.reset() };
+        let Some(stage) = &self.stage else { return self.view.orbit.reset() };
         let scene = stage.scene();
-        self.view.look_from(&scene.camera);
+        self.view.orbit.look_from(&scene.camera);
         let illumination = glam::DQuat::from_array(scene.illumination);
-        self.view.illumination = if illumination.length_squared() > 1e-18 {
+        self.view.orbit.illumination = if illumination.length_squared() > 1e-18 {
             illumination.normalize()
         } else {
             glam::DQuat::IDENTITY
         };
-        self.view.backdrop = None;
+        self.view.orbit.backdrop = None;
     }
 
     /// Lets the scene's camera and lights be as they are turned now.
     pub(crate) fn view_as_edit(&self) -> SceneEdit {
-        let camera = SceneEdit::SetCamera { camera: self.view.camera() };
+        let camera = SceneEdit::SetCamera { camera: self.view.orbit.camera() };
         let mut edits = vec![
             camera,
-            SceneEdit::SetIllumination { rotation: self.view.illumination.to_array() },
+            SceneEdit::SetIllumination { rotation: self.view.orbit.illumination.to_array() },
         ];
-        edits.extend(self.view.backdrop.map(|color| SceneEdit::SetBackdrop { color: Some(color) }));
+        edits.extend(
+            self.view.orbit.backdrop.map(|color| SceneEdit::SetBackdrop { color: Some(color) }),
+        );
         SceneEdit::Group { edits }
     }
 
     /// Brings an object into view, or all of them; the direction stays. `aspect` is of the picture.
     pub(crate) fn frame(&mut self, only: Option<&ObjectId>, aspect: f64) {
         match self.stage.as_ref().map(|stage| stage.sphere(only)) {
-            None => self.view.frame_object(),
-            Some(Some((center, radius))) => self.view.frame(center, radius, aspect),
+            None => self.view.orbit.frame_object(),
+            Some(Some((center, radius))) => self.view.orbit.frame(center, radius, aspect),
             Some(None) => {}
         }
     }
@@ -279,9 +282,9 @@ impl Session {
 
     /// Compares the scene's file with what it held, and takes what another program made of it.
     pub(crate) fn reload_scene(&mut self, text: &str) -> bool {
-        self.now += 1;
+        self.revisions.step += 1;
         let Some(stage) = &mut self.stage else { return false };
-        let is_read = stage.reload(text, self.now);
+        let is_read = stage.reload(text, self.revisions.step);
         self.stage_changed();
         is_read
     }
@@ -291,7 +294,7 @@ impl Session {
 impl Session {
     /// Notes that a step of the look was done.
     pub(super) fn step_done(&mut self) {
-        self.now += 1;
+        self.revisions.step += 1;
         if let Some(stage) = &mut self.stage {
             stage.end_gesture();
         }
@@ -302,73 +305,79 @@ impl Session {
 
     /// Remembers when the steps of the look were done, before another look comes.
     pub(super) fn remember_times(&mut self) {
-        let times = std::mem::take(&mut self.kept.times);
-        if let (Some(stage), Some(path)) = (&mut self.stage, &self.path) {
+        let times = std::mem::take(&mut self.look.times);
+        if let (Some(stage), Some(path)) = (&mut self.stage, &self.look.path) {
             stage.left.insert(real(path), times);
         }
     }
 
     /// Takes on what is remembered of a look that a journal brought back.
     pub(super) fn recall_times(&mut self) {
-        if let (Some(stage), Some(path)) = (&mut self.stage, &self.path) {
-            self.kept.times = stage.left.remove(&real(path)).unwrap_or_default();
+        if let (Some(stage), Some(path)) = (&mut self.stage, &self.look.path) {
+            self.look.times = stage.left.remove(&real(path)).unwrap_or_default();
         }
-        self.kept.times.fit(self.kept.history.steps());
+        self.look.times.fit(self.look.history.steps());
     }
 
     /// What is painted, where what is open shows it.
-    fn seen_painting(&self) -> Option<&Work> {
+    fn seen_painting(&self) -> Option<&OpenPainting> {
         self.painting().filter(|_| !self.hides_painting)
     }
 
     /// Where the step was done that undo would take back.
-    fn last(&self) -> Of {
-        let of_look = self.kept.history.undo_label().and(self.kept.times.last());
-        let of_scene = self.stage.as_ref().and_then(|stage| stage.kept.times.last());
-        let of_painting = self.seen_painting().and_then(|work| work.kept.times.last());
-        let of_sketch = self.sketch.is_open.then(|| self.sketch.times.last()).flatten();
+    fn last(&self) -> DocumentKind {
+        let of_look = self.look.history.undo_label().and(self.look.times.last());
+        let of_scene = self.stage.as_ref().and_then(|stage| stage.document.times.last());
+        let of_painting = self.seen_painting().and_then(|work| work.document.times.last());
+        let of_sketch =
+            self.sketchbook.sketch.is_open.then(|| self.sketchbook.sketch.times.last()).flatten();
         // Of what journals brought back, the look's comes first.
         if of_sketch.is_some() && of_sketch > of_look.max(of_scene).max(of_painting) {
-            Of::Sketch
+            DocumentKind::Sketch
         } else if of_painting.is_some() && of_painting > of_look.max(of_scene) {
-            Of::Painting
+            DocumentKind::Painting
         } else if of_scene.is_some() && of_scene > of_look {
-            Of::Scene
+            DocumentKind::Scene
         } else {
-            Of::Look
+            DocumentKind::Look
         }
     }
 
     /// Where the step was done that redo would repeat.
-    fn next(&self) -> Of {
-        let of_scene = self.stage.as_ref().and_then(|stage| stage.kept.times.next());
-        let of_look = self.kept.history.redo_label().and(self.kept.times.next());
-        let of_painting = self.seen_painting().and_then(|work| work.kept.times.next());
-        let of_sketch = self.sketch.is_open.then(|| self.sketch.times.next()).flatten();
-        let of_sketch = (of_sketch, Of::Sketch);
-        let all =
-            [(of_look, Of::Look), (of_scene, Of::Scene), (of_painting, Of::Painting), of_sketch];
+    fn next(&self) -> DocumentKind {
+        let of_scene = self.stage.as_ref().and_then(|stage| stage.document.times.next());
+        let of_look = self.look.history.redo_label().and(self.look.times.next());
+        let of_painting = self.seen_painting().and_then(|work| work.document.times.next());
+        let of_sketch =
+            self.sketchbook.sketch.is_open.then(|| self.sketchbook.sketch.times.next()).flatten();
+        let of_sketch = (of_sketch, DocumentKind::Sketch);
+        let all = [
+            (of_look, DocumentKind::Look),
+            (of_scene, DocumentKind::Scene),
+            (of_painting, DocumentKind::Painting),
+            of_sketch,
+        ];
         let there = all.into_iter().filter_map(|(time, of)| Some((time?, of)));
-        there.min_by_key(|(time, _)| *time).map_or(Of::Look, |(_, of)| of)
+        there.min_by_key(|(time, _)| *time).map_or(DocumentKind::Look, |(_, of)| of)
     }
 
     /// What undo would take back.
     pub fn undo_label(&self) -> Option<&str> {
         match (self.last(), &self.stage, &self.painting) {
-            (Of::Scene, Some(stage), _) => stage.history().undo_label(),
-            (Of::Painting, _, Some(work)) => work.history().undo_label(),
-            (Of::Sketch, ..) => self.sketch.undo_label(),
-            _ => self.kept.history.undo_label(),
+            (DocumentKind::Scene, Some(stage), _) => stage.history().undo_label(),
+            (DocumentKind::Painting, _, Some(work)) => work.history().undo_label(),
+            (DocumentKind::Sketch, ..) => self.sketchbook.sketch.undo_label(),
+            _ => self.look.history.undo_label(),
         }
     }
 
     /// What redo would repeat.
     pub fn redo_label(&self) -> Option<&str> {
         match (self.next(), &self.stage, &self.painting) {
-            (Of::Scene, Some(stage), _) => stage.history().redo_label(),
-            (Of::Painting, _, Some(work)) => work.history().redo_label(),
-            (Of::Sketch, ..) => self.sketch.redo_label(),
-            _ => self.kept.history.redo_label(),
+            (DocumentKind::Scene, Some(stage), _) => stage.history().redo_label(),
+            (DocumentKind::Painting, _, Some(work)) => work.history().redo_label(),
+            (DocumentKind::Sketch, ..) => self.sketchbook.sketch.redo_label(),
+            _ => self.look.history.redo_label(),
         }
     }
 
@@ -376,17 +385,17 @@ impl Session {
     pub fn undo(&mut self) -> bool {
         let of = self.last();
         match (of, &mut self.stage, &mut self.painting) {
-            (Of::Scene, Some(stage), _) => {
+            (DocumentKind::Scene, Some(stage), _) => {
                 let did = stage.undo();
                 self.stage_changed();
                 did
             }
-            (Of::Painting, _, Some(work)) => {
+            (DocumentKind::Painting, _, Some(work)) => {
                 let did = work.undo();
                 self.painting_changed();
                 did
             }
-            (Of::Sketch, ..) => self.sketch.undo(),
+            (DocumentKind::Sketch, ..) => self.sketchbook.sketch.undo(),
             _ => self.undo_look(),
         }
     }
@@ -395,21 +404,21 @@ impl Session {
     pub fn redo(&mut self) -> bool {
         let of = self.next();
         match (of, &mut self.stage, &mut self.painting) {
-            (Of::Scene, Some(stage), _) => {
-                self.now += 1;
-                let did = stage.redo(self.now);
+            (DocumentKind::Scene, Some(stage), _) => {
+                self.revisions.step += 1;
+                let did = stage.redo(self.revisions.step);
                 self.stage_changed();
                 did
             }
-            (Of::Painting, _, Some(work)) => {
-                self.now += 1;
-                let did = work.redo(self.now);
+            (DocumentKind::Painting, _, Some(work)) => {
+                self.revisions.step += 1;
+                let did = work.redo(self.revisions.step);
                 self.painting_changed();
                 did
             }
-            (Of::Sketch, ..) => {
-                self.now += 1;
-                self.sketch.redo(self.now)
+            (DocumentKind::Sketch, ..) => {
+                self.revisions.step += 1;
+                self.sketchbook.sketch.redo(self.revisions.step)
             }
             _ => self.redo_look(),
         }
@@ -418,18 +427,22 @@ impl Session {
     /// What undo calls every step, the first one first.
     pub fn steps(&self) -> impl Iterator<Item = &str> {
         let mut steps: Vec<((bool, u64), &str)> =
-            self.kept.times.all().zip(self.kept.history.labels()).collect();
+            self.look.times.all().zip(self.look.history.labels()).collect();
         if let Some(stage) = &self.stage {
             // Steps of the same time are of journals: the scene's are older.
-            let of_scene = stage.kept.times.all().zip(stage.history().labels());
+            let of_scene = stage.document.times.all().zip(stage.history().labels());
             steps.splice(0..0, of_scene);
         }
         if let Some(work) = self.seen_painting() {
-            steps.splice(0..0, work.kept.times.all().zip(work.history().labels()));
+            steps.splice(0..0, work.document.times.all().zip(work.history().labels()));
         }
-        if self.sketch.is_open {
+        if self.sketchbook.sketch.is_open {
             steps.extend(
-                self.sketch.times.all().zip(self.sketch.labels().map(|label| -> &str { label })),
+                self.sketchbook
+                    .sketch
+                    .times
+                    .all()
+                    .zip(self.sketchbook.sketch.labels().map(|label| -> &str { label })),
             );
         }
         steps.sort_by_key(|(time, _)| *time);
@@ -440,8 +453,9 @@ impl Session {
     pub fn place(&self) -> usize {
         let of_scene = self.stage.as_ref().map_or(0, |stage| stage.history().place());
         let of_painting = self.seen_painting().map_or(0, |work| work.history().place());
-        let of_sketch = if self.sketch.is_open { self.sketch.place() } else { 0 };
-        self.kept.history.place() + of_scene + of_painting + of_sketch
+        let of_sketch =
+            if self.sketchbook.sketch.is_open { self.sketchbook.sketch.place() } else { 0 };
+        self.look.history.place() + of_scene + of_painting + of_sketch
     }
 
     /// Takes steps back or repeats them until so many are done.

@@ -3,7 +3,7 @@
 
 use std::path::{Component, Path, PathBuf};
 
-use super::{OPEN_LOOK, Stage};
+use super::{OPEN_LOOK, OpenScene};
 use crate::diag::Diagnostic;
 use crate::document::Scene;
 use crate::examples;
@@ -66,7 +66,7 @@ fn rename(scene: &mut Scene, name: &dyn Fn(&str) -> String) {
     }
 }
 
-impl Stage {
+impl OpenScene {
     /// The file that a name of the scene means.
     pub(crate) fn path_of(&self, name: &str) -> PathBuf {
         let path = self.base.join(name);
@@ -108,7 +108,7 @@ impl Stage {
 
     /// A scene that was read from the scene's own file, with names as they are here.
     pub(super) fn scene_from(&self, mut scene: Scene) -> Scene {
-        let folder = self.path.as_deref().map(folder_of).unwrap_or_default();
+        let folder = self.document.path.as_deref().map(folder_of).unwrap_or_default();
         if folder != self.base {
             rename(&mut scene, &|name| self.name_of(&folder.join(name)));
         }

@@ -2,7 +2,7 @@
 
 use glam::{DQuat, DVec3, EulerRot};
 
-use super::{OPEN_LOOK, Stage};
+use super::{OPEN_LOOK, OpenScene};
 use crate::document::{Object, Scene, SceneEdit, Transform};
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX};
 use crate::geometry::SHAPES;
@@ -14,7 +14,7 @@ const GAP: f64 = 0.15;
 
 /// Where an object is, and what of it can wear looks: found out with the picture.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Placed {
+pub(crate) struct ObjectPlace {
     pub(crate) id: ObjectId,
     /// The middle of its mesh, world space.
     pub(crate) center: DVec3,
@@ -93,7 +93,7 @@ fn reach(transform: &Transform) -> f64 {
     transform.scale.iter().fold(0.0, |most: f64, scale| most.max(scale.abs()))
 }
 
-impl Stage {
+impl OpenScene {
     /// Adds an object on a mesh, to the right of the others, in the look of the selected one or
     /// else the open one.
     pub(crate) fn add(&self, mesh: &str) -> (ObjectId, SceneEdit) {
@@ -251,7 +251,7 @@ mod tests {
 
     #[test]
     fn objects_stand_side_by_side_under_names_of_their_own() {
-        let mut stage = Stage::unsaved(scene_of(&Orbit::default(), OPEN_LOOK.to_owned()));
+        let mut stage = OpenScene::unsaved(scene_of(&Orbit::default(), OPEN_LOOK.to_owned()));
         for wanted in ["torus", "torus_2", "torus_3"] {
             let (id, edit) = stage.add("shape:torus");
             assert_eq!(id.as_str(), wanted);

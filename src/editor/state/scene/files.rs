@@ -1,9 +1,8 @@
 //! Opening and saving scenes, and what other programs do to their files.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
-use super::Stage;
+use super::OpenScene;
 use super::names::folder_of;
 use crate::diag::Diagnostic;
 use crate::document::{History, Loaded, Scene, SceneEdit, Value};
@@ -12,9 +11,9 @@ use crate::files::write_atomic;
 use crate::frame::SHAPE_PREFIX;
 use crate::ids::PortName;
 use crate::library::Type;
-use crate::state::session::keeping::OnDisk;
+use crate::state::document::OnDisk;
 
-impl Stage {
+impl OpenScene {
     /// The scene that was read from a file, with what was wrong in it; the problems where it could
     /// not be read at all.
     pub(crate) fn opened(path: &Path, loaded: Loaded<Scene>) -> Result<Self, Vec<Diagnostic>> {
@@ -23,8 +22,8 @@ impl Stage {
         let Some(scene) = value else { return Err(diagnostics) };
         let mut stage =
             Self::with(History::new(scene), source, Some(path.to_owned()), folder_of(path));
-        stage.is_partial = is_partial;
-        stage.load_problems = diagnostics;
+        stage.document.is_partial = is_partial;
+        stage.document.load_problems = diagnostics;
         Ok(stage)
     }
 
@@ -33,76 +32,47 @@ impl Stage {
     /// # Errors
     /// A diagnostic that says why not; the old file is then as it was.
     pub(crate) fn save_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
-        let is_own = self.path.as_deref() == Some(path);
-        if is_own && self.is_partial {
-            let message =
-                "this file holds things that could not be read, and saving over it would lose them";
-            return Err(Box::new(
-                Diagnostic::error("partly-read", message).hint("save the scene under another name"),
-            ));
-        }
-        if is_own && let OnDisk::Changed(_) = self.on_disk() {
-            let message = "another program has changed this scene since it was opened, and nothing \
-                           was written over it";
-            let hint = "choose above whose version is kept, or save the scene under another name";
-            return Err(Box::new(Diagnostic::error("changed-on-disk", message).hint(hint)));
-        }
+        let is_own = self.document.check_saving(path)?;
         let scene = self.scene_in(&folder_of(path))?;
-        let text = if is_own { self.text(&scene) } else { scene.to_text() };
+        let text = if is_own { self.document.text_of(&scene) } else { scene.to_text() };
         write_atomic(path, text.as_bytes())?;
-        self.source = Arc::new(Scene::read(&text, &path.display().to_string()).source);
-        self.path = Some(path.to_owned());
-        self.is_partial = false;
-        self.load_problems.clear();
-        self.kept.history.mark_saved();
-        if self.kept.saved() {
+        self.document.text_was_written(path, &text);
+        if self.document.saved() {
             self.begin_journal(None);
         }
         Ok(())
     }
 
-    /// As the file says it, or said it when it was opened, where that is the same; else the
-    /// canonical form.
-    fn text(&self, scene: &Scene) -> String {
-        let text = scene.to_text_like(&self.source);
-        if text == **self.source.text() { text } else { scene.to_text_like(&self.opened) }
-    }
-
     /// Compares the scene's file with what it held when it was read or written last.
     pub(crate) fn on_disk(&self) -> OnDisk {
-        self.path
-            .as_deref()
-            .map_or(OnDisk::Same, |path| self.kept.keeping.on_disk(path, self.source.text()))
+        self.document.on_disk()
     }
 
     /// Takes what another program made of the file, as one step that can be undone. `now` is when.
     /// Returns whether it could be read without an error; else the scene stays as it is, and the
     /// problems are told.
     pub(crate) fn reload(&mut self, text: &str, now: u64) -> bool {
-        let Some(path) = self.path.clone() else { return false };
+        let Some(path) = self.document.path.clone() else { return false };
         let loaded = Scene::read(text, &path.display().to_string());
         let has_errors = loaded.has_errors();
-        self.load_problems = loaded.diagnostics;
+        self.document.load_problems = loaded.diagnostics;
         let Some(scene) = loaded.value.filter(|_| !has_errors) else { return false };
         let here = self.scene_from(scene);
         if here.to_text() != self.scene().to_text()
             && let Err(problem) =
                 self.apply(SceneEdit::Replace { scene: Box::new(here) }, None, now)
         {
-            self.load_problems.push(*problem);
+            self.document.load_problems.push(*problem);
             return false;
         }
-        self.source = Arc::new(loaded.source);
-        self.opened = self.source.clone();
-        self.is_partial = false;
-        self.kept.history.mark_saved();
+        self.document.was_reloaded(loaded.source);
         self.begin_journal(None);
         true
     }
 
     /// Lets saving write over what another program wrote.
     pub(crate) fn keep_mine(&mut self, theirs: String) {
-        self.kept.keeping.override_with(theirs);
+        self.document.journal.override_with(theirs);
     }
 
     /// The files that the scene lives on, but for its own: meshes, looks that are not open, and the

@@ -11,7 +11,7 @@ use crate::document::SceneEdit;
 use crate::examples;
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX, look_of};
 use crate::ids::ObjectId;
-use crate::state::stage::{OPEN_LOOK, Stage};
+use crate::state::scene::{OPEN_LOOK, OpenScene};
 use crate::widgets::spots::{self, Spot};
 
 impl App {
@@ -58,7 +58,7 @@ impl App {
 
     /// What a dialog for a file of the scene begins near to.
     fn near_stage(&self) -> Option<PathBuf> {
-        let own = self.session.stage().and_then(Stage::path);
+        let own = self.session.stage().and_then(OpenScene::path);
         own.map(Path::to_path_buf)
             .or_else(|| Some(self.session.path()?.with_file_name("scene.json")))
     }
@@ -83,7 +83,7 @@ impl App {
     fn change_object(
         &mut self,
         id: &ObjectId,
-        change: impl FnOnce(&Stage, &mut crate::document::Object),
+        change: impl FnOnce(&OpenScene, &mut crate::document::Object),
     ) {
         let stage = self.session.stage();
         let edit = stage.and_then(|stage| stage.change(id, |object| change(stage, object)));

@@ -5,7 +5,7 @@ mod files;
 mod looks;
 mod names;
 mod objects;
-mod still;
+mod snapshot;
 
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
@@ -19,43 +19,36 @@ use crate::files::journal::{About, Recovered, Slot};
 use crate::frame::SetupLook;
 use crate::ids::ObjectId;
 use crate::library::Library;
+use crate::state::document::journal::DocumentJournal;
+use crate::state::document::times::Times;
+use crate::state::document::{OpenDocument, TextFile};
 use crate::state::orbit::Orbit;
 use crate::state::paths::absolute;
 use crate::state::reading::Parameter;
-use crate::state::session::keeping::Keeping;
-use crate::state::session::kept::Kept;
-use crate::state::session::times::Times;
-use looks::{Closed, Looks};
+use crate::state::revision::PictureRevision;
+use looks::{ClosedLook, Looks};
 pub(crate) use names::{folder_of, real, relative};
 pub(crate) use objects::{
-    Placed, file_label, from_degrees, mesh_label, scene_of, stood_up, to_degrees,
+    ObjectPlace, file_label, from_degrees, mesh_label, scene_of, stood_up, to_degrees,
 };
-pub(crate) use still::Staged;
+pub(crate) use snapshot::SceneSnapshot;
 
 /// What an object wears that wears the open look, while that has no file.
 pub(crate) const OPEN_LOOK: &str = "look:open";
 
 /// A scene around the open look.
-pub struct Stage {
-    pub(crate) kept: Kept<Scene>,
-    source: Arc<SourceMap>,
-    /// As it was opened: what says the same again after a save is written as it was.
-    opened: Arc<SourceMap>,
-    path: Option<PathBuf>,
+pub struct OpenScene {
+    pub(crate) document: OpenDocument<Scene>,
     /// What the names in the scene are relative to: the folder of the file that it was opened from;
     /// empty where it was made here.
     base: PathBuf,
-    /// Whether the file holds more than could be read, so that saving over it would lose that.
-    is_partial: bool,
-    /// What reading the file told.
-    pub(crate) load_problems: Vec<Diagnostic>,
     looks: Looks,
     /// The looks that are not open, by their names; `None` where a file is broken.
-    closed: HashMap<String, Option<Arc<Closed>>>,
-    staged: Arc<Staged>,
+    closed: HashMap<String, Option<Arc<ClosedLook>>>,
+    staged: Arc<SceneSnapshot>,
     selected: Option<ObjectId>,
     /// Where objects are, as of the last picture.
-    pub(crate) placed: Vec<Placed>,
+    pub(crate) placed: Vec<ObjectPlace>,
     /// The file of the open look.
     open_file: Option<PathBuf>,
     /// When the steps of looks were done that were open before, by their files.
@@ -63,34 +56,28 @@ pub struct Stage {
     /// The object and the material that a file is being chosen for.
     pub(crate) asked: Option<(ObjectId, String)>,
     /// The look that was open when this was put aside, if it was.
-    pub(crate) wanted: Option<Wanted>,
+    pub(crate) wanted: Option<LookToOpen>,
 }
 
 /// The look that is to be opened with a stage that is taken back.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Wanted {
+pub(crate) enum LookToOpen {
     /// The one in this file.
     File(PathBuf),
     /// One that has no file yet.
     Unsaved,
 }
 
-impl Stage {
+impl OpenScene {
     fn with(
         history: History<Scene>,
         source: SourceMap,
         path: Option<PathBuf>,
         base: PathBuf,
     ) -> Self {
-        let source = Arc::new(source);
         Self {
-            kept: Kept::new(history),
-            opened: source.clone(),
-            source,
-            path,
+            document: OpenDocument::new(history, path, TextFile::new(source)),
             base,
-            is_partial: false,
-            load_problems: Vec::new(),
             looks: Looks::default(),
             closed: HashMap::new(),
             staged: Arc::default(),
@@ -110,23 +97,23 @@ impl Stage {
 
     /// The scene as it is.
     pub fn scene(&self) -> &Scene {
-        self.kept.history.document()
+        self.document.history.document()
     }
 
     /// Its file, once there is one.
     pub fn path(&self) -> Option<&Path> {
-        self.path.as_deref()
+        self.document.path.as_deref()
     }
 
     /// What people call it.
     pub(crate) fn name(&self) -> String {
-        let file = self.path.as_ref().and_then(|path| path.file_name());
+        let file = self.document.path.as_ref().and_then(|path| path.file_name());
         file.map_or_else(|| "New scene".to_owned(), |name| name.to_string_lossy().into_owned())
     }
 
     /// Whether there are changes that no file holds.
     pub fn is_dirty(&self) -> bool {
-        !self.kept.history.is_saved()
+        self.document.is_dirty()
     }
 
     /// The object that is selected, which is one of the scene.
@@ -139,17 +126,17 @@ impl Stage {
     }
 
     pub(crate) fn history(&self) -> &History<Scene> {
-        &self.kept.history
+        &self.document.history
     }
 
     /// Lets unsaved changes go: they are no longer asked about.
     pub(crate) fn give_up_changes(&mut self) {
-        self.kept.history.mark_saved();
+        self.document.history.mark_saved();
     }
 
     /// Breaks a gesture, so that whatever comes next is a step of its own.
     pub(crate) fn end_gesture(&mut self) {
-        self.kept.end_gesture();
+        self.document.end_gesture();
     }
 
     /// Applies an edit. With a `hand`, consecutive edits by it are one step. `now` is when.
@@ -162,20 +149,25 @@ impl Stage {
         hand: Option<u64>,
         now: u64,
     ) -> Result<bool, Box<Diagnostic>> {
-        self.kept.apply(edit, hand, now)
+        self.document.apply(edit, hand, now)
     }
 
     pub(crate) fn undo(&mut self) -> bool {
-        self.kept.undo()
+        self.document.undo()
     }
 
     pub(crate) fn redo(&mut self, now: u64) -> bool {
-        self.kept.redo(now)
+        self.document.redo(now)
     }
 
     /// Finds out anew what the objects wear; `open` is the file of the open look. `version` grows.
-    pub(crate) fn sync(&mut self, open: Option<&Path>, library: &Arc<Library>, version: u64) {
-        let scene = self.kept.history.document();
+    pub(crate) fn sync(
+        &mut self,
+        open: Option<&Path>,
+        library: &Arc<Library>,
+        version: PictureRevision,
+    ) {
+        let scene = self.document.history.document();
         self.selected = self.selected.take().filter(|id| scene.objects.contains_key(id));
         self.open_file = open.map(Path::to_path_buf);
         let open = open.map(real);
@@ -195,13 +187,14 @@ impl Stage {
         self.looks.refresh(others.values(), library);
         let find = |(name, path): (String, PathBuf)| Some((name, self.looks.get(&path)?));
         self.closed = others.into_iter().filter_map(find).collect();
-        let setup = |look: &Option<Arc<Closed>>| look.as_ref().map(|closed| closed.look.clone());
+        let setup =
+            |look: &Option<Arc<ClosedLook>>| look.as_ref().map(|closed| closed.look.clone());
         // Of an edited scene nobody knows where what is wrong lies in the file.
-        let source = match self.kept.history.revision() {
-            0 => self.source.clone(),
-            _ => Arc::new(Scene::read("{}", self.source.file()).source),
+        let source = match self.document.history.revision() {
+            0 => self.document.file.source.clone(),
+            _ => Arc::new(Scene::read("{}", self.document.file.source.file()).source),
         };
-        let mut staged = Staged {
+        let mut staged = SceneSnapshot {
             version,
             shape: version,
             scene: scene.clone(),
@@ -218,7 +211,7 @@ impl Stage {
     }
 
     /// What the picture shows, as something that a thread can take with it.
-    pub(crate) fn staged(&self) -> &Arc<Staged> {
+    pub(crate) fn staged(&self) -> &Arc<SceneSnapshot> {
         &self.staged
     }
 
@@ -273,7 +266,7 @@ impl Stage {
 
     /// What is wrong with the file of the scene and those of its looks.
     pub(crate) fn problems(&self) -> impl Iterator<Item = &Diagnostic> {
-        self.load_problems.iter().chain(self.looks.problems())
+        self.document.load_problems.iter().chain(self.looks.problems())
     }
 
     /// What is wrong, as people read it.
@@ -283,21 +276,21 @@ impl Stage {
 
     /// Keeps the journal of unsaved work in a folder from now on.
     pub(crate) fn keep_in(&mut self, folder: &Path, wake: Arc<dyn Fn() + Send + Sync>) {
-        self.kept.keeping.keep_in(folder, move || wake());
+        self.document.journal.keep_in(folder, move || wake());
     }
 
-    pub(crate) fn keeping(&self) -> &Keeping<Scene> {
-        &self.kept.keeping
+    pub(crate) fn journal(&self) -> &DocumentJournal<Scene> {
+        &self.document.journal
     }
 
     /// Tells the journal where the window looks from.
     pub(crate) fn note_view(&mut self, view: &Orbit) {
-        self.kept.keeping.note_view(view);
+        self.document.journal.note_view(view);
     }
 
     /// Hands what was done to the journal.
     pub(crate) fn commit(&mut self, goes_on: bool) {
-        if self.kept.commit(goes_on) {
+        if self.document.commit(goes_on) {
             self.begin_journal(None);
         }
     }
@@ -308,18 +301,18 @@ impl Stage {
         let base = text(self.base.clone());
         let about = About {
             name: self.name(),
-            path: self.path.as_deref().and_then(|path| text(absolute(path))),
-            is_partial: self.is_partial,
+            path: self.document.path.as_deref().and_then(|path| text(absolute(path))),
+            is_partial: self.document.is_partial,
             window: json!({ "base": base, "look": self.open_file.as_deref().and_then(|path| text(absolute(path))) }),
         };
-        let source = self.path.is_some().then(|| self.source.text().clone());
-        self.kept.begin_journal(about, source, slot);
+        let source = self.document.path.is_some().then(|| self.document.file.source.text().clone());
+        self.document.begin_journal(about, source, slot);
     }
 
     /// Lets go of the journal: it stays if anything in it is not saved.
     pub(crate) fn leave_journal(&mut self, in_peace: bool) {
         self.commit(false);
-        self.kept.leave_journal(false, in_peace);
+        self.document.leave_journal(false, in_peace);
     }
 
     /// The stage that a journal gave.
@@ -332,10 +325,10 @@ impl Stage {
         };
         let base =
             of_window("base").or_else(|| path.as_deref().map(names::folder_of)).unwrap_or_default();
-        let wanted = of_window("look").map_or(Wanted::Unsaved, Wanted::File);
+        let wanted = of_window("look").map_or(LookToOpen::Unsaved, LookToOpen::File);
         let mut stage = Self::with(found.history, source, path, base);
-        stage.is_partial = found.about.is_partial;
-        stage.load_problems = found.damage;
+        stage.document.is_partial = found.about.is_partial;
+        stage.document.load_problems = found.damage;
         stage.wanted = Some(wanted);
         stage
     }
