@@ -34,8 +34,6 @@ described! {
         name: String = String::new(), Kind::Text(LINE);
         /// What it shows and how it is built: a paragraph for who finds it.
         about: String = String::new(), Kind::Text(LONG);
-        /// Who made it.
-        author: String = String::new(), Kind::Text(LINE);
         /// What the numbers of colors mean.
         color_space: ColorSpace = ColorSpace::Display, Kind::Word(ColorSpace::WORDS),
             by DocumentSpace;
