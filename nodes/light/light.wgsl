@@ -16,7 +16,6 @@ import chiaro::light;
 /// @param intensity from=light.intensity hidden
 /// @param cone from=light.cone hidden
 /// @param fading from=light.fading hidden
-/// @param softness from=light.softness hidden
 /// @param position "Position" from=position : Where the light arrives; point and spot lights only.
 /// @return light "Light" : Direction, color and intensity at the surface.
 fn light_directional(direction: vec3f, own_direction: vec3f, color: vec3f,
@@ -43,11 +42,9 @@ fn light_spot(
     intensity: f32,
     cone: vec2f,
     fading: vec2f,
-    softness: f32,
     position: vec3f,
 ) -> Light {
     var light = light_at(light_position, own_from_world, color, intensity, fading, position);
-    let within = light_cone(dot(-light.direction, aim), cone);
-    light.intensity *= mix(within, smoothstep(0.0, 1.0, within), softness);
+    light.intensity *= light_cone(dot(-light.direction, aim), cone);
     return light;
 }

@@ -8,7 +8,6 @@ mod document_format;
 mod document_history;
 mod document_random;
 mod document_read;
-mod dummy;
 mod examples;
 mod floors;
 mod interp_lanes;

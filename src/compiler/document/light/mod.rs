@@ -171,16 +171,6 @@ light_fields! {
         quantity: Distance,
         kinds: PLACED,
     }
-
-    /// Spot lights: how softly the cone begins and ends; 1 as a smooth step.
-    Softness softness: f64 = 0.0, Kind::Number(Bounds::new(0.0, 1.0));
-    {
-        label: "Softness",
-        hint: "How softly the cone begins and ends",
-        quantity: Factor,
-        kinds: &[Spot],
-        shader: Some("0 to 1"),
-    }
 }
 
 /// What a light is.
