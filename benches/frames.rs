@@ -21,7 +21,8 @@ use chiaro::compile::Live;
 use chiaro::document::{Look, Tier};
 use chiaro::export::spirv_words;
 use chiaro::frame::{
-    self, Assets, FramePlan, PassKind, PlanOptions, Planner, Setup, SetupLook, default_setup, open,
+    self, Assets, FramePlan, PlanOptions, Planner, ScreenModule, Setup, SetupLook, default_setup,
+    open,
 };
 use chiaro::library::Library;
 use chiaro::progress::Progress;
@@ -165,15 +166,17 @@ fn instructions(valid: &wgsl::Valid) -> f64 {
 /// Instructions that a plan's passes run for a pixel that shows an object, as far as those of the
 /// first draw tell.
 fn instructions_of(plan: &FramePlan) -> f64 {
-    let of = |pass: &frame::Pass| match (pass.kind.shader(), &pass.kind) {
-        (Some(name), _) => {
-            let linked = wgsl::pass(name).expect("a pass that is shipped");
-            let valid = wgsl::parse(&linked.text).expect("a pass that is valid");
-            // Nearly all of it is the loop over rings of neighbours: three of them, or one.
-            if name == "curvature" { 3.0 * instructions(&valid) } else { instructions(&valid) }
+    let of = |pass: &frame::Pass| match pass.id.stage() {
+        Some(stage) => {
+            plan.draws[0].module(stage).map_or(0.0, |shader| instructions(&shader.valid))
         }
-        (None, PassKind::Look) => instructions(&plan.draws[0].look.valid),
-        (None, kind) => instructions(&plan.draws[0].normals[kind].valid),
+        None => {
+            let module = ScreenModule::of(pass.id).expect("a pass that is shipped");
+            let module = module.expect("a pass over the picture");
+            // Nearly all of it is the loop over rings of neighbours: three of them, or one.
+            let rounds = if pass.id.row().module() == "curvature" { 3.0 } else { 1.0 };
+            rounds * instructions(&module.valid)
+        }
     };
     plan.passes.iter().map(of).sum()
 }

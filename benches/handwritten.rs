@@ -17,7 +17,7 @@ use chiaro::accuracy::Estimate;
 use chiaro::accuracy::cost::{Series, alternate};
 use chiaro::document::Tier;
 use chiaro::export::spirv_words;
-use chiaro::frame::{CompiledShader, FramePlan, PassKind};
+use chiaro::frame::{CompiledShader, FramePlan, PassId};
 use chiaro::progress::Progress;
 use chiaro::render::{Gpu, Renderer, block_on};
 use chiaro_test_drawing::handwritten;
@@ -40,7 +40,7 @@ fn lines(shader: &CompiledShader) -> usize {
 
 /// The look pass alone.
 fn look_pass(series: &Series) -> &[f64] {
-    series.passes.iter().find(|(kind, _)| *kind == PassKind::Look).map_or(&[], |(_, times)| times)
+    series.passes.iter().find(|(pass, _)| *pass == PassId::LOOK).map_or(&[], |(_, times)| times)
 }
 
 fn main() {

@@ -17,7 +17,7 @@ use chiaro::library::Library;
 fn main() -> ExitCode {
     let path =
         std::env::args().nth(1).unwrap_or_else(|| "examples/looks/figure1-layers.json".to_owned());
-    let loaded = Look::load(Path::new(&path));
+    let loaded = Look::load(&chiaro::files::Disk, Path::new(&path));
     for diagnostic in &loaded.diagnostics {
         eprintln!("{diagnostic}");
     }

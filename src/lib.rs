@@ -18,6 +18,9 @@ pub use chiaro_language::{clock, diag, figures, ids, interp, milestones, progres
 pub use chiaro_compiler::{catalog, compile, document, examples, library};
 
 #[doc(inline)]
+pub use chiaro_files as files;
+
+#[doc(inline)]
 pub use chiaro_scene::{directions, drawing, export, frame, geometry, hcbtf, threads};
 
 #[doc(inline)]

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use chiaro::document::{Endpoint, Look, Node, Wire};
+use chiaro::files::TextDocument as _;
 use chiaro::library::Library;
 
 /// The sizes that are measured, in nodes: those that are asked for, else all.

@@ -7,7 +7,7 @@ use super::output::Output;
 use super::render::{Size, parse_samples, parse_time};
 use super::target::{OutputPath, outputs, reads_all};
 use crate::diag::Diagnostic;
-use crate::document::{OutputKind, Outputs};
+use crate::files::{OutputKind, Outputs};
 use crate::frame::{Assets, PlanOptions, open};
 use chiaro_laboratory::accuracy::error::VISIBLE;
 use chiaro_laboratory::accuracy::{

@@ -141,7 +141,7 @@ impl Checker<'_> {
 
     fn document(&mut self, path: &Path) {
         let library = self.library(path);
-        match Document::load(path) {
+        match Document::load(&crate::files::Disk, path) {
             Document::Look(loaded) => self.look(path, &loaded, &library),
             Document::Scene(loaded) => self.scene(path, &loaded, &library),
         }
@@ -214,7 +214,7 @@ const FOLLOWS: [&str; 5] =
 
 /// Whether a JSON file in a folder is one of ours, or broken, which is worth telling.
 fn may_be_document(path: &Path) -> bool {
-    let Ok(text) = crate::document::read_text(path) else { return true };
+    let Ok(text) = crate::files::read_text(path) else { return true };
     match serde_json::from_str::<serde_json::Value>(&text) {
         // What lies beside the images of an exported HCBTF is neither look nor scene.
         Ok(serde_json::Value::Object(fields))

@@ -13,7 +13,7 @@ use crate::document::{Look, Node, Tier, Value};
 use crate::frame::{Assets, eval_batches};
 use crate::ids::{NodePath, PortName};
 use crate::library::{
-    CUSTOM_CODE, CUSTOM_KIND, GroupPorts, Library, Output as Port, Type, load_node,
+    CUSTOM_CODE, CUSTOM_KIND, Context, GroupPorts, Library, Output as Port, Type, load_node,
 };
 use chiaro_render::{Gpu, Renderer, block_on};
 
@@ -29,11 +29,7 @@ SAMPLES.json is a list of objects; every field may be left out:
   camera        three rows: right, up, toward the viewer
   uv, time, color (vertex color)
   kappa         a number; also "inf", "-inf", "nan"
-  pixel         the place in the picture from its upper left corner, in picture heights
-  anchor        where the object's origin is seen from the picture's middle (x right, y down), and how
-                large a unit of the scene is there, in picture heights
-  magnification how large a unit of the scene is seen here, in picture heights
-  distance      from the eye to the object, in scene units
+CONTEXTS  distance      from the eye to the object, in scene units
   front         the object's front, world space, 3 numbers
   near          {"another object's id": its distance}
   frame         the illumination frame's rotation: a 3x3 matrix (rows) or a quaternion [x, y, z, w]
@@ -44,9 +40,29 @@ SAMPLES.json is a list of objects; every field may be left out:
 The answer is a list of {"value": [...]} in the same order: straight RGBA for a look, the numbers of
 the output's type for a node (an angle in radians; a light's direction and intensity)."#;
 
+/// The help, with what each context is that a sample may give numbers of.
+fn help() -> String {
+    let context = |(context, _): (Context, _)| {
+        let mut lines = vec![format!("  {:13}", context.word())];
+        for word in context.help().split_whitespace() {
+            let last = lines.last_mut().filter(|line| line.len() + word.len() < HELP_WIDTH);
+            match last {
+                Some(line) => *line += &format!(" {word}"),
+                None => lines.push(format!("{:16}{word}", "")),
+            }
+        }
+        lines.join("\n") + "\n"
+    };
+    // A sample's picture is one pixel high, so that pixels are picture heights.
+    HELP.replace("CONTEXTS", &samples::own_contexts().map(context).collect::<String>())
+}
+
+/// The columns of the help.
+const HELP_WIDTH: usize = 100;
+
 /// What `chiaro eval` is given.
 #[derive(Debug, clap::Args)]
-#[command(after_help = HELP)]
+#[command(after_help = help())]
 pub(super) struct Arguments {
     /// A look
     look: PathBuf,

@@ -10,7 +10,8 @@ use super::output::Output;
 use super::render::{adjust_camera, check_target, parse_time, turn_lights};
 use super::target::{OutputPath, check_document, outputs};
 use crate::diag::Diagnostic;
-use crate::document::{Document, Look, OutputKind, Outputs};
+use crate::document::{Document, Look};
+use crate::files::{OutputKind, Outputs};
 use crate::frame::{Assets, DEFAULT_MESH, Setup, SetupLook, default_setup, image_bytes, open};
 use chiaro_laboratory::fit::{
     FitOptions, Fitted, Keep, Report, Target, fit_layers, fit_look, picture_of,
@@ -173,7 +174,7 @@ fn setup(arguments: &Arguments, output: &Output) -> Result<Setup, Vec<Diagnostic
         output.diagnostics(&warnings);
         return Ok(setup);
     };
-    if let Document::Scene(scene) = Document::load(path) {
+    if let Document::Scene(scene) = Document::load(&crate::files::Disk, path) {
         return Err(vec![not_a_look(path, scene.value.as_ref())]);
     }
     let (setup, warnings) = open(path, mesh, &mut assets)?;
@@ -212,7 +213,7 @@ fn add(
     let output = arguments.output.as_ref().map(|path| path.as_ref().to_path_buf());
     let path = output.or_else(|| arguments.look.clone()).unwrap_or_default();
     let text = match &arguments.look {
-        Some(look) => fitted.look.to_text_like(&Look::load(look).source),
+        Some(look) => fitted.look.to_text_like(&Look::load(&crate::files::Disk, look).source),
         None => fitted.look.to_text(),
     };
     outputs.add(&path, OutputKind::DOCUMENT, text.as_bytes()).map_err(|problem| vec![problem])?;

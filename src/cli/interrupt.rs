@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::document::remove_unfinished;
+use crate::files::remove_unfinished;
 
 /// What a shell gives for a program ended by Ctrl-C: 128 and the signal's number.
 pub(super) const INTERRUPTED: u8 = 130;

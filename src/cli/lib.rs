@@ -4,8 +4,9 @@
 //! asset or the GPU is at fault, and a diagnostic says how; 2 the command line is; 130 ended by
 //! Ctrl-C, with no file half written.
 
-use chiaro_compiler::{catalog, compile, document, files, library};
-use chiaro_language::{clock, diag, figures, ids, interp, milestones, progress};
+use chiaro_compiler::{catalog, compile, document, library};
+use chiaro_files as files;
+use chiaro_language::{clock, diag, figures, ids, milestones, progress};
 use chiaro_reference as reference;
 use chiaro_scene::{frame, threads};
 

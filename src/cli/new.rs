@@ -7,7 +7,7 @@ use clap::ValueEnum;
 use super::output::Output;
 use super::target::OutputPath;
 use crate::diag::Diagnostic;
-use crate::document::{OutputKind, Outputs};
+use crate::files::{OutputKind, Outputs};
 
 const EXAMPLES: &str = "\
 Examples:

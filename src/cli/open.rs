@@ -13,8 +13,8 @@ use crate::library::Library;
 pub(super) fn library_for(document: &Path, nodes: Option<&Path>) -> Library {
     let beside = document.parent().unwrap_or(Path::new("")).join("nodes");
     match nodes {
-        Some(folder) => Library::built_in().with_project(folder),
-        None if beside.is_dir() => Library::built_in().with_project(&beside),
+        Some(folder) => Library::built_in().with_project(&crate::files::Disk, folder),
+        None if beside.is_dir() => Library::built_in().with_project(&crate::files::Disk, &beside),
         None => Library::built_in().clone(),
     }
 }
@@ -73,7 +73,7 @@ fn beside(folder: &Path, path: &str) -> String {
 
 /// Reads a look; where there is a scene or something wrong, says so.
 pub(super) fn open_look(path: &Path, output: &Output) -> Result<SetupLook, Vec<Diagnostic>> {
-    let loaded = match Document::load(path) {
+    let loaded = match Document::load(&crate::files::Disk, path) {
         Document::Look(loaded) => loaded,
         Document::Scene(scene) => return Err(vec![not_a_look(path, scene.value.as_ref())]),
     };

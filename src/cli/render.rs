@@ -13,11 +13,13 @@ use super::tier;
 use crate::clock::Clock;
 use crate::compile::Live;
 use crate::diag::Diagnostic;
-use crate::document::{Camera, OutputKind, Scene, Tier, parse_hex};
-use crate::frame::{self, Assets, FramePlan, PassKind, Picture, PlanOptions, Planner, open};
-use crate::interp::Precision;
+use crate::document::{Camera, Scene, Tier, parse_hex};
+use crate::files::OutputKind;
+use crate::frame::{
+    self, Assets, Executor, FramePlan, PassId, Picture, PictureFuture, PlanOptions, Planner, open,
+};
 use crate::milestones;
-use crate::reference::{self, Modules, execute};
+use crate::reference::Reference;
 #[cfg(feature = "gpu")]
 use chiaro_render::{Gpu, Renderer, block_on};
 
@@ -193,30 +195,30 @@ fn usual_size(camera: &Camera) -> [u32; 2] {
 /// A picture, and who drew it.
 struct Drawn {
     picture: Picture,
-    passes: Vec<PassKind>,
+    passes: Vec<PassId>,
     adapter: String,
     /// What the device could not do as it was asked to.
     warnings: Vec<Diagnostic>,
 }
 
 fn draw(plan: &FramePlan, on: Option<On>, output: &Output) -> Result<Drawn, Diagnostic> {
+    let mut executor = executor(on, output)?;
+    let warnings = executor.warnings(plan);
+    let picture = output.watch("drawing", |progress| wait(executor.picture(plan, progress)))?;
+    milestones::reached("first picture");
+    let passes = plan.passes.iter().map(|pass| pass.id).collect();
+    Ok(Drawn { picture, passes, adapter: executor.name(), warnings })
+}
+
+/// Who draws: a GPU where there is one and nobody asked otherwise, else the reference.
+fn executor(on: Option<On>, output: &Output) -> Result<Box<dyn Executor>, Diagnostic> {
     #[cfg(feature = "gpu")]
     if on != Some(On::Reference) {
         match block_on(Gpu::headless()) {
-            Ok(gpu) => {
-                let warnings = gpu.warnings(plan);
-                let mut renderer = Renderer::new(gpu);
-                let passes = block_on(renderer.draw(plan))?;
-                // Nothing is drawn again: every pass has what it would draw.
-                let picture = block_on(renderer.picture(plan))?;
-                milestones::reached("first picture");
-                return Ok(Drawn { picture, passes, adapter: renderer.gpu().name(), warnings });
-            }
-            Err(error) if on.is_none() => {
-                output.message(&format!(
-                    "{error}: drawing on the reference, in software, which takes seconds"
-                ));
-            }
+            Ok(gpu) => return Ok(Box::new(Renderer::new(gpu))),
+            Err(error) if on.is_none() => output.message(&format!(
+                "{error}: drawing on the reference, in software, which takes seconds"
+            )),
             Err(error) => return Err(error.into()),
         }
     }
@@ -226,12 +228,27 @@ fn draw(plan: &FramePlan, on: Option<On>, output: &Output) -> Result<Drawn, Diag
             Diagnostic::error("no-gpu", "this chiaro was built without the `gpu` feature");
         return Err(problem.hint("leave --on out, or build it with the feature"));
     }
-    let modules = Modules::new(plan, Precision::F64)?;
-    let options = reference::Options::default();
-    let drawn = output.watch("drawing", |progress| execute(plan, &modules, &options, progress));
-    let picture = drawn?.to_picture();
-    let passes = plan.passes.iter().map(|pass| pass.kind.clone()).collect();
-    Ok(Drawn { picture, passes, adapter: "the reference, in f64".to_owned(), warnings: Vec::new() })
+    #[cfg(not(feature = "gpu"))]
+    let _ = output;
+    Ok(Box::new(Reference::default()))
+}
+
+/// Waits for a picture.
+#[cfg(feature = "gpu")]
+fn wait(picture: PictureFuture<'_>) -> Result<Picture, Diagnostic> {
+    block_on(picture)
+}
+
+/// The picture, which the reference makes at once: without a GPU there is nothing to wait for.
+#[cfg(not(feature = "gpu"))]
+fn wait(mut picture: PictureFuture<'_>) -> Result<Picture, Diagnostic> {
+    let mut context = std::task::Context::from_waker(std::task::Waker::noop());
+    match picture.as_mut().poll(&mut context) {
+        std::task::Poll::Ready(made) => made,
+        std::task::Poll::Pending => {
+            Err(Diagnostic::error("reference-plan", "the picture is not made at once"))
+        }
+    }
 }
 
 pub(super) fn parse_time(text: &str) -> Result<f64, String> {

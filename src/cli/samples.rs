@@ -10,36 +10,31 @@ use glam::{DMat3, DQuat, DVec2, DVec3};
 use serde_json::{Map, Value as Json};
 
 use crate::diag::{Diagnostic, LineColumn};
-use crate::document::{Value, read_text};
+use crate::document::Value;
+use crate::files::read_text;
 use crate::frame::{EvalSample, LightOverride};
 use crate::ids::{ObjectId, PortName};
+use crate::library::{Context, ContextSample};
 
 /// As many problems as are told; a script that writes one mistake ten thousand times is told it
 /// often enough.
 const MAX_PROBLEMS: usize = 50;
 
-const FIELDS: [&str; 19] = [
-    "normal",
-    "tangent",
-    "mirrored",
-    "view",
-    "position",
-    "camera",
-    "uv",
-    "kappa",
-    "pixel",
-    "anchor",
-    "magnification",
-    "distance",
-    "front",
-    "near",
-    "color",
-    "time",
-    "frame",
-    "lights",
-    "values",
+/// What a sample may say, beside the [contexts](own_contexts) that have numbers of their own.
+const FIELDS: [&str; 16] = [
+    "normal", "tangent", "mirrored", "view", "position", "camera", "uv", "kappa", "distance",
+    "front", "near", "color", "time", "frame", "lights", "values",
 ];
 const LIGHT_FIELDS: [&str; 4] = ["direction", "position", "color", "intensity"];
+
+/// The contexts whose numbers a sample gives under their words, with the numbers of one that gives
+/// none.
+pub(super) fn own_contexts() -> impl Iterator<Item = (Context, &'static [f64])> {
+    Context::all().filter_map(|context| match context.row().sample {
+        ContextSample::Own { default, .. } => Some((context, default)),
+        _ => None,
+    })
+}
 
 /// Reads a file of samples; `-` is standard input.
 pub(super) fn read(path: &Path) -> Result<Vec<EvalSample>, Vec<Diagnostic>> {
@@ -137,7 +132,9 @@ impl Reader<'_> {
     fn sample(&mut self, json: &Json, path: &str) -> EvalSample {
         let mut sample = EvalSample::default();
         let example = r#"{"normal": [0, 0, 1]}"#;
-        let Some(fields) = self.object(json, path, &FIELDS, example) else { return sample };
+        let own = own_contexts().map(|(context, _)| context.word());
+        let known: Vec<&str> = FIELDS.into_iter().chain(own).collect();
+        let Some(fields) = self.object(json, path, &known, example) else { return sample };
         let at = |name: &str| fields.get(name).map(|json| (json, member(path, name)));
         for (name, slot) in [
             ("normal", &mut sample.normal),
@@ -167,16 +164,12 @@ impl Reader<'_> {
         if let Some(kappa) = at("kappa").and_then(|(json, path)| self.kappa(json, &path)) {
             sample.kappa = kappa;
         }
-        if let Some([x, y]) =
-            at("pixel").and_then(|(json, path)| self.numbers(json, &path, "[0.5, 0.5]"))
-        {
-            sample.pixel = DVec2::new(x, y);
-        }
-        if let Some(anchor) = at("anchor").and_then(|(json, path)| self.vector(json, &path)) {
-            sample.anchor = anchor;
-        }
-        if let Some(size) = at("magnification").and_then(|(json, path)| self.number(json, &path)) {
-            sample.magnification = size;
+        for (context, default) in own_contexts() {
+            if let Some((json, path)) = at(context.word())
+                && let Some(numbers) = self.own_numbers(json, &path, default)
+            {
+                sample.contexts.insert(context, numbers);
+            }
         }
         if let Some(distance) = at("distance").and_then(|(json, path)| self.number(json, &path)) {
             sample.distance = distance;
@@ -234,6 +227,21 @@ impl Reader<'_> {
         let numbers = numbers.and_then(|numbers| <[f64; N]>::try_from(numbers).ok());
         if numbers.is_none() {
             self.expected(path, &format!("{N} numbers"), json, example);
+        }
+        numbers
+    }
+
+    /// As many numbers as a context has of its own; a single one stands without a list.
+    fn own_numbers(&mut self, json: &Json, path: &str, default: &[f64]) -> Option<Vec<f64>> {
+        if let [_] = default {
+            return self.number(json, path).map(|number| vec![number]);
+        }
+        let numbers: Option<Vec<f64>> =
+            json.as_array().and_then(|items| items.iter().map(Json::as_f64).collect());
+        let numbers = numbers.filter(|numbers| numbers.len() == default.len());
+        if numbers.is_none() {
+            let wanted = format!("{} numbers", default.len());
+            self.expected(path, &wanted, json, &format!("{default:?}"));
         }
         numbers
     }

@@ -16,7 +16,7 @@ pub(super) fn looks(scene: &Scene, folder: &Path) -> BTreeMap<String, Loaded<Loo
     for name in names {
         let path = folder.join(name);
         if path.is_file() {
-            looks.entry(name.clone()).or_insert_with(|| Look::load(&path));
+            looks.entry(name.clone()).or_insert_with(|| Look::load(&crate::files::Disk, &path));
         }
     }
     looks

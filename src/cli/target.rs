@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use crate::diag::Diagnostic;
-use crate::document::{OutputKind, Outputs};
+use crate::files::{OutputKind, Outputs};
 use crate::frame::{Assets, Setup};
 
 /// A file or a folder that a command writes. Every argument that names one is of this type, and is

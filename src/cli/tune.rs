@@ -8,7 +8,8 @@ use super::output::Output;
 use super::render::Size;
 use super::target::{OutputPath, check_document, outputs};
 use crate::diag::Diagnostic;
-use crate::document::{Document, Look, OutputKind, Outputs};
+use crate::document::{Document, Look};
+use crate::files::{OutputKind, Outputs};
 use crate::frame::{Assets, PlanOptions, Setup, open};
 use chiaro_laboratory::accuracy::report::tier_word;
 use chiaro_laboratory::accuracy::tune::{Goal, TuneOptions, Tuned, is_beaten, tune};
@@ -184,7 +185,7 @@ fn setups(arguments: &Arguments, output: &Output) -> Result<Vec<Setup>, Vec<Diag
         some => some.iter().map(|mesh| Some(mesh.as_str())).collect(),
     };
     let mut setups = Vec::new();
-    if let Document::Scene(_) = Document::load(&arguments.look) {
+    if let Document::Scene(_) = Document::load(&crate::files::Disk, &arguments.look) {
         let problem = Diagnostic::error("bad-argument", "this is a scene; tiers belong to looks");
         return Err(vec![
             problem.in_file(arguments.look.display().to_string()).hint("tune each of its looks"),
@@ -205,7 +206,7 @@ fn write(
     target: &Path,
     outputs: &mut Outputs,
 ) -> Result<(), Vec<Diagnostic>> {
-    let loaded = Look::load(&arguments.look);
+    let loaded = Look::load(&crate::files::Disk, &arguments.look);
     let Some(mut look) = loaded.value else { return Err(loaded.diagnostics) };
     for (node, tier) in tuned.tiers() {
         Variant::set_tier(&mut look, node, tier);

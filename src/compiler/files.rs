@@ -1,21 +1,30 @@
-//! Files and folders that somebody else names: the one way by which they are read.
+//! How the compiler reads what documents and projects name: it knows no disk, and asks [`Files`].
 //!
-//! A document, or a folder that came with it, may name anything: a pipe that never ends, a device
-//! that gives zeros for ever, a sparse file of a terabyte, a link to the root of the disk. So a
-//! file is read only where it is a plain one, and only up to a bound that the caller knows; a
-//! folder is walked through a bounded number of entries, and no folder twice. What the user names
-//! on the command line may also be a pipe (`chiaro check <(jq ...)`).
+//! Whoever runs the compiler says where files come from: `chiaro_files::Disk` reads them from the
+//! disk, and [`MemoryFiles`] are there for tests and for programs that have none.
 
-use std::collections::{HashSet, VecDeque};
-use std::fs::{self, File, Metadata};
-use std::io::{self, Read as _};
+use std::collections::{BTreeMap, BTreeSet};
+use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::diag::reason;
 use crate::examples;
 
-/// The most entries of folders that one [`walk`] looks at.
+/// The most entries of folders that one [`walk`](Files::walk) looks at.
 pub const MAX_ENTRIES: usize = 20_000;
+
+/// Where files come from.
+pub trait Files {
+    /// The bytes of a plain file of at most `most` bytes, or of an [example](crate::examples).
+    ///
+    /// # Errors
+    /// Why they are not read.
+    fn read(&self, path: &Path, most: u64) -> Result<Vec<u8>, ReadError>;
+
+    /// All files in a folder and in those below that `enters` lets in, at most `depth` folders
+    /// deep. Nothing is found twice, and no more than [`MAX_ENTRIES`] are looked at.
+    fn walk(&self, folder: &Path, depth: usize, enters: &dyn Fn(&Path) -> bool) -> FoundFiles;
+}
 
 /// Why a file is not read.
 #[derive(Debug, thiserror::Error)]
@@ -42,45 +51,9 @@ fn too_large(most: u64) -> String {
     }
 }
 
-/// The bytes of a plain file of at most `most` bytes, or of an [example](crate::examples).
-///
-/// # Errors
-/// Why they are not read.
-pub fn read(path: &Path, most: u64) -> Result<Vec<u8>, ReadError> {
-    if let Some(example) = examples::file(path) {
-        return Ok(example.to_vec());
-    }
-    // Before the file is opened: opening a pipe waits for somebody who writes.
-    check(&fs::metadata(path)?, path, most)?;
-    let file = File::open(path)?;
-    // It may be another one by now.
-    check(&file.metadata()?, path, most)?;
-    let mut bytes = Vec::new();
-    // One byte beyond the bound tells that there is more, whatever the file's length is said to be.
-    file.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
-    if bytes.len() as u64 > most { Err(ReadError::TooLarge { most }) } else { Ok(bytes) }
-}
-
-/// A folder passes: reading it fails, and the system says why.
-fn check(about: &Metadata, path: &Path, most: u64) -> Result<(), ReadError> {
-    let is_special = !about.is_file() && !about.is_dir();
-    if is_special && !is_argument(path) {
-        return Err(ReadError::Special);
-    }
-    if about.is_file() && about.len() > most {
-        return Err(ReadError::TooLarge { most });
-    }
-    Ok(())
-}
-
-/// Whether the command line names this very path.
-fn is_argument(path: &Path) -> bool {
-    std::env::args_os().skip(1).any(|argument| argument == path.as_os_str())
-}
-
-/// What [`walk`] found.
+/// What [`Files::walk`] found.
 #[derive(Debug, Default)]
-pub struct Walked {
+pub struct FoundFiles {
     /// Files and what else is no folder, folder by folder, by name.
     pub files: Vec<PathBuf>,
     /// The folder itself and those in it.
@@ -91,75 +64,41 @@ pub struct Walked {
     pub is_cut: bool,
 }
 
-/// All files in a folder and in those below that `enters` lets in, at most `depth` folders deep.
-///
-/// Links to folders are followed where they lead to one that was not seen and that does not hold
-/// the walked folder itself, after all folders that are there in person; so nothing is found twice,
-/// and no link leads round in a ring.
-pub fn walk(folder: &Path, depth: usize, enters: &dyn Fn(&Path) -> bool) -> Walked {
-    let mut walked = Walked::default();
-    let Some(root) = place(folder, &mut walked) else { return walked };
-    let mut seen = HashSet::from([root.clone()]);
-    let mut open = VecDeque::from([(folder.to_path_buf(), 0)]);
-    let mut links: VecDeque<(PathBuf, usize)> = VecDeque::new();
-    let mut left = MAX_ENTRIES;
-    loop {
-        let (folder, at) = if let Some(next) = open.pop_front() {
-            next
-        } else {
-            let Some((link, at)) = links.pop_front() else { break };
-            match place(&link, &mut walked) {
-                Some(real) if !root.starts_with(&real) && seen.insert(real.clone()) => (link, at),
-                _ => continue,
-            }
-        };
-        for (path, is_link) in entries(&folder, &mut left, &mut walked) {
-            if !path.is_dir() {
-                walked.files.push(path);
-            } else if enters(&path) {
-                if at >= depth {
-                    continue;
-                }
-                if is_link {
-                    links.push_back((path, at + 1));
-                } else if place(&path, &mut walked).is_some_and(|real| seen.insert(real)) {
-                    open.push_back((path, at + 1));
-                }
-            }
-        }
-        walked.folders.push(folder);
-    }
-    walked
+/// Files that lie in memory, by path.
+#[derive(Clone, Debug, Default)]
+pub struct MemoryFiles {
+    files: BTreeMap<PathBuf, Vec<u8>>,
 }
 
-/// Where a folder really is.
-fn place(folder: &Path, walked: &mut Walked) -> Option<PathBuf> {
-    folder
-        .canonicalize()
-        .map_err(|error| walked.unreadable.push((folder.to_path_buf(), error)))
-        .ok()
+impl MemoryFiles {
+    /// Adds a file, in place of one of the same path.
+    pub fn add(&mut self, path: impl Into<PathBuf>, bytes: impl Into<Vec<u8>>) {
+        self.files.insert(path.into(), bytes.into());
+    }
 }
 
-/// What is in a folder, by name, as long as entries are `left`; and whether each is a link.
-fn entries(folder: &Path, left: &mut usize, walked: &mut Walked) -> Vec<(PathBuf, bool)> {
-    let listed = match fs::read_dir(folder) {
-        Ok(listed) => listed,
-        Err(error) => {
-            walked.unreadable.push((folder.to_path_buf(), error));
-            return Vec::new();
-        }
-    };
-    let mut found = Vec::new();
-    for entry in listed.flatten() {
-        if *left == 0 {
-            walked.is_cut = true;
-            break;
-        }
-        *left -= 1;
-        found.push((entry.path(), entry.file_type().is_ok_and(|kind| kind.is_symlink())));
+impl Files for MemoryFiles {
+    fn read(&self, path: &Path, most: u64) -> Result<Vec<u8>, ReadError> {
+        let bytes = examples::file(path).or_else(|| self.files.get(path).map(Vec::as_slice));
+        let bytes = bytes.ok_or_else(|| io::Error::from(io::ErrorKind::NotFound))?;
+        if bytes.len() as u64 > most { Err(ReadError::TooLarge { most }) } else { Ok(bytes.into()) }
     }
-    found.sort();
-    found
+
+    fn walk(&self, folder: &Path, depth: usize, enters: &dyn Fn(&Path) -> bool) -> FoundFiles {
+        let mut folders = BTreeSet::from([folder.to_path_buf()]);
+        let mut files = Vec::new();
+        for path in self.files.keys().take(MAX_ENTRIES) {
+            let Ok(inner) = path.strip_prefix(folder) else { continue };
+            let parents: Vec<&Path> =
+                path.ancestors().skip(1).take(inner.components().count() - 1).collect();
+            if parents.len() <= depth && parents.iter().all(|folder| enters(folder)) {
+                folders.extend(parents.into_iter().map(Path::to_path_buf));
+                files.push(path.clone());
+            }
+        }
+        let is_cut = self.files.len() > MAX_ENTRIES;
+        FoundFiles { files, folders: folders.into_iter().collect(), is_cut, ..Default::default() }
+    }
 }
 
 /// Whether bytes are text in UTF-16, which other programs write where they say "Unicode": by the
@@ -178,63 +117,22 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_plain_files_within_the_bound_are_read() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a");
-        fs::write(&path, "12345").unwrap();
-        assert_eq!(read(&path, 5).unwrap(), b"12345");
-        assert!(matches!(read(&path, 4), Err(ReadError::TooLarge { most: 4 })));
-        assert!(matches!(read(&folder.path().join("b"), 5), Err(ReadError::Io(_))));
-        assert!(matches!(read(folder.path(), 5), Err(ReadError::Io(_))));
-        // A hole of a terabyte takes no place on the disk.
-        File::create(&path).unwrap().set_len(1 << 40).unwrap();
-        assert!(matches!(read(&path, 1 << 20), Err(ReadError::TooLarge { .. })));
-    }
-
-    #[cfg(target_os = "linux")]
-    #[test]
-    fn pipes_and_devices_are_not_opened() {
-        let folder = tempfile::tempdir().unwrap();
-        let pipe = folder.path().join("pipe");
-        assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
-        for path in [&pipe, Path::new("/dev/zero"), Path::new("/dev/full")] {
-            assert!(matches!(read(path, 5), Err(ReadError::Special)), "{path:?}");
+    fn files_in_memory_are_read_and_walked_within_their_bounds() {
+        let mut files = MemoryFiles::default();
+        for name in ["nodes/a.wgsl", "nodes/b/c.wgsl", "nodes/b/d/e.wgsl", "look.json"] {
+            files.add(name, "12345");
         }
-    }
-
-    #[cfg(unix)]
-    #[test]
-    fn links_are_followed_once_and_never_upwards() {
-        use std::os::unix::fs::symlink;
-        let folder = tempfile::tempdir().unwrap();
-        let root = folder.path().join("nodes");
-        fs::create_dir_all(root.join("b/c")).unwrap();
-        fs::create_dir(folder.path().join("shared")).unwrap();
-        for file in ["nodes/z", "nodes/b/y", "nodes/b/c/x", "shared/w"] {
-            fs::write(folder.path().join(file), "").unwrap();
-        }
-        // To a folder that is there, to one elsewhere (twice), to itself, upwards, to the root of
-        // the disk, to nothing.
-        for (link, target) in
-            [("a", "b"), ("b/up", ".."), ("b/c/top", "/"), ("self", "."), ("none", "nowhere")]
-        {
-            symlink(target, root.join(link)).unwrap();
-        }
-        ["d", "e"]
-            .iter()
-            .for_each(|link| symlink(folder.path().join("shared"), root.join(link)).unwrap());
-        let walked = walk(&root, 8, &|_| true);
-        let short = |path: &PathBuf| path.strip_prefix(&root).unwrap().display().to_string();
-        assert_eq!(
-            walked.files.iter().map(short).collect::<Vec<_>>(),
-            ["none", "z", "b/y", "b/c/x", "d/w"]
-        );
-        assert_eq!(walked.folders.iter().map(short).collect::<Vec<_>>(), ["", "b", "b/c", "d"]);
-        assert!(!walked.is_cut && walked.unreadable.is_empty(), "{walked:?}");
-        let flat = walk(&root, 0, &|_| true);
-        assert_eq!((flat.files.len(), flat.folders.len()), (2, 1), "{flat:?}");
-        let without_b = walk(&root, 8, &|path| !path.ends_with("b"));
-        assert_eq!(without_b.files.len(), 5, "`a` leads to it: {without_b:?}");
+        assert_eq!(files.read(Path::new("look.json"), 5).unwrap(), b"12345");
+        assert!(matches!(
+            files.read(Path::new("look.json"), 4),
+            Err(ReadError::TooLarge { most: 4 })
+        ));
+        assert!(matches!(files.read(Path::new("nodes"), 5), Err(ReadError::Io(_))));
+        let found = files.walk(Path::new("nodes"), 1, &|_| true);
+        assert_eq!(found.files, ["nodes/a.wgsl", "nodes/b/c.wgsl"].map(PathBuf::from));
+        assert_eq!(found.folders, ["nodes", "nodes/b"].map(PathBuf::from));
+        let flat = files.walk(Path::new("nodes"), 8, &|folder| !folder.ends_with("b"));
+        assert_eq!(flat.files, ["nodes/a.wgsl"].map(PathBuf::from));
     }
 
     #[test]

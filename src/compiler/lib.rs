@@ -5,7 +5,7 @@
 //! in f64, removes what cannot reach the output, and emits one WGSL module that naga has validated.
 //! [`catalog`] tells people and programs what there is to wire.
 
-use chiaro_language::{clock, diag, ids, interp, milestones, wgsl};
+use chiaro_language::{diag, ids, interp, milestones, wgsl};
 
 pub mod catalog;
 pub mod compile;

@@ -1,10 +1,17 @@
 //! The editor: node canvas, viewport, inspector, generated WGSL. The only egui code.
 //!
-//! A [`Session`] holds the open look with its past and asks a thread for shaders; panels read it
-//! and return commands; [`App`] applies those in one place. The canvas owns no graph: it reads the
-//! document and draws what is in view.
+//! `state` knows the open documents, each an `OpenDocument` with its past and its journal, and asks
+//! a thread for shaders; it knows no egui. `commands` is everything that the window can be asked
+//! for, with labels and keys. Panels, the canvas, the painter, the picture and its tools see the
+//! [`Session`] and return commands; [`App`] applies those in one place. Panels are rows of
+//! `panels::PANELS`, tools of the picture rows of `tools::TOOLS`. The canvas owns no graph: it
+//! reads the document and draws what is in view.
+//!
+//! Rooms stand on floors: `state`, `commands`, `widgets`, `fields`, `tools`, then `canvas`,
+//! `painter` and `viewport`, then `panels`, and `app` above all.
 
 use chiaro_compiler::{catalog, compile, document, examples, library};
+use chiaro_files as files;
 use chiaro_laboratory::{accuracy, fit};
 use chiaro_language::{clock, diag, figures, ids, interp, milestones, progress};
 use chiaro_reference as reference;
@@ -30,10 +37,11 @@ use std::sync::Arc;
 pub use crate::painter::Painting;
 pub use crate::panels::cost::Cost;
 pub use crate::state::orbit::Orbit;
+pub use crate::state::revision::LookRevision;
 pub use crate::state::safety::places::Places;
+pub use crate::state::scene::OpenScene;
 pub use crate::state::session::Session;
 pub use crate::state::settings::{self, Settings};
-pub use crate::state::stage::Stage;
 pub use crate::tools::fitting::Fitting;
 pub use crate::tools::probe::Probe;
 pub use crate::tools::wipe::Wipe;

@@ -1,8 +1,10 @@
 //! What accuracy costs in time, looks fitted to what was painted, and galleries of both.
 
 #[cfg(feature = "gpu")]
-use chiaro_compiler::{catalog, examples, files};
+use chiaro_compiler::{catalog, examples};
 use chiaro_compiler::{compile, document, library};
+#[cfg(feature = "gpu")]
+use chiaro_files as files;
 #[cfg(feature = "gpu")]
 use chiaro_language::interp;
 use chiaro_language::{diag, figures, ids, progress};

@@ -14,9 +14,9 @@ use super::executor::{PassImages, Shaders, execute};
 use super::modules::Modules;
 use super::options::Options;
 use super::shader::{FragmentStage, LANES, QUADS, QuadBatch, Shaded, Shader, Varying, VertexStage};
-use super::texels::{Coverage, Texels};
+use super::texels::Coverage;
 use crate::diag::Diagnostic;
-use crate::frame::{Draw, FramePlan, PassKind};
+use crate::frame::{Draw, FramePlan, PassId};
 use crate::interp::{Bindings, Precision};
 use crate::progress::Progress;
 
@@ -212,26 +212,25 @@ impl Shaders for Recorder<'_> {
         &'a self,
         plan: &'a FramePlan,
         draw: &'a Draw,
-        kind: &PassKind,
+        pass: PassId,
         images: &'a PassImages,
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {
-        let inner = self.modules.draw(plan, draw, kind, images)?;
+        let inner = self.modules.draw(plan, draw, pass, images)?;
         let place = plan.draws.iter().position(|other| std::ptr::eq(other, draw));
-        let (PassKind::Look, Some(number)) = (kind, place) else { return Ok(inner) };
+        let (PassId::LOOK, Some(number)) = (pass, place) else { return Ok(inner) };
         let bindings = self.modules.bindings_of(plan, draw, images)?;
         self.bindings.lock().unwrap_or_else(PoisonError::into_inner)[number] = Some(bindings);
         let discards = draw.look.wgsl.contains("discard");
         Ok(Box::new(Recorded { inner, number, discards, recorder: self }))
     }
 
-    fn curvature<'a>(
+    fn screen<'a>(
         &'a self,
         plan: &'a FramePlan,
-        kind: &PassKind,
-        normals: &'a Texels,
-        depths: &'a Texels,
+        pass: PassId,
+        images: &'a PassImages,
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {
-        self.modules.curvature(plan, kind, normals, depths)
+        self.modules.screen(plan, pass, images)
     }
 }
 

@@ -43,6 +43,7 @@ mod picture;
 mod pool;
 mod probe;
 mod raster;
+mod reference;
 mod setup;
 mod shade;
 mod shader;
@@ -52,7 +53,7 @@ mod tiles;
 mod uniform;
 
 pub use eval::evaluate;
-pub use executor::{PassImages, Shaders, SurfaceImages, execute};
+pub use executor::{PassImages, Shaders, execute};
 pub use fullscreen::shade_all;
 pub use gather::{Gathered, Seen, Sheet};
 pub use geometry::Triangles;
@@ -61,6 +62,7 @@ pub use options::{ImageRounding, Options, Snap};
 pub use picture::ReferencePicture;
 pub use probe::{Probed, ProbedValue, WireValue, probe, probe_wires};
 pub use raster::{MAX_SAMPLES, MAX_SIDE, Raster, rasterise};
+pub use reference::Reference;
 pub use setup::Sides;
 pub use shader::{
     FragmentStage, Interpolation, LANES, QUADS, QuadBatch, Shaded, Shader, Varying, VertexStage,

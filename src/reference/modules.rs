@@ -14,14 +14,14 @@ use super::texels::Texels;
 use super::uniform;
 use crate::diag::Diagnostic;
 use crate::frame::{
-    Attribute, BindingKind, CompiledShader, Draw, FramePlan, Image, ImageShape, ImageUse, PassKind,
-    Stage,
+    Attribute, BindingKind, CompiledShader, Draw, FramePlan, Image, ImageShape, ImageUse, PassId,
+    ScreenModule, ScreenResource, Stage,
 };
 use crate::interp::{
     self, Address, Bindings, Bound, Filter, Lanes, Level, Port, Precision, Program, ResourceKind,
     Sampler, Texture, TextureDimension,
 };
-use crate::wgsl::{self, Valid};
+use crate::wgsl::Valid;
 use chiaro_scene::geometry::Mesh;
 
 /// Both stages of a module.
@@ -45,8 +45,8 @@ pub struct Modules {
     precision: Precision,
     /// By address; the shader is kept, so that no other can come to lie there.
     looks: HashMap<usize, (Arc<CompiledShader>, Stages)>,
-    /// The stages of curvature passes, by the name of their shader.
-    curvature: HashMap<&'static str, Stages>,
+    /// The modules of passes over the whole picture.
+    screens: HashMap<PassId, (ScreenModule, Stages)>,
     images: HashMap<(u64, bool), Texture>,
     /// What the fragments of looks are watched for.
     watch: Option<Watch>,
@@ -81,12 +81,12 @@ impl Modules {
         let mut modules = Self {
             precision,
             looks: HashMap::new(),
-            curvature: HashMap::new(),
+            screens: HashMap::new(),
             images: HashMap::new(),
             watch,
         };
         for draw in &plan.draws {
-            for shader in std::iter::once(&draw.look).chain(draw.normals.values()) {
+            for shader in draw.modules() {
                 modules.add(shader)?;
                 for (image, used) in draw.images_of(shader.stage).iter().zip(&shader.needs.images) {
                     if let Entry::Vacant(place) =
@@ -97,9 +97,10 @@ impl Modules {
                 }
             }
         }
-        for name in plan.passes.iter().filter_map(|pass| pass.kind.shader()) {
-            if let Entry::Vacant(place) = modules.curvature.entry(name) {
-                place.insert(fixed(name)?);
+        for pass in plan.passes.iter().map(|pass| pass.id) {
+            if let Some(module) = ScreenModule::of(pass).map_err(first)? {
+                let stages = Stages::compile(&module.valid, &module.text, false)?;
+                modules.screens.insert(pass, (module, stages));
             }
         }
         Ok(modules)
@@ -188,25 +189,8 @@ impl Modules {
                         shader.needs.images.get(*index).ok_or_else(|| missing("an image"))?;
                     bindings.sampler(0, at, sampler_of(used));
                 }
-                BindingKind::Curvature => {
-                    bindings.texture(0, at, map(images.surface.curvature.as_ref(), plan.size)?);
-                }
-                BindingKind::CurvatureSparse => {
-                    bindings.texture(0, at, map(images.surface.sparse.as_ref(), plan.size)?);
-                }
-                BindingKind::CurvatureDetail => {
-                    bindings.texture(0, at, map(images.detail.curvature.as_ref(), plan.size)?);
-                }
-                BindingKind::CurvatureDetailSparse => {
-                    bindings.texture(0, at, map(images.detail.sparse.as_ref(), plan.size)?);
-                }
-                BindingKind::CurvatureTensor => {
-                    bindings.texture(0, at, map(images.surface.tensor.as_ref(), plan.size)?);
-                }
-                BindingKind::SmoothNormal(level) => {
-                    let found =
-                        images.surface.smooth.get(usize::from(*level) - 1).and_then(Option::as_ref);
-                    bindings.texture(0, at, map(found, plan.size)?);
+                BindingKind::Pass(pass) => {
+                    bindings.texture(0, at, map(images.first(*pass), plan.size)?);
                 }
                 BindingKind::Samples => {}
             }
@@ -225,27 +209,16 @@ fn missing(what: &str) -> Diagnostic {
     Diagnostic::error("reference-plan", format!("the plan lacks {what}"))
 }
 
-/// The stages of `shaders/passes/NAME.wgsl`.
-fn fixed(name: &str) -> Result<Stages, Diagnostic> {
-    let source = wgsl::pass(name).map_err(|_| missing("the source of a pass"))?.text;
-    let refused = |error: wgsl::WgslError| Diagnostic::error("invalid-wgsl", error.message);
-    Stages::compile(&wgsl::parse(&source).map_err(refused)?, &source, false)
-}
-
 impl Shaders for Modules {
     fn draw<'a>(
         &'a self,
         plan: &'a FramePlan,
         draw: &'a Draw,
-        kind: &PassKind,
+        pass: PassId,
         images: &'a PassImages,
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {
-        let (shader, stage) = match kind {
-            PassKind::Normals => (draw.normals.get(kind), Stage::Normals),
-            PassKind::DetailNormals => (draw.normals.get(kind), Stage::DetailNormals),
-            _ => (Some(&draw.look), Stage::Draw),
-        };
-        let shader = shader.ok_or_else(|| missing("the normals of a draw"))?;
+        let stage = pass.stage().ok_or_else(|| missing("the module of a pass"))?;
+        let shader = draw.module(stage).ok_or_else(|| missing("a module of a draw"))?;
         let stages = self.stages(shader)?;
         let bindings = self.bindings_for(plan, draw, shader, stage, images)?;
         let mut bindable = Bindable::new(stages, &bindings, self.precision, Some(&draw.mesh))?;
@@ -254,24 +227,38 @@ impl Shaders for Modules {
         Ok(Box::new(bindable))
     }
 
-    fn curvature<'a>(
+    fn screen<'a>(
         &'a self,
         plan: &'a FramePlan,
-        kind: &PassKind,
-        normals: &'a Texels,
-        depths: &'a Texels,
+        pass: PassId,
+        images: &'a PassImages,
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {
-        let stages = kind
-            .shader()
-            .and_then(|name| self.curvature.get(name))
-            .ok_or_else(|| missing("the curvature pass"))?;
+        let (module, stages) =
+            self.screens.get(&pass).ok_or_else(|| missing("the module of a pass"))?;
         let mut bindings = Bindings::new();
-        bindings.texture(0, 0, texture(normals)?);
-        bindings.texture(0, 1, texture(depths)?);
-        let numbers = plan.view.curvature_numbers(plan.samples);
-        buffer(&mut bindings, stages, 2, &numbers);
+        for binding in &module.bindings {
+            match binding.holds {
+                ScreenResource::Image(image) => {
+                    let texels = images.get(image).ok_or_else(|| misplaced(pass, image.pass))?;
+                    bindings.texture(0, binding.binding, texture(texels)?);
+                }
+                ScreenResource::View => {
+                    let numbers = plan.view.screen_numbers(plan.samples);
+                    buffer(&mut bindings, stages, binding.binding, &numbers);
+                }
+            }
+        }
         Ok(Box::new(Bindable::new(stages, &bindings, self.precision, None)?))
     }
+}
+
+#[cold]
+fn misplaced(pass: PassId, read: PassId) -> Diagnostic {
+    let (pass, read) = (pass.label(), read.label());
+    Diagnostic::error(
+        "reference-plan",
+        format!("the plan has the pass `{pass}` before `{read}`, which it reads"),
+    )
 }
 
 /// Binds a buffer in the shape that either stage asks for.

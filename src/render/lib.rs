@@ -5,11 +5,12 @@
 //! surface samples. Creation and readback are async; [`block_on`] is for the command line.
 
 use chiaro_compiler::compile;
-use chiaro_language::{clock, diag, milestones, wgsl};
+use chiaro_language::{clock, diag, milestones, progress};
 use chiaro_scene::{frame, geometry, hcbtf};
 
 mod error;
 mod eval;
+mod executor;
 mod gpu;
 mod image;
 mod mesh;
@@ -21,7 +22,8 @@ mod timer;
 
 use std::collections::HashMap;
 
-use crate::frame::{FramePlan, PassKind};
+use crate::compile::Stage;
+use crate::frame::{FramePlan, PassId};
 
 pub use crate::frame::Picture;
 
@@ -36,11 +38,11 @@ pub struct Renderer {
     pipelines: pipeline::Pipelines,
     meshes: mesh::Meshes,
     images: image::Images,
-    /// By the name of their shader, made when first asked for.
-    curvature: HashMap<&'static str, passes::curvature::CurvaturePass>,
+    /// The pipelines of passes over the picture, made when first asked for.
+    screens: HashMap<PassId, passes::ScreenPipeline>,
     targets: target::Targets,
     /// The input hash of what each pass's targets hold.
-    done: HashMap<PassKind, u64>,
+    done: HashMap<PassId, u64>,
     /// While passes are timed.
     timer: Option<timer::Timer>,
 }
@@ -53,7 +55,7 @@ impl Renderer {
             pipelines: pipeline::Pipelines::default(),
             meshes: mesh::Meshes::default(),
             images: image::Images::default(),
-            curvature: HashMap::new(),
+            screens: HashMap::new(),
             targets: target::Targets::default(),
             done: HashMap::new(),
             timer: None,
@@ -66,7 +68,7 @@ impl Renderer {
     }
 
     /// The input hash of what each pass's targets hold: what would not run again.
-    pub fn done(&self) -> &HashMap<PassKind, u64> {
+    pub fn done(&self) -> &HashMap<PassId, u64> {
         &self.done
     }
 
@@ -76,7 +78,7 @@ impl Renderer {
     ///
     /// # Errors
     /// What the GPU cannot do; what was drawn before stays.
-    pub async fn draw(&mut self, plan: &FramePlan) -> Result<Vec<PassKind>, RenderError> {
+    pub async fn draw(&mut self, plan: &FramePlan) -> Result<Vec<PassId>, RenderError> {
         self.gpu.check_size(plan.size)?;
         let guard = self.gpu.guard();
         if self.targets.fit(&self.gpu, plan) {
@@ -88,29 +90,22 @@ impl Renderer {
             .create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("frame") });
         let mut ran = Vec::new();
         for pass in &plan.passes {
-            if self.done.get(&pass.kind) == Some(&pass.input_hash) {
+            if self.done.get(&pass.id) == Some(&pass.input_hash) {
                 continue;
             }
-            match &pass.kind {
-                PassKind::Normals | PassKind::DetailNormals => {
-                    self.draw_normals(plan, &pass.kind, &mut encoder)?;
-                }
-                PassKind::Curvature
-                | PassKind::SparseCurvature
-                | PassKind::DetailCurvature
-                | PassKind::SparseDetailCurvature
-                | PassKind::CurvatureTensor
-                | PassKind::SmoothNormals(_) => self.draw_curvature(plan, &pass.kind, &mut encoder),
-                PassKind::Look => self.draw_look(plan, &mut encoder)?,
+            match pass.id.stage() {
+                None => self.draw_screen(plan, pass.id, &mut encoder)?,
+                Some(Stage::Draw) => self.draw_look(plan, &mut encoder)?,
+                Some(stage) => self.draw_meshes(plan, (pass.id, stage), &mut encoder)?,
             }
-            ran.push(pass.kind.clone());
+            ran.push(pass.id);
         }
         self.gpu.queue.submit([encoder.finish()]);
         if let Err(error) = guard.finish().await {
             self.done.clear();
             return Err(error);
         }
-        self.done.extend(plan.passes.iter().map(|pass| (pass.kind.clone(), pass.input_hash)));
+        self.done.extend(plan.passes.iter().map(|pass| (pass.id, pass.input_hash)));
         self.meshes.keep_recent();
         self.images.keep_recent();
         Ok(ran)

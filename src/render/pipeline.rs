@@ -4,9 +4,9 @@ use std::collections::HashMap;
 
 use super::error::RenderError;
 use super::gpu::Gpu;
-use super::target::{DEPTH, NORMALS, NUMBER};
+use super::target::{DEPTH, format_of};
 use crate::compile::{Attribute, BindingKind, CompiledShader, Stage};
-use crate::frame::stack_of;
+use crate::frame::{PassId, stack_of};
 
 /// Any thread has this much stack to spare; the least of ours have 2 MiB.
 const SMALL_STACK: usize = 1 << 20;
@@ -143,7 +143,7 @@ fn make(gpu: &Gpu, shader: &CompiledShader, samples: u32, sides: Sides) -> LookP
             module: &module,
             entry_point: Some("fs_main"),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &targets(shader.stage, gpu.picture),
+            targets: &targets(shader.stage, gpu),
         }),
         multiview_mask: None,
         cache: None,
@@ -151,12 +151,11 @@ fn make(gpu: &Gpu, shader: &CompiledShader, samples: u32, sides: Sides) -> LookP
     LookPipeline { pipeline, layout, attributes }
 }
 
-fn targets(stage: Stage, picture: wgpu::TextureFormat) -> Vec<Option<wgpu::ColorTargetState>> {
+fn targets(stage: Stage, gpu: &Gpu) -> Vec<Option<wgpu::ColorTargetState>> {
     let plain = |format| {
         Some(wgpu::ColorTargetState { format, blend: None, write_mask: wgpu::ColorWrites::ALL })
     };
     match stage {
-        Stage::Normals | Stage::DetailNormals => vec![plain(NORMALS), plain(NUMBER)],
         Stage::Eval => vec![plain(wgpu::TextureFormat::Rgba32Float)],
         Stage::Draw => {
             // The shader gives straight color; the target is premultiplied, so that samples can be
@@ -171,10 +170,15 @@ fn targets(stage: Stage, picture: wgpu::TextureFormat) -> Vec<Option<wgpu::Color
                 alpha: over(wgpu::BlendFactor::One),
             };
             vec![Some(wgpu::ColorTargetState {
-                format: picture,
+                format: gpu.picture,
                 blend: Some(blend),
                 write_mask: wgpu::ColorWrites::ALL,
             })]
+        }
+        before => {
+            let pass = PassId::of_stage(before);
+            let writes = pass.iter().flat_map(|pass| pass.row().writes);
+            writes.map(|output| plain(format_of(gpu, output.format))).collect()
         }
     }
 }
@@ -231,11 +235,6 @@ fn binding_type(kind: &BindingKind) -> wgpu::BindingType {
         BindingKind::Image(_) => texture(true),
         BindingKind::Hcbtf(_) => texture_of(true, wgpu::TextureViewDimension::D2Array),
         BindingKind::Sampler(_) => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
-        BindingKind::Curvature
-        | BindingKind::CurvatureSparse
-        | BindingKind::CurvatureDetail
-        | BindingKind::CurvatureDetailSparse
-        | BindingKind::CurvatureTensor
-        | BindingKind::SmoothNormal(_) => texture(false),
+        BindingKind::Pass(_) => texture(false),
     }
 }

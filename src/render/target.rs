@@ -3,33 +3,13 @@
 use std::collections::HashMap;
 
 use super::gpu::Gpu;
-use crate::frame::{FramePlan, PassKind};
+use super::passes::cleared;
+use crate::frame::{FramePlan, PassId, PassImage, TexelFormat};
 
 /// The picture's format: half floats, so that nothing is rounded before it is shown or written.
 pub(super) const PICTURE: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
-/// Normals in camera axes and the object's number.
-pub(super) const NORMALS: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
-/// Distance in front of the eye, and curvature.
-pub(super) const NUMBER: wgpu::TextureFormat = wgpu::TextureFormat::R32Float;
 /// The depth buffer.
 pub(super) const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
-
-/// Normals, depth and curvature of one kind.
-#[derive(Debug)]
-pub(super) struct SurfaceTargets {
-    pub(super) normals: wgpu::TextureView,
-    pub(super) depths: wgpu::TextureView,
-    pub(super) buffer: wgpu::TextureView,
-    /// What passes over them have made.
-    made: HashMap<PassKind, wgpu::TextureView>,
-}
-
-impl SurfaceTargets {
-    /// What a pass over these normals draws into.
-    pub(super) fn made(&self, kind: &PassKind) -> Option<&wgpu::TextureView> {
-        self.made.get(kind)
-    }
-}
 
 /// The textures of one picture size.
 #[derive(Debug, Default)]
@@ -38,8 +18,10 @@ pub(super) struct Targets {
     picture: Option<wgpu::Texture>,
     pub(super) multisampled: Option<wgpu::TextureView>,
     pub(super) depth: Option<wgpu::TextureView>,
-    pub(super) surface: Option<SurfaceTargets>,
-    pub(super) detail: Option<SurfaceTargets>,
+    /// What passes before the looks make.
+    images: HashMap<PassImage, wgpu::TextureView>,
+    /// The depth buffers of those of them that draw meshes.
+    buffers: HashMap<PassId, wgpu::TextureView>,
 }
 
 impl Targets {
@@ -57,34 +39,21 @@ impl Targets {
                 multisampled: (plan.samples > 1)
                     .then(|| view(gpu, plan.size, gpu.picture, plan.samples)),
                 depth: Some(view(gpu, plan.size, DEPTH, plan.samples)),
-                surface: None,
-                detail: None,
+                images: HashMap::new(),
+                buffers: HashMap::new(),
             };
             is_new = true;
         }
-        let wants = |kind: PassKind| plan.passes.iter().any(|pass| pass.kind == kind);
-        let slots =
-            [(&mut self.surface, PassKind::Normals), (&mut self.detail, PassKind::DetailNormals)];
-        for (slot, kind) in slots {
-            if wants(kind) && slot.is_none() {
-                *slot = Some(SurfaceTargets {
-                    normals: view(gpu, plan.size, NORMALS, 1),
-                    depths: view(gpu, plan.size, NUMBER, 1),
-                    buffer: view(gpu, plan.size, DEPTH, 1),
-                    made: HashMap::new(),
+        for pass in plan.passes.iter().map(|pass| pass.id).filter(|id| *id != PassId::LOOK) {
+            for image in PassImage::written(pass) {
+                let format = format_of(gpu, pass.row().writes[image.output].format);
+                self.images.entry(image).or_insert_with(|| {
+                    is_new = true;
+                    view(gpu, plan.size, format, 1)
                 });
-                is_new = true;
             }
-        }
-        for pass in plan.passes.iter().filter(|pass| pass.kind.shader().is_some()) {
-            let targets =
-                if is_detail(&pass.kind) { self.detail.as_mut() } else { self.surface.as_mut() };
-            if let Some(targets) = targets.filter(|targets| !targets.made.contains_key(&pass.kind))
-            {
-                targets
-                    .made
-                    .insert(pass.kind.clone(), view(gpu, plan.size, format_of(&pass.kind), 1));
-                is_new = true;
+            if !pass.is_screen() {
+                self.buffers.entry(pass).or_insert_with(|| view(gpu, plan.size, DEPTH, 1));
             }
         }
         is_new
@@ -94,27 +63,33 @@ impl Targets {
         self.picture.as_ref()
     }
 
-    /// The targets of a normals pass, or of a pass over them.
-    pub(super) fn of(&self, kind: &PassKind) -> Option<&SurfaceTargets> {
-        if is_detail(kind) { self.detail.as_ref() } else { self.surface.as_ref() }
+    /// What a pass makes.
+    pub(super) fn image(&self, image: PassImage) -> Option<&wgpu::TextureView> {
+        self.images.get(&image)
     }
 
-    /// What a pass over normals draws into.
-    pub(super) fn made(&self, kind: &PassKind) -> Option<&wgpu::TextureView> {
-        self.of(kind)?.made(kind)
+    /// The depth buffer of a pass that draws meshes.
+    pub(super) fn buffer(&self, pass: PassId) -> Option<&wgpu::TextureView> {
+        self.buffers.get(&pass)
+    }
+
+    /// Everything that a pass draws into, cleared to 0.
+    pub(super) fn attachments(
+        &self,
+        pass: PassId,
+    ) -> Vec<Option<wgpu::RenderPassColorAttachment<'_>>> {
+        let cleared = |image| Some(cleared(self.image(image)?, wgpu::Color::TRANSPARENT));
+        PassImage::written(pass).map(cleared).collect()
     }
 }
 
-fn is_detail(kind: &PassKind) -> bool {
-    matches!(
-        kind,
-        PassKind::DetailNormals | PassKind::DetailCurvature | PassKind::SparseDetailCurvature
-    )
-}
-
-/// The format of what a pass over normals draws.
-pub(super) fn format_of(kind: &PassKind) -> wgpu::TextureFormat {
-    if kind.channels() == 1 { NUMBER } else { NORMALS }
+/// A format as a GPU has it.
+pub(super) fn format_of(gpu: &Gpu, format: TexelFormat) -> wgpu::TextureFormat {
+    match format {
+        TexelFormat::Number => wgpu::TextureFormat::R32Float,
+        TexelFormat::Numbers => wgpu::TextureFormat::Rgba32Float,
+        TexelFormat::Picture => gpu.picture,
+    }
 }
 
 pub(super) fn texture(

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::{RenderError, Renderer};
 use crate::clock::Clock;
-use crate::frame::{Effect, FramePlan, PassKind};
+use crate::frame::{Effect, FramePlan, PassId};
 use crate::gpu::Gpu;
 
 /// How many passes can be timed in one frame.
@@ -16,7 +16,7 @@ const STAMP_BYTES: u64 = 8;
 #[derive(Clone, Debug, PartialEq)]
 pub struct PassTime {
     /// The pass.
-    pub kind: PassKind,
+    pub id: PassId,
     /// From its begin to its end.
     pub duration: Duration,
 }
@@ -100,8 +100,8 @@ impl Renderer {
         let Some(timer) = timer else {
             self.gpu.wait()?;
             let whole = Duration::from_secs_f64(clock.seconds());
-            let last = ran.last().cloned();
-            return Ok(last.map(|kind| PassTime { kind, duration: whole }).into_iter().collect());
+            let last = ran.last().copied();
+            return Ok(last.map(|id| PassTime { id, duration: whole }).into_iter().collect());
         };
         let mut encoder =
             self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
@@ -116,9 +116,9 @@ impl Renderer {
                 .and_then(|bytes| bytes.try_into().ok())
                 .map_or(0, u64::from_le_bytes)
         };
-        let times = ran.into_iter().enumerate().map(|(index, kind)| {
+        let times = ran.into_iter().enumerate().map(|(index, id)| {
             let ticks = stamp(2 * index + 1).saturating_sub(stamp(2 * index));
-            PassTime { kind, duration: Duration::from_nanos((ticks as f64 * period) as u64) }
+            PassTime { id, duration: Duration::from_nanos((ticks as f64 * period) as u64) }
         });
         Ok(times.collect())
     }
@@ -131,7 +131,7 @@ pub fn set_times(effects: &mut [Effect], times: &[PassTime]) {
         return;
     }
     for effect in effects {
-        let time = times.iter().find(|time| effect.pass.as_ref() == Some(&time.kind));
+        let time = times.iter().find(|time| effect.pass == Some(time.id));
         if let Some(time) = time {
             effect.cost.milliseconds = Some(time.duration.as_secs_f64() * 1e3);
         }

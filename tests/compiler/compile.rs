@@ -21,7 +21,7 @@ fn looks() -> Vec<PathBuf> {
 }
 
 fn load(path: &Path) -> Look {
-    let loaded = Look::load(path);
+    let loaded = Look::load(&crate::support::chiaro_files::Disk, path);
     assert!(loaded.diagnostics.is_empty(), "{}: {:?}", path.display(), loaded.diagnostics);
     loaded.value.unwrap()
 }

@@ -234,17 +234,20 @@ fn places_are_found_for_others() {
 
 #[test]
 fn documents_are_saved_and_loaded() {
+    use crate::support::chiaro_files::TextDocument as _;
+
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("dawn.json");
     std::fs::write(&path, LOOK).unwrap();
-    let loaded = Look::load(&path);
+    let loaded = Look::load(&crate::support::chiaro_files::Disk, &path);
     let mut look = loaded.value.clone().unwrap();
     look.save(&path, Some(&loaded.source)).unwrap();
     assert_eq!(std::fs::read_to_string(&path).unwrap(), LOOK);
     look.name = "Dusk".to_owned();
     look.save(&path, Some(&loaded.source)).unwrap();
     assert_eq!(std::fs::read_to_string(&path).unwrap(), look.to_text());
-    let missing = Scene::load(&folder.path().join("missing.json"));
+    let missing =
+        Scene::load(&crate::support::chiaro_files::Disk, &folder.path().join("missing.json"));
     assert_eq!((missing.value, missing.diagnostics[0].code), (None, "cannot-read"));
     assert!(missing.diagnostics[0].to_string().contains("missing.json"));
 }

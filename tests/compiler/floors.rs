@@ -36,6 +36,7 @@ const CRATES: &[(&str, &[&[&str]])] = &[
         "compiler",
         &[&["examples"], &["files"], &["document"], &["library"], &["catalog", "compile"]],
     ),
+    ("files", &[]),
     (
         "scene",
         &[&["directions", "geometry", "hcbtf", "threads"], &["drawing", "frame"], &["export"]],
@@ -43,13 +44,36 @@ const CRATES: &[(&str, &[&[&str]])] = &[
     ("reference", &[]),
     ("render", &[]),
     ("laboratory", &[&["accuracy", "fit"], &["gallery"]]),
-    ("editor", &[]),
+    (
+        "editor",
+        &[
+            &["state"],
+            &["commands"],
+            &["widgets"],
+            &["fields"],
+            &["tools"],
+            &["canvas", "painter", "viewport"],
+            &["panels"],
+            &["app"],
+        ],
+    ),
     ("cli", &[]),
 ];
 
 /// Imports that the floors would allow and that would make a proof worthless: the reference judges
 /// the compiler's output, so it must not be built on the compiler.
 const APART: &[(&str, &str, &str)] = &[("reference", "chiaro_compiler", "compile")];
+
+/// What the compiler may not ask of the system: whoever runs it says where files come from, and on
+/// which thread.
+const NOT_FOR_THE_COMPILER: &[&str] = &["env", "fs", "net", "process", "thread"];
+
+/// What a room of a crate may not know although the floors would allow it: modules of the crate and
+/// packages. The window's state goes without a window, and its widgets fit any state.
+const STRANGERS: &[(&str, &str, &[&str])] = &[
+    ("editor", "state", &["eframe", "egui", "egui_tiles", "egui_extras"]),
+    ("editor", "widgets", &["state"]),
+];
 
 /// Packages that belong to some crates only: the compiler is to build without a GPU and without a
 /// window, and who wants WGSL from a graph pays for no command line and no archives.
@@ -119,6 +143,7 @@ fn check_source(path: &Path, text: &str) -> Vec<String> {
     if matches!(room, "lib" | "build") {
         return complaints;
     }
+    complaints.extend(check_strangers(krate, room, path, text));
     let depth = inside.len()
         - usize::from(inside.len() > 1 && inside.last().is_some_and(|last| last == "mod.rs"));
     complaints.extend(scan::references(text, depth).into_iter().filter_map(|found| {
@@ -149,6 +174,24 @@ fn check_apart(krate: &str, path: &Path, text: &str) -> Vec<String> {
         );
     }
     complaints
+}
+
+/// What a room names that it may not know.
+fn check_strangers(krate: &str, room: &str, path: &Path, text: &str) -> Vec<String> {
+    let rules = STRANGERS.iter().filter(|(of, name, _)| *of == krate && *name == room);
+    let strangers = rules.flat_map(|(.., strangers)| strangers.iter());
+    strangers
+        .flat_map(|stranger| {
+            let of_package = scan::crate_paths(text, stranger).into_iter();
+            let of_crate = scan::crate_paths(text, "crate").into_iter().filter(
+                move |found| matches!(&found.reference, Reference::Module(name) if name == stranger),
+            );
+            of_package.chain(of_crate).map(move |found| {
+                let (line, path) = (found.line, path.display());
+                format!("src/{path}:{line}: `{}`: `{room}` may not know `{stranger}`", found.path)
+            })
+        })
+        .collect()
 }
 
 /// The program only hands over: it may know `chiaro::cli` and `chiaro::editor`, and nothing else of
@@ -218,6 +261,39 @@ fn imports_go_down() {
         })
         .collect();
     assert!(complaints.is_empty(), "imports that break the floors:\n{}", complaints.join("\n"));
+}
+
+/// Where a source of the compiler asks the system for what it may not.
+fn check_bytes_in_text_out(path: &Path, text: &str) -> Vec<String> {
+    let found = scan::crate_paths(text, "std").into_iter();
+    let is_system = |reference: &Reference| match reference {
+        Reference::Module(name) => NOT_FOR_THE_COMPILER.contains(&name.as_str()),
+        other => *other == Reference::WholeCrate,
+    };
+    found
+        .filter(|found| is_system(&found.reference))
+        .map(|found| format!("src/{}:{}: `{}`", path.display(), found.line, found.path))
+        .collect()
+}
+
+#[test]
+fn the_compiler_has_no_files_and_no_threads() {
+    let (src, files) = sources();
+    let is_own = |path: &&PathBuf| path.starts_with("compiler") && !path.ends_with("build.rs");
+    let complaints: Vec<_> = files
+        .iter()
+        .filter(is_own)
+        .flat_map(|path| {
+            let text = fs::read_to_string(src.join(path)).expect("a source is UTF-8");
+            check_bytes_in_text_out(path, &text)
+        })
+        .collect();
+    assert!(complaints.is_empty(), "the compiler asks the system:\n{}", complaints.join("\n"));
+    assert_eq!(check_bytes_in_text_out(Path::new("a"), "use std::{fs, io};").len(), 1);
+    assert_eq!(
+        check_bytes_in_text_out(Path::new("a"), "fn f() { std::thread::yield_now() }").len(),
+        1
+    );
 }
 
 #[test]
@@ -320,6 +396,23 @@ mod rules {
         assert_eq!(check("compiler/document/mod.rs", "use crate::library::NodeDef;").len(), 1);
         assert_eq!(check("compiler/library/mod.rs", "use crate::interp::Value;"), [""; 0]);
         assert_eq!(check("language/ids.rs", "use crate::diag::Diagnostic;").len(), 1);
+    }
+
+    #[test]
+    fn the_editor_has_floors_of_its_own() {
+        assert_eq!(check("editor/panels/history.rs", "use crate::state::Session;"), [""; 0]);
+        assert_eq!(check("editor/app/mod.rs", "use crate::{panels, commands::Command};"), [""; 0]);
+        assert_eq!(check("editor/state/still.rs", "use crate::panels::stack;").len(), 1);
+        assert_eq!(check("editor/canvas/mod.rs", "use crate::viewport::Viewport;").len(), 1);
+        assert_eq!(
+            check("editor/state/settings.rs", "use eframe::egui;"),
+            ["src/editor/state/settings.rs:1: `eframe::egui`: `state` may not know `eframe`"]
+        );
+        assert!(
+            check("editor/widgets/rows.rs", "use crate::state::orbit;")[0]
+                .contains("`widgets` may not know `state`")
+        );
+        assert_eq!(check("editor/widgets/rows.rs", "use eframe::egui;"), [""; 0]);
     }
 
     #[test]

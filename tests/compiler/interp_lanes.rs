@@ -134,7 +134,7 @@ fn arguments(program: &Program, numbers: &mut Numbers) -> Vec<Value> {
 fn every_look_runs_in_lanes_as_it_runs_alone() {
     let mut entry_points = 0;
     for path in looks() {
-        let look = Look::load(&path).value.unwrap();
+        let look = Look::load(&crate::support::chiaro_files::Disk, &path).value.unwrap();
         for (stage, live) in
             [(Stage::Draw, Live::Exposed), (Stage::Normals, Live::All), (Stage::Eval, Live::All)]
         {
@@ -198,7 +198,7 @@ fn compare(program: &Program, path: &Path) {
 #[expect(clippy::disallowed_methods, clippy::print_stdout, reason = "it measures")]
 fn measure() {
     for path in looks() {
-        let look = Look::load(&path).value.unwrap();
+        let look = Look::load(&crate::support::chiaro_files::Disk, &path).value.unwrap();
         let shader = compile(&look, Library::built_in(), &Options::default()).unwrap();
         let program =
             Program::compile(&shader.valid.module, "fs_main", interp::Options::stage(&shader.wgsl))

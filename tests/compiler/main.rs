@@ -8,6 +8,7 @@ mod document_format;
 mod document_history;
 mod document_random;
 mod document_read;
+mod examples;
 mod floors;
 mod interp_lanes;
 mod math;

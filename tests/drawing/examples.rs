@@ -13,7 +13,7 @@ pub fn looks() -> Vec<(String, SetupLook)> {
     let looks: Vec<_> = paths
         .filter(|path| path.extension().is_some_and(|extension| extension == "json"))
         .map(|path| {
-            let loaded = Look::load(&path);
+            let loaded = Look::load(&chiaro_test_support::chiaro_files::Disk, &path);
             let look = SetupLook {
                 look: loaded.value.expect("an example opens"),
                 source: loaded.source.into(),

@@ -7,7 +7,7 @@ use chiaro_compiler::compile::{Live, Options, compile};
 use chiaro_compiler::document::Tier;
 use chiaro_compiler::library::Library;
 use chiaro_language::wgsl;
-use chiaro_scene::frame::{Assets, FramePlan, PassKind, PlanOptions, Planner, Setup, open};
+use chiaro_scene::frame::{Assets, FramePlan, PassId, PlanOptions, Planner, Setup, open};
 
 /// The looks that there are by hand.
 pub const LOOKS: [&str; 3] = ["figure4-both", "figure6-comics", "figure6-minimal"];
@@ -49,7 +49,7 @@ pub fn by_hand(setup: &Setup, look: &str, plan: &FramePlan) -> FramePlan {
     // Renderers remember what they drew last.
     plan.passes
         .iter_mut()
-        .filter(|pass| pass.kind == PassKind::Look)
+        .filter(|pass| pass.id == PassId::LOOK)
         .for_each(|pass| pass.input_hash ^= 1);
     plan
 }

@@ -143,7 +143,7 @@ fn what_is_not_saved_is_exported_and_the_looks_own_folder_does_no_harm() {
     hand.key_with(Modifiers::COMMAND, Key::S);
     hand.settle();
     is_same(&files(&own), &exported(&look, "wgsl"), "what was exported is what is saved now");
-    let saved = Look::load(&look);
+    let saved = Look::load(&chiaro::files::Disk, &look);
     assert_eq!(saved.value.as_ref(), Some(hand.look()));
 }
 

@@ -372,7 +372,7 @@ fn a_preview_is_discarded_or_goes_with_an_edit() {
     hand.settle();
     assert!(hand.app().session().sketch().is_empty());
     assert!(matches!(
-        Document::load(Path::new("examples/looks/figure2-diffuse.json")),
+        Document::load(&chiaro::files::Disk, Path::new("examples/looks/figure2-diffuse.json")),
         Document::Look(_)
     ));
 }

@@ -9,9 +9,9 @@ use std::process::{Command, Stdio};
 use std::sync::Arc;
 use std::time::Duration;
 
-use chiaro::document::journal::{left_behind, recover};
 use chiaro::document::{Edit, Endpoint, GraphId, History, Look, Node, Value, Wire};
 use chiaro::editor::Session;
+use chiaro::files::journal::{left_behind, recover};
 use chiaro::ids::NodeId;
 use chiaro::library::Library;
 

@@ -293,8 +293,9 @@ fn let_loose_in(mut monkey: Monkey, file: Option<&str>, gestures: usize) {
     // The library of the window opens examples, too, and Help has the tour.
     let examples =
         std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks")).unwrap();
-    let examples =
-        examples.map(|entry| Look::load(&entry.unwrap().path()).value.unwrap().to_text());
+    let examples = examples.map(|entry| {
+        Look::load(&chiaro::files::Disk, &entry.unwrap().path()).value.unwrap().to_text()
+    });
     let mut beginnings: Vec<String> = examples
         .chain([fresh, opened, Hand::new().look().to_text(), on_tour().look().to_text()])
         .collect();

@@ -77,7 +77,7 @@ const TWO: &str = r#"{
 }
 "#;
 
-fn stage(hand: &Hand) -> &chiaro::editor::Stage {
+fn stage(hand: &Hand) -> &chiaro::editor::OpenScene {
     hand.app().session().stage().expect("a scene is open")
 }
 

@@ -107,7 +107,7 @@ fn the_start_page_has_every_example_and_leaves_when_one_is_opened() {
     };
     let mut count = 0;
     for path in [files("looks"), files("images"), files("hcbtf")].concat() {
-        let name = Look::load(&path).value.unwrap().name;
+        let name = Look::load(&chiaro::files::Disk, &path).value.unwrap().name;
         let is_figure = path.file_stem().unwrap().to_string_lossy().starts_with("figure");
         let figure = if is_figure { " · Figure" } else { "" };
         assert!(says(&hand, &format!("Open the look {name}{figure}")), "{name}");
@@ -446,7 +446,7 @@ fn the_tour_goes_on_by_what_an_artist_does() {
 
     goes_on(&mut hand, "Keep it");
     assert!(has(&hand, "This is your look") && compiles(&hand));
-    let saved = Look::load(&path);
+    let saved = Look::load(&chiaro::files::Disk, &path);
     assert!(
         !saved.has_errors() && saved.value.as_ref() == Some(hand.look()) && *hand.look() != nothing
     );
@@ -875,7 +875,7 @@ fn an_example_of_an_hcbtf_brings_its_file_along_wherever_it_is_saved() {
     let home = Home::new();
     let mut hand = home.window(None);
     let metal = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/hcbtf/halftone.json");
-    let name = Look::load(&metal).value.unwrap().name;
+    let name = Look::load(&chiaro::files::Disk, &metal).value.unwrap().name;
     open_card(&mut hand, &format!("Open the look {name}"));
     assert_eq!((hand.look().name.as_str(), hand.app().session().path()), (name.as_str(), None));
     assert!(compiles(&hand), "{:?}", hand.app().session().problems());

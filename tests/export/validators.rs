@@ -267,7 +267,7 @@ fn looks_with_textures_pass_their_validators() {
         looks.iter().filter(|path| path.extension().is_some_and(|extension| extension == "json"))
     {
         let stem = path.file_stem().unwrap().to_string_lossy().into_owned();
-        let look = Look::load(path).value.unwrap();
+        let look = Look::load(&chiaro::files::Disk, path).value.unwrap();
         let exported = export(&look, Library::built_in(), &stem, &LANGUAGES, Path::new(""));
         for file in exported.unwrap_or_else(|problems| panic!("{stem}: {problems:?}")).files {
             let path = out.path().join(&stem).join(&file.name);

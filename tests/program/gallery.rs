@@ -12,7 +12,7 @@ use crate::support::ledger::{Key, Ledger, is_found_false};
 use crate::support::random::Random;
 
 use chiaro::diag::{Diagnostic, has_errors};
-use chiaro::document::Outputs;
+use chiaro::files::Outputs;
 use chiaro::frame::Assets;
 use chiaro::gallery::nodes::{SIDE, draw_nodes, write_nodes};
 use chiaro::gallery::{List, Made, Options, Section, Shown, build, content, list};

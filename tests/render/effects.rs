@@ -11,7 +11,7 @@ use crate::support::random::Random;
 use chiaro::compile::{Attribute, CompiledShader, Live, Options, Proof, Removal, Stage, compile};
 use chiaro::document::{Camera, Light, LightKind, Projection, Scene, Tier, Value};
 use chiaro::frame::{
-    Cull, Effect, EffectKind, EffectState, FramePlan, PassKind, PlanOptions, Planner, Setup,
+    Cull, Effect, EffectKind, EffectState, FramePlan, PassId, PlanOptions, Planner, Setup,
     SetupLook, effects,
 };
 use chiaro::interp::{self, Derivatives, Precision, Program, Shape};
@@ -451,13 +451,10 @@ fn attributes_textures_lights_and_passes_exist_only_while_something_needs_them()
     let unneeded = plan(&with_factor(0.0), Cull::All);
     let shader = &unneeded.draws[0].look;
     assert_eq!(shader.needs.attributes(), [Attribute::Position, Attribute::Normal]);
-    assert!(!shader.needs.context(Context::Kappa) && !shader.needs.context(Context::Uv));
+    assert!(!shader.needs.context(Context::KAPPA) && !shader.needs.context(Context::named("uv")));
     let names: Vec<&str> = shader.bindings.iter().map(|binding| binding.name.as_str()).collect();
     assert_eq!(names, ["view", "object"], "no image, no uniform, no curvature");
-    assert_eq!(
-        unneeded.passes.iter().map(|pass| pass.kind.clone()).collect::<Vec<_>>(),
-        [PassKind::Look]
-    );
+    assert_eq!(unneeded.passes.iter().map(|pass| pass.id).collect::<Vec<_>>(), [PassId::LOOK]);
     pixels(&unneeded);
 
     let told = effects(&unneeded, &HashMap::new());
@@ -511,6 +508,13 @@ fn write_bumps(folder: &Path, period: u32) {
     picture.save(folder.join("bumps.png")).expect("the folder can be written to");
 }
 
+const NORMALS: PassId = PassId::named("normals");
+const CURVATURE: PassId = PassId::named("curvature");
+const SPARSE_CURVATURE: PassId = PassId::named("curvature_sparse");
+const DETAIL_NORMALS: PassId = PassId::named("detail_normals");
+const DETAIL_CURVATURE: PassId = PassId::named("detail_curvature");
+const SPARSE_DETAIL_CURVATURE: PassId = PassId::named("detail_curvature_sparse");
+
 /// Looks of different tiers find curvature in different ways, side by side: of the same normals,
 /// each pass with those who read it.
 #[test]
@@ -526,8 +530,8 @@ fn each_tier_of_curvature_has_a_pass_of_its_own() {
     };
     let plan =
         |looks| planned(&mut Planner::default(), &scene_of(looks, Scene::default()), &Live::Keyed);
-    let passes = |plan: &FramePlan| -> Vec<(PassKind, String)> {
-        plan.passes.iter().map(|pass| (pass.kind.clone(), pass.reason.clone())).collect()
+    let passes = |plan: &FramePlan| -> Vec<(PassId, String)> {
+        plan.passes.iter().map(|pass| (pass.id, pass.reason.clone())).collect()
     };
     let red = [0.9, 0.1, 0.1];
     let both = passes(&plan(vec![
@@ -536,13 +540,13 @@ fn each_tier_of_curvature_has_a_pass_of_its_own() {
         colored("quickest", [0.4, 0.4, 0.4], Tier::Fast),
     ]));
     let wanted = [
-        (PassKind::Normals, "careful"),
-        (PassKind::Curvature, "careful"),
-        (PassKind::SparseCurvature, "quick"),
-        (PassKind::DetailNormals, "careful"),
-        (PassKind::DetailCurvature, "careful"),
-        (PassKind::SparseDetailCurvature, "quick"),
-        (PassKind::Look, "it is the picture"),
+        (NORMALS, "careful"),
+        (CURVATURE, "careful"),
+        (SPARSE_CURVATURE, "quick"),
+        (DETAIL_NORMALS, "careful"),
+        (DETAIL_CURVATURE, "careful"),
+        (SPARSE_DETAIL_CURVATURE, "quick"),
+        (PassId::LOOK, "it is the picture"),
     ];
     assert_eq!(both.len(), wanted.len(), "{both:?}");
     for ((kind, reason), (wanted, word)) in both.iter().zip(&wanted) {
@@ -555,12 +559,11 @@ fn each_tier_of_curvature_has_a_pass_of_its_own() {
             .map(|pass| pass.0)
             .collect::<Vec<_>>()
     };
-    use PassKind::{DetailNormals, Look as Looks, Normals, SparseCurvature, SparseDetailCurvature};
     assert_eq!(
         kinds(Tier::Balanced),
-        [Normals, SparseCurvature, DetailNormals, SparseDetailCurvature, Looks]
+        [NORMALS, SPARSE_CURVATURE, DETAIL_NORMALS, SPARSE_DETAIL_CURVATURE, PassId::LOOK]
     );
-    assert_eq!(kinds(Tier::Fast), [DetailNormals, SparseDetailCurvature, Looks]);
+    assert_eq!(kinds(Tier::Fast), [DETAIL_NORMALS, SPARSE_DETAIL_CURVATURE, PassId::LOOK]);
     // Side by side they look as they do alone, on targets that one renderer keeps.
     let mut renderer = renderer();
     let mut draw =
@@ -589,7 +592,6 @@ fn each_tier_of_curvature_has_a_pass_of_its_own() {
 
 #[test]
 fn work_repeats_only_if_what_it_reads_changed() {
-    use PassKind::{Curvature, DetailCurvature, DetailNormals, Look as Looks, Normals};
     let folder = tempfile::tempdir().expect("a folder");
     write_bumps(folder.path(), 3);
     let (mesh, fitted) = shape("sphere");
@@ -612,11 +614,11 @@ fn work_repeats_only_if_what_it_reads_changed() {
             .filter(|effect| effect.kind == EffectKind::Pass && effect.state == EffectState::Runs);
         assert_eq!(
             runs.map(|effect| effect.what.as_str()).collect::<Vec<_>>(),
-            ran.iter().map(PassKind::label).collect::<Vec<_>>()
+            ran.iter().map(|pass| pass.label()).collect::<Vec<_>>()
         );
         ran
     };
-    let all = [Normals, Curvature, DetailNormals, DetailCurvature, Looks];
+    let all = [NORMALS, CURVATURE, DETAIL_NORMALS, DETAIL_CURVATURE, PassId::LOOK];
     assert_eq!(run(&first), all);
     assert_eq!(run(&first), [], "the same picture again");
 
@@ -624,10 +626,10 @@ fn work_repeats_only_if_what_it_reads_changed() {
     let kept = first.objects[0].mesh.clone();
     first = setup([0.1, 0.5, 0.9], Camera::default());
     first.objects[0].mesh = kept.clone();
-    assert_eq!(run(&first), [Looks], "another color");
+    assert_eq!(run(&first), [PassId::LOOK], "another color");
 
     write_bumps(folder.path(), 4);
-    assert_eq!(run(&first), [DetailNormals, DetailCurvature, Looks], "other bumps");
+    assert_eq!(run(&first), [DETAIL_NORMALS, DETAIL_CURVATURE, PassId::LOOK], "other bumps");
 
     let mut moved = setup([0.1, 0.5, 0.9], Camera { eye: [1.0, 1.0, 4.0], ..Camera::default() });
     moved.objects[0].mesh = kept;

@@ -117,7 +117,7 @@ fn check(look: &Look, seed: u64) {
 fn examples_keep_their_picture() {
     for (seed, entry) in std::fs::read_dir("examples/looks").unwrap().enumerate() {
         let path = entry.unwrap().path();
-        let look = Look::load(&path).value.unwrap();
+        let look = Look::load(&chiaro::files::Disk, &path).value.unwrap();
         for round in 0..4 {
             check(&look, seed as u64 * 10 + round);
         }

@@ -159,8 +159,8 @@ fn every_node_of_every_example_can_be_muted() {
     let mut count = 0;
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
-        let Some(original) =
-            (path.extension().is_some_and(|e| e == "json")).then(|| Look::load(&path))
+        let Some(original) = (path.extension().is_some_and(|e| e == "json"))
+            .then(|| Look::load(&chiaro::files::Disk, &path))
         else {
             continue;
         };

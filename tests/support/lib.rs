@@ -1,7 +1,10 @@
-//! What several test programs share and what knows no more of Chiaro than its words: formulas in
-//! f64, random numbers, cases in files, ledgers, outside validators. `tests/drawing` is what draws.
+//! What several test programs share and what knows no more of Chiaro than its words and its files:
+//! formulas in f64, random numbers, cases in files, ledgers, outside validators, and the disk that
+//! documents are read from. `tests/drawing` is what draws.
 
 use std::path::Path;
+
+pub use chiaro_files;
 
 pub mod badf;
 pub mod cases;

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use chiaro::document::journal::{About, Found, Journal, Op, Slot, recover, recover_any};
 use chiaro::document::relief::{Channel, PRESETS, Pattern};
 use chiaro::document::{
     Address, Directions, Grid, Hcbtf, HcbtfAngle, HcbtfEdit, History, Relief, Rule, Strokes, Tile,
 };
+use chiaro::files::journal::{About, Found, Journal, Op, Slot, recover, recover_any};
 use chiaro::hcbtf::write;
 use proptest::prelude::*;
 

@@ -48,7 +48,7 @@ fn the_files_are_small_and_nothing_is_odd_in_them() {
 #[test]
 fn the_looks_beside_them_show_them() {
     for path in files("json") {
-        let loaded = Look::load(&path);
+        let loaded = Look::load(&chiaro::files::Disk, &path);
         assert!(loaded.diagnostics.is_empty(), "{}: {:?}", path.display(), loaded.diagnostics);
         let mut look = loaded.value.unwrap();
         let sheets = look.graph.nodes.values().flat_map(|node| &node.values);

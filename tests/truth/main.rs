@@ -4,6 +4,7 @@ use chiaro_test_drawing as support;
 
 mod badf;
 mod closed_forms;
+mod contexts;
 mod family;
 mod handwritten;
 mod hard_cases;

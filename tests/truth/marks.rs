@@ -13,7 +13,7 @@ use crate::support::random::Random;
 use crate::support::report::Errors;
 use chiaro::compile::Live;
 use chiaro::frame::{Assets, EvalSample, LightOverride, PlanOptions, Planner, open};
-use chiaro::library::{Library, Type};
+use chiaro::library::{Context, Library, Type};
 use chiaro::render::block_on;
 use glam::{DMat2, DVec2, DVec3};
 use serde_json::{Value as Json, json};
@@ -268,12 +268,16 @@ fn paper_grain(i: In<'_>) -> Vec<f64> {
     vec![1.0 - unit(ink + unit(i[4][0]) * (2.0 * height - 1.0) * 4.0 * ink * (1.0 - ink)), height]
 }
 
+const PIXEL: Context = Context::named("pixel");
+const ANCHOR: Context = Context::named("anchor");
+const MAGNIFICATION: Context = Context::named("magnification");
+
 /// Where a place is, and how its coordinates change along the picture: by stepping aside in the
 /// picture and going on along the line of sight to the surface.
 fn mark_place(follow: &str, i: In<'_>, at: &EvalSample) -> Vec<f64> {
     let (n, v) = (at.normal.normalize(), at.view.normalize());
     let turned = |place: DVec2, angle: f64| DVec2::from_angle(-angle).rotate(place);
-    let size = 1.0 / at.magnification;
+    let size = 1.0 / at.contexts[&MAGNIFICATION][0];
     let aside = v.any_orthonormal_vector();
     let steps = [aside, v.cross(aside)];
     let answer = |place: DVec2, changes: [DVec2; 2]| {
@@ -316,12 +320,14 @@ fn mark_place(follow: &str, i: In<'_>, at: &EvalSample) -> Vec<f64> {
             answer(turned(v2(&i[1]) * i[2][0].clamp(1e-3, 1e3), i[4][0]), changes)
         }
         _ => {
+            let anchor = DVec3::from_slice(&at.contexts[&ANCHOR]);
             let (origin, scale) = if follow == "object" {
-                (DVec2::new(at.anchor.x, -at.anchor.y), 1.0 / at.anchor.z)
+                (DVec2::new(anchor.x, -anchor.y), 1.0 / anchor.z)
             } else {
                 (DVec2::ZERO, 1.0)
             };
-            let place = (DVec2::new(at.pixel.x - 0.5, 0.5 - at.pixel.y) - origin) * scale;
+            let pixel = v2(&at.contexts[&PIXEL]);
+            let place = (DVec2::new(pixel.x - 0.5, 0.5 - pixel.y) - origin) * scale;
             answer(turned(place, i[4][0]), [DVec2::X * scale, DVec2::Y * scale])
         }
     }
@@ -330,7 +336,7 @@ fn mark_place(follow: &str, i: In<'_>, at: &EvalSample) -> Vec<f64> {
 fn truth(kind: &str, word: &str, i: In<'_>, at: &EvalSample, tile: &[f64]) -> Option<Vec<f64>> {
     Some(match kind {
         "screen_place" => {
-            let [x, y] = at.pixel.to_array();
+            let [x, y] = v2(&at.contexts[&PIXEL]).to_array();
             vec![x, y, x - 0.5, 0.5 - y, x, 1.0 - y]
         }
         "halftone" => halftone(word, i),
@@ -401,13 +407,19 @@ fn sample(random: &mut Random) -> EvalSample {
         view,
         tangent: Some(held(random.direction())),
         position: held(random.direction()),
-        pixel: DVec2::new(f32_of(random.unit()), f32_of(random.unit())),
-        anchor: DVec3::new(
-            f32_of(random.unit()),
-            f32_of(random.unit()),
-            f32_of(random.between(0.1, 2.0)),
-        ),
-        magnification: f32_of(random.between(0.05, 2.0)),
+        contexts: [
+            (PIXEL, vec![f32_of(random.unit()), f32_of(random.unit())]),
+            (
+                ANCHOR,
+                vec![
+                    f32_of(random.unit()),
+                    f32_of(random.unit()),
+                    f32_of(random.between(0.1, 2.0)),
+                ],
+            ),
+            (MAGNIFICATION, vec![f32_of(random.between(0.05, 2.0))]),
+        ]
+        .into(),
         lights: [("key".into(), light)].into_iter().collect(),
         ..EvalSample::default()
     }

@@ -8,7 +8,7 @@ use std::f64::consts::{PI, TAU};
 use crate::support::eval::{look, renderer, scene_of, told};
 use chiaro::compile::Live;
 use chiaro::document::{Camera, Projection, Scene, Tier};
-use chiaro::frame::{FramePlan, PassKind, PlanOptions, Planner, SetupLook};
+use chiaro::frame::{FramePlan, PassId, PlanOptions, Planner, SetupLook};
 use chiaro::geometry::{Mesh, Part};
 use chiaro::interp::Precision;
 use chiaro::library::Library;
@@ -392,14 +392,18 @@ fn objects_have_numbers_and_pictures_a_size() {
 /// see the same.
 #[test]
 fn passes_are_there_for_who_reads_them() {
-    use PassKind::{CurvatureTensor, Look as Looks, Normals, SmoothNormals};
+    const NORMALS: PassId = PassId::named("normals");
+    const TENSOR: PassId = PassId::named("curvature_tensor");
+    const SMOOTH: [PassId; 2] =
+        [PassId::named("smooth_normals_1"), PassId::named("smooth_normals_2")];
+    const LOOK: PassId = PassId::LOOK;
     let normal = |x: f64, y: f64| [0.4 * (5.0 * x).sin(), 0.3 * (7.0 * y).sin(), 1.0];
     let waves = || raised([-1.5, 1.5], [-1.0, 1.0], [30, 20], |_, _| 0.0, normal);
-    let kinds = |look: SetupLook| -> Vec<PassKind> {
-        plan_of(vec![(look, waves())], SIZE).passes.into_iter().map(|pass| pass.kind).collect()
+    let kinds = |look: SetupLook| -> Vec<PassId> {
+        plan_of(vec![(look, waves())], SIZE).passes.into_iter().map(|pass| pass.id).collect()
     };
     let small = normal_along([0.0, 1.0, 0.0], "small");
-    assert_eq!(kinds(small), [Normals, SmoothNormals(1), SmoothNormals(2), Looks]);
+    assert_eq!(kinds(small), [NORMALS, SMOOTH[0], SMOOTH[1], LOOK]);
     let warped = |amount: f64, tier: Tier| {
         let mut look = showing(
             &json!([
@@ -416,10 +420,10 @@ fn passes_are_there_for_who_reads_them() {
         look.look.set_every_tier(tier);
         look
     };
-    assert_eq!(kinds(warped(1.0, Tier::Exact)), [Normals, CurvatureTensor, Looks]);
-    assert_eq!(kinds(warped(1.0, Tier::Balanced)), [Normals, CurvatureTensor, Looks]);
-    assert_eq!(kinds(warped(1.0, Tier::Fast)), [Looks]);
-    assert_eq!(kinds(warped(0.0, Tier::Exact)), [Looks], "no warp, no pass");
+    assert_eq!(kinds(warped(1.0, Tier::Exact)), [NORMALS, TENSOR, LOOK]);
+    assert_eq!(kinds(warped(1.0, Tier::Balanced)), [NORMALS, TENSOR, LOOK]);
+    assert_eq!(kinds(warped(1.0, Tier::Fast)), [LOOK]);
+    assert_eq!(kinds(warped(0.0, Tier::Exact)), [LOOK], "no warp, no pass");
 
     for look in [warped(2.0, Tier::Exact), normal_along([1.0, 0.0, 0.0], "large")] {
         let plan = plan_of(vec![(look, waves())], [60, 40]);

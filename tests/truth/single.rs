@@ -278,7 +278,7 @@ fn looks_of_plain_arithmetic_are_equal_bit_for_bit() {
 
 fn example(name: &str) -> SetupLook {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
-    let loaded = Look::load(&folder.join(format!("{name}.json")));
+    let loaded = Look::load(&chiaro::files::Disk, &folder.join(format!("{name}.json")));
     SetupLook {
         look: loaded.value.expect("an example"),
         source: loaded.source.into(),

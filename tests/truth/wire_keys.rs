@@ -262,7 +262,7 @@ fn hot_wires_have_results() {
                 fn hot(x: f32) -> f32 \
                 { let big = exp2(x * 1000.0) * x; return select(big, big - big, x > 1.5); }\n";
     std::fs::write(folder.path().join("nodes/own/hot.wgsl"), text).expect("a file");
-    let library = Library::built_in().with_project(folder.path());
+    let library = Library::built_in().with_project(&chiaro::files::Disk, folder.path());
     assert!(library.problems.is_empty(), "{:?}", library.problems);
     let keys = [(vec![-2.0], 0.125), (vec![0.0], 0.5), (vec![2.0], 0.75), (vec![2.0], 0.875)];
     let mut json = wired(&json!([{"wire": "hot"}]), &keys);

@@ -10,7 +10,7 @@ use std::process::Command;
 
 use super::output::Output;
 use crate::diag::Diagnostic;
-use crate::document::write_atomic;
+use crate::files::write_atomic;
 
 const EXAMPLES: &str = "\
 Examples:

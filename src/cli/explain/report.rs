@@ -11,7 +11,7 @@ use crate::compile::{
 use crate::diag::Diagnostic;
 use crate::document::{DirectionKeys, Driver, KeyDirection, Look, Values};
 use crate::frame::{
-    Draw, Dropped, Effect, FramePlan, Pass, PassKind, Setup, effects, structural_look,
+    Draw, Dropped, Effect, FramePlan, Pass, PassId, Setup, effects, structural_look,
 };
 use crate::ids::NodePath;
 use crate::library::{Context, Library, Rate, Special};
@@ -51,13 +51,13 @@ pub(super) struct LookReport {
     pub(super) keys: Vec<KeysReport>,
     pub(super) nodes: Nodes,
     #[serde(skip)]
-    compiled: Vec<(&'static str, Arc<CompiledShader>)>,
+    compiled: Vec<(String, Arc<CompiledShader>)>,
 }
 
 /// A WGSL module.
 #[derive(Debug, Serialize)]
 pub(super) struct Module {
-    pub(super) name: &'static str,
+    pub(super) name: String,
     pub(super) lines: usize,
     /// Of its `Look` uniform.
     pub(super) uniform_bytes: u32,
@@ -75,6 +75,8 @@ pub(super) struct AttributeReport {
 /// Something of the surroundings that fragments read.
 #[derive(Debug, Serialize)]
 pub(super) struct Reading {
+    #[serde(skip)]
+    context: Context,
     pub(super) word: &'static str,
     pub(super) what: &'static str,
     pub(super) readers: Vec<String>,
@@ -198,14 +200,13 @@ impl LookReport {
     fn new(name: &str, draw: &Draw, typed: &TypedGraph) -> Self {
         let shader = &draw.look;
         let emitted: HashSet<&NodePath> = shader.spans.nodes().collect();
-        let mut compiled = vec![("look", shader.clone())];
-        for (kind, name) in
-            [(PassKind::Normals, "normals"), (PassKind::DetailNormals, "detail-normals")]
-        {
-            compiled.extend(draw.normals.get(&kind).map(|module| (name, module.clone())));
-        }
-        let module = |(name, shader): &(&'static str, Arc<CompiledShader>)| Module {
-            name,
+        let named = |module: &Arc<CompiledShader>| {
+            let label = PassId::of_stage(module.stage).map_or("look", PassId::label);
+            (label.replace(' ', "-"), module.clone())
+        };
+        let compiled: Vec<_> = draw.modules().map(named).collect();
+        let module = |(name, shader): &(String, Arc<CompiledShader>)| Module {
+            name: name.clone(),
             lines: shader.wgsl.lines().count(),
             uniform_bytes: shader.host.size,
         };
@@ -263,6 +264,7 @@ fn reading(context: Context, emitted: &HashSet<&NodePath>, typed: &TypedGraph) -
     };
     let readers = typed.nodes.iter().filter(reader);
     Reading {
+        context,
         word: context.word(),
         what: context.help(),
         readers: readers.map(|node| node.path.to_string()).collect(),
@@ -270,14 +272,8 @@ fn reading(context: Context, emitted: &HashSet<&NodePath>, typed: &TypedGraph) -
 }
 
 fn attribute_report(attribute: Attribute, surroundings: &[Reading]) -> AttributeReport {
-    let words: &[&str] = match attribute {
-        Attribute::Position => &["position", "position_object", "position_camera", "view", "depth"],
-        Attribute::Normal => &["normal", "tangent", "bitangent"],
-        Attribute::Tangent => &["tangent", "bitangent"],
-        Attribute::Uv => &["uv"],
-        Attribute::Color => &["vertex_color"],
-    };
-    let told = surroundings.iter().filter(|reading| words.contains(&reading.word));
+    let is_made = |reading: &&Reading| Attribute::read_by(reading.context).contains(&attribute);
+    let told = surroundings.iter().filter(is_made);
     let told: Vec<String> =
         told.map(|reading| format!("`{}` for {}", reading.word, names(&reading.readers))).collect();
     let why = match (attribute, told.is_empty()) {

@@ -6,7 +6,8 @@ use clap::ValueEnum;
 
 use super::{GRID_HELP, GridText, check_free, filled, open, save, tell_painted, with_ending};
 use crate::diag::Diagnostic;
-use crate::document::{Grid, OutputKind, Storage};
+use crate::document::{Grid, Storage};
+use crate::files::OutputKind;
 use crate::output::Output;
 use crate::target::{OutputPath, outputs};
 use chiaro_scene::hcbtf::{Which, exchange};

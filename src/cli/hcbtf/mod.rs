@@ -13,7 +13,8 @@ use clap::Subcommand;
 
 use super::output::Output;
 use crate::diag::Diagnostic;
-use crate::document::{Directions, Grid, Hcbtf, OutputKind, Outputs};
+use crate::document::{Directions, Grid, Hcbtf};
+use crate::files::{OutputKind, Outputs};
 use chiaro_scene::hcbtf::{Filled, fill::fill, load, write};
 
 const EXAMPLES: &str = "\

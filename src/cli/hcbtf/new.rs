@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use super::{GRID_HELP, GridText, check_free, save, with_ending};
 use crate::diag::Diagnostic;
-use crate::document::{Address, Grid, Hcbtf, Outputs, Rule, Tile, parse_hex};
+use crate::document::{Address, Grid, Hcbtf, Rule, Tile, parse_hex};
+use crate::files::Outputs;
 use crate::output::Output;
 use crate::target::OutputPath;
 

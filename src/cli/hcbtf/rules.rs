@@ -6,7 +6,8 @@ use serde_json::json;
 
 use super::open;
 use crate::diag::Diagnostic;
-use crate::document::{Hcbtf, OutputKind, Rule, read_text};
+use crate::document::{Hcbtf, Rule};
+use crate::files::{OutputKind, read_text};
 use crate::output::Output;
 use crate::target::outputs;
 use chiaro_scene::hcbtf::{read_rules, write};

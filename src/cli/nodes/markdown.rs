@@ -191,9 +191,8 @@ fn conversions() -> String {
 fn surroundings() -> String {
     let mut text =
         String::from("| word | type | known | what it is |\n| --- | --- | --- | --- |\n");
-    for (context, word) in
-        Context::all().filter(|(context, _)| !matches!(context, Context::Light(_)))
-    {
+    for context in Context::all().filter(|context| context.light_input().is_none()) {
+        let word = context.word();
         let ty = Type::from_wgsl(context.wgsl_type());
         let _ =
             writeln!(text, "| `{word}` | {ty} | {} | {} |", known(context.rate()), context.help());

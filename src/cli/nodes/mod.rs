@@ -56,7 +56,7 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let library = match &arguments.nodes {
-        Some(folder) => Library::built_in().with_project(folder),
+        Some(folder) => Library::built_in().with_project(&crate::files::Disk, folder),
         None => Library::built_in().clone(),
     };
     #[cfg(feature = "gpu")]

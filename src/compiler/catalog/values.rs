@@ -49,11 +49,7 @@ pub fn words(name: &str) -> String {
 
 /// A context in people's words: the papers' kappa is a curvature.
 pub fn context_words(context: Context) -> String {
-    match context {
-        Context::KappaDetail | Context::KappaDetailSparse => "detail curvature".to_owned(),
-        context if context.is_curvature() => "curvature".to_owned(),
-        context => words(context.word()),
-    }
+    context.row().label.map_or_else(|| words(context.word()), str::to_owned)
 }
 
 /// The display of an unwired input in a node's row.

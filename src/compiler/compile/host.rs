@@ -18,7 +18,7 @@ use crate::document::{
 };
 use crate::ids::LightId;
 use crate::interp::{self, Precision, Program};
-use crate::library::{Context, Conversion, Type};
+use crate::library::{Context, ContextSource, Conversion, HostSurroundings, Type};
 use crate::wgsl::{self, Source, Valid};
 
 /// Everything a host program reads: one object, in one view, at one time.
@@ -279,7 +279,7 @@ impl HostProgram {
     /// The lights of which it reads anything.
     pub fn lights(&self) -> impl Iterator<Item = &LightId> {
         self.steps.iter().filter_map(|step| match step {
-            Step::Context(Context::Light(_), light) => light.as_ref(),
+            Step::Context(context, light) if context.light_input().is_some() => light.as_ref(),
             _ => None,
         })
     }
@@ -389,23 +389,29 @@ pub fn push_numbers(value: &interp::Value, numbers: &mut Vec<f64>) {
 
 impl HostInputs<'_> {
     fn context(&self, context: Context, light: Option<&LightId>) -> interp::Value {
-        match context {
-            Context::CameraFromWorld => {
-                interp::Value::matrix(&self.camera_from_world.to_cols_array_2d())
-            }
-            Context::ObjectId => interp::Value::Float(self.object_id),
-            Context::Time => interp::Value::Float(self.time),
-            Context::Frame => interp::Value::Float(self.frame),
-            Context::Viewport => interp::Value::vec(&self.viewport),
-            Context::Light(input) => light.and_then(|id| self.lights.get(id)).map_or_else(
+        match context.row().source {
+            ContextSource::Host { value, .. } => value(&self.surroundings()),
+            ContextSource::Light(input) => light.and_then(|id| self.lights.get(id)).map_or_else(
                 || {
                     LightValues::new(&Light::default(), DQuat::IDENTITY, DMat3::IDENTITY)
                         .input(input)
                 },
                 |l| l.input(input),
             ),
-            // Contexts of fragment rate are never steps of the host.
-            _ => interp::Value::Float(0.0),
+            // Of fragment rate, and so never a step of the host.
+            ContextSource::Fragment { .. } | ContextSource::Pass { .. } => {
+                interp::Value::Float(0.0)
+            }
+        }
+    }
+
+    fn surroundings(&self) -> HostSurroundings {
+        HostSurroundings {
+            camera_from_world: self.camera_from_world,
+            viewport: self.viewport,
+            time: self.time,
+            frame: self.frame,
+            object_id: self.object_id,
         }
     }
 }

@@ -27,6 +27,7 @@ use crate::ids::{LightId, NodePath, PortName};
 use crate::library::{Library, Special, Type};
 use crate::wgsl::{self, Valid};
 
+pub use crate::library::Stage;
 pub use check::{TypedGraph, TypedInput, TypedNode, TypedSource, check};
 pub use drivers::TypedDriver;
 pub use emit::{Attribute, Binding, BindingKind, ImageBinding, SAMPLES_PER_ROW, SpanMap};
@@ -56,27 +57,6 @@ pub enum Live {
     Touched(HashSet<(NodePath, PortName)>),
     /// Every value. For a look that is being edited.
     All,
-}
-
-/// The purpose of the module.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Stage {
-    /// Draws meshes with the look.
-    #[default]
-    Draw,
-    /// Draws the surface's own normal, for the curvature pass.
-    Normals,
-    /// Draws the look's detail normal, for the curvature pass.
-    DetailNormals,
-    /// Evaluates the look at given surface samples.
-    Eval,
-}
-
-impl Stage {
-    /// Whether it draws normals.
-    pub fn is_normals(self) -> bool {
-        matches!(self, Self::Normals | Self::DetailNormals)
-    }
 }
 
 /// Options of a compilation.

@@ -279,8 +279,7 @@ impl<'a> Builder<'a> {
         let value = match &input.source {
             TypedSource::Wire { node, output } => *self.outputs[*node].get(*output)?,
             TypedSource::Context(context) => {
-                let light =
-                    matches!(context, Context::Light(_)).then(|| node.light.clone()).flatten();
+                let light = context.light_input().and_then(|_| node.light.clone());
                 self.context(index, *context, light)
             }
             TypedSource::Param(_, _) if input.ty.is_texture() => return None,
@@ -302,7 +301,7 @@ impl<'a> Builder<'a> {
 
     fn context(&mut self, index: usize, context: Context, light: Option<LightId>) -> ValueId {
         let ty = Type::from_wgsl(context.wgsl_type());
-        if let (Context::Light(LightInput::Field(field)), Some(id)) = (context, &light)
+        if let (Some(LightInput::Field(field)), Some(id)) = (context.light_input(), &light)
             && self.options.dark.contains(&(id.clone(), field))
         {
             let zero = match ty.width() {
@@ -686,9 +685,9 @@ impl<'a> Builder<'a> {
         let is_own_root = self.graph.nodes[node].def.special == Special::Output;
         let root = match self.options.stage {
             Stage::Normals => {
-                let operation = Operation::Context(Context::Normal, None);
+                let operation = Operation::Context(Context::NORMAL, None);
                 Some(self.value(
-                    Key::Context(Context::Normal, None),
+                    Key::Context(Context::NORMAL, None),
                     node,
                     Type::Vec3,
                     Rate::Fragment,

@@ -1,5 +1,5 @@
-//! HCBTFs as they lie in memory, for journals. Looks and scenes have such an image by serde, from
-//! their descriptions: it holds also what no file says, such as the unknown fields of a part that is
+//! Documents as they lie in memory, for journals. Looks and scenes have such an image by serde, from
+//! their descriptions, and HCBTFs have theirs here. An image holds also what no file says, such as the unknown fields of a part that is
 //! gone now and that undo may bring back.
 
 use std::borrow::Cow;
@@ -10,7 +10,7 @@ use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::packed::Packed;
-use super::{Address, Grid, Hcbtf, Rule, Tile};
+use super::{Address, Editable, Grid, Hcbtf, Look, Rule, Scene, Tile};
 
 /// An HCBTF, each tile once however many samples are equal to it.
 pub(super) struct HcbtfImage;
@@ -66,6 +66,59 @@ impl HcbtfImage {
         };
         let painted = painted.into_iter().map(of).collect::<Result<_, D::Error>>()?;
         Ok(Hcbtf { grid, is_tiling, painted, rules: rules.into_owned() })
+    }
+}
+
+/// A document that a journal can be of.
+pub trait Journaled:
+    Editable<Edit: Serialize + serde::de::DeserializeOwned + 'static> + Clone
+{
+    /// What kind of document it is, as files say it.
+    const KIND: &'static str;
+
+    /// All of the document, as JSON.
+    ///
+    /// # Errors
+    /// It holds what JSON cannot, which no document does.
+    fn to_image(&self) -> serde_json::Result<String>;
+
+    /// The document that [`to_image`](Self::to_image) wrote.
+    ///
+    /// # Errors
+    /// The text is something else.
+    fn from_image(text: &str) -> serde_json::Result<Self>;
+}
+
+macro_rules! journaled {
+    ($document:ty, $kind:literal) => {
+        impl Journaled for $document {
+            const KIND: &'static str = $kind;
+
+            fn to_image(&self) -> serde_json::Result<String> {
+                serde_json::to_string(self)
+            }
+
+            fn from_image(text: &str) -> serde_json::Result<Self> {
+                serde_json::from_str(text)
+            }
+        }
+    };
+}
+
+journaled!(Look, "look");
+journaled!(Scene, "scene");
+
+impl Journaled for Hcbtf {
+    const KIND: &'static str = "hcbtf";
+
+    fn to_image(&self) -> serde_json::Result<String> {
+        let mut text = Vec::new();
+        HcbtfImage::serialize(self, &mut serde_json::Serializer::new(&mut text))?;
+        Ok(String::from_utf8_lossy(&text).into_owned())
+    }
+
+    fn from_image(text: &str) -> serde_json::Result<Self> {
+        HcbtfImage::deserialize(&mut serde_json::Deserializer::from_str(text))
     }
 }
 

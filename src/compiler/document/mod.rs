@@ -3,7 +3,7 @@
 //! [`Look::read`] and [`Scene::read`] take JSON and give a value, a [`SourceMap`] and every problem
 //! at once; [`Look::to_text`] writes the canonical form, and a document equal to what was read is
 //! written back byte for byte. [`History`] applies every [`Edit`], [`SceneEdit`] and [`HcbtfEdit`],
-//! and undoes it; a [`journal`] keeps what is not saved. docs/format.md documents the files.
+//! and undoes it; a journal keeps what is not saved. docs/format.md documents the files.
 
 mod check;
 mod color;
@@ -12,11 +12,9 @@ mod edit;
 pub mod grouping;
 mod hcbtf;
 mod image;
-pub mod journal;
 mod json;
 mod light;
 mod look;
-mod outputs;
 mod packed;
 mod problems;
 mod read;
@@ -25,29 +23,31 @@ mod scene;
 mod shape;
 mod source;
 mod storage;
-mod store;
 mod structure;
+mod text;
 mod value;
 mod word;
 mod write;
 
 pub use color::{linear_to_srgb, parse_hex, srgb_to_linear};
-pub use edit::{Applied, Edit, Editable, HcbtfEdit, History, Patch, SceneEdit};
+pub use edit::{
+    Applied, Edit, Editable, HcbtfEdit, History, HistoryNumbers, Patch, SceneEdit, Step,
+};
 pub use hcbtf::{
     Address, Angle as HcbtfAngle, Bundle, Direction, Directions, Grid, Hcbtf, MAX_ANGLE_STEPS,
     MAX_TILE_SIDE, Placement, Relief, Rule, RuleAbout, StrokeGround, StrokeHighlight, StrokeShadow,
     StrokeShape, StrokeTones, Strokes, Tile, relief,
 };
+pub use image::Journaled;
 pub use light::{Light, LightField, LightInput, LightKind, LightQuantity, LightSpace};
 pub use look::*;
-pub use outputs::{FileSet, OutputKind, Outputs, remove_abandoned, remove_unfinished};
 pub use read::Document;
 pub use scene::*;
 pub use shape::{field_tables, look_schema, scene_schema};
 pub use source::{Loaded, SourceMap};
 pub use storage::Storage;
-pub use store::{read_text, write_atomic};
 pub use structure::{GraphId, InnerNode};
+pub use text::read_text;
 pub use value::*;
 
 /// The version of the format that this Chiaro writes, and the newest that it reads.

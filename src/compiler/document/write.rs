@@ -1,17 +1,14 @@
 //! Writing documents in the canonical form: fields in a fixed order, defaults left out, and one
 //! node, one wire, one light on each line, so that files compare and merge well.
 
-use std::path::Path;
-
 use super::described::Described;
 use super::json::{Layout, Writer};
 use super::shape::Shape;
 use super::source::SourceMap;
-use super::{Look, Scene, Unknown, VERSION, store};
-use crate::diag::Diagnostic;
+use super::{Look, Scene, Unknown, VERSION};
 
 /// What every document can be written by. Methods of the types themselves, and no trait's, so that
-/// whoever has a document can save it without importing anything.
+/// whoever has a document can write it without importing anything.
 macro_rules! written {
     ($document:ty) => {
         impl $document {
@@ -36,22 +33,6 @@ macro_rules! written {
                 } else {
                     own
                 }
-            }
-
-            /// Saves the document, whole or not at all; unchanged text stays as it is where
-            /// `source` is what the document was read from.
-            ///
-            /// # Errors
-            /// A diagnostic that says why the file could not be written; the old one is then as it
-            /// was.
-            pub fn save(
-                &self,
-                path: &Path,
-                source: Option<&SourceMap>,
-            ) -> Result<(), Box<Diagnostic>> {
-                let text =
-                    source.map_or_else(|| self.to_text(), |source| self.to_text_like(source));
-                store::write_atomic(path, text.as_bytes())
             }
 
             fn write(&self, mut writer: Writer) -> String {

@@ -10,7 +10,7 @@ use super::node::NodeDef;
 use super::read::{load_module, load_node, read_node, stem_and_folder};
 use crate::diag::{Diagnostic, has_errors};
 use crate::document::{Definition, Look};
-use crate::files::{self, ReadError};
+use crate::files::{self, Files, ReadError};
 use crate::milestones;
 use crate::wgsl::Source;
 
@@ -102,14 +102,14 @@ impl Library {
     /// and a diagnostic with its line; all else goes on. The folder may be a stranger's: what is
     /// read of it is bounded.
     #[must_use]
-    pub fn with_project(&self, folder: &Path) -> Self {
+    pub fn with_project(&self, files: &dyn Files, folder: &Path) -> Self {
         let mut library = self.clone();
-        let found = node_files(folder);
+        let found = node_files(files, folder);
         let mut left = MAX_PROJECT_BYTES;
         let mut is_cut = found.is_cut;
         for file in found.files {
             let name = file.to_string_lossy().into_owned();
-            let text = match read_node_file(&file) {
+            let text = match read_node_file(files, &file) {
                 Ok(text) => text,
                 Err(problem) => {
                     library.problems.push(problem.in_file(name));
@@ -183,8 +183,8 @@ pub struct NodeFiles {
 }
 
 /// Finds a project's own nodes.
-pub fn node_files(folder: &Path) -> NodeFiles {
-    let walked = files::walk(folder, MAX_DEPTH, &|_| true);
+pub fn node_files(files: &dyn Files, folder: &Path) -> NodeFiles {
+    let walked = files.walk(folder, MAX_DEPTH, &|_| true);
     let is_node = |path: &PathBuf| {
         path.extension().is_some_and(|ending| ending == "wgsl" || ending == "json")
     };
@@ -195,11 +195,11 @@ pub fn node_files(folder: &Path) -> NodeFiles {
     NodeFiles { files, folders: walked.folders, is_cut }
 }
 
-fn read_node_file(path: &Path) -> Result<String, Diagnostic> {
+fn read_node_file(files: &dyn Files, path: &Path) -> Result<String, Diagnostic> {
     let unreadable = |why: &str| {
         Diagnostic::error("unreadable-node", format!("this node file cannot be read: {why}"))
     };
-    let bytes = files::read(path, MAX_FILE_BYTES).map_err(|error| {
+    let bytes = files.read(path, MAX_FILE_BYTES).map_err(|error| {
         let problem = unreadable(&error.to_string());
         match error {
             ReadError::Io(_) => problem,
@@ -227,53 +227,40 @@ fn too_much(folder: &Path) -> Diagnostic {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::files::MemoryFiles;
+
+    const FOLDER: &str = "project/nodes";
 
     /// The problems of a project's nodes, by code.
-    fn problems(folder: &Path) -> Vec<&'static str> {
-        let library = Library::built_in().with_project(folder);
+    fn problems(files: &MemoryFiles) -> Vec<&'static str> {
+        let library = Library::built_in().with_project(files, Path::new(FOLDER));
         library.problems.iter().map(|problem| problem.code).collect()
     }
 
     #[test]
     fn a_file_that_is_too_large_or_no_text_is_told_and_the_rest_is_read() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = |name: &str| folder.path().join(name);
-        std::fs::write(path("half.wgsl"), "fn half(x: f32) -> f32 {\n    return 0.5 * x;\n}\n")
-            .unwrap();
-        std::fs::File::create(path("hole.wgsl")).unwrap().set_len(1 << 40).unwrap();
-        std::fs::write(path("wide.wgsl"), b"\xFF\xFEf\0n\0").unwrap();
-        std::fs::write(path("wild.json"), b"{\xFF}").unwrap();
-        assert_eq!(problems(folder.path()), ["unreadable-node"; 3]);
-        assert!(Library::built_in().with_project(folder.path()).nodes.contains_key("half"));
+        let mut files = MemoryFiles::default();
+        let path = |name: &str| Path::new(FOLDER).join(name);
+        files.add(path("half.wgsl"), "fn half(x: f32) -> f32 {\n    return 0.5 * x;\n}\n");
+        files.add(path("large.wgsl"), vec![b' '; MAX_FILE_BYTES as usize + 1]);
+        files.add(path("wide.wgsl"), b"\xFF\xFEf\0n\0");
+        files.add(path("wild.json"), b"{\xFF}");
+        assert_eq!(problems(&files), ["unreadable-node"; 3]);
+        let library = Library::built_in().with_project(&files, Path::new(FOLDER));
+        assert!(library.nodes.contains_key("half"));
     }
 
     #[test]
     fn files_are_read_up_to_a_bound_of_all_of_them() {
-        let folder = tempfile::tempdir().unwrap();
+        let mut files = MemoryFiles::default();
         let text = format!("// {}", "x".repeat(MAX_FILE_BYTES as usize - 3));
         let most = MAX_PROJECT_BYTES / MAX_FILE_BYTES;
         for i in 0..=most {
-            std::fs::write(folder.path().join(format!("n{i}.wgsl")), &text).unwrap();
+            files.add(Path::new(FOLDER).join(format!("n{i}.wgsl")), text.as_str());
         }
-        let told = problems(folder.path());
+        let told = problems(&files);
         assert_eq!(told.iter().filter(|code| **code == "too-many-nodes").count(), 1);
         assert_eq!(told.len() as u64, most + 1, "{told:?}");
-    }
-
-    #[cfg(target_os = "linux")]
-    #[test]
-    fn a_strangers_folder_neither_waits_nor_walks_the_disk() {
-        use std::os::unix::fs::symlink;
-        let folder = tempfile::tempdir().unwrap();
-        let path = |name: &str| folder.path().join(name);
-        assert!(
-            std::process::Command::new("mkfifo").arg(path("pipe.wgsl")).status().unwrap().success()
-        );
-        symlink("/dev/zero", path("zero.json")).unwrap();
-        symlink("/", path("disk")).unwrap();
-        symlink(".", path("ring")).unwrap();
-        assert_eq!(node_files(folder.path()).folders, [folder.path()]);
-        assert_eq!(problems(folder.path()), ["unreadable-node"; 2]);
     }
 
     #[test]
@@ -297,13 +284,12 @@ mod tests {
 
     #[test]
     fn copies_of_shipped_nodes_say_nothing_and_changed_ones_do() {
-        let folder = tempfile::tempdir().unwrap();
+        let mut files = MemoryFiles::default();
         let (path, text) = NODES.iter().find(|(path, _)| path.ends_with("/profile.wgsl")).unwrap();
-        let file = folder.path().join(Path::new(path).file_name().unwrap());
-        std::fs::write(&file, text).unwrap();
-        assert!(Library::built_in().with_project(folder.path()).problems.is_empty());
-        std::fs::write(&file, format!("{text}\n")).unwrap();
-        let problems = Library::built_in().with_project(folder.path()).problems;
-        assert_eq!(problems.iter().map(|problem| problem.code).collect::<Vec<_>>(), ["kind-taken"]);
+        let file = Path::new(FOLDER).join(Path::new(path).file_name().unwrap());
+        files.add(&file, *text);
+        assert_eq!(problems(&files), [""; 0]);
+        files.add(&file, format!("{text}\n"));
+        assert_eq!(problems(&files), ["kind-taken"]);
     }
 }

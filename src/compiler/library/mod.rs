@@ -20,6 +20,7 @@ mod embedded;
 mod group;
 mod load;
 mod node;
+mod passes;
 mod read;
 mod types;
 
@@ -42,7 +43,10 @@ pub const CATEGORIES: [&str; 14] = [
     "screen",
 ];
 
-pub use context::{Context, Rate, SMOOTH_LEVELS};
+pub use context::{
+    Bounds, Context, ContextRow, ContextSample, ContextSource, HostSurroundings, Rate, SurfacePart,
+    SurfacePoint,
+};
 pub use embedded::NODES;
 pub use group::{CUSTOM_CODE, CUSTOM_KIND, GroupPorts};
 pub use load::node_files;
@@ -51,5 +55,6 @@ pub use node::{
     Bypass, BypassResult, Condition, Fallback, Input, Limit, NodeDef, NodeModule, Output,
     Parameter, Prepare, Preset, Special, Test, TierError, Variant,
 };
+pub use passes::{PassId, PassInput, PassOutput, PassRow, PassWork, Stage, TexelFormat};
 pub use read::load_node;
 pub use types::{Conversion, Type};

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex};
 
-use super::context::Context;
+use super::Context;
 use super::types::Type;
 use crate::diag::Diagnostic;
 use crate::document::{Tier, Value};

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use indexmap::IndexMap;
 
-use super::context::Context;
+use super::Context;
 use super::docs::{self, Docs, Piece, Tag};
 use super::node::{
     Bound, Bypass, BypassResult, Condition, Fallback, Input, Limit, NodeDef, NodeModule, Output,

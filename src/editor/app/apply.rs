@@ -15,8 +15,8 @@ use crate::commands::{
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Projection};
 use crate::state::painting::look;
+use crate::state::scene::OpenScene;
 use crate::state::session::Session;
-use crate::state::stage::Stage;
 
 /// Whether what was told last stays told while a command is carried out.
 fn keeps_message(command: &Command) -> bool {
@@ -106,7 +106,7 @@ impl App {
             Command::ShowOn(Some(path)) => self.show_on(&path.to_string_lossy()),
             Command::StandUp(z_is_up) => self.stand_up(z_is_up),
             Command::ShowOn(None) => {
-                self.dialogs.ask(FilePurpose::Mesh, Some(Path::new(&self.session.view.mesh)))
+                self.dialogs.ask(FilePurpose::Mesh, Some(Path::new(&self.session.view.orbit.mesh)))
             }
             Command::Probe(switch) => {
                 let on = switch.turned(self.bench.tools.probe.is_on());
@@ -163,8 +163,8 @@ impl App {
             Command::ShareGroup(id) => self.message = Some(self.session.share_group(&id)),
             Command::OpenExample(index) => self.do_or_ask(Pending::Example(index)),
             Command::Copy(text) => ui.ctx().copy_text(text),
-            Command::SelectKey(key) => self.session.key = key,
-            Command::SetTime(time) => self.session.time = time,
+            Command::SelectKey(key) => self.session.selection.key = key,
+            Command::SetTime(time) => self.session.view.time = time,
             Command::View(command) => self.apply_to_view(command),
             Command::Graph(command) => {
                 self.start = None;
@@ -182,22 +182,25 @@ impl App {
     fn apply_to_view(&mut self, command: ViewCommand) {
         let aspect = self.bench.viewport.aspect();
         match command {
-            ViewCommand::TurnTo(view) => self.session.view = *view,
+            ViewCommand::TurnTo(view) => self.session.view.orbit = *view,
             ViewCommand::Reset => self.session.reset_view(),
             ViewCommand::FrameObject => {
-                let selected = self.session.stage().and_then(Stage::selected);
+                let selected = self.session.stage().and_then(OpenScene::selected);
                 let selected = selected.map(|(id, _)| id.clone());
                 self.session.frame(selected.as_ref(), aspect);
             }
             ViewCommand::FrameAll => self.session.frame(None, aspect),
             ViewCommand::SwitchProjection => {
-                self.session.view.projection = match self.session.view.projection {
+                self.session.view.orbit.projection = match self.session.view.orbit.projection {
                     Projection::Perspective => Projection::Orthographic,
                     Projection::Orthographic => Projection::Perspective,
                 };
             }
             ViewCommand::ToggleTurntable => self.bench.viewport.toggle_turntable(),
-            ViewCommand::ToggleHandles => self.bench.viewport.toggle_handles(),
+            ViewCommand::ToggleHandles => {
+                let shown = &mut self.bench.tools.has_handles;
+                *shown = !*shown;
+            }
         }
     }
 
@@ -210,7 +213,8 @@ impl App {
     }
 
     fn add_node(&mut self, kind: &str, at: Option<egui::Pos2>) {
-        let Some(kind) = self.session.catalog.all().find(|known| known.id == kind).cloned() else {
+        let Some(kind) = self.session.project.catalog.all().find(|known| known.id == kind).cloned()
+        else {
             return;
         };
         let at = self.bench.canvas.place_for(at);
@@ -255,7 +259,7 @@ impl App {
         let Some((view, is_edited)) = self.bench.viewport.give_up(&self.session) else {
             return false;
         };
-        self.session.view = view;
+        self.session.view.orbit = view;
         is_edited
     }
 
@@ -269,7 +273,7 @@ impl App {
     /// go.
     pub(super) fn save(&mut self) {
         let Some(did_paint) = self.save_painting_first() else { return };
-        let is_scene_dirty = self.session.stage().is_some_and(Stage::is_dirty);
+        let is_scene_dirty = self.session.stage().is_some_and(OpenScene::is_dirty);
         let saves_look = self.session.is_look_dirty() || !is_scene_dirty && !did_paint;
         if saves_look {
             let Some(path) = self.session.path().map(Path::to_path_buf) else {

@@ -6,12 +6,12 @@ use super::App;
 use crate::app::dock;
 use crate::commands::table::{self, CommandRow, Menu};
 use crate::commands::{Command, PaintCommand, PanelId};
-use crate::painter::{Shown, shown};
+use crate::painter::{ShownPainting, shown};
 use crate::panels::{PANELS, problems};
 use crate::state::painting::look;
-use crate::state::painting::work::Work;
+use crate::state::painting::work::OpenPainting;
+use crate::state::scene::OpenScene;
 use crate::state::session::Session;
-use crate::state::stage::Stage;
 use crate::widgets::spots::{self, Spot};
 use crate::widgets::theme;
 
@@ -166,13 +166,15 @@ impl App {
         let is_look_dirty = session.is_look_dirty();
         let mut all = Vec::new();
         // The look that only shows what is painted goes without saying.
-        let is_bare = |work: &Work| session.path().is_none() && session.look().name == work.name();
+        let is_bare =
+            |work: &OpenPainting| session.path().is_none() && session.look().name == work.name();
         if is_look_dirty || stage.is_some() || !(work.is_some_and(is_bare) && self.keeps_look()) {
             all.push(("", session.name(), is_look_dirty));
         }
         // A look and its scene may have files of the same name.
-        let within =
-            |stage: &Stage| if stage.name() == session.name() { " in the scene " } else { " in " };
+        let within = |stage: &OpenScene| {
+            if stage.name() == session.name() { " in the scene " } else { " in " }
+        };
         all.extend(stage.map(|stage| (within(stage), stage.name(), stage.is_dirty())));
         let between = if all.is_empty() { "" } else { ", " };
         all.extend(work.map(|work| (between, work.name(), work.is_dirty())));
@@ -277,7 +279,7 @@ fn paint_shown(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
     if session.painting().is_none() && all.is_empty() {
         entry(ui, "Paint what the look shows", "The open look shows nothing that is painted", None);
     }
-    for Shown { label, help, path, .. } in all {
+    for ShownPainting { label, help, path, .. } in all {
         entry(
             ui,
             &label,

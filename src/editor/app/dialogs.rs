@@ -25,7 +25,7 @@ pub(crate) enum Answer {
 
 /// How files are asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Way {
+pub(crate) enum DialogKind {
     /// By the system's dialogs.
     System,
     /// By a path field in the window.
@@ -38,7 +38,7 @@ pub(crate) enum Way {
 pub(crate) struct Dialogs {
     answers: Arc<Mutex<Vec<Answer>>>,
     wake: Arc<dyn Fn() + Send + Sync>,
-    pub(crate) way: Way,
+    pub(crate) way: DialogKind,
     /// What is answered in place of whom the dialogs would ask, for programs that drive the window.
     pub(crate) prepared: VecDeque<PathBuf>,
 }
@@ -49,7 +49,7 @@ impl Dialogs {
         Self {
             answers: Arc::default(),
             wake: Arc::new(wake),
-            way: Way::System,
+            way: DialogKind::System,
             prepared: VecDeque::new(),
         }
     }
@@ -60,9 +60,9 @@ impl Dialogs {
             return self.answer(Answer::File(purpose, path));
         }
         match self.way {
-            Way::System => self.ask_system(purpose, near),
-            Way::Window => self.answer(Answer::NoDialog(purpose, suggested(purpose, near))),
-            Way::Silent => {}
+            DialogKind::System => self.ask_system(purpose, near),
+            DialogKind::Window => self.answer(Answer::NoDialog(purpose, suggested(purpose, near))),
+            DialogKind::Silent => {}
         }
     }
 
@@ -108,10 +108,10 @@ impl Dialogs {
     pub(crate) fn answers(&mut self) -> Vec<Answer> {
         let answers =
             std::mem::take(&mut *self.answers.lock().unwrap_or_else(PoisonError::into_inner));
-        if self.way == Way::System
+        if self.way == DialogKind::System
             && answers.iter().any(|answer| matches!(answer, Answer::NoDialog(..)))
         {
-            self.way = Way::Window;
+            self.way = DialogKind::Window;
         }
         answers
     }

@@ -13,10 +13,10 @@ use crate::examples;
 use crate::frame::UNSAVED_HCBTF;
 use crate::panels::library;
 use crate::state::painting::look;
-use crate::state::painting::work::Work;
+use crate::state::painting::work::OpenPainting;
 use crate::state::problem_text::sentence;
 use crate::state::safety::crashes::{CrashMark, DocumentOrigin, Step};
-use crate::state::stage::{Stage, Wanted};
+use crate::state::scene::{LookToOpen, OpenScene};
 use crate::widgets::confirm;
 
 /// What would lose unsaved changes.
@@ -72,12 +72,12 @@ impl App {
     /// Opens the look that a scene lacks which was just opened.
     pub(super) fn open_lacking_look(&mut self) {
         match self.session.look_to_open() {
-            Some(Wanted::File(path)) => {
+            Some(LookToOpen::File(path)) => {
                 let told = self.message.take();
                 self.open_alone(&path);
                 self.message = told.or(self.message.take());
             }
-            Some(Wanted::Unsaved) => self.safety.take_back_unsaved(&mut self.session),
+            Some(LookToOpen::Unsaved) => self.safety.take_back_unsaved(&mut self.session),
             None => {}
         }
     }
@@ -100,7 +100,7 @@ impl App {
     /// Notes that a file is being read, until what is returned is dropped. `None` where the last
     /// program ended over that, which is told.
     pub(super) fn begin_to_read(&mut self, path: &Path) -> Option<CrashMark> {
-        let crashes = self.session.crashes.clone();
+        let crashes = self.session.journals.crashes.clone();
         if crashes.suspect_in(path).is_some_and(|suspect| suspect.step == Step::Read) {
             self.safety.was_interrupted(path, &self.session);
             return None;
@@ -160,7 +160,7 @@ impl App {
             }
             _ => (true, true),
         };
-        let is_scene_dirty = self.session.stage().is_some_and(Stage::is_dirty);
+        let is_scene_dirty = self.session.stage().is_some_and(OpenScene::is_dirty);
         (look && self.session.is_look_dirty(), scene && is_scene_dirty)
     }
 
@@ -271,7 +271,7 @@ impl App {
             let enters = confirm::enters(ui);
             let name = match self.session.stage() {
                 _ if self.is_painting_at_risk() && self.at_risk() == (false, false) => {
-                    self.session.painting().map(Work::name).unwrap_or_default()
+                    self.session.painting().map(OpenPainting::name).unwrap_or_default()
                 }
                 Some(stage) if !self.at_risk().0 && self.at_risk().1 => stage.name(),
                 _ => self.session.name(),

@@ -24,7 +24,7 @@ impl App {
             FitCommand::ResizeBrush { is_larger } => return fitting.resize_brush(is_larger),
             FitCommand::Back => {
                 if let Some(standpoint) = session.sketch().standpoint() {
-                    (session.view, session.time) = standpoint.back(&session.view);
+                    (session.view.orbit, session.view.time) = standpoint.back(&session.view.orbit);
                 }
                 return;
             }

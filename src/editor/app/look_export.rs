@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::diag::Diagnostic;
-use crate::document::{Look, Outputs};
+use crate::document::Look;
 use crate::export::{self, Export};
+use crate::files::Outputs;
 use crate::library::Library;
 use crate::state::session::Session;
 use crate::state::worker::Worker;
@@ -21,7 +22,7 @@ enum Destination {
 }
 
 /// A look as it was when it was asked for.
-struct Job {
+struct LookExportRequest {
     look: Look,
     library: Arc<Library>,
     stem: String,
@@ -35,7 +36,7 @@ struct Job {
 
 /// What became of it.
 #[derive(Debug, PartialEq)]
-pub(crate) enum Done {
+pub(crate) enum LookExportResult {
     /// What to tell.
     Told(String),
     /// What to copy, and what to tell.
@@ -44,14 +45,14 @@ pub(crate) enum Done {
 
 /// The thread that does it, and where the last export went.
 pub(crate) struct LookExports {
-    worker: Worker<Vec<Job>, Vec<Done>>,
+    worker: Worker<Vec<LookExportRequest>, Vec<LookExportResult>>,
     folder: Option<PathBuf>,
 }
 
 impl LookExports {
     /// `wake` is called from another thread when something is done.
     pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
-        let work = |jobs: Vec<Job>| jobs.iter().map(run).collect();
+        let work = |jobs: Vec<LookExportRequest>| jobs.iter().map(run).collect();
         Self { worker: Worker::new("export look", wake, work), folder: None }
     }
 
@@ -71,13 +72,13 @@ impl LookExports {
         self.folder.clone().unwrap_or_else(|| session.folder().join(own_folder(&stem(session))))
     }
 
-    fn add(&self, job: Job) {
+    fn add(&self, job: LookExportRequest) {
         // Nothing that waits is dropped.
         self.worker
             .request(|waiting| waiting.unwrap_or_default().into_iter().chain([job]).collect());
     }
 
-    pub(crate) fn answers(&self) -> impl Iterator<Item = Done> + use<> {
+    pub(crate) fn answers(&self) -> impl Iterator<Item = LookExportResult> + use<> {
         self.worker.answers().into_iter().flatten()
     }
 
@@ -110,10 +111,10 @@ fn own_folder(stem: &str) -> String {
     format!("{stem}-shaders")
 }
 
-fn job(session: &Session, language: &'static str, to: Destination) -> Job {
-    Job {
+fn job(session: &Session, language: &'static str, to: Destination) -> LookExportRequest {
+    LookExportRequest {
         look: session.look().clone(),
-        library: session.library.clone(),
+        library: session.project.library.clone(),
         stem: stem(session),
         folder: session.folder(),
         path: session.path().map(Path::to_path_buf),
@@ -122,7 +123,7 @@ fn job(session: &Session, language: &'static str, to: Destination) -> Job {
     }
 }
 
-fn run(job: &Job) -> Done {
+fn run(job: &LookExportRequest) -> LookExportResult {
     let exported = export::languages([job.language]).and_then(|languages| {
         Ok((
             export::export(&job.look, &job.library, &job.stem, &languages, &job.folder)?,
@@ -134,17 +135,21 @@ fn run(job: &Job) -> Done {
             let told = write(&exported, folder, job)?;
             let unverified =
                 export::unverified(&languages).map(|told| format!(" · {told}")).unwrap_or_default();
-            Ok(Done::Told(told + &unverified))
+            Ok(LookExportResult::Told(told + &unverified))
         }
         Destination::Clipboard(ending) => copy(&exported, ending, job),
     });
-    done.unwrap_or_else(|problems| Done::Told(told(&problems)))
+    done.unwrap_or_else(|problems| LookExportResult::Told(told(&problems)))
 }
 
 /// Writes the files. Where they would take a document's place they go into a folder of their own,
 /// rather than nowhere: whoever takes the look's own folder, where dialogs begin, has made no
 /// mistake.
-fn write(exported: &Export, folder: &Path, job: &Job) -> Result<String, Vec<Diagnostic>> {
+fn write(
+    exported: &Export,
+    folder: &Path,
+    job: &LookExportRequest,
+) -> Result<String, Vec<Diagnostic>> {
     let mut outputs = Outputs::new(false);
     job.path.iter().for_each(|path| outputs.reads(path));
     let is_free = export::in_the_way(&exported.files, folder, &outputs).is_none();
@@ -157,7 +162,11 @@ fn write(exported: &Export, folder: &Path, job: &Job) -> Result<String, Vec<Diag
     Ok(format!("Exported {count} to {}", folder.display()))
 }
 
-fn copy(exported: &Export, ending: &str, job: &Job) -> Result<Done, Vec<Diagnostic>> {
+fn copy(
+    exported: &Export,
+    ending: &str,
+    job: &LookExportRequest,
+) -> Result<LookExportResult, Vec<Diagnostic>> {
     // The look's own module is called as the look is: `rim.es300.frag`, and
     // `rim.normals.es300.frag` that of a pass.
     let own = format!("{}{ending}", job.stem);
@@ -178,7 +187,7 @@ fn copy(exported: &Export, ending: &str, job: &Job) -> Result<Done, Vec<Diagnost
     } else {
         ""
     };
-    Ok(Done::Copied(text, format!("{name} is in the clipboard{more}")))
+    Ok(LookExportResult::Copied(text, format!("{name} is in the clipboard{more}")))
 }
 
 /// The first of what is wrong, with the node and port that it is at and what to do.

@@ -11,9 +11,9 @@ pub(crate) mod look_export;
 mod painting;
 pub(crate) mod path_field;
 mod recovery;
-pub(crate) mod safety_bar;
+pub(crate) mod recovery_bar;
+mod scene;
 pub(crate) mod sheet;
-mod stage;
 pub(crate) mod tour;
 mod welcome;
 
@@ -23,9 +23,9 @@ use std::time::Duration;
 
 use eframe::egui::{self, Key, Modifiers, Panel, Ui};
 
-use crate::app::dialogs::{Dialogs, Way};
+use crate::app::dialogs::{DialogKind, Dialogs};
 use crate::app::dock::{Dock, Workspace};
-use crate::app::look_export::LookExports;
+use crate::app::look_export::{LookExportResult, LookExports};
 use crate::app::path_field::PathField;
 use crate::app::sheet::Sheet;
 use crate::app::tour::Tour;
@@ -42,6 +42,7 @@ use crate::painter::Painting;
 use crate::painter::before::ViewBefore;
 use crate::panels::cost::Cost;
 use crate::panels::{PANELS, PanelContext, PanelRow, Presence, Workbench};
+use crate::state::revision::DocumentNumber;
 use crate::state::safety::Safety;
 use crate::state::safety::places::Places;
 use crate::state::session::Session;
@@ -50,7 +51,7 @@ use crate::tools::fitting::Fitting;
 use crate::tools::probe::Probe;
 use crate::tools::wipe::Wipe;
 use crate::viewport::Viewport;
-use crate::viewport::picture::{Awaited, Picture};
+use crate::viewport::picture::{MissingPicture, Picture};
 use crate::widgets::{spots, theme};
 use files::Pending;
 use welcome::StartPage;
@@ -83,7 +84,7 @@ pub struct App {
     /// Whether the last frame was the first one with a picture, where that is to be told.
     shows_first_picture: bool,
     /// The look and the painting that the panels were laid out for last.
-    laid_out_for: Option<(u64, Option<u64>)>,
+    laid_out_for: Option<(DocumentNumber, Option<u64>)>,
     /// What was looked at before a painting's flat square.
     view_before_painting: ViewBefore,
 }
@@ -99,7 +100,7 @@ impl App {
         };
         let library = Arc::new(Library::built_in().clone());
         let session = Session::new(library, waker());
-        let crashes = || session.crashes.clone();
+        let crashes = || session.journals.crashes.clone();
         let picture = render_state.map(|state| Picture::new(state, crashes(), waker()));
         let bench = Workbench::new(picture, crashes(), waker());
         Self {
@@ -130,14 +131,14 @@ impl App {
         if self.session.stage().is_some() {
             return self.mesh_of_object(mesh);
         }
-        self.session.view.show_on(mesh);
-        self.safety.shown_on(mesh, self.session.view.z_is_up);
+        self.session.view.orbit.show_on(mesh);
+        self.safety.shown_on(mesh, self.session.view.orbit.z_is_up);
     }
 
     /// Stands the mesh up whose z axis points up, or lays it back.
     pub(super) fn stand_up(&mut self, z_is_up: bool) {
-        self.session.view.z_is_up = z_is_up;
-        self.safety.shown_on(&self.session.view.mesh, z_is_up);
+        self.session.view.orbit.z_is_up = z_is_up;
+        self.safety.shown_on(&self.session.view.orbit.mesh, z_is_up);
     }
 
     /// Keeps unsaved work and settings in these folders, and offers what was left behind there.
@@ -183,14 +184,14 @@ impl App {
     /// Never opens a dialog of the system; for programs that drive the window.
     #[must_use]
     pub fn without_dialogs(mut self) -> Self {
-        self.dialogs.way = Way::Silent;
+        self.dialogs.way = DialogKind::Silent;
         self
     }
 
     /// Asks for paths in the window itself, and never opens a dialog of the system.
     #[must_use]
     pub fn with_path_fields(mut self) -> Self {
-        self.dialogs.way = Way::Window;
+        self.dialogs.way = DialogKind::Window;
         self
     }
 
@@ -315,7 +316,7 @@ impl App {
     pub fn is_preparing(&self) -> bool {
         let awaited =
             self.bench.picture.as_ref().and_then(|picture| picture.awaited(&self.session));
-        matches!(awaited, Some(Awaited::Shader | Awaited::Picture))
+        matches!(awaited, Some(MissingPicture::Shader | MissingPicture::Picture))
     }
 
     /// Whether a picture was asked for that is not handed to the GPU yet.
@@ -427,7 +428,7 @@ impl App {
             self.dock.enter(if is_painted { Workspace::Painting } else { Workspace::Look });
             if !is_painted {
                 if let Some(view) = self.view_before_painting.given_back(&self.session) {
-                    self.session.view = view;
+                    self.session.view.orbit = view;
                 }
             }
         }
@@ -521,8 +522,8 @@ impl App {
     fn take_look_exports(&mut self, ui: &Ui) {
         for done in self.look_exports.answers() {
             let (copied, told) = match done {
-                look_export::Done::Told(told) => (None, told),
-                look_export::Done::Copied(text, told) => (Some(text), told),
+                LookExportResult::Told(told) => (None, told),
+                LookExportResult::Copied(text, told) => (Some(text), told),
             };
             copied.into_iter().for_each(|text| ui.ctx().copy_text(text));
             self.message = Some(told);
@@ -589,6 +590,6 @@ impl eframe::App for App {
 
     fn on_exit(&mut self) {
         self.session.close_journal(true);
-        self.session.crashes.close();
+        self.session.journals.crashes.close();
     }
 }

@@ -12,10 +12,10 @@ use crate::diag::Diagnostic;
 use crate::document::{Edit, Grid, Hcbtf, HcbtfEdit, Storage};
 use crate::frame::UNSAVED_HCBTF;
 use crate::hcbtf::exchange::Form;
-use crate::painter::{Made, counted, shown, stepped};
+use crate::painter::{MadePainting, counted, shown, stepped};
 use crate::state::painting::home::Home;
 use crate::state::painting::look;
-use crate::state::painting::work::Work;
+use crate::state::painting::work::OpenPainting;
 use crate::state::problem_text::sentence;
 
 impl App {
@@ -71,7 +71,7 @@ impl App {
                 );
             }
             PaintCommand::Bake { to: Some(path) }
-                if self.session.painting().and_then(Work::path) == Some(path.as_path()) =>
+                if self.session.painting().and_then(OpenPainting::path) == Some(path.as_path()) =>
             {
                 self.message =
                     Some(format!("{} is open to be painted: bake to another file", path.display()));
@@ -148,14 +148,14 @@ impl App {
     }
 
     pub(super) fn new_painting(&mut self, grid: Grid, keeps_look: bool) {
-        self.begin_painting(Work::new(grid), keeps_look);
+        self.begin_painting(OpenPainting::new(grid), keeps_look);
     }
 
     /// Opens an HCBTF, in a look of its own where the open one does not show it; tells where that
     /// fails.
     pub(super) fn open_painting(&mut self, path: &Path, keeps_look: bool) {
         let Some(_going) = self.begin_to_read(path) else { return };
-        match Work::open(path) {
+        match OpenPainting::open(path) {
             Ok(work) => {
                 let stays = keeps_look || self.session.shows_painting(path);
                 if self.begin_painting(work, stays) {
@@ -175,7 +175,8 @@ impl App {
         };
         let told = format!("{}: saving asks where it is to go", work.name());
         let name = path.to_string_lossy();
-        let edits = look::rename(self.session.look(), &self.session.catalog, &name, UNSAVED_HCBTF);
+        let edits =
+            look::rename(self.session.look(), &self.session.project.catalog, &name, UNSAVED_HCBTF);
         if !edits.is_empty() {
             // Nobody has done anything yet in a look that has no file either, and there is nothing
             // to be saved.
@@ -212,7 +213,7 @@ impl App {
     /// look of its own.
     pub(super) fn go_back_to_painting(&mut self) {
         self.view_before_painting.keep(&self.session);
-        let home = self.session.painting().and_then(Work::home).cloned();
+        let home = self.session.painting().and_then(OpenPainting::home).cloned();
         if !home.is_some_and(|home| self.open_home(&home)) {
             self.begin_bare_look();
         }
@@ -232,7 +233,7 @@ impl App {
         }
         let is_shown = look::shows(&self.session);
         if is_shown && self.session.stage().is_none() {
-            self.session.view = home.view.clone();
+            self.session.view.orbit = home.view.clone();
         }
         is_shown
     }
@@ -245,27 +246,27 @@ impl App {
     /// Takes what was made on another thread; tells where that failed.
     pub(super) fn take_made(&mut self) {
         match self.bench.painting.made() {
-            Some(Made::Imported { from, made }) => self.take_import(&from, made),
-            Some(Made::Baked { to, made: Ok(count) }) => {
+            Some(MadePainting::Imported { from, made }) => self.take_import(&from, made),
+            Some(MadePainting::Baked { to, made: Ok(count) }) => {
                 let told = format!("Baked {}: {count} samples", to.display());
                 self.do_or_ask(Pending::OpenPainting { path: to, keeps_look: false });
                 self.message = Some(told);
             }
-            Some(Made::Baked { to, made: Err(problems) }) => {
+            Some(MadePainting::Baked { to, made: Err(problems) }) => {
                 let why = problems
                     .first()
                     .map(|problem| sentence(problem).replace('\n', ": "))
                     .unwrap_or_default();
                 self.message = Some(format!("{} was not baked: {why}", to.display()));
             }
-            Some(Made::Tile { .. }) | None => {}
+            Some(MadePainting::Tile { .. }) | None => {}
         }
     }
 
     /// Begins with what was made of what was painted before.
     pub(super) fn begin_made(&mut self, hcbtf: &Hcbtf) {
         let [width, height] = hcbtf.grid.size;
-        if self.begin_painting(Work::imported(hcbtf.clone(), Vec::new()), false) {
+        if self.begin_painting(OpenPainting::imported(hcbtf.clone(), Vec::new()), false) {
             self.message =
                 Some(format!("A new painting of {width} x {height} texels; save it to keep it"));
         }
@@ -283,7 +284,7 @@ impl App {
                     hcbtf.painted.len(),
                     hcbtf.grid.sample_count()
                 );
-                if self.begin_painting(Work::imported(hcbtf, notes), false) {
+                if self.begin_painting(OpenPainting::imported(hcbtf, notes), false) {
                     self.message = Some(
                         self.message.take().map_or(told.clone(), |note| format!("{told} · {note}")),
                     );
@@ -322,13 +323,13 @@ impl App {
 
     /// Begins to paint, where the device can hold it; tells why not otherwise.
     /// Returns whether it did.
-    fn begin_painting(&mut self, work: Work, keeps_look: bool) -> bool {
+    fn begin_painting(&mut self, work: OpenPainting, keeps_look: bool) -> bool {
         if let Err(problem) = self.bench.painting.check(work.grid()) {
             let why = sentence(&problem).replace('\n', ": ");
             self.message = Some(format!("{} cannot be painted here: {why}", work.name()));
             return false;
         }
-        let told = work.load_problems.first().map(|problem| problem.message.clone());
+        let told = work.document.load_problems.first().map(|problem| problem.message.clone());
         self.session.set_painting(Some(work));
         if !keeps_look {
             self.begin_bare_look();
@@ -347,7 +348,7 @@ impl App {
         let look = look::default_look(&sheet, &work.name(), work.grid().size);
         self.view_before_painting.keep(&self.session);
         self.session.start_from(&look, "painting");
-        self.session.view.look_at_a_sheet();
+        self.session.view.orbit.look_at_a_sheet();
     }
 
     pub(super) fn show_painting_panels(&mut self) {
@@ -370,7 +371,7 @@ impl App {
             && !self.session.is_look_dirty()
             && self.session.stage().is_none();
         if is_new && self.safety.take_back_look_of_painting(&mut self.session) {
-            let painting = self.session.painting().map(Work::name).unwrap_or_default();
+            let painting = self.session.painting().map(OpenPainting::name).unwrap_or_default();
             let told = format!(
                 "{painting} and {} are as they were, with all their changes",
                 self.session.name()
@@ -388,7 +389,7 @@ impl App {
 
     /// Tells what is painted from what was before.
     pub(super) fn painting_number(&self) -> Option<u64> {
-        self.session.painting().map(Work::number)
+        self.session.painting().map(OpenPainting::number)
     }
 
     pub(super) fn close_painting(&mut self) {
@@ -417,7 +418,7 @@ impl App {
         if !self.saves_painting() {
             return Some(false);
         }
-        match self.session.painting().and_then(Work::path).map(Path::to_path_buf) {
+        match self.session.painting().and_then(OpenPainting::path).map(Path::to_path_buf) {
             Some(path) => self.save_painting_as(&path).then_some(true),
             None => {
                 self.ask_where_to_save_painting();

@@ -13,7 +13,7 @@ impl App {
         if command == RecoveryCommand::ReadAgain
             && let Some(path) = self.safety.interrupted()
         {
-            self.session.crashes.trust(&DocumentOrigin::of_file(&path));
+            self.session.journals.crashes.trust(&DocumentOrigin::of_file(&path));
             return self.open(&path);
         }
         let painting = self.painting_number();

@@ -274,7 +274,7 @@ fn found_nodes<'s>(session: &'s Session, query: &str) -> Vec<(&'s NodeId, String
     }
     let words: Vec<&str> = query.split_whitespace().collect();
     let named = session.graph().nodes.iter().filter_map(|(id, node)| {
-        let kind = || session.catalog.of(node).map(|kind| kind.label.to_string());
+        let kind = || session.project.catalog.of(node).map(|kind| kind.label.to_string());
         let title = if node.name.is_empty() {
             kind().unwrap_or_else(|| id.to_string())
         } else {

@@ -6,27 +6,28 @@ use std::path::Path;
 use eframe::egui::{self, Ui};
 
 use super::App;
-use crate::app::dialogs::{Answer, Way};
+use crate::app::dialogs::{Answer, DialogKind};
 use crate::app::path_field::PathField;
 use crate::app::tour::{NOTHING, Tour};
 use crate::commands::{Command, FilePurpose, PaintCommand, SceneCommand};
 use crate::panels::PanelContext;
 use crate::panels::start::{self, Start};
+use crate::state::revision::{DocumentNumber, LookRevision};
 use crate::state::session::Session;
 use crate::widgets::theme;
 
 /// What was open when the start page came: it leaves with that.
 #[derive(Debug, PartialEq)]
 pub(super) struct StartPage {
-    document: u64,
-    revision: u64,
+    document: DocumentNumber,
+    revision: LookRevision,
     mesh: String,
 }
 
 impl StartPage {
     fn over(session: &Session) -> Self {
         let (document, revision) = (session.document_number(), session.revision());
-        Self { document, revision, mesh: session.view.mesh.clone() }
+        Self { document, revision, mesh: session.view.orbit.mesh.clone() }
     }
 }
 
@@ -102,7 +103,7 @@ impl App {
     }
 
     pub(super) fn open_path_field(&mut self) {
-        if self.dialogs.way == Way::Silent {
+        if self.dialogs.way == DialogKind::Silent {
             return;
         }
         let folder = self.session.folder();

@@ -133,7 +133,7 @@ impl Canvas {
         match command {
             GraphCommand::AddNode => self.palette = Some(Palette::new(at, None)),
             GraphCommand::Swap => {
-                let kind = |id| session.catalog.of(session.graph().nodes.get(id)?).cloned();
+                let kind = |id| session.project.catalog.of(session.graph().nodes.get(id)?).cloned();
                 self.palette = chosen.last().map(|id| Palette::swapping(at, id.clone(), kind(id)));
             }
             GraphCommand::Note => {
@@ -165,8 +165,11 @@ impl Canvas {
             }
             GraphCommand::SelectNone => out.push(Command::Select(Vec::new())),
             GraphCommand::Invert => {
-                let others =
-                    session.graph().nodes.keys().filter(|id| !session.selection.contains(*id));
+                let others = session
+                    .graph()
+                    .nodes
+                    .keys()
+                    .filter(|id| !session.selection.nodes.contains(*id));
                 out.push(Command::Select(others.cloned().collect()));
             }
             GraphCommand::Delete if self.item.is_some() => self.delete_item(session, out),
@@ -359,7 +362,7 @@ impl Canvas {
 
     /// Goes on to the nearest node in a direction.
     fn select_next(&self, way: Heading, session: &Session, out: &mut Vec<Command>) {
-        let current = session.selection.last().and_then(|id| self.table.index_of(id));
+        let current = session.selection.nodes.last().and_then(|id| self.table.index_of(id));
         let step = way.step();
         let from = current.map_or(self.view.center, |index| self.table.nodes[index].rect.center());
         let cost = |rect: &Rect| {

@@ -170,7 +170,7 @@ impl Canvas {
         let row = &self.table.nodes[index];
         let r = self.view.rect_to_screen(row.rect);
         let mark = self.marks.get(&row.id).map(|mark| mark.severity);
-        let is_selected = pen.session.selection.contains(&row.id);
+        let is_selected = pen.session.selection.nodes.contains(&row.id);
         let title = if row.kind.is_missing {
             pen.colors.error.gamma_multiply(0.5)
         } else {

@@ -126,9 +126,10 @@ pub(crate) fn put(session: &Session, places: impl Iterator<Item = (NodeId, Pos2)
 pub(crate) fn group(session: &Session, nodes: &[NodeId]) -> Option<(NodeId, Edit)> {
     // The look's output stays in the look.
     let nodes: Vec<NodeId> = nodes.iter().filter(|id| !is_output(session, id)).cloned().collect();
-    let taken = |slug: &str| session.catalog.get(slug).is_some();
-    let first =
-        |node: &Node| session.catalog.of(node)?.outputs.first().map(|port| port.name.clone());
+    let taken = |slug: &str| session.project.catalog.get(slug).is_some();
+    let first = |node: &Node| {
+        session.project.catalog.of(node)?.outputs.first().map(|port| port.name.clone())
+    };
     let grouped =
         grouping::group(session.look(), session.graph_id(), &nodes, "Group", taken, first)?;
     Some((grouped.node, grouped.edit))
@@ -312,7 +313,7 @@ pub(crate) fn dissolve(session: &Session, nodes: &[NodeId]) -> Option<Edit> {
 /// What feeds the input that is most like an output.
 fn through(session: &Session, from: &Endpoint) -> Option<Endpoint> {
     let of = session.graph();
-    let kind = session.catalog.of(of.nodes.get(&from.node)?)?;
+    let kind = session.project.catalog.of(of.nodes.get(&from.node)?)?;
     let output = &kind.outputs[kind.output(from.port.as_str())?];
     let like = |wire: &&Wire| {
         let input = kind.input(wire.to.port.as_str()).map(|index| &kind.inputs[index]);
@@ -329,7 +330,7 @@ pub(crate) fn swap(session: &Session, id: &NodeId, kind: &Kind) -> Option<Edit> 
     let of = session.graph();
     let graph = session.graph_id();
     let node = of.nodes.get(id)?;
-    let old = session.catalog.of(node);
+    let old = session.project.catalog.of(node);
     let mut edits =
         vec![Edit::SetKind { graph: graph.clone(), id: id.clone(), kind: kind.id.clone() }];
     let mut claimed: HashSet<usize> = HashSet::new();
@@ -419,13 +420,14 @@ fn swap_values(
 
 /// The type of an output of the graph that is open.
 fn type_of(session: &Session, from: &Endpoint) -> Option<Type> {
-    let kind = session.catalog.of(session.graph().nodes.get(&from.node)?)?;
+    let kind = session.project.catalog.of(session.graph().nodes.get(&from.node)?)?;
     (!kind.is_reroute).then(|| Some(kind.outputs[kind.output(from.port.as_str())?].ty.clone()))?
 }
 
 /// Whether an input of the graph that is open takes a type; what is not known takes any.
 fn takes(session: &Session, to: &Endpoint, ty: &Type) -> bool {
-    let kind = session.graph().nodes.get(&to.node).and_then(|node| session.catalog.of(node));
+    let kind =
+        session.graph().nodes.get(&to.node).and_then(|node| session.project.catalog.of(node));
     let port = kind.and_then(|kind| Some(&kind.inputs[kind.input(to.port.as_str())?]));
     port.is_none_or(|port| port.takes(ty))
 }

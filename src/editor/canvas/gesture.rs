@@ -133,7 +133,7 @@ impl Canvas {
             self.menu_at = Some(at);
             self.menu_hit = self.hit(at);
             if let Some(Hit::Node(index) | Hit::Socket(Socket { node: index, .. })) = self.menu_hit
-                && !session.selection.contains(&self.table.nodes[index].id)
+                && !session.selection.nodes.contains(&self.table.nodes[index].id)
             {
                 out.push(Command::Select(vec![self.table.nodes[index].id.clone()]));
             }
@@ -171,7 +171,7 @@ impl Canvas {
 
     /// Puts a reroute into a wire.
     fn add_reroute(&mut self, wire: usize, at: Pos2, session: &Session, out: &mut Vec<Command>) {
-        let Some(kind) = session.catalog.get("reroute") else { return };
+        let Some(kind) = session.project.catalog.get("reroute") else { return };
         let at = self.view.to_graph(at) - egui::vec2(NODE_WIDTH / 2.0, TITLE_HEIGHT + ROW_HEIGHT);
         let (id, mut all) = edits::add(session, kind, at);
         let (Some(input), Some(output)) = (kind.inputs.first(), kind.outputs.first()) else {
@@ -228,7 +228,7 @@ impl Canvas {
             Some(Hit::Node(index)) if self.table.nodes[index].is_end => Gesture::Pan,
             Some(Hit::Node(index)) => {
                 let id = &self.table.nodes[index].id;
-                let nodes = if session.selection.contains(id) {
+                let nodes = if session.selection.nodes.contains(id) {
                     let chosen = session.selected().filter_map(|id| self.table.index_of(id));
                     chosen.filter(|&index| !self.table.nodes[index].is_end).collect()
                 } else {
@@ -294,7 +294,7 @@ impl Canvas {
     /// Shows the search, and adds what is chosen.
     pub(super) fn show_palette(&mut self, ui: &Ui, session: &Session, out: &mut Vec<Command>) {
         let Some(palette) = &mut self.palette else { return };
-        let kind = match palette.show(ui, self.view.screen, &session.catalog) {
+        let kind = match palette.show(ui, self.view.screen, &session.project.catalog) {
             Outcome::Open => return,
             Outcome::Closed => {
                 self.palette = None;

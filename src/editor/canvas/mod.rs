@@ -33,6 +33,7 @@ use crate::commands::{Command, GraphCommand};
 use crate::diag::Severity;
 use crate::document::GraphId;
 use crate::ids::NodeId;
+use crate::state::revision::{DocumentNumber, ProblemsRevision};
 use crate::state::session::Session;
 use crate::widgets::theme;
 use gesture::Gesture;
@@ -61,10 +62,10 @@ pub struct Canvas {
     hovered: Option<Hit>,
     palette: Option<Palette>,
     marks: HashMap<NodeId, Mark>,
-    marks_number: Option<u64>,
+    marks_revision: Option<ProblemsRevision>,
     /// How full the font image was, pixels a point, and whether the theme was dark.
     fonts: (f32, f32, bool),
-    document: Option<u64>,
+    document: Option<DocumentNumber>,
     /// Which graph is open, and where others were left.
     place: Vec<NodeId>,
     views: HashMap<Vec<NodeId>, (f32, Pos2)>,
@@ -138,13 +139,18 @@ impl Canvas {
     }
 
     fn sync(&mut self, ui: &Ui, session: &Session) {
-        let key = (session.document_number(), session.revision(), session.place_number());
+        let key = (session.document_number(), session.revision(), session.graph_number());
         let group = match session.graph_id() {
             GraphId::Look => None,
             GraphId::Definition(id) => Some(id.as_str()),
         };
-        if self.table.sync(key, session.graph(), &session.catalog, group, &session.driving_nodes())
-        {
+        if self.table.sync(
+            key,
+            session.graph(),
+            &session.project.catalog,
+            group,
+            &session.driving_nodes(),
+        ) {
             // Indices are others now.
             self.gesture = Gesture::Idle;
             self.menu_hit = None;
@@ -172,8 +178,8 @@ impl Canvas {
             self.table.forget_text();
         }
         self.fonts = fonts;
-        if self.marks_number != Some(session.problems_number()) {
-            self.marks_number = Some(session.problems_number());
+        if self.marks_revision != Some(session.problems_revision()) {
+            self.marks_revision = Some(session.problems_revision());
             self.marks = marks::marks(session);
             self.idle = marks::idle(session);
         }
@@ -225,7 +231,8 @@ impl Canvas {
             let response = ui.interact(rect, ui.scope_id().with(("node", &row.id)), Sense::hover());
             response.widget_info(|| {
                 let problem = self.marks.get(&row.id).map(|mark| format!(", {}", mark.text));
-                let selected = if session.selection.contains(&row.id) { ", selected" } else { "" };
+                let selected =
+                    if session.selection.nodes.contains(&row.id) { ", selected" } else { "" };
                 let muted = if row.is_muted { ", muted" } else { "" };
                 let idle =
                     self.idle_of(row).map(|idle| format!(", {}", idle.word)).unwrap_or_default();

@@ -220,7 +220,7 @@ impl Canvas {
                 &[A::Delete, A::Dissolve],
             ],
         );
-        if session.selection.len() < 2 {
+        if session.selection.nodes.len() < 2 {
             return chosen;
         }
         let arranged = ui.menu_button("Arrange", |ui| {
@@ -344,7 +344,7 @@ fn crumb_names(session: &Session, path: &[NodeId]) -> Vec<String> {
     let mut names = Vec::with_capacity(path.len());
     for id in path {
         let node = graph.and_then(|graph| graph.nodes.get(id));
-        let kind = node.and_then(|node| session.catalog.of(node));
+        let kind = node.and_then(|node| session.project.catalog.of(node));
         names.push(match (node, kind) {
             (Some(node), _) if !node.name.is_empty() => node.name.clone(),
             (_, Some(kind)) => kind.label.to_string(),

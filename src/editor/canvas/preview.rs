@@ -25,6 +25,7 @@ use crate::ids::{NodeId, NodePath, PortName};
 use crate::interp::Precision;
 use crate::library::{Library, Type};
 use crate::reference;
+use crate::state::revision::{DocumentNumber, MeaningRevision};
 use crate::state::safety::crashes::{DocumentOrigin, Step};
 use crate::state::session::Session;
 use crate::state::worker::{BackgroundJobs, Worker};
@@ -75,16 +76,16 @@ struct Answer {
 }
 
 /// Which node of which state of the look.
-type Key = (NodePath, (u64, u64));
+type Key = (NodePath, (DocumentNumber, MeaningRevision));
 
 /// The previews of nodes.
 #[derive(Default)]
 pub(super) struct Previews {
     worker: Option<Worker<Request, Answer>>,
-    known: HashMap<NodePath, ((u64, u64), Preview)>,
+    known: HashMap<NodePath, ((DocumentNumber, MeaningRevision), Preview)>,
     /// The state that was seen last, since when, and a copy of it.
-    seen: Option<((u64, u64), f64)>,
-    look: Option<((u64, u64), Arc<Look>)>,
+    seen: Option<((DocumentNumber, MeaningRevision), f64)>,
+    look: Option<((DocumentNumber, MeaningRevision), Arc<Look>)>,
     samples: Option<Arc<Vec<EvalSample>>>,
     waits: bool,
 }
@@ -145,7 +146,7 @@ impl Previews {
             key: (root.0.clone(), state),
             look: look.clone(),
             source: session.source().clone(),
-            library: session.library.clone(),
+            library: session.project.library.clone(),
             folder: session
                 .path()
                 .and_then(|path| path.parent())
@@ -157,7 +158,7 @@ impl Previews {
         };
         let worker = self.worker.get_or_insert_with(|| {
             let (ctx, crashes, mut assets) =
-                (ctx.clone(), session.crashes.clone(), Assets::default());
+                (ctx.clone(), session.journals.crashes.clone(), Assets::default());
             Worker::new(
                 "previews",
                 move || ctx.request_repaint(),
@@ -174,6 +175,10 @@ impl Previews {
         self.waits = true;
     }
 }
+
+/// Contexts that do not follow from the surface.
+const PIXEL: crate::library::Context = crate::library::Context::named("pixel");
+const MAGNIFICATION: crate::library::Context = crate::library::Context::named("magnification");
 
 /// Points of a ball as the camera sees it, row by row; those of the corners lie on its rim and are
 /// not shown.
@@ -192,8 +197,7 @@ fn ball() -> Vec<EvalSample> {
             position: normal,
             uv,
             kappa: 2.0,
-            pixel,
-            magnification: 0.5,
+            contexts: [(PIXEL, pixel.to_array().to_vec()), (MAGNIFICATION, vec![0.5])].into(),
             ..EvalSample::default()
         }
     };

@@ -17,6 +17,7 @@ use crate::drawing::{
 };
 use crate::ids::{FrameId, NodeId, NoteId};
 use crate::library::Type;
+use crate::state::revision::{DocumentNumber, GraphNumber, LookRevision};
 
 /// Between the nodes of a group and its ends.
 const END_GAP: f32 = 70.0;
@@ -108,7 +109,7 @@ pub(crate) struct WireRow {
 /// Nodes and wires in document order.
 #[derive(Default)]
 pub(crate) struct Table {
-    key: Option<(u64, u64, u64)>,
+    key: Option<(DocumentNumber, LookRevision, GraphNumber)>,
     pub(crate) nodes: Vec<NodeRow>,
     pub(crate) wires: Vec<WireRow>,
     /// The largest first.
@@ -122,7 +123,7 @@ impl Table {
     /// another; `group` is the kind whose graph it is. Whether it was.
     pub(crate) fn sync(
         &mut self,
-        key: (u64, u64, u64),
+        key: (DocumentNumber, LookRevision, GraphNumber),
         graph: &Graph,
         catalog: &Catalog,
         group: Option<&str>,
@@ -546,7 +547,7 @@ mod tests {
         let mut table = Table::default();
         let mut catalog = Catalog::new(Library::built_in());
         catalog.sync(&look, Library::built_in());
-        table.sync((0, 0, 0), &look.graph, &catalog, None, &[]);
+        table.sync(Default::default(), &look.graph, &catalog, None, &[]);
         (look, table)
     }
 
@@ -558,7 +559,10 @@ mod tests {
         assert!(table.nodes[0].is_unused && !table.nodes[1].is_unused);
         let mut catalog = Catalog::new(Library::built_in());
         catalog.sync(&look, Library::built_in());
-        table.sync((0, 0, 1), &look.graph, &catalog, None, &["mood".into()]);
+        let mut graph = GraphNumber::default();
+        graph.advance();
+        let other = (DocumentNumber::default(), LookRevision::default(), graph);
+        table.sync(other, &look.graph, &catalog, None, &["mood".into()]);
         assert!(!table.nodes[0].is_unused);
     }
 

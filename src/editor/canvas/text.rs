@@ -10,13 +10,14 @@ use crate::catalog::values::{self, Shown};
 use crate::document::{Look, Node};
 use crate::drawing::row_center;
 use crate::drawing::{NODE_WIDTH, TITLE_HEIGHT};
+use crate::state::revision::LookRevision;
 use crate::widgets::theme::{self, Colors};
 
 /// Everything of a node's text that depends on the font's size.
 #[derive(Default)]
 pub(crate) struct NodeText {
     /// The size in half points, the revision, and whether there is more than a title.
-    key: Option<(i32, u64, bool, &'static str, Option<String>)>,
+    key: Option<(i32, LookRevision, bool, &'static str, Option<String>)>,
     /// The title comes first. Where, from the node's corner, in points of the graph; and what.
     pub(crate) lines: Vec<(Vec2, Arc<Galley>)>,
     /// What is said of the node beside its title.
@@ -33,7 +34,7 @@ pub(crate) fn lay_out(
     row: &mut NodeRow,
     (painter, colors): (&Painter, &Colors),
     (zoom, has_rows): (f32, bool),
-    revision: u64,
+    revision: LookRevision,
     look: &Look,
     node: &Node,
     (tag, value): (&'static str, Option<&str>),

@@ -7,7 +7,7 @@ use eframe::egui;
 use super::FilePurpose;
 use crate::document::SceneEdit;
 use crate::ids::ObjectId;
-use crate::state::stage::Placed;
+use crate::state::scene::ObjectPlace;
 
 /// Something that is asked for of the scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,7 +32,7 @@ pub(crate) enum SceneCommand {
     /// Brings an object into view, or all.
     Frame(Option<ObjectId>),
     /// Tells where objects are, as of the last picture.
-    Locate(Vec<Placed>),
+    Locate(Vec<ObjectPlace>),
     /// Lets the scene's camera and lights be as they are turned now.
     KeepView,
     /// Saves to the scene's own file; asks where there is none.

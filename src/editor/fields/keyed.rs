@@ -6,7 +6,7 @@
 
 use eframe::egui::{Button, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 
-use super::marks::{self, Marked};
+use super::marks::{self, FieldTarget};
 use crate::commands::Command;
 use crate::document::{DirectionKeys, KeyDirection, Value};
 use crate::library::Type;
@@ -17,7 +17,7 @@ use crate::widgets::color;
 use crate::widgets::theme;
 
 /// Says it of a value, if keys move it.
-pub(crate) fn show(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
+pub(crate) fn show(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>) {
     match marked.session.keyed_by(&marked.target) {
         KeyedBy::Nothing => {}
         KeyedBy::Direction(set) => by_direction(ui, marked, set, out),
@@ -39,7 +39,7 @@ fn quiet(ui: &Ui, text: impl Into<String>) -> RichText {
     RichText::new(text).small().color(theme::of(ui).dim)
 }
 
-fn by_direction(ui: &mut Ui, marked: &Marked<'_>, set: usize, out: &mut Vec<Command>) {
+fn by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, set: usize, out: &mut Vec<Command>) {
     let session = marked.session;
     let Some(keys) = session.look().direction_keys.get(set) else { return };
     let Some(port) = session.port_at(&marked.target) else { return };
@@ -70,14 +70,14 @@ fn by_direction(ui: &mut Ui, marked: &Marked<'_>, set: usize, out: &mut Vec<Comm
 }
 
 /// A color as it is seen; `None` of what is no color.
-fn shown_color(marked: &Marked<'_>, value: &Value) -> Option<[f64; 4]> {
+fn shown_color(marked: &FieldTarget<'_>, value: &Value) -> Option<[f64; 4]> {
     let space = marked.session.look().color_space;
     let is_color = matches!(marked.ty, Type::Color | Type::Composite);
     Some(color::encoded(value.color_in(space).filter(|_| is_color)?, space))
 }
 
 /// A color as it is now.
-fn chip(ui: &mut Ui, marked: &Marked<'_>, now: &Value) {
+fn chip(ui: &mut Ui, marked: &FieldTarget<'_>, now: &Value) {
     let Some(color) = shown_color(marked, now) else { return };
     let [r, g, b, _] = color.map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
     let (rect, _) = ui.allocate_exact_size(vec2(12.0, 12.0), Sense::hover());
@@ -103,7 +103,7 @@ fn decided_by(session: &Session, set: usize, keys: &DirectionKeys) -> String {
 /// A key of the set: pressed to be the one that is set, and again to follow the heaviest.
 fn one_key(
     ui: &mut Ui,
-    marked: &Marked<'_>,
+    marked: &FieldTarget<'_>,
     (set, index): (usize, usize),
     keys: &DirectionKeys,
     value: Option<String>,
@@ -115,7 +115,7 @@ fn one_key(
     let button = ui.add(Button::selectable(is_it, text).small());
     let name = format!("Set {} at key {}", marked.label, index + 1);
     button.widget_info(|| WidgetInfo::selected(Role::Button, true, is_it, name.clone()));
-    let held = session.key == Some((set, index));
+    let held = session.selection.key == Some((set, index));
     if button.clicked() {
         out.push(Command::SelectKey((!held).then_some((set, index))));
     }
@@ -145,13 +145,13 @@ fn one_key(
 
 fn in_time(ui: &mut Ui, session: &Session, track: usize) {
     let Some(track) = session.look().time_keys.get(track) else { return };
-    let here = track.keys.iter().position(|key| (key.time - session.time).abs() < 1e-6);
+    let here = track.keys.iter().position(|key| (key.time - session.view.time).abs() < 1e-6);
     let count = track.keys.len();
     let what = match here {
         Some(key) => format!("sets key {} of {count}", key + 1),
         None => format!("setting it adds a key to {count}"),
     };
-    let text = format!("At {} s: {what}", values::number_text(session.time, 2));
+    let text = format!("At {} s: {what}", values::number_text(session.view.time, 2));
     line(ui, |ui| {
         ui.label(quiet(ui, text)).on_hover_text("The value above is the one at the playhead");
     });

@@ -21,14 +21,14 @@ pub(crate) enum Owner {
 
 /// A light with whose it is.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Lamp<'s> {
+pub(crate) struct OwnedLight<'s> {
     pub(crate) owner: Owner,
     pub(crate) id: &'s LightId,
     pub(crate) light: &'s Light,
 }
 
 /// What looks of a scene make of a light's id.
-pub(crate) struct Shared {
+pub(crate) struct SharedLight {
     /// How many of them have such a light.
     pub(crate) looks: usize,
     /// The first one's.
@@ -69,7 +69,7 @@ impl Owner {
     }
 }
 
-impl<'s> Lamp<'s> {
+impl<'s> OwnedLight<'s> {
     /// What it is called.
     pub(crate) fn name(&self) -> &'s str {
         light_name(self.id, self.light)
@@ -176,8 +176,8 @@ impl Session {
     }
 
     /// The light that lights the look under an id: the scene's, where it has one.
-    pub(crate) fn lamp<'s>(&'s self, id: &'s LightId) -> Option<Lamp<'s>> {
-        let lamp = |owner| Some(Lamp { owner, id, light: self.lights_of(owner)?.get(id)? });
+    pub(crate) fn lamp<'s>(&'s self, id: &'s LightId) -> Option<OwnedLight<'s>> {
+        let lamp = |owner| Some(OwnedLight { owner, id, light: self.lights_of(owner)?.get(id)? });
         lamp(Owner::Scene).or_else(|| lamp(Owner::Look))
     }
 
@@ -203,11 +203,11 @@ impl Session {
 
     /// What a light of the scene can stand in for: the lights of the open look and of all others in
     /// it, by id.
-    pub(crate) fn lights_of_looks(&self) -> IndexMap<LightId, Shared> {
-        let mut found: IndexMap<LightId, Shared> = IndexMap::new();
+    pub(crate) fn lights_of_looks(&self) -> IndexMap<LightId, SharedLight> {
+        let mut found: IndexMap<LightId, SharedLight> = IndexMap::new();
         let mut count = |look: &Look| {
             for (id, light) in &look.lights {
-                let fresh = || Shared { looks: 0, light: light.clone() };
+                let fresh = || SharedLight { looks: 0, light: light.clone() };
                 found.entry(id.clone()).or_insert_with(fresh).looks += 1;
             }
         };

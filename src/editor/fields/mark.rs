@@ -26,7 +26,7 @@ pub(crate) fn of(ui: &mut Ui, session: &Session, target: &Target, name: &str) ->
                 .get(track)
                 .map(|track| track.keys.as_slice())
                 .unwrap_or_default();
-            let is_here = keys.iter().any(|key| (key.time - session.time).abs() < 1e-6);
+            let is_here = keys.iter().any(|key| (key.time - session.view.time).abs() < 1e-6);
             (if is_here { colors.accent } else { Color32::TRANSPARENT }, colors.accent)
         }
     };

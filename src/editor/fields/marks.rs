@@ -16,7 +16,7 @@ use crate::widgets::theme;
 
 /// Something with a mark: what it is, what its values are, and the edits that give it its default
 /// back.
-pub(crate) struct Marked<'a> {
+pub(crate) struct FieldTarget<'a> {
     pub(crate) session: &'a Session,
     pub(crate) target: Target,
     pub(crate) ty: &'a Type,
@@ -24,7 +24,7 @@ pub(crate) struct Marked<'a> {
     pub(crate) reset: Option<Edit>,
 }
 
-impl Marked<'_> {
+impl FieldTarget<'_> {
     fn can_be_keyed(&self) -> bool {
         changes_in_time(self.ty) && self.session.own_value(&self.target).is_some()
     }
@@ -55,7 +55,7 @@ pub(crate) fn size(ui: &Ui) -> egui::Vec2 {
 }
 
 /// Room for a mark, or the mark, with its menu.
-pub(crate) fn diamond(ui: &mut Ui, marked: Option<&Marked<'_>>, out: &mut Vec<Command>) {
+pub(crate) fn diamond(ui: &mut Ui, marked: Option<&FieldTarget<'_>>, out: &mut Vec<Command>) {
     let Some(marked) = marked.filter(|marked| marked.can_be_keyed()) else {
         ui.allocate_exact_size(size(ui), egui::Sense::hover());
         return;
@@ -67,7 +67,7 @@ pub(crate) fn diamond(ui: &mut Ui, marked: Option<&Marked<'_>>, out: &mut Vec<Co
 }
 
 /// Everything that can be done.
-pub(crate) fn menu(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
+pub(crate) fn menu(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>) {
     ui.set_min_width(190.0);
     if marked.can_be_keyed() {
         keys_in_time(ui, marked, out);
@@ -103,7 +103,7 @@ pub(crate) fn menu(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
     }
 }
 
-fn keys_in_time(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
+fn keys_in_time(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>) {
     let is_timed =
         marked.session.look().time_keys.iter().any(|track| track.target == marked.target);
     let text = if is_timed { "Key at the playhead" } else { "Key in time" };
@@ -115,7 +115,7 @@ fn keys_in_time(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
     }
 }
 
-fn keys_by_direction(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
+fn keys_by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>) {
     let session = marked.session;
     let sets = &session.look().direction_keys;
     for (index, set) in sets.iter().enumerate() {
@@ -167,7 +167,7 @@ fn keys_by_direction(ui: &mut Ui, marked: &Marked<'_>, out: &mut Vec<Command>) {
     menu.response.on_hover_text(help);
 }
 
-fn expose(marked: &Marked<'_>) -> Edit {
+fn expose(marked: &FieldTarget<'_>) -> Edit {
     let session = marked.session;
     let [owner, what] = session.names_of(&marked.target);
     let is_taken =

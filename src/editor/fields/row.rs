@@ -5,7 +5,7 @@ use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, Slider, TextEdit
 
 use super::Subject;
 use super::keyed;
-use super::marks::{self, Marked};
+use super::marks::{self, FieldTarget};
 use crate::catalog::Port;
 use crate::commands::{Command, PaintCommand, PanelId};
 use crate::document::{ColorSpace, Edit, Endpoint, Grid, Node, Value, Wire};
@@ -34,7 +34,7 @@ pub(crate) fn marked(
     ui: &mut Ui,
     label: RichText,
     help: &str,
-    marked: Option<&Marked<'_>>,
+    marked: Option<&FieldTarget<'_>>,
     out: &mut Vec<Command>,
     add: impl FnOnce(&mut Ui, Id, &mut Vec<Command>),
 ) {
@@ -104,7 +104,7 @@ pub(crate) fn show(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Ve
             Type::Ramp => wide(ui, subject, port, shown, out, ramp::show),
             _ => {
                 let reset_edit = reset_edit(subject, port);
-                let with_marks = Marked {
+                let with_marks = FieldTarget {
                     session: subject.session,
                     target,
                     ty: &port.ty,
@@ -170,9 +170,9 @@ fn alike<'a>(
     port: &'a Port,
 ) -> impl Iterator<Item = (&'a NodeId, &'a Node)> {
     let session = subject.session;
-    session.selection.iter().filter(move |id| *id != subject.id).filter_map(move |id| {
+    session.selection.nodes.iter().filter(move |id| *id != subject.id).filter_map(move |id| {
         let node = session.graph().nodes.get(id)?;
-        let kind = session.catalog.of(node)?;
+        let kind = session.project.catalog.of(node)?;
         let other = &kind.inputs[kind.input(port.name.as_str())?];
         let is_free = session.graph().wire_into(id, &port.name).is_none();
         (is_free && other.ty == port.ty && other.unit == port.unit).then_some((id, node))
@@ -222,7 +222,7 @@ fn wired(ui: &mut Ui, subject: &Subject<'_>, port: &Port, wire: &Wire, out: &mut
     labelled(ui, &port.label, &help_of(port), |ui, _| {
         let Endpoint { node, .. } = &wire.from;
         let from = subject.session.graph().nodes.get(node);
-        let kind = from.and_then(|from| subject.session.catalog.of(from));
+        let kind = from.and_then(|from| subject.session.project.catalog.of(from));
         let name = match (from, kind) {
             (Some(from), _) if !from.name.is_empty() => from.name.clone(),
             (_, Some(kind)) => kind.label.to_string(),
@@ -363,7 +363,7 @@ fn unset(ui: &mut Ui, subject: &Subject<'_>, port: &Port) -> Option<(Id, Value)>
             (format!("the surface's {}", values::context_words(*context)), of_all(0.0))
         }
         Fallback::Same(other) => {
-            let kind = subject.session.catalog.of(subject.node);
+            let kind = subject.session.project.catalog.of(subject.node);
             let of_other = kind.and_then(|kind| Some(&kind.inputs[kind.input(other.as_str())?]));
             let value = of_other
                 .and_then(|other| values::current(other, subject.node.values.get(&other.name)));

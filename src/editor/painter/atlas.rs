@@ -8,7 +8,7 @@ use eframe::egui::{
 };
 
 use crate::document::{Address, Tile};
-use crate::state::painting::work::Work;
+use crate::state::painting::work::OpenPainting;
 use crate::widgets::rows::fitted;
 
 /// The side of a small picture, in texels.
@@ -32,7 +32,7 @@ pub(super) struct Atlas {
 
 impl Atlas {
     /// Brings the pictures up to date. Work in progress is shown once it is done.
-    pub(super) fn update(&mut self, ctx: &Context, work: &Work, is_painting: bool) {
+    pub(super) fn update(&mut self, ctx: &Context, work: &OpenPainting, is_painting: bool) {
         if self.version == work.version() || is_painting {
             return;
         }
@@ -73,7 +73,7 @@ impl Atlas {
     }
 
     /// Makes all pictures anew, each where its tile comes first.
-    fn make(&mut self, ctx: &Context, work: &Work) {
+    fn make(&mut self, ctx: &Context, work: &OpenPainting) {
         self.slots.clear();
         self.tiles.clear();
         for tile in work.grid().addresses().take(MOST).filter_map(|address| work.tile(address)) {
@@ -106,7 +106,7 @@ impl Atlas {
     pub(super) fn paint(
         &self,
         painter: &Painter,
-        work: &Work,
+        work: &OpenPainting,
         address: Address,
         rect: Rect,
     ) -> bool {

@@ -6,15 +6,15 @@ use eframe::egui::{
     vec2,
 };
 
-use super::making::{Bake, Job, told_seconds};
-use super::preview::{self, Of, Preview};
+use super::making::{Bake, MakeRequest, told_seconds};
+use super::preview::{self, Preview, PreviewInputs};
 use super::{counted, grid, memory};
 use crate::commands::{Command, PaintCommand};
 use crate::document::{Grid, LightKind};
 use crate::frame::{SetupLook, moving_light};
 use crate::hcbtf::{Device, check_all_painted};
 use crate::ids::LightId;
-use crate::state::painting::work::Work;
+use crate::state::painting::work::OpenPainting;
 use crate::state::problem_text::sentence;
 use crate::state::session::Session;
 use crate::widgets::confirm;
@@ -26,26 +26,30 @@ const SIDE: f32 = 110.0;
 
 /// What is asked.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Asked {
+pub(super) struct BakeDialog {
     grid: Grid,
     /// The one that was chosen; the first one else.
     light: Option<LightId>,
 }
 
-impl Default for Asked {
+impl Default for BakeDialog {
     fn default() -> Self {
         Self { grid: Grid::THESIS, light: None }
     }
 }
 
-impl Asked {
+impl BakeDialog {
     /// The job, as the session stands now; why not otherwise.
-    pub(super) fn job(&self, session: &Session, to: std::path::PathBuf) -> Result<Job, String> {
+    pub(super) fn job(
+        &self,
+        session: &Session,
+        to: std::path::PathBuf,
+    ) -> Result<MakeRequest, String> {
         let setup = setup(session);
         let light = moving_light(&setup, self.light.as_ref().map(AsRef::as_ref))
             .map_err(|why| sentence(&why))?;
-        let still = session.still();
-        Ok(Job::Bake(Box::new(Bake {
+        let still = session.snapshot();
+        Ok(MakeRequest::Bake(Box::new(Bake {
             setup,
             library: still.library,
             painting: still.painting,
@@ -68,7 +72,7 @@ fn setup(session: &Session) -> SetupLook {
 /// Asks, while `asked` is there. `is_filling` says that what the look shows is not there yet.
 pub(super) fn show(
     ui: &Ui,
-    asked: &mut Option<Asked>,
+    asked: &mut Option<BakeDialog>,
     preview: &mut Preview,
     session: &Session,
     device: &Device,
@@ -146,15 +150,19 @@ fn before_baking(
     grid: &Grid,
     light: &LightId,
 ) {
-    let painting = session.painting().map(Work::version);
-    let of = Of {
+    let painting = session.painting().map(OpenPainting::version);
+    let of = PreviewInputs {
         look: (session.document_number(), session.meaning(), painting),
         size: grid.size,
         light: light.clone(),
     };
     let job = || {
-        let still = session.still();
-        preview::Job { setup: setup(session), library: still.library, painting: still.painting }
+        let still = session.snapshot();
+        preview::PreviewRequest {
+            setup: setup(session),
+            library: still.library,
+            painting: still.painting,
+        }
     };
     let made = preview.of(&of, job).map(|made| match made {
         Ok(seen) => Ok((seen.tiles.clone(), seen.seconds_of(grid, cores()))),

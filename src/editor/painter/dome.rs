@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::moves;
 use crate::document::{Address, Direction, Directions};
-use crate::state::painting::work::{State, Work};
+use crate::state::painting::work::{OpenPainting, State};
 use crate::widgets::theme;
 
 /// The rim, from the edge of the room, in points.
@@ -15,7 +15,7 @@ const HANDLE: f32 = 7.0;
 
 /// Which of both is dragged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Held {
+pub(super) enum HeldHandle {
     Light,
     View,
 }
@@ -23,8 +23,8 @@ pub(super) enum Held {
 /// Shows the hemisphere this wide; the sample that a hand dragged to.
 pub(super) fn show(
     ui: &mut Ui,
-    work: &Work,
-    held: &mut Option<Held>,
+    work: &OpenPainting,
+    held: &mut Option<HeldHandle>,
     side: f32,
 ) -> Option<Address> {
     let (rect, response) = ui.allocate_exact_size(vec2(side, side), Sense::click_and_drag());
@@ -41,8 +41,9 @@ pub(super) fn show(
     let light = screen(moves::place(grid.light, at.light));
     let view = screen(moves::place(grid.view, at.view))
         + if at.light == at.view { vec2(9.0, 0.0) } else { vec2(0.0, 0.0) };
-    let nearest =
-        |at: Pos2| if at.distance(view) < at.distance(light) { Held::View } else { Held::Light };
+    let nearest = |at: Pos2| {
+        if at.distance(view) < at.distance(light) { HeldHandle::View } else { HeldHandle::Light }
+    };
     let (is_down, origin) =
         ui.input(|input| (input.pointer.primary_down(), input.pointer.press_origin()));
     if !is_down {
@@ -54,32 +55,33 @@ pub(super) fn show(
     let hovered = response.hovered().then(|| pointer.map(nearest)).flatten();
     paint_ground(ui, rect, radius as f32);
     for (directions, is_view) in [(grid.light, false), (grid.view, true)] {
-        if held.is_none_or(|held| (held == Held::View) == is_view) {
+        if held.is_none_or(|held| (held == HeldHandle::View) == is_view) {
             dots(ui, work, directions, is_view, &screen);
         }
     }
-    let ring =
-        |held_by: Held| if *held == Some(held_by) || hovered == Some(held_by) { 2.5 } else { 1.0 };
+    let ring = |held_by: HeldHandle| {
+        if *held == Some(held_by) || hovered == Some(held_by) { 2.5 } else { 1.0 }
+    };
     ui.painter().circle(
         view,
         HANDLE,
         theme::of(ui).second,
-        Stroke::new(ring(Held::View), Color32::WHITE),
+        Stroke::new(ring(HeldHandle::View), Color32::WHITE),
     );
     ui.painter().circle_filled(view, 2.5, Color32::WHITE);
     ui.painter().circle(
         light,
         HANDLE,
         theme::SUN,
-        Stroke::new(ring(Held::Light), theme::of(ui).accent),
+        Stroke::new(ring(HeldHandle::Light), theme::of(ui).accent),
     );
     if hovered.is_some() {
         ui.ctx().set_cursor_icon(CursorIcon::Grab);
     }
     let to = pointer.map(place);
     let found = held.zip(to).map(|(held, to)| match held {
-        Held::Light => Address { light: moves::nearest(grid.light, to), ..at },
-        Held::View => Address { view: moves::nearest(grid.view, to), ..at },
+        HeldHandle::Light => Address { light: moves::nearest(grid.light, to), ..at },
+        HeldHandle::View => Address { view: moves::nearest(grid.view, to), ..at },
     });
     response.on_hover_text(
         "Drag the sun to where the light comes from, and the eye to where it is \
@@ -111,7 +113,7 @@ fn paint_ground(ui: &Ui, rect: Rect, radius: f32) {
 /// other one at work.
 fn dots(
     ui: &Ui,
-    work: &Work,
+    work: &OpenPainting,
     directions: Directions,
     is_view: bool,
     screen: &impl Fn(DVec2) -> Pos2,

@@ -9,8 +9,8 @@ use eframe::egui::{
     vec2,
 };
 
-use super::hand::{self, Going};
-use super::textures::Shown;
+use super::hand::{self, TileGesture};
+use super::textures::TileTexture;
 use super::tilt::Tilt;
 use super::tools::Tools;
 use super::{arrows, moves};
@@ -18,7 +18,7 @@ use crate::commands::keyboard;
 use crate::commands::table::{self, Place};
 use crate::commands::{Command, Heading, PaintTool};
 use crate::document::{Address, HcbtfAngle};
-use crate::state::painting::work::Work;
+use crate::state::painting::work::OpenPainting;
 use crate::widgets::theme;
 
 /// The tile fills so much of the room when it is fitted, so that some of its copies are seen.
@@ -41,9 +41,9 @@ pub(super) struct Easel {
     pub(super) onion: f32,
     /// Which way the neighbours lie.
     pub(super) onion_along: HcbtfAngle,
-    going: Option<Going>,
-    tile: Shown,
-    neighbours: [Shown; 2],
+    going: Option<TileGesture>,
+    tile: TileTexture,
+    neighbours: [TileTexture; 2],
     checks: Option<TextureHandle>,
     /// As it lay in the last frame.
     tilt: Option<Tilt>,
@@ -72,7 +72,7 @@ impl Default for Easel {
             onion: 0.0,
             onion_along: HcbtfAngle::ViewPhi,
             going: None,
-            tile: Shown::default(),
+            tile: TileTexture::default(),
             neighbours: Default::default(),
             checks: None,
             tilt: None,
@@ -89,7 +89,7 @@ impl Easel {
     pub(super) fn interact(
         &mut self,
         ui: &mut Ui,
-        work: &Work,
+        work: &OpenPainting,
         tools: &mut Tools,
         peek: Option<Address>,
     ) -> Vec<Command> {
@@ -131,7 +131,7 @@ impl Easel {
     }
 
     /// Draws the tile.
-    pub(super) fn show(&mut self, ui: &Ui, work: &Work, tools: &Tools) {
+    pub(super) fn show(&mut self, ui: &Ui, work: &OpenPainting, tools: &Tools) {
         let (Some(EaselScene { room, pointer, peek }), Some(tilt)) = (self.scene.take(), self.tilt)
         else {
             return;
@@ -197,7 +197,7 @@ impl Easel {
         painter: &Painter,
         room: Rect,
         tilt: &Tilt,
-        work: &Work,
+        work: &OpenPainting,
         at: Address,
     ) {
         let checks = self.checks(ui);
@@ -247,7 +247,7 @@ impl Easel {
         self.checks.get_or_insert_with(make).id()
     }
 
-    fn tell(&mut self, tilt: &Tilt, work: &Work, tools: &Tools, at: Pos2) {
+    fn tell(&mut self, tilt: &Tilt, work: &OpenPainting, tools: &Tools, at: Pos2) {
         let texel = tilt.texel(at);
         let size = work.grid().size.map(f64::from);
         let place = [texel.x.rem_euclid(size[0]).floor(), texel.y.rem_euclid(size[1]).floor()];
@@ -291,7 +291,7 @@ impl Easel {
 }
 
 /// What people call a sample.
-pub(super) fn name_of(work: &Work, address: Address) -> String {
+pub(super) fn name_of(work: &OpenPainting, address: Address) -> String {
     let grid = work.grid();
     format!(
         "light {}, view {}",
@@ -301,7 +301,7 @@ pub(super) fn name_of(work: &Work, address: Address) -> String {
 }
 
 /// The two samples beside one, along an angle.
-fn neighbours(work: &Work, at: Address, along: HcbtfAngle) -> [Address; 2] {
+fn neighbours(work: &OpenPainting, at: Address, along: HcbtfAngle) -> [Address; 2] {
     let grid = work.grid();
     let ways = match along {
         HcbtfAngle::LightTheta | HcbtfAngle::ViewTheta => [Heading::Up, Heading::Down],

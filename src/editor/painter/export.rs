@@ -12,7 +12,7 @@ use crate::progress::Progress;
 use crate::state::worker::Worker;
 
 /// An HCBTF as it was when it was asked for.
-struct Job {
+struct ExportRequest {
     hcbtf: Arc<Hcbtf>,
     form: Form,
     storage: Storage,
@@ -22,20 +22,20 @@ struct Job {
 
 /// The thread that does it.
 pub(super) struct Exports {
-    worker: Worker<Vec<Job>, Vec<String>>,
+    worker: Worker<Vec<ExportRequest>, Vec<String>>,
     progress: Progress,
 }
 
 impl Exports {
     /// `wake` is called from another thread when something is written.
     pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
-        let work = |jobs: Vec<Job>| jobs.iter().map(run).collect();
+        let work = |jobs: Vec<ExportRequest>| jobs.iter().map(run).collect();
         Self { worker: Worker::new("export painting", wake, work), progress: Progress::new() }
     }
 
     /// Writes all samples in a form; a texture as it is to be stored.
     pub(super) fn write(&self, hcbtf: Arc<Hcbtf>, form: Form, storage: Storage, to: PathBuf) {
-        let job = Job { hcbtf, form, storage, to, progress: self.progress.clone() };
+        let job = ExportRequest { hcbtf, form, storage, to, progress: self.progress.clone() };
         // Nothing that waits is dropped.
         self.worker
             .request(|waiting| waiting.unwrap_or_default().into_iter().chain([job]).collect());
@@ -61,7 +61,7 @@ impl Drop for Exports {
     }
 }
 
-fn run(job: &Job) -> String {
+fn run(job: &ExportRequest) -> String {
     let to = free(job.form, &job.to);
     let filled = fill(&job.hcbtf, &job.progress).map_err(|why| vec![Diagnostic::from(why)]);
     let manner = exchange::Manner { storage: job.storage, ..exchange::Manner::default() };

@@ -9,16 +9,16 @@ use crate::document::{Address, Grid, Hcbtf, Tile};
 use crate::hcbtf::fill::{fill, refill, sample};
 use crate::hcbtf::{Device, Filled, NotFilled};
 use crate::progress::Progress;
-use crate::state::painting::work::Work;
+use crate::state::painting::work::OpenPainting;
 use crate::state::worker::Worker;
 
-struct Wish {
+struct FillRequest {
     hcbtf: Arc<Hcbtf>,
     number: u64,
     progress: Progress,
 }
 
-struct Done {
+struct FillResult {
     /// What it was asked for.
     of: Arc<Hcbtf>,
     number: u64,
@@ -26,7 +26,7 @@ struct Done {
 }
 
 /// One sample, ahead of the rest.
-struct Ahead {
+struct SampleResult {
     of: Arc<Hcbtf>,
     address: Address,
     tile: Option<Arc<Tile>>,
@@ -34,8 +34,8 @@ struct Ahead {
 
 /// Fills what is not painted.
 pub(super) struct Filling {
-    worker: Worker<Wish, Done>,
-    ahead: Worker<(Wish, Address), Ahead>,
+    worker: Worker<FillRequest, FillResult>,
+    ahead: Worker<(FillRequest, Address), SampleResult>,
     /// What was asked for last.
     asked: Option<Arc<Hcbtf>>,
     /// What was filled last.
@@ -55,7 +55,7 @@ impl Filling {
         // A stroke changes little of what was filled before, which whoever shows it keeps.
         let mut before: (Arc<Hcbtf>, Weak<Filled>) =
             (Arc::new(Hcbtf::new(Grid::THESIS)), Weak::new());
-        let work = move |wish: Wish| {
+        let work = move |wish: FillRequest| {
             let filled = match before.1.upgrade() {
                 Some(filled) => refill(&wish.hcbtf, (&before.0, &filled), &wish.progress),
                 None => fill(&wish.hcbtf, &wish.progress),
@@ -64,11 +64,11 @@ impl Filling {
             if let Ok(filled) = &filled {
                 before = (wish.hcbtf.clone(), Arc::downgrade(filled));
             }
-            Done { of: wish.hcbtf, number: wish.number, filled }
+            FillResult { of: wish.hcbtf, number: wish.number, filled }
         };
-        let ahead = |(wish, address): (Wish, Address)| {
+        let ahead = |(wish, address): (FillRequest, Address)| {
             let tile = sample(&wish.hcbtf, address, &wish.progress).ok().flatten();
-            Ahead { of: wish.hcbtf, address, tile }
+            SampleResult { of: wish.hcbtf, address, tile }
         };
         Self {
             worker: Worker::new("filling", wake.clone(), work),
@@ -84,7 +84,7 @@ impl Filling {
 
     /// Takes what was filled, and asks for what is not yet, where the device can hold it. Returns
     /// whether there is something new.
-    pub(super) fn tick(&mut self, work: &mut Work, device: &Device) -> bool {
+    pub(super) fn tick(&mut self, work: &mut OpenPainting, device: &Device) -> bool {
         let mut is_new = self.take_ahead(work);
         let number = work.number();
         for done in self.worker.answers().into_iter().filter(|done| done.number == number) {
@@ -127,7 +127,7 @@ impl Filling {
     }
 
     /// Asks for the sample at work, while the others are not done.
-    fn ask_ahead(&mut self, work: &Work) {
+    fn ask_ahead(&mut self, work: &OpenPainting) {
         let (shown, at) = (work.shown(), work.at());
         let is_asked =
             |(of, address): &(Arc<Hcbtf>, Address)| Arc::ptr_eq(of, shown) && *address == at;
@@ -142,9 +142,9 @@ impl Filling {
         self.ahead.request(|_| wish);
     }
 
-    fn take_ahead(&self, work: &mut Work) -> bool {
+    fn take_ahead(&self, work: &mut OpenPainting) -> bool {
         let mut is_new = false;
-        for Ahead { of, address, tile } in self.ahead.answers() {
+        for SampleResult { of, address, tile } in self.ahead.answers() {
             // Once the others are there too it is one of them.
             let is_late = self.has.as_ref().is_some_and(|has| Arc::ptr_eq(has, &of));
             if let Some(tile) = tile.filter(|_| Arc::ptr_eq(&of, work.shown()) && !is_late) {
@@ -156,7 +156,7 @@ impl Filling {
     }
 
     /// What the rules have made of all that is shown now, if they have.
-    pub(super) fn of(&self, work: &Work) -> Option<Arc<Filled>> {
+    pub(super) fn of(&self, work: &OpenPainting) -> Option<Arc<Filled>> {
         let is_it = self.has.as_ref().is_some_and(|has| Arc::ptr_eq(has, work.shown()));
         work.filled().filter(|_| is_it).cloned()
     }
@@ -182,8 +182,8 @@ impl Drop for Filling {
     }
 }
 
-fn wish(work: &Work, progress: &Progress) -> Wish {
-    Wish { hcbtf: work.shown().clone(), number: work.number(), progress: progress.clone() }
+fn wish(work: &OpenPainting, progress: &Progress) -> FillRequest {
+    FillRequest { hcbtf: work.shown().clone(), number: work.number(), progress: progress.clone() }
 }
 
 #[cfg(test)]
@@ -196,11 +196,12 @@ mod tests {
         let directions = Directions { theta: 3, phi: 4 };
         let grid = Grid { size: [12, 12], light: directions, view: directions };
         let rules = vec![Rule::Strokes(Box::new(Strokes::preset("Grass")))];
-        let mut work = Work::of_history(History::new(Hcbtf { rules, ..Hcbtf::new(grid) }), None);
+        let mut work =
+            OpenPainting::of_history(History::new(Hcbtf { rules, ..Hcbtf::new(grid) }), None);
         let mut filling = Filling::new(|| {});
         let at = Address::new([1, 2], [2, 3]);
         work.go_to(at);
-        let alone = |work: &Work| sample(work.hcbtf(), at, &Progress::new()).unwrap();
+        let alone = |work: &OpenPainting| sample(work.hcbtf(), at, &Progress::new()).unwrap();
         assert!(!filling.tick(&mut work, &Device::guaranteed()));
         // All that is taken is the one, whether the others are done or not.
         filling.ahead.wait();

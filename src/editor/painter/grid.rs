@@ -9,7 +9,7 @@ use super::{counted, memory};
 use crate::commands::{Command, PaintCommand};
 use crate::document::{Address, Directions, Grid, MAX_ANGLE_STEPS, MAX_TILE_SIDE, Tile};
 use crate::hcbtf::Device;
-use crate::state::painting::work::Work;
+use crate::state::painting::work::OpenPainting;
 use crate::state::problem_text::sentence;
 use crate::widgets::confirm;
 use crate::widgets::rows::lead;
@@ -20,15 +20,15 @@ pub(super) const LEAD: f32 = 48.0;
 
 /// What is asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Asked {
+pub(super) struct GridDialog {
     grid: Grid,
     /// Whether what is open is divided otherwise, in place of something new.
     changes: bool,
 }
 
-impl Asked {
+impl GridDialog {
     /// What to begin with: as what is open is divided, or as the thesis divides.
-    pub(super) fn of(work: Option<&Work>, changes: bool) -> Self {
+    pub(super) fn of(work: Option<&OpenPainting>, changes: bool) -> Self {
         Self {
             grid: work.map_or(Grid::THESIS, |work| *work.grid()),
             changes: changes && work.is_some(),
@@ -39,11 +39,11 @@ impl Asked {
 /// Asks, while `asked` is there.
 pub(super) fn show(
     ui: &Ui,
-    asked: &mut Option<Asked>,
-    work: Option<&Work>,
+    asked: &mut Option<GridDialog>,
+    work: Option<&OpenPainting>,
     device: &Device,
 ) -> Option<Command> {
-    let Asked { mut grid, changes } = (*asked)?;
+    let GridDialog { mut grid, changes } = (*asked)?;
     let work = work.filter(|_| changes);
     let mut out = None;
     let mut is_over = false;
@@ -85,12 +85,12 @@ pub(super) fn show(
         });
     });
     is_over |= modal.should_close();
-    *asked = (!is_over).then_some(Asked { grid, changes });
+    *asked = (!is_over).then_some(GridDialog { grid, changes });
     out
 }
 
 /// How many painted samples have no place in another grid.
-fn lost(work: &Work, grid: &Grid) -> usize {
+fn lost(work: &OpenPainting, grid: &Grid) -> usize {
     let stays = |(address, tile): &(&Address, &Arc<Tile>)| {
         grid.contains(**address) && tile.size() == grid.size
     };
@@ -99,7 +99,7 @@ fn lost(work: &Work, grid: &Grid) -> usize {
 }
 
 /// What becomes of what is painted.
-fn what_stays(work: &Work, grid: &Grid) -> String {
+fn what_stays(work: &OpenPainting, grid: &Grid) -> String {
     let all = work.hcbtf().painted.len();
     match (lost(work, grid), all) {
         (_, 0) => "Nothing is painted yet".to_owned(),

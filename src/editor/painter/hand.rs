@@ -11,20 +11,20 @@ use super::tools::Tools;
 use crate::commands::{Command, PaintCommand, PaintTool};
 use crate::document::{Address, Hcbtf, HcbtfEdit, Tile};
 use crate::hcbtf::paint::{self, Flood, Stroke};
-use crate::state::painting::work::Work;
+use crate::state::painting::work::OpenPainting;
 
 /// What the pointer is at.
-pub(super) enum Going {
+pub(super) enum TileGesture {
     /// A stroke over a sample.
-    Stroke { stroke: Box<Stroke>, of: Of },
+    Stroke { stroke: Box<Stroke>, of: StrokeBase },
     /// A line that is not drawn yet: it ends where the pointer is let go.
-    Line { from: DVec2, of: Of },
+    Line { from: DVec2, of: StrokeBase },
     /// Colors are taken for as long as the pointer is down.
     Pick,
 }
 
 /// What a stroke lies over.
-pub(super) struct Of {
+pub(super) struct StrokeBase {
     address: Address,
     before: Arc<Tile>,
     /// Everything as it was, where another step of this frame is not done yet.
@@ -33,7 +33,7 @@ pub(super) struct Of {
 
 /// What is painted as the events of a frame leave it: the strokes before are not applied yet.
 struct LivePainting<'a> {
-    work: &'a Work,
+    work: &'a OpenPainting,
     /// The stroke that is shown from now on, where that is another.
     stroke: Option<Option<(Address, Arc<Tile>)>>,
 }
@@ -65,7 +65,7 @@ impl LivePainting<'_> {
     }
 }
 
-impl Of {
+impl StrokeBase {
     fn new(painting: &LivePainting<'_>, is_first: bool) -> Self {
         let address = painting.work.at();
         Self {
@@ -94,9 +94,9 @@ pub(super) fn paint(
     ui: &Ui,
     response: &Response,
     tilt: &Tilt,
-    going: &mut Option<Going>,
+    going: &mut Option<TileGesture>,
     tools: &mut Tools,
-    work: &Work,
+    work: &OpenPainting,
 ) -> Vec<Command> {
     let (is_down, space, escape) = ui.input(|input| {
         (input.pointer.primary_down(), input.key_down(Key::Space), input.key_pressed(Key::Escape))
@@ -148,7 +148,7 @@ pub(super) fn paint(
 /// What the pointer does in a frame, and what comes of it.
 struct Events<'a> {
     tilt: &'a Tilt,
-    going: &'a mut Option<Going>,
+    going: &'a mut Option<TileGesture>,
     tools: &'a mut Tools,
     painting: LivePainting<'a>,
     /// Where the pointer went since the last button.
@@ -171,11 +171,11 @@ impl Events<'_> {
 
     fn begin(&mut self, at: DVec2, kind: PaintTool, is_shifted: bool) -> Option<Command> {
         let wraps = self.painting.is_tiling();
-        let of = || Of::new(&self.painting, self.out.is_empty());
+        let of = || StrokeBase::new(&self.painting, self.out.is_empty());
         match kind {
             PaintTool::Pick => {
                 pick(&self.painting, at, self.tools);
-                *self.going = Some(Going::Pick);
+                *self.going = Some(TileGesture::Pick);
             }
             PaintTool::Stamp if is_shifted || self.tools.stamp.is_none() => {
                 let work = self.painting.work;
@@ -196,7 +196,7 @@ impl Events<'_> {
                 let tile = paint::fill(&of.before, at, self.tools.colors[0], flood);
                 return of.done(tile, &mut self.painting);
             }
-            PaintTool::Line => *self.going = Some(Going::Line { from: at, of: of() }),
+            PaintTool::Line => *self.going = Some(TileGesture::Line { from: at, of: of() }),
             _ => {
                 let of = of();
                 let mut stroke = Box::new(Stroke::begin(
@@ -207,7 +207,7 @@ impl Events<'_> {
                 ));
                 stroke.to(at, self.pressure);
                 let live = (of.address, Arc::new(stroke.tile().clone()));
-                *self.going = Some(Going::Stroke { stroke, of });
+                *self.going = Some(TileGesture::Stroke { stroke, of });
                 self.painting.show(Some(live));
             }
         }
@@ -219,7 +219,7 @@ impl Events<'_> {
         let path = std::mem::take(&mut self.path);
         let Some(last) = path.last().map(|at| self.tilt.texel(*at)) else { return };
         match self.going {
-            Some(Going::Stroke { stroke, of }) => {
+            Some(TileGesture::Stroke { stroke, of }) => {
                 let mut is_changed = false;
                 for at in path {
                     is_changed |= !stroke.to(self.tilt.texel(at), self.pressure).is_empty();
@@ -228,7 +228,7 @@ impl Events<'_> {
                     self.painting.show(Some((of.address, Arc::new(stroke.tile().clone()))));
                 }
             }
-            Some(Going::Line { from, of }) => {
+            Some(TileGesture::Line { from, of }) => {
                 let wraps = self.painting.is_tiling();
                 let tile = paint::line(
                     &of.before,
@@ -240,7 +240,7 @@ impl Events<'_> {
                 );
                 self.painting.show(Some((of.address, Arc::new(tile))));
             }
-            Some(Going::Pick) => {
+            Some(TileGesture::Pick) => {
                 pick(&self.painting, last, self.tools);
             }
             None => {}
@@ -257,16 +257,16 @@ impl Events<'_> {
         self.out.extend(done);
     }
 
-    fn end(&mut self, was: Going, last: Option<DVec2>) -> Option<Command> {
+    fn end(&mut self, was: TileGesture, last: Option<DVec2>) -> Option<Command> {
         match was {
-            Going::Stroke { stroke, of } => of.done(stroke.finish(), &mut self.painting),
-            Going::Line { from, of } => {
+            TileGesture::Stroke { stroke, of } => of.done(stroke.finish(), &mut self.painting),
+            TileGesture::Line { from, of } => {
                 let wraps = self.painting.is_tiling();
                 let (brush, to) = (self.tools.brush(), last.unwrap_or(from));
                 let tile = paint::line(&of.before, &brush, &self.tools.symmetry, wraps, from, to);
                 of.done(tile, &mut self.painting)
             }
-            Going::Pick => {
+            TileGesture::Pick => {
                 self.tools.picked(self.tools.colors[0]);
                 None
             }

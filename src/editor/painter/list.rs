@@ -7,7 +7,7 @@ use super::moves;
 use crate::commands::{Command, PaintCommand};
 use crate::document::{Address, HcbtfEdit};
 use crate::painter::atlas::Atlas;
-use crate::state::painting::work::Work;
+use crate::state::painting::work::OpenPainting;
 use crate::widgets::rows::{picture_frame, row_ground};
 use crate::widgets::text::cell;
 use crate::widgets::theme;
@@ -25,7 +25,7 @@ pub(super) enum Order {
 /// Lists what is painted. `peek` is set while a hand only looks.
 pub(super) fn show(
     ui: &mut Ui,
-    work: &Work,
+    work: &OpenPainting,
     atlas: &Atlas,
     order: &mut Order,
     peek: &mut Option<Address>,
@@ -63,7 +63,7 @@ pub(super) fn show(
 
 fn row(
     ui: &mut Ui,
-    work: &Work,
+    work: &OpenPainting,
     address: Address,
     order: Order,
     atlas: &Atlas,
@@ -123,7 +123,7 @@ fn row(
 }
 
 /// Copies what is seen at a sample to another.
-pub(super) fn copy_to(work: &Work, from: Address, to: Address) -> Option<Command> {
+pub(super) fn copy_to(work: &OpenPainting, from: Address, to: Address) -> Option<Command> {
     let edit = match work.hcbtf().painted(from) {
         Some(_) => HcbtfEdit::CopyTile { from, to },
         None => HcbtfEdit::SetTile { address: to, tile: Some(work.tile(from)?.clone()) },

@@ -10,7 +10,8 @@ use super::counted;
 use crate::clock::Clock;
 use crate::commands::PictureImport;
 use crate::diag::Diagnostic;
-use crate::document::{Address, Grid, Hcbtf, Tile, write_atomic};
+use crate::document::{Address, Grid, Hcbtf, Tile};
+use crate::files::write_atomic;
 use crate::frame::{Assets, Overlay, SetupLook, tile_assets};
 use crate::hcbtf::fill::{fill, sample};
 use crate::hcbtf::{Filled, Synthesis, synthesize_filled, write};
@@ -25,7 +26,7 @@ use crate::widgets::theme;
 const AGAIN: f32 = 0.1;
 
 /// What is asked for.
-pub(super) enum Job {
+pub(super) enum MakeRequest {
     Import {
         import: PictureImport,
         from: PathBuf,
@@ -52,17 +53,17 @@ pub(super) struct Bake {
 }
 
 /// A new tile, and one sample of it as it will look.
-pub(crate) type Laid = (Arc<Hcbtf>, Option<Arc<Tile>>);
+pub(crate) type SynthesizedTile = (Arc<Hcbtf>, Option<Arc<Tile>>);
 
 /// What came of it.
-pub(crate) enum Made {
+pub(crate) enum MadePainting {
     Imported {
         from: PathBuf,
         made: Result<(Hcbtf, Vec<Diagnostic>), Vec<Diagnostic>>,
     },
     /// Another tile.
     Tile {
-        made: Result<Laid, Diagnostic>,
+        made: Result<SynthesizedTile, Diagnostic>,
     },
     /// The file has so many samples.
     Baked {
@@ -75,13 +76,13 @@ pub(crate) enum Made {
 type Stages = [Progress; 2];
 
 struct Task {
-    job: Job,
+    job: MakeRequest,
     stages: Stages,
     number: u64,
 }
 
 /// What is being made.
-struct Going {
+struct MakeProgress {
     title: String,
     stages: Stages,
     /// Whether the window waits for it.
@@ -91,9 +92,9 @@ struct Going {
 
 /// The thread, and what it is at.
 pub(super) struct Making {
-    worker: Worker<Task, (u64, Made)>,
+    worker: Worker<Task, (u64, MadePainting)>,
     number: u64,
-    going: Option<Going>,
+    going: Option<MakeProgress>,
 }
 
 impl Making {
@@ -104,12 +105,12 @@ impl Making {
     }
 
     /// Begins, in place of what is being made.
-    pub(super) fn begin(&mut self, job: Job) {
+    pub(super) fn begin(&mut self, job: MakeRequest) {
         self.stop();
         self.number += 1;
         let stages = Stages::default();
-        let is_waited_for = !matches!(job, Job::Synthesize { .. });
-        self.going = Some(Going {
+        let is_waited_for = !matches!(job, MakeRequest::Synthesize { .. });
+        self.going = Some(MakeProgress {
             title: job.title(),
             stages: stages.clone(),
             is_waited_for,
@@ -127,7 +128,7 @@ impl Making {
     }
 
     /// What was made since the last call, if nobody has given it up.
-    pub(super) fn made(&mut self) -> Option<Made> {
+    pub(super) fn made(&mut self) -> Option<MadePainting> {
         let (_, made) =
             self.worker.answers().into_iter().find(|(number, _)| *number == self.number)?;
         self.going.take().map(|_| made)
@@ -140,7 +141,9 @@ impl Making {
 
     /// Shows what the window waits for, in front of everything else.
     pub(super) fn show(&mut self, ui: &Ui) {
-        let Some(Going { title, stages, is_waited_for: true, since }) = &self.going else { return };
+        let Some(MakeProgress { title, stages, is_waited_for: true, since }) = &self.going else {
+            return;
+        };
         let (what, share) = stage(stages);
         let left = left(share, since.seconds());
         let modal = Modal::new(Id::unique("making")).show(ui.ctx(), |ui| {
@@ -204,7 +207,7 @@ fn stage([ready, made]: &Stages) -> (&'static str, f64) {
     }
 }
 
-impl Job {
+impl MakeRequest {
     fn title(&self) -> String {
         let name =
             |path: &PathBuf| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -215,15 +218,15 @@ impl Job {
         }
     }
 
-    fn done(self, stages: &Stages) -> Made {
+    fn done(self, stages: &Stages) -> MadePainting {
         match self {
             Self::Import { import, from } => {
-                Made::Imported { made: import.read(&from, &stages[1]), from }
+                MadePainting::Imported { made: import.read(&from, &stages[1]), from }
             }
             Self::Synthesize { hcbtf, filled, how, at } => {
-                Made::Tile { made: tile(&hcbtf, filled, &how, at, stages) }
+                MadePainting::Tile { made: tile(&hcbtf, filled, &how, at, stages) }
             }
-            Self::Bake(bake) => Made::Baked { made: bake.done(stages), to: bake.to },
+            Self::Bake(bake) => MadePainting::Baked { made: bake.done(stages), to: bake.to },
         }
     }
 }
@@ -234,7 +237,7 @@ fn tile(
     how: &Synthesis,
     at: Address,
     [ready, made]: &Stages,
-) -> Result<Laid, Diagnostic> {
+) -> Result<SynthesizedTile, Diagnostic> {
     let filled = filled.map_or_else(|| fill(hcbtf, ready).map(Arc::new), Ok)?;
     let made = synthesize_filled(hcbtf, &filled, how, made)?;
     let seen = sample(&made, at, ready)?;
@@ -272,7 +275,8 @@ mod tests {
     #[test]
     fn what_was_given_up_never_comes_and_the_next_one_does() {
         let mut making = Making::new(|| {});
-        let import = || Job::Import { import: PictureImport::default(), from: "nowhere".into() };
+        let import =
+            || MakeRequest::Import { import: PictureImport::default(), from: "nowhere".into() };
         making.begin(import());
         making.wait();
         making.stop();
@@ -280,7 +284,7 @@ mod tests {
         making.begin(import());
         making.begin(import());
         making.wait();
-        assert!(matches!(making.made(), Some(Made::Imported { made: Err(_), .. })));
+        assert!(matches!(making.made(), Some(MadePainting::Imported { made: Err(_), .. })));
         assert!(making.made().is_none());
     }
 }

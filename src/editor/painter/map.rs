@@ -13,7 +13,7 @@ use super::list::copy_to;
 use crate::commands::{Command, PaintCommand};
 use crate::document::{Address, Direction, Directions, HcbtfEdit};
 use crate::hcbtf::Provenance;
-use crate::state::painting::work::{State, Work};
+use crate::state::painting::work::{OpenPainting, State};
 use crate::widgets::theme;
 
 /// Between the rings, in points.
@@ -61,7 +61,7 @@ impl Map {
     pub(super) fn show(
         &mut self,
         ui: &mut Ui,
-        work: &Work,
+        work: &OpenPainting,
         atlas: &Atlas,
         peek: &mut Option<Address>,
         out: &mut Vec<Command>,
@@ -122,7 +122,7 @@ impl Map {
         &mut self,
         ui: &Ui,
         response: &Response,
-        work: &Work,
+        work: &OpenPainting,
         peek: &mut Option<Address>,
         out: &mut Vec<Command>,
     ) {
@@ -171,7 +171,7 @@ impl Map {
     }
 }
 
-fn menu(ui: &mut Ui, work: &Work, address: Address, out: &mut Vec<Command>) {
+fn menu(ui: &mut Ui, work: &OpenPainting, address: Address, out: &mut Vec<Command>) {
     ui.label(name_of(work, address));
     if ui.button("Work here").clicked() {
         out.push(Command::Paint(PaintCommand::GoTo(address)));
@@ -192,7 +192,7 @@ fn menu(ui: &mut Ui, work: &Work, address: Address, out: &mut Vec<Command>) {
 }
 
 /// What the marks mean, and how many there are of each.
-fn legend(ui: &mut Ui, work: &Work) {
+fn legend(ui: &mut Ui, work: &OpenPainting) {
     let painted = work.hcbtf().painted.len();
     let filled = work.filled().map_or(0, |filled| {
         filled
@@ -221,7 +221,7 @@ fn legend(ui: &mut Ui, work: &Work) {
 }
 
 /// The names of rings: how far the direction is from the normal.
-fn heads(ui: &Ui, work: &Work, rect: Rect, origin: Pos2, side: f32) {
+fn heads(ui: &Ui, work: &OpenPainting, rect: Rect, origin: Pos2, side: f32) {
     let grid = work.grid();
     let font = FontId::proportional(theme::SMALL_TEXT - 1.0);
     let ink = theme::of(ui).dim;
@@ -245,7 +245,7 @@ fn heads(ui: &Ui, work: &Work, rect: Rect, origin: Pos2, side: f32) {
     }
 }
 
-fn cells(ui: &Ui, work: &Work, atlas: &Atlas, origin: Pos2, side: f32) {
+fn cells(ui: &Ui, work: &OpenPainting, atlas: &Atlas, origin: Pos2, side: f32) {
     let colors = theme::of(ui);
     let painter = ui.painter();
     let grid = work.grid();

@@ -8,7 +8,7 @@ use eframe::egui::{CollapsingHeader, Grid as Table, RichText, Ui};
 use crate::document::{Grid, Storage};
 use crate::figures::bytes;
 use crate::hcbtf::{Device, Filled, Need, filled_at_most, layers_bytes, needs, needs_at_most};
-use crate::state::painting::work::Work;
+use crate::state::painting::work::OpenPainting;
 use crate::state::worker::Worker;
 use crate::widgets::theme;
 
@@ -40,7 +40,7 @@ impl Memory {
     }
 
     /// What the samples take, once that is measured; asks for it where it is not.
-    pub(super) fn measured(&mut self, work: &Work) -> Option<&Measured> {
+    pub(super) fn measured(&mut self, work: &OpenPainting) -> Option<&Measured> {
         self.known = self.worker.answers().pop().or(self.known.take());
         let filled = work.filled().filter(|_| !work.is_live());
         if let Some(filled) = filled.filter(|filled| self.asked.as_ptr() != Arc::as_ptr(filled)) {
@@ -52,7 +52,7 @@ impl Memory {
     }
 
     /// Shows what the samples take, folded to a line.
-    pub(super) fn show(&mut self, ui: &mut Ui, work: &Work) {
+    pub(super) fn show(&mut self, ui: &mut Ui, work: &OpenPainting) {
         let grid = *work.grid();
         let title = format!("Memory: up to {} on the GPU", bytes(layers_bytes(&grid, false)));
         let section = CollapsingHeader::new(title).id_salt("memory").show(ui, |ui| {

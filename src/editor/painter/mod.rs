@@ -1,7 +1,7 @@
 //! The painting workspace: an HCBTF is painted on, its samples are gone through, and rules fill the
 //! rest.
 //!
-//! A [`Work`] is the document with its past, kept by the session as looks and scenes are. Five
+//! A [`OpenPainting`] is the document with its past, kept by the session as looks and scenes are. Five
 //! panels show it: `easel` with the tools above it is the tile as the eye sees it, `map` is all of
 //! its lights and views at a glance, `sheet` is them as one picture, `dome` with `list` where the
 //! light and the eye are, and `rules` is what fills them. A stroke changes what is shown here and
@@ -27,7 +27,6 @@ mod memory;
 mod moves;
 mod preview;
 mod rules;
-mod seen;
 mod sheet;
 mod start;
 mod storing;
@@ -36,6 +35,7 @@ mod textures;
 mod tilt;
 mod toolbar;
 mod tools;
+mod visibility;
 
 use std::path::PathBuf;
 
@@ -47,16 +47,16 @@ use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, HcbtfEdit, Storage};
 use crate::hcbtf::Device;
 use crate::hcbtf::exchange::Form;
+use crate::state::painting::work::OpenPainting;
 use crate::state::painting::work::State;
-use crate::state::painting::work::Work;
 use crate::state::painting::{PaintingUpdate, look};
 use crate::state::problem_text::sentence;
 use crate::state::session::Session;
 use crate::state::worker::BackgroundJobs;
 use crate::widgets::text::hint;
 use crate::widgets::theme;
-pub(crate) use making::Made;
-pub(crate) use start::{Shown, shown};
+pub(crate) use making::MadePainting;
+pub(crate) use start::{ShownPainting, shown};
 
 /// The workspace, and what it remembers between frames.
 pub struct Painting {
@@ -66,24 +66,24 @@ pub struct Painting {
     sheet: sheet::Sheet,
     atlas: map::Atlas,
     order: list::Order,
-    held: Option<dome::Held>,
+    held: Option<dome::HeldHandle>,
     filling: filling::Filling,
     exports: export::Exports,
     memory: memory::Memory,
     /// Which grid, while that is asked for.
-    grid: Option<grid::Asked>,
+    grid: Option<grid::GridDialog>,
     making: making::Making,
     /// What is to be imported, while that is asked for; the same of a new tile, and of a look that
     /// is baked.
     import: Option<PictureImport>,
-    synthesis: Option<synthesis::Asked>,
-    baking: Option<baking::Asked>,
+    synthesis: Option<synthesis::SynthesisDialog>,
+    baking: Option<baking::BakeDialog>,
     /// What is baked once it has a file.
-    bakes: Option<baking::Asked>,
+    bakes: Option<baking::BakeDialog>,
     preview: preview::Preview,
     /// How a texture is to be stored, while that is asked for.
     storing: Option<Storage>,
-    seen: seen::Seen,
+    seen: visibility::PaintingVisibility,
     /// The sample that is only looked at, and the one for the next frame.
     peek: Option<Address>,
     next_peek: Option<Address>,
@@ -112,7 +112,7 @@ impl Painting {
             baking: None,
             bakes: None,
             storing: None,
-            seen: seen::Seen::default(),
+            seen: visibility::PaintingVisibility::default(),
             peek: None,
             next_peek: None,
         }
@@ -125,18 +125,19 @@ impl Painting {
 
     /// Asks how finely something new is divided, or how what is open is to be.
     pub(crate) fn ask_grid(&mut self, session: &Session, changes: bool) {
-        self.grid = Some(grid::Asked::of(session.painting(), changes));
+        self.grid = Some(grid::GridDialog::of(session.painting(), changes));
     }
 
     /// Asks for a new tile of patches of what is painted.
     pub(crate) fn ask_synthesis(&mut self, session: &Session) {
         let work = session.painting();
-        self.synthesis = work.map(|work| synthesis::Asked::of(work, self.filling.of(work)));
+        self.synthesis =
+            work.map(|work| synthesis::SynthesisDialog::of(work, self.filling.of(work)));
     }
 
     /// Asks onto which grid the open look is to be baked.
     pub(crate) fn ask_bake(&mut self) {
-        self.baking = Some(baking::Asked::default());
+        self.baking = Some(baking::BakeDialog::default());
     }
 
     /// Asks how a texture is to be stored.
@@ -161,13 +162,13 @@ impl Painting {
 
     /// Makes an HCBTF of pictures.
     pub(crate) fn import(&mut self, import: PictureImport, from: PathBuf) {
-        self.making.begin(making::Job::Import { import, from });
+        self.making.begin(making::MakeRequest::Import { import, from });
     }
 
     /// What was made since the last call, and is to be opened.
-    pub(crate) fn made(&mut self) -> Option<Made> {
+    pub(crate) fn made(&mut self) -> Option<MadePainting> {
         match self.making.made()? {
-            Made::Tile { made } => {
+            MadePainting::Tile { made } => {
                 if let Some(asked) = &mut self.synthesis {
                     asked.take(made);
                 }
@@ -219,12 +220,12 @@ impl Painting {
 
     /// Takes what rules filled, and asks for what they have not. Returns whether there is something
     /// new.
-    pub(crate) fn fill(&mut self, work: &mut Work) -> bool {
+    pub(crate) fn fill(&mut self, work: &mut OpenPainting) -> bool {
         self.filling.tick(work, &self.memory.device)
     }
 
     /// What is painted, where the open look shows that.
-    fn shown<'s>(&self, session: &'s Session) -> Option<&'s Work> {
+    fn shown<'s>(&self, session: &'s Session) -> Option<&'s OpenPainting> {
         session.painting().filter(|_| self.seen.is_shown())
     }
 
@@ -309,7 +310,13 @@ impl Painting {
     }
 
     /// Which sample is at work, and how it is shown.
-    fn options(&mut self, ui: &mut Ui, session: &Session, work: &Work, out: &mut Vec<Command>) {
+    fn options(
+        &mut self,
+        ui: &mut Ui,
+        session: &Session,
+        work: &OpenPainting,
+        out: &mut Vec<Command>,
+    ) {
         let at = work.at();
         ui.horizontal_wrapped(|ui| {
             let (state, color) = match work.state(at) {
@@ -426,7 +433,7 @@ pub(crate) fn counted(count: usize, what: &str) -> String {
 }
 
 /// The sample that is one step from the one at work, by the eye or by the light.
-pub(crate) fn stepped(work: &Work, heading: Heading, is_view: bool) -> Address {
+pub(crate) fn stepped(work: &OpenPainting, heading: Heading, is_view: bool) -> Address {
     let (grid, at) = (work.grid(), work.at());
     match is_view {
         true => Address { view: moves::step(grid.view, at.view, heading), ..at },

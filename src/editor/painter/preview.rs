@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use super::textures::Shown;
+use super::textures::TileTexture;
 use crate::clock::Clock;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Directions, Grid, Tile};
@@ -12,6 +12,7 @@ use crate::ids::LightId;
 use crate::library::Library;
 use crate::progress::Progress;
 use crate::reference::bake_look;
+use crate::state::revision::{DocumentNumber, MeaningRevision};
 use crate::state::worker::Worker;
 
 /// A preview has at most so many texels along a side: what is made should be there at once.
@@ -22,46 +23,48 @@ const LIGHTS: Directions = Directions { theta: 3, phi: 1 };
 
 /// What is previewed: another one is another picture.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Of {
+pub(super) struct PreviewInputs {
     /// The look's document, how often it changed its meaning, and what is painted.
-    pub(super) look: (u64, u64, Option<u64>),
+    pub(super) look: (DocumentNumber, MeaningRevision, Option<u64>),
     pub(super) size: [u32; 2],
     pub(super) light: LightId,
 }
 
 /// A look that is baked.
-pub(super) struct Job {
+pub(super) struct PreviewRequest {
     pub(super) setup: SetupLook,
     pub(super) library: Arc<Library>,
     pub(super) painting: Option<Overlay>,
 }
 
 /// Seen from straight above, under a light straight above and one halfway down.
-pub(super) struct Seen {
+pub(super) struct PreviewTiles {
     pub(super) tiles: [Arc<Tile>; 2],
     /// How long a texel of a sample took on one core.
     seconds: f64,
 }
 
-struct Done {
-    of: Of,
-    made: Result<Seen, Diagnostic>,
+struct PreviewResult {
+    of: PreviewInputs,
+    made: Result<PreviewTiles, Diagnostic>,
 }
 
 /// The thread that makes it, and what it made last.
 pub(super) struct Preview {
-    worker: Worker<(Of, Job, Progress), Done>,
-    asked: Option<Of>,
+    worker: Worker<(PreviewInputs, PreviewRequest, Progress), PreviewResult>,
+    asked: Option<PreviewInputs>,
     progress: Progress,
-    done: Option<Done>,
-    pub(super) shown: [Shown; 2],
+    done: Option<PreviewResult>,
+    pub(super) shown: [TileTexture; 2],
 }
 
 impl Preview {
     /// `wake` is called from another thread when there is a new one.
     pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
-        let work =
-            |(of, job, progress): (Of, Job, Progress)| Done { made: job.done(&of, &progress), of };
+        let work = |(of, job, progress): (PreviewInputs, PreviewRequest, Progress)| PreviewResult {
+            made: job.done(&of, &progress),
+            of,
+        };
         Self {
             worker: Worker::new("preview of a bake", wake, work),
             asked: None,
@@ -74,9 +77,9 @@ impl Preview {
     /// What it will be like, once that is known; asks for it where it is not.
     pub(super) fn of(
         &mut self,
-        of: &Of,
-        job: impl FnOnce() -> Job,
-    ) -> Option<&Result<Seen, Diagnostic>> {
+        of: &PreviewInputs,
+        job: impl FnOnce() -> PreviewRequest,
+    ) -> Option<&Result<PreviewTiles, Diagnostic>> {
         self.done = self.worker.answers().pop().or(self.done.take());
         if self.asked.as_ref() != Some(of) {
             self.progress.stop();
@@ -109,7 +112,7 @@ impl Drop for Preview {
     }
 }
 
-impl Seen {
+impl PreviewTiles {
     /// How many seconds all samples of a grid will take, as many views at a time as there are
     /// cores.
     pub(super) fn seconds_of(&self, grid: &Grid, cores: usize) -> f64 {
@@ -119,8 +122,8 @@ impl Seen {
     }
 }
 
-impl Job {
-    fn done(self, of: &Of, progress: &Progress) -> Result<Seen, Diagnostic> {
+impl PreviewRequest {
+    fn done(self, of: &PreviewInputs, progress: &Progress) -> Result<PreviewTiles, Diagnostic> {
         let first = |problems: Vec<Diagnostic>| {
             problems
                 .into_iter()
@@ -140,7 +143,7 @@ impl Job {
         let tile = |ring| hcbtf.painted(Address::new([ring, 0], [0, 0])).cloned();
         let none = || Arc::new(Tile::filled(grid.size, [0; 4]));
         let tiles = [0, 1].map(|ring| tile(ring).unwrap_or_else(none));
-        Ok(Seen { tiles, seconds: clock.seconds() / samples })
+        Ok(PreviewTiles { tiles, seconds: clock.seconds() / samples })
     }
 }
 
@@ -164,7 +167,7 @@ mod tests {
         assert_eq!(reduced([1024, 512]), [96, 48]);
         assert_eq!(reduced([4000, 1]), [96, 1]);
         let tile = Arc::new(Tile::filled([1, 1], [0; 4]));
-        let seen = Seen { tiles: [tile.clone(), tile], seconds: 1e-6 };
+        let seen = PreviewTiles { tiles: [tile.clone(), tile], seconds: 1e-6 };
         // 51 views of 51 lights of 32 x 32 texels: 51 turns on one core, 13 on four.
         let one = seen.seconds_of(&Grid::THESIS, 1);
         assert!((one - 51.0 * 51.0 * 1024.0 * 1e-6).abs() < 1e-9, "{one}");

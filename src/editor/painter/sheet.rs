@@ -14,7 +14,7 @@ use super::moves;
 use crate::commands::{Command, PaintCommand};
 use crate::document::{Address, Direction, Grid};
 use crate::hcbtf::sheet::{Held, column, held, place, row, size};
-use crate::state::painting::work::{State, Work};
+use crate::state::painting::work::{OpenPainting, State};
 use crate::widgets::theme;
 
 /// Points a texel of the sheet, at most.
@@ -39,22 +39,22 @@ pub(super) struct Sheet {
     pan: Vec2,
     texture: Option<TextureHandle>,
     /// What the texture shows.
-    made: Option<Made>,
+    made: Option<SheetInputs>,
     /// Where the sheet lay in the last frame.
-    laid: Option<(Laid, Grid)>,
+    laid: Option<(SheetPlacement, Grid)>,
 }
 
 /// What decides how the picture of the sheet looks.
 #[derive(Clone, Copy, PartialEq)]
-struct Made {
+struct SheetInputs {
     version: u64,
-    laid: Laid,
+    laid: SheetPlacement,
     pixels: [usize; 2],
 }
 
 /// Where the sheet lies on the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Laid {
+struct SheetPlacement {
     room: Rect,
     /// The upper left corner of the sheet.
     origin: Pos2,
@@ -62,7 +62,7 @@ struct Laid {
     zoom: f64,
 }
 
-impl Laid {
+impl SheetPlacement {
     fn screen(&self, [x, y]: [f64; 2]) -> Pos2 {
         self.origin + vec2((x * self.zoom) as f32, (y * self.zoom) as f32)
     }
@@ -86,7 +86,7 @@ impl Sheet {
     pub(super) fn show(
         &mut self,
         ui: &mut Ui,
-        work: &Work,
+        work: &OpenPainting,
         is_painting: bool,
         out: &mut Vec<Command>,
     ) {
@@ -110,7 +110,7 @@ impl Sheet {
         let most = ui.input(|input| input.max_texture_side);
         let pixels = [room.width(), room.height()]
             .map(|side| ((f64::from(side) * scale) as usize).clamp(1, most));
-        let made = Made { version: work.version(), laid, pixels };
+        let made = SheetInputs { version: work.version(), laid, pixels };
         if self.made != Some(made) && !(is_painting && self.texture.is_some()) {
             let image = picture(work, &laid, pixels);
             match &mut self.texture {
@@ -147,12 +147,18 @@ impl Sheet {
     }
 
     /// The wheel zooms about the pointer; drags move the sheet.
-    fn navigate(&mut self, ui: &Ui, response: &Response, room: Rect, whole: [u32; 2]) -> Laid {
+    fn navigate(
+        &mut self,
+        ui: &Ui,
+        response: &Response,
+        room: Rect,
+        whole: [u32; 2],
+    ) -> SheetPlacement {
         let [width, height] = whole.map(f64::from);
         let fit = (f64::from(room.width()) / width).min(f64::from(room.height()) / height) * FITTED;
         let lay = |zoom: f64, pan: Vec2| {
             let half = vec2((width * zoom / 2.0) as f32, (height * zoom / 2.0) as f32);
-            Laid { room, origin: room.center() + pan - half, zoom }
+            SheetPlacement { room, origin: room.center() + pan - half, zoom }
         };
         let laid = lay(self.zoom.unwrap_or(fit), self.pan);
         if let Some(at) = response.hover_pos() {
@@ -181,13 +187,13 @@ impl Sheet {
     }
 }
 
-fn texel_at(laid: &Laid, at: Pos2) -> Option<[u32; 2]> {
+fn texel_at(laid: &SheetPlacement, at: Pos2) -> Option<[u32; 2]> {
     let [x, y] = laid.texel(at).map(f64::floor);
     (x >= 0.0 && y >= 0.0).then_some([x as u32, y as u32])
 }
 
 /// What is seen of the sheet, a color a pixel.
-fn picture(work: &Work, laid: &Laid, pixels: [usize; 2]) -> ColorImage {
+fn picture(work: &OpenPainting, laid: &SheetPlacement, pixels: [usize; 2]) -> ColorImage {
     let grid = *work.grid();
     let tiles = tiles(work, &grid);
     let steps = (grid.view.phi * grid.light.phi) as usize;
@@ -227,7 +233,7 @@ fn picture(work: &Work, laid: &Laid, pixels: [usize; 2]) -> ColorImage {
 }
 
 /// The texels of every sample, by the rings of view and light and then by their steps.
-fn tiles<'w>(work: &'w Work, grid: &Grid) -> Vec<Option<&'w [[u8; 4]]>> {
+fn tiles<'w>(work: &'w OpenPainting, grid: &Grid) -> Vec<Option<&'w [[u8; 4]]>> {
     let directions = |theta, phi| Direction { theta, phi };
     let rings =
         (0..grid.view.theta).flat_map(|view| (0..grid.light.theta).map(move |light| [view, light]));
@@ -270,7 +276,7 @@ impl Mean {
 }
 
 /// Lines between the blocks, and between the views of a block where there is room.
-fn lines(ui: &Ui, laid: &Laid, grid: &Grid) {
+fn lines(ui: &Ui, laid: &SheetPlacement, grid: &Grid) {
     let painter = ui.painter_at(laid.room);
     let whole = size(grid);
     let inner = [grid.light.theta, grid.light.phi + 2];
@@ -296,7 +302,7 @@ fn lines(ui: &Ui, laid: &Laid, grid: &Grid) {
 }
 
 /// Marks the texels of the sample at work that are seen.
-fn mark(ui: &Ui, laid: &Laid, grid: &Grid, at: Address) {
+fn mark(ui: &Ui, laid: &SheetPlacement, grid: &Grid, at: Address) {
     if laid.zoom < MARKED {
         return;
     }
@@ -311,7 +317,7 @@ fn mark(ui: &Ui, laid: &Laid, grid: &Grid, at: Address) {
     }
 }
 
-fn outline(ui: &Ui, laid: &Laid, texel: [u32; 2], color: Color32) {
+fn outline(ui: &Ui, laid: &SheetPlacement, texel: [u32; 2], color: Color32) {
     let [x, y] = texel.map(f64::from);
     let rect = Rect::from_min_max(laid.screen([x, y]), laid.screen([x + 1.0, y + 1.0]));
     let painter = ui.painter_at(laid.room);
@@ -325,7 +331,7 @@ fn outline(ui: &Ui, laid: &Laid, texel: [u32; 2], color: Color32) {
 }
 
 /// What lies under the pointer: where in the six dimensions, which color, and how it came about.
-fn tell(work: &Work, held: &Held) -> [String; 3] {
+fn tell(work: &OpenPainting, held: &Held) -> [String; 3] {
     let Held { address, texel: [x, y], is_copy } = *held;
     let grid = work.grid();
     let [r, g, b, a] = work.tile(address).map_or([0; 4], |tile| tile.texel(x.into(), y.into()));

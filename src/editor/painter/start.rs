@@ -9,9 +9,9 @@ use crate::commands::{Command, GridPreset, PaintCommand};
 use crate::examples::PREFIX;
 use crate::frame::UNSAVED_HCBTF;
 use crate::state::painting::look::sheets;
-use crate::state::painting::work::Work;
+use crate::state::painting::work::OpenPainting;
+use crate::state::scene::real;
 use crate::state::session::Session;
-use crate::state::stage::real;
 use crate::widgets::theme;
 
 /// What a look is painted with can be this many HCBTFs; more are painted from the inspector.
@@ -34,7 +34,7 @@ fn wide(ui: &mut Ui, label: &str) -> Response {
 }
 
 /// An HCBTF that the open look shows, and that is not open to be painted.
-pub(crate) struct Shown {
+pub(crate) struct ShownPainting {
     /// What asks for it.
     pub(crate) label: String,
     pub(crate) help: &'static str,
@@ -44,23 +44,28 @@ pub(crate) struct Shown {
 }
 
 /// What the open look shows that is not open to be painted.
-pub(crate) fn shown(session: &Session) -> Vec<Shown> {
-    let mut names = sheets(session.look(), &session.catalog);
+pub(crate) fn shown(session: &Session) -> Vec<ShownPainting> {
+    let mut names = sheets(session.look(), &session.project.catalog);
     names.retain(|name| !name.is_empty() && name != UNSAVED_HCBTF);
     names.sort();
     names.dedup();
-    let open = session.painting().and_then(Work::path).map(real);
+    let open = session.painting().and_then(OpenPainting::path).map(real);
     let all = names.into_iter().map(|named| {
         let path = PathBuf::from(&named);
         if named.starts_with(PREFIX) {
             let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
             let help = "Opens a copy of the example that this look shows; the example itself stays \
                         as it is";
-            return Shown { label: format!("Paint a copy of {name}"), help, path, name };
+            return ShownPainting { label: format!("Paint a copy of {name}"), help, path, name };
         }
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let help = "Opens what this look shows to be painted";
-        Shown { label: format!("Paint {name}"), help, path: session.folder().join(named), name }
+        ShownPainting {
+            label: format!("Paint {name}"),
+            help,
+            path: session.folder().join(named),
+            name,
+        }
     });
     all.filter(|shown| open.as_ref().is_none_or(|open| real(&shown.path) != *open))
         .take(MOST_SHEETS)
@@ -136,7 +141,7 @@ fn of_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         ui.add_space(4.0);
     }
     let is_any = !shown.is_empty() || session.painting().is_some();
-    for Shown { label, help, path, .. } in shown {
+    for ShownPainting { label, help, path, .. } in shown {
         if wide(ui, &label).on_hover_text(help).clicked() {
             out.push(Command::Paint(PaintCommand::Open { path, keeps_look: true }));
         }

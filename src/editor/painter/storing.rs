@@ -9,7 +9,7 @@ use crate::document::Storage;
 use crate::figures::bytes;
 use crate::hcbtf::exchange::Form;
 use crate::hcbtf::{Need, needs_at_most};
-use crate::state::painting::work::Work;
+use crate::state::painting::work::OpenPainting;
 use crate::widgets::confirm;
 use crate::widgets::theme;
 
@@ -17,7 +17,7 @@ use crate::widgets::theme;
 pub(super) fn show(
     ui: &Ui,
     asked: &mut Option<Storage>,
-    work: Option<&Work>,
+    work: Option<&OpenPainting>,
     memory: &mut Memory,
 ) -> Option<Command> {
     let storage = asked.as_mut()?;
@@ -64,7 +64,7 @@ pub(super) fn show(
 }
 
 /// The storages: what each takes, once that is measured, and what it is.
-fn choices(ui: &mut Ui, work: &Work, memory: &mut Memory, chosen: &mut Storage) {
+fn choices(ui: &mut Ui, work: &OpenPainting, memory: &mut Memory, chosen: &mut Storage) {
     let known = memory.measured(work).map(|(_, _, needs)| needs.clone());
     let most = needs_at_most(work.grid());
     let of = |needs: &[Need], storage| {

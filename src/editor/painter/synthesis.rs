@@ -9,14 +9,14 @@ use eframe::egui::{
     Ui, WidgetInfo, pos2, vec2,
 };
 
-use super::making::{Job, Laid, Making, bar};
-use super::textures::Shown;
+use super::making::{MakeRequest, Making, SynthesizedTile, bar};
+use super::textures::TileTexture;
 use super::{grid, memory};
 use crate::commands::{Command, PaintCommand};
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf};
 use crate::hcbtf::{Device, Filled, Synthesis};
-use crate::state::painting::work::Work;
+use crate::state::painting::work::OpenPainting;
 use crate::state::problem_text::sentence;
 use crate::widgets::confirm;
 use crate::widgets::rows::lead;
@@ -26,7 +26,7 @@ use crate::widgets::theme;
 const SIDE: f32 = 220.0;
 
 /// What is asked, and what came of the last answer.
-pub(super) struct Asked {
+pub(super) struct SynthesisDialog {
     how: Synthesis,
     /// What it is laid of, as it was when the dialog was opened.
     of: Arc<Hcbtf>,
@@ -34,21 +34,21 @@ pub(super) struct Asked {
     at: Address,
     /// What was asked for last.
     asked: Option<Synthesis>,
-    made: Option<Result<Laid, Diagnostic>>,
-    before: Shown,
-    after: Shown,
+    made: Option<Result<SynthesizedTile, Diagnostic>>,
+    before: TileTexture,
+    after: TileTexture,
 }
 
-impl Asked {
-    pub(super) fn of(work: &Work, filled: Option<Arc<Filled>>) -> Self {
+impl SynthesisDialog {
+    pub(super) fn of(work: &OpenPainting, filled: Option<Arc<Filled>>) -> Self {
         let of = work.shown().clone();
         let how = Synthesis { size: of.grid.size, seed: 1, patch: None };
-        let (before, after) = (Shown::default(), Shown::default());
+        let (before, after) = (TileTexture::default(), TileTexture::default());
         Self { how, of, filled, at: work.at(), asked: None, made: None, before, after }
     }
 
     /// Takes what was made.
-    pub(super) fn take(&mut self, made: Result<Laid, Diagnostic>) {
+    pub(super) fn take(&mut self, made: Result<SynthesizedTile, Diagnostic>) {
         self.made = Some(made);
     }
 }
@@ -56,9 +56,9 @@ impl Asked {
 /// Asks, while `asked` is there; `work` is what is painted.
 pub(super) fn show(
     ui: &Ui,
-    asked: &mut Option<Asked>,
+    asked: &mut Option<SynthesisDialog>,
     making: &mut Making,
-    work: Option<&Work>,
+    work: Option<&OpenPainting>,
     device: &Device,
 ) -> Option<Command> {
     let state = asked.as_mut()?;
@@ -129,7 +129,7 @@ pub(super) fn show(
         state.asked = Some(state.how);
         state.made = None;
         let (hcbtf, filled) = (state.of.clone(), state.filled.clone());
-        making.begin(Job::Synthesize { hcbtf, filled, how: state.how, at: state.at });
+        making.begin(MakeRequest::Synthesize { hcbtf, filled, how: state.how, at: state.at });
     }
     if is_over || modal.should_close() {
         making.stop();
@@ -139,13 +139,13 @@ pub(super) fn show(
 }
 
 /// What can be begun with.
-fn ready(asked: &Asked, device: &Device) -> Option<Arc<Hcbtf>> {
+fn ready(asked: &SynthesisDialog, device: &Device) -> Option<Arc<Hcbtf>> {
     let (hcbtf, _) = asked.made.as_ref()?.as_ref().ok()?;
     device.check_painted(&hcbtf.grid).is_ok().then(|| hcbtf.clone())
 }
 
 /// What came of it, in words, and whether it went wrong.
-fn told(asked: &Asked, device: &Device) -> (String, bool) {
+fn told(asked: &SynthesisDialog, device: &Device) -> (String, bool) {
     let grid = Grid { size: asked.how.size, ..asked.of.grid };
     let refused = device.check_painted(&grid).err();
     let wrong = asked.made.as_ref().and_then(|made| made.as_ref().err()).or(refused.as_ref());
@@ -159,7 +159,7 @@ fn told(asked: &Asked, device: &Device) -> (String, bool) {
     }
 }
 
-fn fields(ui: &mut Ui, asked: &mut Asked) {
+fn fields(ui: &mut Ui, asked: &mut SynthesisDialog) {
     let how = &mut asked.how;
     grid::size(ui, &mut how.size);
     ui.horizontal(|ui| {

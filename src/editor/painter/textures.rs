@@ -9,12 +9,12 @@ use crate::document::Tile;
 
 /// One tile's texture, and the tile that it shows.
 #[derive(Default)]
-pub(super) struct Shown {
+pub(super) struct TileTexture {
     handle: Option<TextureHandle>,
     tile: Option<Arc<Tile>>,
 }
 
-impl Shown {
+impl TileTexture {
     /// The texture, brought up to date.
     pub(super) fn of(&mut self, ctx: &Context, name: &str, tile: &Arc<Tile>) -> TextureId {
         let is_it = self.tile.as_ref().is_some_and(|shown| Arc::ptr_eq(shown, tile));

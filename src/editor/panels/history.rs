@@ -7,6 +7,7 @@ use eframe::egui::{
 
 use crate::commands::{Command, PanelId};
 use crate::panels::table::{PanelPlace, PanelRow};
+use crate::state::revision::DocumentNumber;
 use crate::state::session::Session;
 use crate::widgets::rows::{leave_with_pointer, row_ground, undo_keys};
 use crate::widgets::text::cell;
@@ -25,7 +26,7 @@ const ROW: f32 = 22.0;
 /// The panel, and which place it showed last.
 #[derive(Default)]
 pub(crate) struct History {
-    shown: Option<(u64, usize)>,
+    shown: Option<(DocumentNumber, usize)>,
 }
 
 impl History {

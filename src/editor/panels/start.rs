@@ -100,7 +100,7 @@ pub(crate) fn show(
     PanelContext { session, safety }: PanelContext<'_>,
 ) -> Vec<Command> {
     let start = bench.memory.of::<Start>();
-    start.know_recent(safety.recent(), &session.crashes);
+    start.know_recent(safety.recent(), &session.journals.crashes);
     start.show(ui, session, &bench.thumbs)
 }
 

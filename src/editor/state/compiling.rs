@@ -11,16 +11,17 @@ use crate::document::Look;
 use crate::ids::{NodePath, PortName};
 use crate::library::{Library, Type};
 use crate::milestones;
+use crate::state::revision::{DocumentNumber, PreviewRevision, SoloRevision};
 use crate::state::safety::crashes::{CrashLog, DocumentOrigin, Step};
 use crate::state::wire::ShownWire;
 use crate::state::worker::Worker;
 
 /// What is to be compiled.
-pub(crate) struct Request {
+pub(crate) struct CompileRequest {
     /// The look as it is now.
     pub(crate) look: Arc<Look>,
     /// Which document that is.
-    pub(crate) document: u64,
+    pub(crate) document: DocumentNumber,
     /// Its revision.
     pub(crate) revision: u64,
     /// Which structure it has; other values with the same structure are shown by the same live
@@ -35,9 +36,9 @@ pub(crate) struct Request {
     /// Whether only the baked shader is wanted, because the live one still serves.
     pub(crate) only_baked: bool,
     /// Which solo it is shown in.
-    pub(crate) solo: u64,
+    pub(crate) solo: SoloRevision,
     /// Which look is shown in place of the open one.
-    pub(crate) preview: u64,
+    pub(crate) preview: PreviewRevision,
     /// What people call the document.
     pub(crate) name: String,
     /// Its file, if it has one.
@@ -45,9 +46,9 @@ pub(crate) struct Request {
 }
 
 /// What became of a request.
-pub(crate) struct Answer {
+pub(crate) struct CompileAnswer {
     /// The request.
-    pub(crate) request: Request,
+    pub(crate) request: CompileRequest,
     /// The shaders, or everything that is wrong.
     pub(crate) result: Result<Shaders, Vec<Diagnostic>>,
 }
@@ -63,19 +64,19 @@ pub(crate) struct Shaders {
 }
 
 /// A thread that compiles looks.
-pub(crate) type Compiler = Worker<Request, Answer>;
+pub(crate) type Compiler = Worker<CompileRequest, CompileAnswer>;
 
 /// Starts it. What goes on is noted in `crashes`.
 pub(crate) fn start(wake: impl Fn() + Send + 'static, crashes: CrashLog) -> Compiler {
-    Worker::new("compile", wake, move |request: Request| {
+    Worker::new("compile", wake, move |request: CompileRequest| {
         let origin = || DocumentOrigin::new(&request.name, request.path.as_deref(), &request.look);
         let _going = crashes.begin(Step::Compile, origin);
         let result = compile(&request);
-        Answer { request, result }
+        CompileAnswer { request, result }
     })
 }
 
-fn compile(request: &Request) -> Result<Shaders, Vec<Diagnostic>> {
+fn compile(request: &CompileRequest) -> Result<Shaders, Vec<Diagnostic>> {
     let shown = request
         .wire
         .as_ref()

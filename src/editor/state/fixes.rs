@@ -80,7 +80,7 @@ impl<'a> Spot<'a> {
     }
 
     fn kind(&self) -> Option<&Kind> {
-        self.session.catalog.of(self.node).map(|kind| &**kind)
+        self.session.project.catalog.of(self.node).map(|kind| &**kind)
     }
 
     fn input(&self) -> Option<&Port> {
@@ -112,9 +112,9 @@ impl<'a> Spot<'a> {
     }
 
     fn known_kinds(&self) -> Vec<Fix> {
-        let known = self.session.catalog.all().map(|kind| kind.id.as_str());
+        let known = self.session.project.catalog.all().map(|kind| kind.id.as_str());
         let fix = |near: &str| {
-            let label = self.session.catalog.get(near).map_or(near, |kind| &kind.label);
+            let label = self.session.project.catalog.get(near).map_or(near, |kind| &kind.label);
             let edit = Edit::SetKind {
                 graph: self.id.clone(),
                 id: self.node_id.clone(),
@@ -214,6 +214,7 @@ impl<'a> Spot<'a> {
             None => {
                 let label = self
                     .session
+                    .project
                     .catalog
                     .get(kind)
                     .map_or(kind.to_owned(), |kind| kind.label.to_string());
@@ -347,7 +348,7 @@ fn loose_end(session: &Session, graph: &Graph, except: &NodeId) -> Option<NodeId
     let is_loose =
         |id: &NodeId| id != except && !graph.wires.iter().any(|wire| wire.from.node == *id);
     let makes = |node: &Node, wanted: &Type| {
-        let kind = session.catalog.of(node);
+        let kind = session.project.catalog.of(node);
         kind.and_then(|kind| kind.outputs.first()).is_some_and(|output| output.ty == *wanted)
     };
     let of = |wanted: &Type| {

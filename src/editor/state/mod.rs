@@ -2,6 +2,7 @@
 //! is selected, the shaders made of them, and the journals that keep unsaved work.
 
 pub(crate) mod compiling;
+pub(crate) mod document;
 pub(crate) mod fixes;
 pub(crate) mod interface;
 pub(crate) mod keying;
@@ -10,13 +11,15 @@ pub(crate) mod painting;
 pub(crate) mod paths;
 pub(crate) mod problem_text;
 pub(crate) mod reading;
+pub(crate) mod revision;
 pub(crate) mod safety;
+pub(crate) mod scene;
 pub(crate) mod session;
 pub mod settings;
 pub(crate) mod sketch;
+pub(crate) mod snapshot;
 pub(crate) mod solo;
 pub(crate) mod stack;
-pub(crate) mod stage;
-pub(crate) mod still;
+
 pub(crate) mod wire;
 pub(crate) mod worker;

@@ -50,7 +50,7 @@ pub struct Orbit {
 /// An [`Orbit`] as it is remembered, without the mesh, which is remembered for itself.
 #[derive(Serialize, Deserialize)]
 #[serde(default)]
-struct Kept {
+struct SavedOrbit {
     yaw: f64,
     pitch: f64,
     upright: [f64; 4],
@@ -63,13 +63,13 @@ struct Kept {
     z_is_up: bool,
 }
 
-impl Default for Kept {
+impl Default for SavedOrbit {
     fn default() -> Self {
         Self::of(&Orbit::default())
     }
 }
 
-impl Kept {
+impl SavedOrbit {
     fn of(orbit: &Orbit) -> Self {
         Self {
             yaw: orbit.yaw,
@@ -125,7 +125,7 @@ impl Default for Orbit {
 impl Orbit {
     /// Everything but the mesh, to be remembered.
     pub(crate) fn to_json(&self) -> Value {
-        serde_json::to_value(Kept::of(self)).unwrap_or_default()
+        serde_json::to_value(SavedOrbit::of(self)).unwrap_or_default()
     }
 
     /// Takes everything but the mesh from what [`to_json`](Self::to_json) wrote; what cannot be
@@ -134,7 +134,7 @@ impl Orbit {
         // A list would do for serde, as members in their order.
         let Some(kept) = Some(kept)
             .filter(|kept| kept.is_object())
-            .and_then(|kept| Kept::deserialize(kept).ok())
+            .and_then(|kept| SavedOrbit::deserialize(kept).ok())
         else {
             return;
         };

@@ -34,7 +34,11 @@ pub(crate) struct Parameter {
 impl Session {
     /// The open look.
     pub(crate) fn reading(&self) -> Reading<'_> {
-        Reading { look: self.look(), catalog: &self.catalog, library: &self.library }
+        Reading {
+            look: self.look(),
+            catalog: &self.project.catalog,
+            library: &self.project.library,
+        }
     }
 }
 

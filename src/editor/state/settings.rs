@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 use crate::diag::Diagnostic;
-use crate::document::{read_text, write_atomic};
+use crate::files::{read_text, write_atomic};
 use crate::state::paths::absolute;
 
 /// As many files are remembered.

@@ -8,8 +8,8 @@
 use std::sync::Arc;
 
 use crate::document::{Camera, Tile};
+use crate::state::document::times::Times;
 use crate::state::orbit::Orbit;
-use crate::state::session::times::Times;
 
 /// As many steps can be taken back: each holds a picture of about a megabyte.
 const MOST_STEPS: usize = 32;

@@ -11,7 +11,7 @@ use super::stack::Stack;
 use crate::catalog::Catalog;
 use crate::document::{Look, Scene, Target};
 use crate::ids::{LightId, NodeId};
-use crate::state::stage::Staged;
+use crate::state::scene::SceneSnapshot;
 
 /// What everybody should know who uses it.
 pub(crate) const OF_THE_WINDOW: &str = "Only this window shows it so, in the picture and in the \
@@ -106,13 +106,13 @@ impl Solo {
     /// The scene around the look, without the lights of its own that are dark. Where one of them is
     /// shown alone, the lights that its other looks have for themselves are out too, but for what
     /// their keys light again.
-    pub(crate) fn lit_stage(&self, staged: &Arc<Staged>) -> Arc<Staged> {
+    pub(crate) fn lit_stage(&self, staged: &Arc<SceneSnapshot>) -> Arc<SceneSnapshot> {
         let of_scene = &staged.scene.lights;
         let is_any_alone = self.lights.iter().any(|id| of_scene.contains_key(id));
         if !is_any_alone && !of_scene.keys().any(|id| self.is_dark(id)) {
             return staged.clone();
         }
-        let mut lit = Staged::clone(staged);
+        let mut lit = SceneSnapshot::clone(staged);
         if is_any_alone {
             for (id, light) in staged.other_looks().flat_map(|look| &look.look.lights) {
                 if self.is_dark(id) {

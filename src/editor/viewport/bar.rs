@@ -8,15 +8,15 @@ use std::path::Path;
 use super::Viewport;
 use super::show::{self, Place};
 use super::solo_bar;
-use crate::commands::{Command, PanelId, PictureExport, Switch, ViewCommand, table};
+use crate::commands::{Command, PanelId, PictureExport, ViewCommand, table};
 use crate::document::{Projection, Scene};
 use crate::frame::SHAPE_PREFIX;
 use crate::geometry::SHAPES;
 use crate::state::orbit::Orbit;
 use crate::state::session::Session;
 use crate::state::wire::node_at;
-use crate::tools::PictureTools;
 use crate::tools::probe::wire_name;
+use crate::tools::{PictureTools, SwitchPlace};
 use crate::widgets::color;
 use crate::widgets::theme;
 
@@ -30,7 +30,6 @@ impl Viewport {
         tools: &mut PictureTools,
         out: &mut Vec<Command>,
     ) {
-        let PictureTools { probe, wipe, fitting } = tools;
         ui.horizontal(|ui| {
             match session.stage() {
                 None => mesh_choice(ui, session, out),
@@ -50,20 +49,11 @@ impl Viewport {
                     MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
                 let (menu, _) = MenuButton::new("Options")
                     .config(stays)
-                    .ui(ui, |ui| self.options(ui, session, view, out));
+                    .ui(ui, |ui| self.options(ui, session, (&mut *view, &mut *tools), out));
                 menu.on_hover_text(
                     "Turntable, projection, backdrop, exposure, reference image, saving",
                 );
-                let mut is_on = probe.is_on();
-                let help = table::help_of(&Command::Probe(Switch::Toggle));
-                if ui.toggle_value(&mut is_on, "Probe pixel").on_hover_text(help).changed() {
-                    out.push(Command::Probe(is_on.into()));
-                }
-                fitting.toggle(ui, out);
-                // Pictures beside it would be in the way of strokes.
-                if !fitting.is_on() {
-                    wipe.choice(ui);
-                }
+                tools.switches(ui, SwitchPlace::Bar, out);
                 if session.is_compiling() {
                     ui.label(egui::RichText::new("compiling").color(theme::of(ui).dim));
                 }
@@ -75,12 +65,11 @@ impl Viewport {
         &mut self,
         ui: &mut Ui,
         session: &Session,
-        view: &mut Orbit,
+        (view, tools): (&mut Orbit, &mut PictureTools),
         out: &mut Vec<Command>,
     ) {
         let help_of = |command| table::help_of(&Command::View(command));
-        ui.checkbox(&mut self.handles, "Handles on the object")
-            .on_hover_text(help_of(ViewCommand::ToggleHandles));
+        tools.switches(ui, SwitchPlace::Options, out);
         let help = "Where eye and lights stand at a place, as an HCBTF looks them up: blue lies \
                     toward the eye, the \
                     others toward lights, each with its trace on the surface; larger under the \
@@ -88,10 +77,10 @@ impl Viewport {
         ui.checkbox(&mut self.has_arrows, "Arrows toward eye and lights").on_hover_text(help);
         ui.checkbox(&mut self.turns, "Turntable")
             .on_hover_text(help_of(ViewCommand::ToggleTurntable));
-        if session.stage().is_none() && !session.view.mesh.starts_with(SHAPE_PREFIX) {
+        if session.stage().is_none() && !session.view.orbit.mesh.starts_with(SHAPE_PREFIX) {
             let help = "Stands up a mesh that lies on its back: one whose z axis points up, as in \
                         many scans";
-            let mut z_is_up = session.view.z_is_up;
+            let mut z_is_up = session.view.orbit.z_is_up;
             if ui.checkbox(&mut z_is_up, "Z is up").on_hover_text(help).changed() {
                 out.push(Command::StandUp(z_is_up));
             }
@@ -238,7 +227,7 @@ const MOST_SIDE: u32 = 8192;
 
 fn mesh_choice(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     let label = ui.label("On");
-    let mesh = session.view.mesh.clone();
+    let mesh = session.view.orbit.mesh.clone();
     let shape = SHAPES.iter().find(|shape| mesh.strip_prefix("shape:") == Some(shape.name));
     let file = Path::new(&mesh)
         .file_name()
@@ -293,8 +282,8 @@ pub(super) fn over_top(ui: &mut Ui, rect: Rect, session: &Session, out: &mut Vec
 /// Says that a wire is shown in place of the picture, and leads back.
 fn wire_bar(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) -> Option<()> {
     let wire = session.wire()?;
-    let node = node_at(session.look(), &session.library, wire.node.ids())?;
-    let kind = session.catalog.of(node);
+    let node = node_at(session.look(), &session.project.library, wire.node.ids())?;
+    let kind = session.project.catalog.of(node);
     let name = wire_name(session, &wire.node);
     let port = kind
         .and_then(|kind| Some(&*kind.outputs[kind.output(wire.port.as_str())?].label))

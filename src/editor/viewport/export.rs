@@ -10,11 +10,12 @@ use glam::DVec3;
 use crate::commands::PictureExport;
 use crate::compile::Live;
 use crate::diag::Diagnostic;
-use crate::document::{OutputKind, Outputs, Projection};
+use crate::document::Projection;
+use crate::files::{OutputKind, Outputs};
 use crate::frame::{Assets, Picture, PlanOptions, Planner};
 use crate::render::{Gpu, Renderer, block_on};
 use crate::state::orbit::Orbit;
-use crate::state::still::Still;
+use crate::state::snapshot::RenderSnapshot;
 use crate::state::worker::Worker;
 
 /// A baked ball's radius over the image's width: what a LitSphere node takes where nothing else is
@@ -33,13 +34,13 @@ pub(crate) enum Destination {
     Clipboard,
 }
 
-enum Job {
-    Draw { export: PictureExport, still: Box<Still>, to: Destination },
+enum PictureExportRequest {
+    Draw { export: PictureExport, still: Box<RenderSnapshot>, to: Destination },
     Read(PathBuf),
 }
 
 /// What became of a job.
-pub(super) enum Done {
+pub(super) enum PictureExportResult {
     Saved(PathBuf),
     Copied(ColorImage),
     Read(PathBuf, ColorImage),
@@ -48,7 +49,7 @@ pub(super) enum Done {
 
 /// The thread that does it.
 pub(super) struct Exports {
-    worker: Worker<Vec<Job>, Vec<Done>>,
+    worker: Worker<Vec<PictureExportRequest>, Vec<PictureExportResult>>,
 }
 
 impl Exports {
@@ -57,30 +58,30 @@ impl Exports {
     pub(super) fn new(gpu: Option<Gpu>, wake: impl Fn() + Send + 'static) -> Self {
         let mut drawer =
             gpu.map(|gpu| Drawer { renderer: Renderer::new(gpu), assets: Assets::default() });
-        let work = move |jobs: Vec<Job>| {
+        let work = move |jobs: Vec<PictureExportRequest>| {
             let done = jobs.into_iter().map(|job| run(job, drawer.as_mut()));
-            done.map(|done| done.unwrap_or_else(Done::Failed)).collect()
+            done.map(|done| done.unwrap_or_else(PictureExportResult::Failed)).collect()
         };
         Self { worker: Worker::new("export", wake, work) }
     }
 
     /// Draws and saves or copies.
-    pub(super) fn draw(&self, export: PictureExport, still: Still, to: Destination) {
-        self.add(Job::Draw { export, still: Box::new(still), to });
+    pub(super) fn draw(&self, export: PictureExport, still: RenderSnapshot, to: Destination) {
+        self.add(PictureExportRequest::Draw { export, still: Box::new(still), to });
     }
 
     /// Reads an image to be shown.
     pub(super) fn read(&self, path: PathBuf) {
-        self.add(Job::Read(path));
+        self.add(PictureExportRequest::Read(path));
     }
 
-    fn add(&self, job: Job) {
+    fn add(&self, job: PictureExportRequest) {
         // Nothing that waits is dropped.
         self.worker
             .request(|waiting| waiting.unwrap_or_default().into_iter().chain([job]).collect());
     }
 
-    pub(super) fn answers(&self) -> impl Iterator<Item = Done> + use<> {
+    pub(super) fn answers(&self) -> impl Iterator<Item = PictureExportResult> + use<> {
         self.worker.answers().into_iter().flatten()
     }
 
@@ -93,13 +94,16 @@ impl Exports {
     }
 }
 
-fn run(job: Job, drawer: Option<&mut Drawer>) -> Result<Done, Diagnostic> {
+fn run(
+    job: PictureExportRequest,
+    drawer: Option<&mut Drawer>,
+) -> Result<PictureExportResult, Diagnostic> {
     match job {
-        Job::Read(path) => {
+        PictureExportRequest::Read(path) => {
             let image = Assets::default().image(Path::new(""), &path.display().to_string())?;
-            Ok(Done::Read(path, shown(image.size, &image.rgba())))
+            Ok(PictureExportResult::Read(path, shown(image.size, &image.rgba())))
         }
-        Job::Draw { export, still, to } => {
+        PictureExportRequest::Draw { export, still, to } => {
             let drawer = drawer.ok_or_else(|| {
                 Diagnostic::error("no-gpu", "there is no GPU to draw with")
                     .hint("`chiaro render --on reference` needs none")
@@ -112,11 +116,14 @@ fn run(job: Job, drawer: Option<&mut Drawer>) -> Result<Done, Diagnostic> {
                     let mut outputs = Outputs::new(true);
                     drawer.assets.files().for_each(|path| outputs.reads(path));
                     outputs.write(&path, OutputKind::PICTURE, &picture.to_png()?)?;
-                    Ok(Done::Saved(path))
+                    Ok(PictureExportResult::Saved(path))
                 }
                 Destination::Clipboard => {
                     let size = picture.size.map(|side| side as usize);
-                    Ok(Done::Copied(ColorImage::from_rgba_unmultiplied(size, &picture.to_rgba8())))
+                    Ok(PictureExportResult::Copied(ColorImage::from_rgba_unmultiplied(
+                        size,
+                        &picture.to_rgba8(),
+                    )))
                 }
             }
         }
@@ -142,7 +149,11 @@ struct Drawer {
 }
 
 impl Drawer {
-    fn draw(&mut self, export: PictureExport, mut still: Still) -> Result<Picture, Diagnostic> {
+    fn draw(
+        &mut self,
+        export: PictureExport,
+        mut still: RenderSnapshot,
+    ) -> Result<Picture, Diagnostic> {
         let size = match export {
             PictureExport::Picture(size) => size,
             PictureExport::LitSphere(side) => {
@@ -168,7 +179,7 @@ impl Drawer {
     fn try_draw(
         &mut self,
         planner: &mut Planner,
-        still: &Still,
+        still: &RenderSnapshot,
         export: PictureExport,
         size: [u32; 2],
     ) -> Result<Picture, Vec<Diagnostic>> {

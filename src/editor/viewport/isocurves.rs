@@ -49,14 +49,14 @@ struct Track {
 
 /// What lines were made of: the same again is known.
 #[derive(Clone, Debug, PartialEq)]
-struct Made {
+struct IsocurveInputs {
     layer: Layer,
     light: LightValues,
 }
 
 /// Curves in the hand.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Held {
+pub(super) struct HeldCurve {
     curves: Vec<Curve>,
     /// Whether one of them is to be pulled off, as soon as it shows which.
     splits: bool,
@@ -67,7 +67,7 @@ pub(super) struct Held {
 /// The widget and what it keeps between frames.
 #[derive(Default)]
 pub(super) struct Isocurves {
-    made: Option<Made>,
+    made: Option<IsocurveInputs>,
     surface: Option<Arc<Surface>>,
     field: Field,
     tracks: Vec<Track>,
@@ -85,10 +85,10 @@ impl Isocurves {
     /// Makes the lines anew where that is needed.
     pub(super) fn update(&mut self, session: &Session, surface: &Arc<Surface>, layer: &Layer) {
         let Some(light) = session.light(&layer.light) else { return self.clear() };
-        let light = light_values(light, session.view.illumination, surface);
+        let light = light_values(light, session.view.orbit.illumination, surface);
         let is_same_surface =
             self.surface.as_ref().is_some_and(|known| Arc::ptr_eq(known, surface));
-        let same = |made: &&Made| is_same_surface && made.light == light;
+        let same = |made: &&IsocurveInputs| is_same_surface && made.light == light;
         let known = self.made.as_ref().filter(same);
         if known.is_some_and(|made| made.layer == *layer) {
             return;
@@ -121,7 +121,7 @@ impl Isocurves {
             let lines = known.unwrap_or_else(|| self.field.lines(surface, level as f32));
             self.tracks.push(Track { curves: vec![curve], level, lines });
         }
-        self.made = Some(Made { layer: layer.clone(), light });
+        self.made = Some(IsocurveInputs { layer: layer.clone(), light });
     }
 
     /// Where the middle of what is lit is on the screen, where that is seen.
@@ -136,7 +136,7 @@ impl Isocurves {
     }
 
     /// The curves under the hand.
-    pub(super) fn hit(&self, rect: Rect, at: Pos2, splits: bool) -> Option<Held> {
+    pub(super) fn hit(&self, rect: Rect, at: Pos2, splits: bool) -> Option<HeldCurve> {
         let distance = |track: &Track| {
             let lines = track.lines.iter().filter(|line| length(line, rect) >= SHORTEST);
             let mut nearest =
@@ -151,7 +151,7 @@ impl Isocurves {
         let nearest = self.tracks.iter().map(|track| (distance(track), track));
         let (distance, track) = nearest.min_by(|a, b| a.0.total_cmp(&b.0))?;
         let splits = splits && track.curves.len() > 1;
-        (distance <= REACH).then(|| Held {
+        (distance <= REACH).then(|| HeldCurve {
             curves: track.curves.clone(),
             splits,
             level: track.level,
@@ -168,7 +168,7 @@ impl Isocurves {
     /// Brings what is held to a point of the screen.
     pub(super) fn drag(
         &self,
-        held: &mut Held,
+        held: &mut HeldCurve,
         session: &Session,
         rect: Rect,
         at: Pos2,
@@ -197,7 +197,7 @@ impl Isocurves {
     }
 
     /// What a drag of these curves does.
-    pub(super) fn hint(&self, held: &Held) -> String {
+    pub(super) fn hint(&self, held: &HeldCurve) -> String {
         let names = names(&held.curves);
         let what = match held.curves[..] {
             [Curve::Offset] => "up to here the tone is full",
@@ -219,7 +219,7 @@ impl Isocurves {
 
     /// Draws the lines; `marked` is in the hand or under it, `is_near` whether the hand is over the
     /// picture.
-    pub(super) fn paint(&self, ui: &Ui, rect: Rect, marked: Option<&Held>, is_near: bool) {
+    pub(super) fn paint(&self, ui: &Ui, rect: Rect, marked: Option<&HeldCurve>, is_near: bool) {
         let painter = ui.painter_at(rect);
         let is_marked = |track: &Track| {
             marked.is_some_and(|held| held.curves.iter().any(|curve| track.curves.contains(curve)))
@@ -250,7 +250,7 @@ impl Isocurves {
     }
 
     /// Names and angles, each on its own line where that is farthest from the light.
-    fn labels(&self, painter: &Painter, rect: Rect, marked: Option<&Held>) {
+    fn labels(&self, painter: &Painter, rect: Rect, marked: Option<&HeldCurve>) {
         let middle = self.middle(rect).unwrap_or(rect.left_top());
         let away = (rect.center() - middle).normalized();
         let away = if away.length() < 0.5 { vec2(0.6, 0.8) } else { away };

@@ -137,7 +137,7 @@ impl<'a> Place<'a> {
     fn of(session: &'a Session, id: &NodeId) -> Option<Self> {
         let graph = session.graph();
         let (id, node) = graph.nodes.get_key_value(id.as_str())?;
-        Some(Self { session, graph, id, node, kind: session.catalog.of(node)? })
+        Some(Self { session, graph, id, node, kind: session.project.catalog.of(node)? })
     }
 
     /// What is wired to an input, through reroutes.
@@ -218,7 +218,7 @@ pub(super) fn selected(session: &Session) -> Option<Layer> {
     if session.is_read_only() {
         return None;
     }
-    let place = Place::of(session, session.selection.last()?)?;
+    let place = Place::of(session, session.selection.nodes.last()?)?;
     group(&place).or_else(|| profile(&place)).or_else(|| {
         // An angle, a light or a warp of plain nodes: what it feeds is meant, if that is one
         // profile.
@@ -236,7 +236,7 @@ pub(super) fn selected(session: &Session) -> Option<Layer> {
 
 /// The light that is selected: a layer's, or that of a Light node.
 pub(super) fn selected_light(session: &Session) -> Option<LightId> {
-    Place::of(session, session.selection.last()?)?.light()
+    Place::of(session, session.selection.nodes.last()?)?.light()
 }
 
 fn group(place: &Place<'_>) -> Option<Layer> {

@@ -38,12 +38,12 @@ enum Grip {
 
 /// A light in the hand.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Held {
+pub(super) struct HeldLight {
     pub(super) light: LightId,
     grip: Grip,
 }
 
-impl Held {
+impl HeldLight {
     /// Holds a light by the middle of what it lights.
     pub(super) fn by_middle(light: LightId, shading: ShadingType) -> Self {
         Self { light, grip: Grip::Middle(shading) }
@@ -88,34 +88,35 @@ pub(super) fn resolved(light: &Light, orbit: &Orbit) -> LightValues {
 }
 
 /// The light whose needle's end is under the pointer.
-pub(super) fn hit(session: &Session, rect: Rect, at: Pos2) -> Option<Held> {
+pub(super) fn hit(session: &Session, rect: Rect, at: Pos2) -> Option<HeldLight> {
     let lights = session.shining().filter(|(_, light)| light.kind == LightKind::Directional);
     let (center, radius) = session.ball();
     let ends = lights.filter_map(|(id, light)| {
-        let toward = resolved(light, &session.view).direction();
+        let toward = resolved(light, &session.view.orbit).direction();
         let distance = project(center + toward * NEEDLE[1] * radius, rect, session)?.distance(at);
-        let is_behind = toward.dot(session.view.direction()) < 0.0;
+        let is_behind = toward.dot(session.view.orbit.direction()) < 0.0;
         Some((distance, is_behind, id))
     });
     let (_, is_behind, light) =
         ends.filter(|(distance, ..)| *distance <= REACH).min_by(|a, b| a.0.total_cmp(&b.0))?;
-    Some(Held { light: light.clone(), grip: Grip::Needle { is_behind, is_outside: false } })
+    Some(HeldLight { light: light.clone(), grip: Grip::Needle { is_behind, is_outside: false } })
 }
 
 /// Turns what is held so that it is at a point of the screen.
 pub(super) fn drag(
-    held: &mut Held,
+    held: &mut HeldLight,
     session: &Session,
     surface: Option<&Surface>,
     rect: Rect,
     at: Pos2,
 ) -> Option<Command> {
     let light = session.light(&held.light)?;
-    let values = resolved(light, &session.view);
+    let values = resolved(light, &session.view.orbit);
     let (toward, place) = match &mut held.grip {
         Grip::Middle(shading) => at_surface(surface?, *shading, &values, rect, at)?,
         Grip::Needle { is_behind, is_outside } => {
-            let (toward, is_on_ball) = on_ball(&session.view, session.ball(), rect, at, *is_behind);
+            let (toward, is_on_ball) =
+                on_ball(&session.view.orbit, session.ball(), rect, at, *is_behind);
             // Over the rim and back is the other side.
             if is_on_ball && *is_outside {
                 *is_behind = !*is_behind;
@@ -214,11 +215,11 @@ pub(super) fn paint_needles(
     let painter = ui.painter_at(rect);
     let (center, radius) = session.ball();
     for (id, light) in session.shining().filter(|(_, light)| light.kind == LightKind::Directional) {
-        let toward = resolved(light, &session.view).direction();
+        let toward = resolved(light, &session.view.orbit).direction();
         let ends = NEEDLE.map(|far| project(center + toward * far * radius, rect, session));
         let [Some(from), Some(to)] = ends else { continue };
         let color = light.color.map(|c| (c.clamp(0.0, 1.0) * 255.0) as u8);
-        let is_behind = toward.dot(session.view.direction()) < 0.0;
+        let is_behind = toward.dot(session.view.orbit.direction()) < 0.0;
         let is_held = held == Some(id);
         let strength =
             if is_turning || is_held { 1.0 } else { 0.75 } * if is_behind { 0.5 } else { 1.0 };

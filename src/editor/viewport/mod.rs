@@ -34,15 +34,16 @@ use crate::document::Projection;
 use crate::ids::ObjectId;
 use crate::render::Gpu;
 use crate::state::orbit::Orbit;
+use crate::state::scene::ObjectPlace;
 use crate::state::session::Session;
 use crate::state::worker::BackgroundJobs;
-use crate::tools::PictureTools;
 use crate::tools::fitting::Fitting;
-use crate::tools::probe::{Probe, picture_size};
+use crate::tools::probe::picture_size;
+use crate::tools::{PictureContext, PictureTools, ToolRow};
 use crate::viewport::picture::Picture;
 use crate::widgets::spots::{self, Spot};
 use crate::widgets::theme;
-use export::{Destination, Done, Exports};
+use export::{Destination, Exports, PictureExportResult};
 use isocurves::Isocurves;
 use layer::{Curve, Layer};
 use show::{Place as ReferencePlace, Reference};
@@ -57,12 +58,12 @@ enum Drag {
     Camera,
     Lights,
     Pan,
-    Curve(isocurves::Held),
-    Light(lights::Held),
+    Curve(isocurves::HeldCurve),
+    Light(lights::HeldLight),
 }
 
 /// What a drag that is given up goes back to.
-struct Before {
+struct DragStart {
     view: Orbit,
     /// How many steps of the look were done.
     place: usize,
@@ -72,7 +73,7 @@ struct Before {
 pub struct Viewport {
     drag: Option<Drag>,
     /// How everything was when the drag began.
-    before: Option<Before>,
+    before: Option<DragStart>,
     rect: Option<Rect>,
     /// What was taken in of this frame, until it is drawn.
     scene: Option<ViewportScene>,
@@ -81,8 +82,6 @@ pub struct Viewport {
     hovered: Option<ObjectId>,
     surfaces: Surfaces,
     isocurves: Isocurves,
-    /// Whether lines and handles are shown.
-    handles: bool,
     /// Whether arrows toward the eye and the lights are shown, and those of the last frame.
     has_arrows: bool,
     arrows: Vec<arrows::Arrow>,
@@ -104,13 +103,17 @@ struct ViewportScene {
     response: Response,
     pointer: Option<Pos2>,
     handles: Handles,
-    hovered: Option<objects::Seen>,
+    hovered: Option<objects::HoveredObject>,
 }
 
 /// What is shown on the object this time.
 struct Handles {
     surface: Option<Arc<Surface>>,
     layer: Option<Layer>,
+    /// Whether lines and handles are shown.
+    is_on: bool,
+    /// Where objects are, where that is news.
+    places: Option<Vec<ObjectPlace>>,
 }
 
 impl Viewport {
@@ -125,7 +128,6 @@ impl Viewport {
             hovered: None,
             surfaces: Surfaces::new(wake.clone()),
             isocurves: Isocurves::default(),
-            handles: true,
             has_arrows: false,
             arrows: Vec::new(),
             turns: false,
@@ -146,10 +148,9 @@ impl Viewport {
         tools: &mut PictureTools,
     ) -> Vec<Command> {
         let mut out = Vec::new();
-        let mut view = session.view.clone();
+        let mut view = session.view.orbit.clone();
         self.bar(ui, session, &mut view, tools, &mut out);
-        tools.wipe.bar(ui, session);
-        tools.fitting.bar(ui);
+        tools.bars(ui, session);
         self.take_exports(ui, &mut out);
         let (room, _) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
         let (rect, beside) =
@@ -165,9 +166,9 @@ impl Viewport {
             .contains_pointer()
             .then(|| ui.input(|input| input.pointer.hover_pos()))
             .flatten();
-        let PictureTools { probe, fitting, .. } = tools;
-        let is_free = !probe.is_on() && !fitting.is_on();
-        let handles = self.handles(rect, session, is_free, &mut out);
+        let is_free = tools.with_pointer().is_none();
+        let mut handles = self.handles(rect, session, tools.has_handles, is_free);
+        out.extend(handles.places.take().map(SceneCommand::Locate).map(Command::Scene));
         let hovered = objects::seen(
             session,
             handles.surface.as_deref(),
@@ -182,13 +183,14 @@ impl Viewport {
         let is_alt = ui.input(|input| input.modifiers.alt);
         let is_stroke =
             self.drag.is_none() && response.dragged_by(PointerButton::Primary) && !is_alt;
-        if !(fitting.is_on() && is_stroke) {
-            self.drags(ui, &response, rect, session, &mut view, &handles, &mut out);
+        let context = PictureContext { session, response: &response, rect, pointer };
+        if !(tools.fitting.is_on() && is_stroke) {
+            self.drags(ui, &context, &mut view, &handles, &mut out);
         }
-        self.wheel_and_keys(ui, pointer, session, &mut view, fitting, &mut out);
+        self.wheel_and_keys(ui, &context, &mut view, &tools.fitting, &mut out);
         self.turn(ui, &mut view);
-        out.extend(fitting.interact(ui, &response, rect, session));
-        if view != session.view {
+        out.extend(tools.interact(ui, &context));
+        if view != session.view.orbit {
             // What is asked for by name, as to turn all back, comes after.
             out.insert(0, Command::View(ViewCommand::TurnTo(Box::new(view))));
         }
@@ -210,15 +212,14 @@ impl Viewport {
         else {
             return out;
         };
-        let PictureTools { probe, wipe, fitting } = tools;
-        let is_free = !probe.is_on() && !fitting.is_on();
+        let owner = tools.with_pointer();
         match picture {
             Some(picture) => {
                 show_picture(ui, rect, session, picture, self.turns, self.exposure);
                 self.preparing.show(ui, rect, session, picture);
             }
             None => {
-                if !fitting.stand_in(ui, rect) {
+                if !tools.fitting.stand_in(ui, rect) {
                     ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
                     stand_in(ui, rect, session);
                 }
@@ -229,39 +230,33 @@ impl Viewport {
             (Some(reference), None) => reference.paint(ui, rect),
             (None, _) => {}
         }
-        wipe.update(ui, session, picture_size(rect, ui.pixels_per_point()));
-        wipe.over(ui, rect);
-        fitting.over(ui, &response, rect, session, &mut out);
-        probe.update(
-            ui,
-            session,
-            rect,
-            pointer.filter(|_| self.drag.is_none()),
-            response.clicked(),
-        );
-        let is_free = self.drag.is_none() && self.handles && is_free && response.hovered();
+        let free = pointer.filter(|_| self.drag.is_none());
+        let context = PictureContext { session, response: &response, rect, pointer: free };
+        tools.over(ui, &context, &mut out);
+        let is_free = self.drag.is_none() && handles.is_on && owner.is_none() && response.hovered();
         let hovered = pointer.filter(|_| is_free);
         let hovered = hovered.and_then(|at| self.grip(ui, rect, at, session, &handles));
-        self.hint = if probe.is_on() {
-            probe_hint(probe).to_owned()
-        } else if fitting.is_on() && self.drag.is_none() {
-            fitting.hint().to_owned()
-        } else {
-            let hint = self.hint_at(pointer, rect, session, &handles, hovered.as_ref());
-            seen.as_ref().filter(|_| hovered.is_none()).map_or(String::new(), objects::Seen::hint)
-                + &hint
+        // The hint of a drag stands before that of the brush, and not before that of the probe.
+        let is_told = |tool: &&ToolRow| tool.mark.is_some() || self.drag.is_none();
+        self.hint = match owner.filter(is_told).and_then(|tool| tool.hint) {
+            Some(hint) => hint(tools).to_owned(),
+            None => {
+                let hint = self.hint_at(pointer, rect, session, &handles, hovered.as_ref());
+                let of_object = seen.as_ref().filter(|_| hovered.is_none());
+                of_object.map_or(String::new(), objects::HoveredObject::hint) + &hint
+            }
         };
-        if !fitting.is_on() {
+        if !tools.fitting.is_on() {
             objects::paint(ui, rect, session, handles.surface.as_deref(), seen.as_ref());
         }
         let surface = handles.surface.as_deref().filter(|_| self.has_arrows);
         self.arrows =
             surface.map(|surface| arrows::of(session, surface, rect, pointer)).unwrap_or_default();
         arrows::paint(ui, rect, &self.arrows);
-        if probe.is_on() {
+        if let Some(mark) = owner.and_then(|tool| tool.mark) {
             response.on_hover_cursor(CursorIcon::Crosshair);
-            probe.mark(ui, rect);
-        } else if self.handles && !fitting.is_on() {
+            mark(tools, ui, rect);
+        } else if handles.is_on && !tools.fitting.is_on() {
             self.paint(ui, rect, session, &handles, hovered.as_ref(), response.hovered());
             let is_held = matches!(self.drag, Some(Drag::Curve(_) | Drag::Light(_)));
             if is_held || hovered.is_some() {
@@ -280,37 +275,30 @@ impl Viewport {
     }
 
     /// Finds out what is handled, and brings its lines up to date.
-    fn handles(
-        &mut self,
-        rect: Rect,
-        session: &Session,
-        is_free: bool,
-        out: &mut Vec<Command>,
-    ) -> Handles {
-        let layer = layer::selected(session).filter(|_| self.handles && is_free);
-        let wants_lines =
-            self.handles && (layer.is_some() || layer::selected_light(session).is_some());
+    fn handles(&mut self, rect: Rect, session: &Session, is_on: bool, is_free: bool) -> Handles {
+        let layer = layer::selected(session).filter(|_| is_on && is_free);
+        let wants_lines = is_on && (layer.is_some() || layer::selected_light(session).is_some());
         // Of a scene one wants to know what is where, in any case.
         if !(wants_lines || self.has_arrows || session.stage().is_some()) || rect.area() < 16.0 {
             self.isocurves.clear();
-            return Handles { surface: None, layer };
+            return Handles { surface: None, layer, is_on, places: None };
         }
         let key = SurfaceKey::new(session, rect.size());
         let with_kappa = layer
             .as_ref()
             .and_then(|layer| layer.warp)
             .is_some_and(|(slope, amount)| slope * amount != 0.0);
-        let surface = self.surfaces.update(&key, with_kappa, || session.still());
-        if let (Some(surface), Some(stage)) = (&surface, session.stage())
-            && stage.placed != surface.pieces.placed
-        {
-            out.push(Command::Scene(SceneCommand::Locate(surface.pieces.placed.clone())));
-        }
+        let surface = self.surfaces.update(&key, with_kappa, || session.snapshot());
+        let is_elsewhere = |places: &&Vec<ObjectPlace>| {
+            session.stage().is_some_and(|stage| stage.placed != **places)
+        };
+        let places = surface.as_ref().map(|surface| &surface.pieces.placed).filter(is_elsewhere);
+        let places = places.cloned();
         match (&surface, &layer) {
             (Some(surface), Some(layer)) => self.isocurves.update(session, surface, layer),
             _ => self.isocurves.clear(),
         }
-        Handles { surface, layer }
+        Handles { surface, layer, is_on, places }
     }
 
     /// What there is to be taken at a point of the screen.
@@ -331,7 +319,7 @@ impl Viewport {
                 handles.surface.as_ref().is_some_and(|surface| surface.is_at(place_in(rect, at)));
             if modifiers.shift && is_there || lights::is_at_middle(self.isocurves.middle(rect), at)
             {
-                return Some(Drag::Light(lights::Held::by_middle(light, shading)));
+                return Some(Drag::Light(lights::HeldLight::by_middle(light, shading)));
             }
         }
         if let Some(held) = lights::hit(session, rect, at) {
@@ -390,20 +378,20 @@ impl Viewport {
     fn drags(
         &mut self,
         ui: &Ui,
-        response: &Response,
-        rect: Rect,
-        session: &Session,
+        context: &PictureContext<'_>,
         view: &mut Orbit,
         handles: &Handles,
         out: &mut Vec<Command>,
     ) {
+        let PictureContext { session, response, rect, .. } = *context;
         let is_alt = ui.input(|input| input.modifiers.alt);
         if response.drag_started()
             && let Some(origin) = ui.input(|input| input.pointer.press_origin())
         {
-            self.before = Some(Before { view: session.view.clone(), place: session.place() });
+            self.before =
+                Some(DragStart { view: session.view.orbit.clone(), place: session.place() });
             let is_primary = response.dragged_by(PointerButton::Primary);
-            let grip = (is_primary && !is_alt && self.handles)
+            let grip = (is_primary && !is_alt && handles.is_on)
                 .then(|| self.grip(ui, rect, origin, session, handles));
             self.drag = Some(match grip.flatten() {
                 Some(grip) => grip,
@@ -435,10 +423,9 @@ impl Viewport {
     }
 
     fn wheel_and_keys(
-        &mut self,
+        &self,
         ui: &Ui,
-        pointer: Option<Pos2>,
-        session: &Session,
+        PictureContext { session, pointer, .. }: &PictureContext<'_>,
         view: &mut Orbit,
         fitting: &Fitting,
         out: &mut Vec<Command>,
@@ -465,11 +452,6 @@ impl Viewport {
     /// Starts or stops the turntable.
     pub(crate) fn toggle_turntable(&mut self) {
         self.turns = !self.turns;
-    }
-
-    /// Shows or hides handles on the object.
-    pub(crate) fn toggle_handles(&mut self) {
-        self.handles = !self.handles;
     }
 
     /// Stops the turntable.
@@ -574,7 +556,7 @@ impl Viewport {
 
     /// Writes a picture of what is shown.
     pub(crate) fn export(&mut self, session: &Session, export: PictureExport, path: PathBuf) {
-        self.exports.draw(export, session.still(), Destination::File(path));
+        self.exports.draw(export, session.snapshot(), Destination::File(path));
     }
 
     /// Copies the picture to the clipboard, as large as it is on the screen, or of a usual size
@@ -582,7 +564,7 @@ impl Viewport {
     pub(crate) fn copy(&mut self, session: &Session, scale: f32) {
         self.exports.draw(
             PictureExport::Picture(self.size_in_pixels(scale)),
-            session.still(),
+            session.snapshot(),
             Destination::Clipboard,
         );
     }
@@ -600,12 +582,12 @@ impl Viewport {
     fn take_exports(&mut self, ui: &Ui, out: &mut Vec<Command>) {
         for done in self.exports.answers() {
             out.push(Command::Tell(match done {
-                Done::Saved(path) => format!("Saved {}", path.display()),
-                Done::Copied(image) => {
+                PictureExportResult::Saved(path) => format!("Saved {}", path.display()),
+                PictureExportResult::Copied(image) => {
                     ui.ctx().copy_image(image);
                     "The picture is in the clipboard".to_owned()
                 }
-                Done::Read(path, image) => {
+                PictureExportResult::Read(path, image) => {
                     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
                     let texture =
                         ui.ctx().load_texture("reference", image, egui::TextureOptions::LINEAR);
@@ -618,7 +600,7 @@ impl Viewport {
                     self.reference = Some(Reference { name, texture, place, opacity });
                     message
                 }
-                Done::Failed(problem) => problem.message,
+                PictureExportResult::Failed(problem) => problem.message,
             }));
         }
     }
@@ -638,15 +620,6 @@ impl BackgroundJobs for Viewport {
 /// A point of the screen in parts of the picture's size.
 fn place_in(rect: Rect, at: Pos2) -> [f32; 2] {
     [(at.x - rect.min.x) / rect.width(), (at.y - rect.min.y) / rect.height()]
-}
-
-fn probe_hint(probe: &Probe) -> &'static str {
-    match probe.pinned() {
-        None => "Rest the pointer to read a pixel, click to keep it · Esc leaves the probe",
-        Some(_) => {
-            "This pixel is kept: click another · Esc lets go of it, Esc again leaves the probe"
-        }
-    }
 }
 
 fn show_picture(
@@ -687,7 +660,7 @@ fn show_picture(
 
 /// Where there is no GPU: a ball, so that camera and lights can be turned all the same.
 fn stand_in(ui: &Ui, rect: Rect, session: &Session) {
-    let radius = session.view.radius_in_picture() as f32 * rect.height();
+    let radius = session.view.orbit.radius_in_picture() as f32 * rect.height();
     ui.painter().circle(
         rect.center(),
         radius,
@@ -709,14 +682,14 @@ fn is_on_object(at: Pos2, rect: Rect, session: &Session, handles: &Handles) -> b
     if session.stage().is_some() {
         return false;
     }
-    let radius = session.view.radius_in_picture() as f32 * rect.height();
+    let radius = session.view.orbit.radius_in_picture() as f32 * rect.height();
     let center = project(DVec3::ZERO, rect, session).unwrap_or(rect.center());
     at.distance(center) < radius * 0.92
 }
 
 /// A point of the world on the screen; `None` behind the eye.
 fn project(point: DVec3, rect: Rect, session: &Session) -> Option<Pos2> {
-    let view = &session.view;
+    let view = &session.view.orbit;
     let (right, up) = view.right_and_up();
     let from_eye = point - (view.target + view.direction() * view.distance);
     let depth = -from_eye.dot(view.direction());

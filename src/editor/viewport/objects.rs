@@ -9,21 +9,21 @@ use super::surface::{Piece, Surface};
 use crate::commands::{Command, SceneCommand};
 use crate::frame::look_of;
 use crate::ids::ObjectId;
+use crate::state::scene::file_label;
 use crate::state::session::Session;
-use crate::state::stage::file_label;
 use crate::widgets::theme;
 
 /// How long a corner's lines are, in points.
 const CORNER: f32 = 10.0;
 
 /// What is under the pointer.
-pub(super) struct Seen {
+pub(super) struct HoveredObject {
     piece: Piece,
     /// What the look is called.
     look: String,
 }
 
-impl Seen {
+impl HoveredObject {
     pub(super) fn object(&self) -> &ObjectId {
         &self.piece.object
     }
@@ -50,23 +50,23 @@ pub(super) fn seen(
     surface: Option<&Surface>,
     rect: Rect,
     pointer: Option<Pos2>,
-) -> Option<Seen> {
+) -> Option<HoveredObject> {
     let stage = session.stage()?;
     let piece = surface?.piece_at(place_in(rect, pointer?))?.clone();
     let look =
         look_of(stage.scene().objects.get(&piece.object)?, &piece.material).map(file_label)?;
-    Some(Seen { piece, look })
+    Some(HoveredObject { piece, look })
 }
 
 /// What a click asks for: the object that is seen, with its look; or, beside all, none.
 pub(super) fn pick(
     session: &Session,
     surface: Option<&Surface>,
-    seen: Option<&Seen>,
+    seen: Option<&HoveredObject>,
 ) -> Option<Command> {
     session.stage().filter(|_| surface.is_some())?;
     Some(Command::Scene(match seen {
-        Some(Seen { piece, .. }) => {
+        Some(HoveredObject { piece, .. }) => {
             SceneCommand::Pick(piece.object.clone(), Some(piece.material.clone()))
         }
         None => SceneCommand::Unselect,
@@ -79,7 +79,7 @@ pub(super) fn paint(
     rect: Rect,
     session: &Session,
     surface: Option<&Surface>,
-    seen: Option<&Seen>,
+    seen: Option<&HoveredObject>,
 ) {
     let (Some(stage), Some(surface)) = (session.stage(), surface) else { return };
     let around = |id: &ObjectId| {

@@ -17,15 +17,16 @@ use crate::library::Library;
 use crate::milestones;
 use crate::render::{Gpu, Renderer, block_on, set_times};
 use crate::state::orbit::Orbit;
+use crate::state::revision::{DocumentNumber, PictureRevision};
 use crate::state::safety::crashes::{CrashLog, CrashMark, DocumentOrigin, Step};
-use crate::state::session::{Session, Showing};
-use crate::state::still::Still;
+use crate::state::session::{DrawableLook, Session};
+use crate::state::snapshot::RenderSnapshot;
 use crate::state::worker::Worker;
 
 /// What a picture is of: with another look or another mesh it is another one.
 #[derive(Clone, PartialEq)]
 struct Subject {
-    document: u64,
+    document: DocumentNumber,
     mesh: String,
 }
 
@@ -33,14 +34,14 @@ impl Subject {
     fn of(session: &Session) -> Self {
         // A scene has meshes of its own.
         let mesh =
-            if session.stage().is_some() { String::new() } else { session.view.mesh.clone() };
+            if session.stage().is_some() { String::new() } else { session.view.orbit.mesh.clone() };
         Self { document: session.document_number(), mesh }
     }
 }
 
 /// What is missing for the first picture of what is open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Awaited {
+pub(crate) enum MissingPicture {
     /// The look is being compiled.
     Shader,
     /// It is being drawn.
@@ -50,10 +51,10 @@ pub(crate) enum Awaited {
 }
 
 /// What is to be drawn.
-struct Wish {
+struct PictureRequest {
     subject: Subject,
-    showing: Showing,
-    still: Still,
+    showing: DrawableLook,
+    still: RenderSnapshot,
     size: [u32; 2],
     /// Whether its effects are to be told.
     tells_effects: bool,
@@ -63,8 +64,8 @@ struct Wish {
 
 /// What a picture was wished for: the same again needs no new one.
 #[derive(PartialEq)]
-struct Wished {
-    picture: u64,
+struct PictureInputs {
+    picture: PictureRevision,
     orbit: Orbit,
     time: f64,
     size: [u32; 2],
@@ -73,7 +74,7 @@ struct Wished {
 }
 
 /// What was drawn: a texture where it could be.
-struct Drawn {
+struct DrawnPicture {
     subject: Subject,
     texture: Option<wgpu::TextureView>,
     /// What was made ready for it, and need not be made for the next one.
@@ -93,7 +94,7 @@ struct Ready {
 }
 
 impl Ready {
-    fn of(showing: &Showing, still: &Still) -> Self {
+    fn of(showing: &DrawableLook, still: &RenderSnapshot) -> Self {
         Self {
             shader: showing.shader.clone(),
             library: still.library.clone(),
@@ -168,11 +169,11 @@ impl Pace {
 pub(crate) struct Picture {
     state: RenderState,
     gpu: Gpu,
-    worker: Worker<Wish, Drawn>,
+    worker: Worker<PictureRequest, DrawnPicture>,
     texture: Option<TextureId>,
     /// What it shows.
     shown: Option<Subject>,
-    wished: Option<Wished>,
+    wished: Option<PictureInputs>,
     pace: Pace,
     /// What the last picture was drawn with.
     ready: Option<Ready>,
@@ -290,10 +291,10 @@ impl Picture {
         let size = self
             .size
             .map(|side| if side > 0 { side.div_ceil(self.pace.coarseness).max(1) } else { 0 });
-        let wished = Some(Wished {
+        let wished = Some(PictureInputs {
             picture: session.picture(),
-            orbit: session.view.clone(),
-            time: session.time,
+            orbit: session.view.orbit.clone(),
+            time: session.view.time,
             size,
             folder: session.folder(),
             tells_effects: self.tells_effects,
@@ -304,13 +305,13 @@ impl Picture {
         {
             self.wished = wished;
             self.wishes += 1;
-            let still = session.still_of(showing.look.clone());
+            let still = session.snapshot_of(showing.look.clone());
             let wanted = Ready::of(&showing, &still);
             let is_ready = self.ready.as_ref().is_some_and(|ready| ready.is(&wanted));
             self.is_quick = is_ready && (self.is_quick || !self.worker.is_busy());
             let first_of = (!is_ready).then(|| session.shown_file());
             let (subject, tells_effects) = (Subject::of(session), self.tells_effects);
-            self.worker.request(|_| Wish {
+            self.worker.request(|_| PictureRequest {
                 subject,
                 showing,
                 still,
@@ -349,21 +350,21 @@ impl Picture {
 
     /// What is missing for the first picture of what is open, while the one that is there shows
     /// something else.
-    pub(crate) fn awaited(&self, session: &Session) -> Option<Awaited> {
+    pub(crate) fn awaited(&self, session: &Session) -> Option<MissingPicture> {
         let subject = Subject::of(session);
         let shown = self.shown.as_ref().filter(|shown| **shown != subject && self.is_there())?;
         if session.is_compiling() {
-            return Some(Awaited::Shader);
+            return Some(MissingPicture::Shader);
         }
         // One that is drawn and not taken yet is awaited, too: a sign that goes and comes again
         // would flicker.
         if self.worker.owes() {
-            return Some(Awaited::Picture);
+            return Some(MissingPicture::Picture);
         }
         // On a mesh that cannot be read the last good picture stays.
         let is_broken = shown.document != subject.document;
         let is_broken = is_broken && (!self.problems.is_empty() || has_errors(session.problems()));
-        is_broken.then_some(Awaited::Mended)
+        is_broken.then_some(MissingPicture::Mended)
     }
 
     /// Waits for it.
@@ -406,7 +407,7 @@ struct Artist {
 }
 
 impl Artist {
-    fn draw(&mut self, wish: &Wish) -> Drawn {
+    fn draw(&mut self, wish: &PictureRequest) -> DrawnPicture {
         let subject = wish.subject.clone();
         let going = wish.first_of.as_ref().map(|(name, path)| {
             let origin = || DocumentOrigin::new(name, path.as_deref(), &wish.showing.look);
@@ -418,7 +419,7 @@ impl Artist {
             Ok(effects) => {
                 let problems = std::mem::take(&mut self.planner.warnings);
                 let ready = Some(Ready::of(&wish.showing, &wish.still));
-                Drawn {
+                DrawnPicture {
                     subject,
                     texture: self.renderer.picture_view(),
                     ready,
@@ -427,9 +428,14 @@ impl Artist {
                     unfinished,
                 }
             }
-            Err(problems) => {
-                Drawn { subject, texture: None, ready: None, problems, effects: None, unfinished }
-            }
+            Err(problems) => DrawnPicture {
+                subject,
+                texture: None,
+                ready: None,
+                problems,
+                effects: None,
+                unfinished,
+            },
         }
     }
 
@@ -444,7 +450,7 @@ impl Artist {
 
     /// Draws, and tells the effects where they are wanted and the look is at rest: of a look that
     /// is being edited nothing is left out, which would only flicker.
-    fn try_draw(&mut self, wish: &Wish) -> Result<Option<Vec<Effect>>, Vec<Diagnostic>> {
+    fn try_draw(&mut self, wish: &PictureRequest) -> Result<Option<Vec<Effect>>, Vec<Diagnostic>> {
         let showing = &wish.showing;
         if !self.library.as_ref().is_some_and(|library| Arc::ptr_eq(library, &wish.still.library)) {
             self.planner =

@@ -6,7 +6,7 @@ use std::time::Duration;
 use eframe::egui::{self, Align2, FontId, Rect, Role, Sense, Spinner, Ui, Vec2, WidgetInfo, vec2};
 
 use crate::state::session::Session;
-use crate::viewport::picture::{Awaited, Picture};
+use crate::viewport::picture::{MissingPicture, Picture};
 use crate::widgets::theme;
 
 /// What takes no longer, in seconds, has no sign.
@@ -40,7 +40,7 @@ impl Preparing {
     /// Shows the sign over the picture, once that is awaited for a while.
     pub(super) fn show(&mut self, ui: &mut Ui, rect: Rect, session: &Session, picture: &Picture) {
         let awaited = picture.awaited(session);
-        let is_made = matches!(awaited, Some(Awaited::Shader | Awaited::Picture));
+        let is_made = matches!(awaited, Some(MissingPicture::Shader | MissingPicture::Picture));
         let (strength, calm) = self.tell(is_made, ui.input(|input| input.time));
         let name = session.name();
         if is_made && strength == 0.0 {
@@ -48,14 +48,16 @@ impl Preparing {
         }
         let text = format!("Preparing {name}");
         match awaited {
-            Some(Awaited::Shader) => sign(ui, rect, strength, true, &text, "building its shader"),
-            Some(Awaited::Picture) => {
+            Some(MissingPicture::Shader) => {
+                sign(ui, rect, strength, true, &text, "building its shader")
+            }
+            Some(MissingPicture::Picture) => {
                 sign(ui, rect, strength, true, &text, "reading meshes and paintings, drawing");
             }
-            Some(Awaited::Mended) if session.held().is_some() => {
+            Some(MissingPicture::Mended) if session.held().is_some() => {
                 sign(ui, rect, 1.0, false, "Not drawn", "until you press Try again above");
             }
-            Some(Awaited::Mended) => {
+            Some(MissingPicture::Mended) => {
                 sign(
                     ui,
                     rect,

@@ -22,7 +22,7 @@ const NEAR: f32 = 20.0;
 
 /// Whether the strip is open, and which of its widgets there are.
 #[derive(Clone, Default)]
-struct Seen {
+struct StripState {
     is_open: bool,
     widgets: Vec<Id>,
 }
@@ -41,7 +41,7 @@ pub(super) fn show(
     let room = rect.shrink(8.0);
     let id = ui.scope_id().with("strip").with(&layer.node);
     let state = ui.scope_id().with("strip is open");
-    let seen: Seen = ui.data(|data| data.get_temp(state)).unwrap_or_default();
+    let seen: StripState = ui.data(|data| data.get_temp(state)).unwrap_or_default();
     let known: Option<Vec2> = ui.data(|data| data.get_temp(id));
     // What is open stays so while the pointer is near, a widget of it has the keyboard, or a hand
     // is at something.
@@ -55,8 +55,10 @@ pub(super) fn show(
     let has_keyboard =
         ui.memory(egui::Memory::focused).is_some_and(|focus| seen.widgets.contains(&focus));
     let is_held = ui.input(|input| input.pointer.any_down()) || egui::Popup::is_any_open(ui.ctx());
-    let mut now =
-        Seen { is_open: seen.is_open && (is_near || has_keyboard || is_held), widgets: Vec::new() };
+    let mut now = StripState {
+        is_open: seen.is_open && (is_near || has_keyboard || is_held),
+        widgets: Vec::new(),
+    };
     if now.is_open {
         open(ui, room, id, session, layer, &mut now.widgets, out);
     } else {

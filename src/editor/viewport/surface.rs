@@ -10,17 +10,18 @@ use glam::{DMat3, DVec3, Vec3};
 
 use crate::diag::Diagnostic;
 use crate::document::Camera;
-use crate::frame::{Assets, FramePlan, Pass, PassKind, Setup, SetupObject, View};
+use crate::frame::{Assets, FramePlan, Pass, PassId, Setup, SetupObject, View};
 use crate::ids::ObjectId;
 use crate::interp::Precision;
 use crate::progress::Progress;
 use crate::reference::{
-    FragmentStage, Interpolation, Modules, Options, QuadBatch, Shaded, Shader, Shaders, Sides,
-    Target, Texels, Triangles, Varying, VertexStage, rasterise, shade_all,
+    FragmentStage, Interpolation, Modules, Options, PassImages, QuadBatch, Shaded, Shader, Shaders,
+    Sides, Target, Texels, Triangles, Varying, VertexStage, rasterise, shade_all,
 };
+use crate::state::revision::{FilesRevision, PictureRevision};
+use crate::state::scene::ObjectPlace;
 use crate::state::session::Session;
-use crate::state::stage::Placed;
-use crate::state::still::Still;
+use crate::state::snapshot::RenderSnapshot;
 use crate::state::worker::Worker;
 
 /// As many pixels are looked at, or a few more: half of those of 500 by 500 along each side.
@@ -36,9 +37,9 @@ const LEAST_FACING: f32 = 0.05;
 pub(super) struct Key {
     mesh: String,
     z_is_up: bool,
-    stage: Option<u64>,
+    stage: Option<PictureRevision>,
     /// How often files have changed, meshes among them.
-    files: u64,
+    files: FilesRevision,
     camera: Camera,
     size: [u32; 2],
 }
@@ -46,7 +47,7 @@ pub(super) struct Key {
 impl Key {
     /// Of a picture of so many points.
     pub(super) fn new(session: &Session, points: eframe::egui::Vec2) -> Self {
-        let (orbit, files) = (&session.view, session.files());
+        let (orbit, files) = (&session.view.orbit, session.files());
         // Neither lights nor values change where anything is.
         let stage = session.stage().map(|stage| stage.staged().shape());
         let scale = (MOST / (points.x * points.y).max(1.0)).sqrt().min(1.0);
@@ -98,7 +99,7 @@ pub(super) struct Pieces {
     all: Vec<Piece>,
     /// For each pixel a piece's number from 1 on; 0 where nothing is.
     seen: Vec<u16>,
-    pub(super) placed: Vec<Placed>,
+    pub(super) placed: Vec<ObjectPlace>,
 }
 
 impl Surface {
@@ -191,15 +192,15 @@ impl Surface {
     }
 }
 
-struct Wish {
+struct SurfaceRequest {
     key: Key,
-    still: Still,
+    still: RenderSnapshot,
     with_kappa: bool,
 }
 
 /// Makes surfaces in the background.
 pub(super) struct Surfaces {
-    worker: Worker<Wish, Option<Arc<Surface>>>,
+    worker: Worker<SurfaceRequest, Option<Arc<Surface>>>,
     asked: Option<(Key, bool)>,
     last: Option<Arc<Surface>>,
 }
@@ -209,7 +210,7 @@ impl Surfaces {
     pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
         let mut assets = Assets::default();
         let mut last: Option<Arc<Surface>> = None;
-        let work = move |wish: Wish| {
+        let work = move |wish: SurfaceRequest| {
             let old = last.take().filter(|old| old.key == wish.key);
             last = match old {
                 Some(old) if wish.with_kappa && old.kappa.is_none() => {
@@ -228,7 +229,7 @@ impl Surfaces {
         &mut self,
         key: &Key,
         with_kappa: bool,
-        still: impl FnOnce() -> Still,
+        still: impl FnOnce() -> RenderSnapshot,
     ) -> Option<Arc<Surface>> {
         if let Some(answer) = self.worker.answers().pop() {
             self.last = answer;
@@ -236,7 +237,7 @@ impl Surfaces {
         let knows = |(known, kappa): &(Key, bool)| known == key && (*kappa || !with_kappa);
         if !self.asked.as_ref().is_some_and(knows) {
             self.asked = Some((key.clone(), with_kappa));
-            let wish = Wish { key: key.clone(), still: still(), with_kappa };
+            let wish = SurfaceRequest { key: key.clone(), still: still(), with_kappa };
             self.worker.request(|_| wish);
         }
         self.last.clone().filter(|surface| surface.key == *key)
@@ -252,7 +253,7 @@ impl Surfaces {
 }
 
 /// `None` where there is no mesh: the picture tells why.
-fn make(wish: &Wish, assets: &mut Assets) -> Option<Surface> {
+fn make(wish: &SurfaceRequest, assets: &mut Assets) -> Option<Surface> {
     let (setup, _) = wish.still.setup(assets).ok()?;
     let surface = surface_of(&setup, &wish.key).ok()?;
     Some(if wish.with_kappa { with_kappa(&surface) } else { surface })
@@ -318,14 +319,19 @@ fn piece(object: &SetupObject, part: usize) -> Piece {
     Piece { object: object.id.clone(), material, is_open: object.looks[part] == Some(0) }
 }
 
-fn placed(object: &SetupObject) -> Placed {
+fn placed(object: &SetupObject) -> ObjectPlace {
     let mut materials: Vec<String> = Vec::new();
     for part in &object.mesh.parts {
         if !materials.contains(&part.material) {
             materials.push(part.material.clone());
         }
     }
-    Placed { id: object.id.clone(), center: object.center(), radius: object.radius(), materials }
+    ObjectPlace {
+        id: object.id.clone(),
+        center: object.center(),
+        radius: object.radius(),
+        materials,
+    }
 }
 
 /// Which neighbours lie on one piece of surface: those no farther apart in depth than their slopes
@@ -375,18 +381,25 @@ fn with_kappa(surface: &Surface) -> Surface {
     }
 }
 
+/// The pass that draws normals, and the one that measures their curvature.
+const NORMALS: PassId = PassId::named("normals");
+const CURVATURE: PassId = PassId::named("curvature");
+
 fn kappa(surface: &Surface) -> Result<Vec<f32>, Diagnostic> {
     let (size, view) = (surface.key.size, surface.view);
-    let (mut normals, mut depths) = (Texels::new(size, 4), Texels::new(size, 1));
+    // Normal, object number and depth, as the pass that draws normals makes them.
+    let mut drawn = Texels::new(size, 5);
     let rotation = view.rotation();
     for (pixel, (normal, position)) in surface.normals.iter().zip(&surface.positions).enumerate() {
         if *normal != Vec3::ZERO {
             let n = rotation * normal.as_dvec3();
-            normals.values[4 * pixel..][..4].copy_from_slice(&[n.x, n.y, n.z, 1.0]);
-            depths.values[pixel] = view.backward.dot(view.eye - position.as_dvec3());
+            let depth = view.backward.dot(view.eye - position.as_dvec3());
+            drawn.values[5 * pixel..][..5].copy_from_slice(&[n.x, n.y, n.z, 1.0, depth]);
         }
     }
-    let pass = Pass { kind: PassKind::Curvature, reason: String::new(), input_hash: 0 };
+    let mut images = PassImages::default();
+    images.insert(NORMALS, &drawn);
+    let pass = Pass { id: CURVATURE, reason: String::new(), input_hash: 0 };
     let plan = FramePlan {
         size,
         samples: 1,
@@ -397,7 +410,7 @@ fn kappa(surface: &Surface) -> Result<Vec<f32>, Diagnostic> {
         dropped: Vec::new(),
     };
     let modules = Modules::new(&plan, Precision::F64)?;
-    let shader = modules.curvature(&plan, &PassKind::Curvature, &normals, &depths)?;
+    let shader = modules.screen(&plan, CURVATURE, &images)?;
     let texels = shade_all(size, 1, shader.as_ref(), &Options::default(), &Progress::new())?;
     Ok(texels.values.iter().map(|&x| x as f32).collect())
 }
@@ -436,17 +449,17 @@ impl Shader for Plain<'_> {
     }
 
     fn vertices(&self) -> Box<dyn VertexStage + '_> {
-        Box::new(Stage(self))
+        Box::new(PlainVertexStage(self))
     }
 
     fn fragments(&self) -> Box<dyn FragmentStage + '_> {
-        Box::new(Stage(self))
+        Box::new(PlainVertexStage(self))
     }
 }
 
-struct Stage<'a>(&'a Plain<'a>);
+struct PlainVertexStage<'a>(&'a Plain<'a>);
 
-impl VertexStage for Stage<'_> {
+impl VertexStage for PlainVertexStage<'_> {
     fn shade(&mut self, vertices: &[u32], out: &mut [f64]) -> Result<(), Diagnostic> {
         let Plain { object, clip_from_object, normals, .. } = self.0;
         for (&vertex, out) in vertices.iter().zip(out.chunks_exact_mut(10)) {
@@ -462,7 +475,7 @@ impl VertexStage for Stage<'_> {
     }
 }
 
-impl FragmentStage for Stage<'_> {
+impl FragmentStage for PlainVertexStage<'_> {
     fn shade(&mut self, batch: &QuadBatch, out: &mut Shaded) -> Result<(), Diagnostic> {
         for component in 0..6 {
             out.channel_mut(component)[..batch.lanes()]

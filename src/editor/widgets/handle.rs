@@ -10,7 +10,7 @@ use eframe::egui::{
 const REACH: f32 = 18.0;
 
 /// What was done to a handle.
-pub(crate) struct Handled {
+pub(crate) struct HandleResponse {
     /// The widget.
     pub(crate) response: Response,
     /// Where it was dragged to; it keeps under the pointer what was taken.
@@ -20,7 +20,14 @@ pub(crate) struct Handled {
 }
 
 /// Lays a handle over a drawing. `value` is what screen readers tell.
-pub(crate) fn handle(ui: &Ui, id: Id, at: Pos2, label: &str, value: f64, is_on: bool) -> Handled {
+pub(crate) fn handle(
+    ui: &Ui,
+    id: Id,
+    at: Pos2,
+    label: &str,
+    value: f64,
+    is_on: bool,
+) -> HandleResponse {
     let rect = Rect::from_center_size(at, Vec2::splat(REACH));
     let sense = if is_on { Sense::click_and_drag() } else { Sense::hover() };
     let response = ui.interact(rect, id, sense);
@@ -38,7 +45,7 @@ pub(crate) fn handle(ui: &Ui, id: Id, at: Pos2, label: &str, value: f64, is_on: 
         .map(|pointer| pointer + ui.data(|data| data.get_temp::<Vec2>(grip)).unwrap_or_default());
     let steps = if response.has_focus() { arrows(ui, id) } else { Vec2::ZERO };
     let response = if is_on { response.on_hover_cursor(CursorIcon::Grab) } else { response };
-    Handled { response, to, steps }
+    HandleResponse { response, to, steps }
 }
 
 /// Presses of arrow keys, which would else move the focus; with Shift they count a tenth.

@@ -26,14 +26,16 @@ pub(crate) enum Spot {
 }
 
 /// Places on the screen, each with the frame that it was seen in.
-type Seen = HashMap<Spot, (Rect, u64)>;
+type SpotPlaces = HashMap<Spot, (Rect, u64)>;
 
 /// Says where something is, as far as it is seen.
 pub(crate) fn note(ui: &Ui, spot: Spot, rect: Rect) {
     let rect = rect.intersect(ui.clip_rect());
     if rect.is_positive() {
         let frame = ui.ctx().cumulative_frame_nr();
-        ui.data_mut(|data| data.get_temp_mut_or_default::<Seen>(id()).insert(spot, (rect, frame)));
+        ui.data_mut(|data| {
+            data.get_temp_mut_or_default::<SpotPlaces>(id()).insert(spot, (rect, frame))
+        });
     }
 }
 
@@ -41,7 +43,7 @@ pub(crate) fn note(ui: &Ui, spot: Spot, rect: Rect) {
 pub(crate) fn find(ctx: &Context, spot: &Spot) -> Option<Rect> {
     let now = ctx.cumulative_frame_nr();
     let (rect, frame) =
-        ctx.data_mut(|data| data.get_temp_mut_or_default::<Seen>(id()).get(spot).copied())?;
+        ctx.data_mut(|data| data.get_temp_mut_or_default::<SpotPlaces>(id()).get(spot).copied())?;
     // What is shown later in a frame was seen in the one before.
     (frame + 1 >= now).then_some(rect)
 }

@@ -190,8 +190,8 @@ impl Bench<'_> {
         for (((subject, tier, _), plan), series) in variants.into_iter().zip(&plans).zip(&series) {
             let error = self.error(plan, truth)?;
             let passes =
-                series.passes.iter().filter(|_| series.passes.len() > 1).map(|(kind, times)| Row {
-                    subject: Subject::Pass(kind.clone()),
+                series.passes.iter().filter(|_| series.passes.len() > 1).map(|(pass, times)| Row {
+                    subject: Subject::Pass(*pass),
                     tier,
                     time: Estimate::of(times),
                     sizes: None,

@@ -4,7 +4,7 @@
 use serde::Serialize;
 
 use super::MeasureError;
-use crate::frame::{FramePlan, PassKind};
+use crate::frame::{FramePlan, PassId};
 use crate::progress::Progress;
 use crate::render::{Renderer, block_on};
 
@@ -55,7 +55,7 @@ pub struct Series {
     /// The whole frame.
     pub frame: Vec<f64>,
     /// Each pass.
-    pub passes: Vec<(PassKind, Vec<f64>)>,
+    pub passes: Vec<(PassId, Vec<f64>)>,
 }
 
 impl Series {
@@ -101,9 +101,9 @@ pub fn alternate(
             }
             let of = &mut series[index];
             of.frame.push(times.iter().map(|time| time.duration.as_secs_f64() * 1e3).sum());
-            of.passes.resize_with(times.len(), || (PassKind::Look, Vec::new()));
+            of.passes.resize_with(times.len(), || (PassId::LOOK, Vec::new()));
             for (slot, time) in of.passes.iter_mut().zip(&times) {
-                slot.0 = time.kind.clone();
+                slot.0 = time.id;
                 slot.1.push(time.duration.as_secs_f64() * 1e3);
             }
         }

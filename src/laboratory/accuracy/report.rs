@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::size::Sizes;
 use super::{ErrorFigures, Estimate, Measure};
 use crate::document::Tier;
-use crate::frame::PassKind;
+use crate::frame::PassId;
 use crate::ids::NodeId;
 
 /// Everything that one run measured.
@@ -36,7 +36,7 @@ pub enum Subject {
     /// The whole frame.
     Whole,
     /// A pass of the row before.
-    Pass(PassKind),
+    Pass(PassId),
     /// A node; its time and sizes are what it adds.
     Node {
         /// The look's name.
@@ -79,7 +79,7 @@ impl Row {
     fn name(&self) -> String {
         match &self.subject {
             Subject::Whole => "whole look".to_owned(),
-            Subject::Pass(kind) => format!("  {} pass", kind.label()),
+            Subject::Pass(pass) => format!("  {} pass", pass.label()),
             Subject::Node { name, .. } => name.clone(),
         }
     }

@@ -33,7 +33,7 @@ impl Sizes {
         let mut images = HashSet::new();
         let mut meshes = HashSet::new();
         for draw in &plan.draws {
-            for shader in std::iter::once(&draw.look).chain(draw.normals.values()) {
+            for shader in draw.modules() {
                 if modules.insert(Arc::as_ptr(shader)) {
                     sizes.instructions += instructions(shader);
                     sizes.lines += shader.wgsl.lines().count() as u64;
@@ -62,7 +62,7 @@ impl Sizes {
         }
         let pixels = u64::from(plan.size[0]) * u64::from(plan.size[1]);
         for pass in &plan.passes {
-            let (kept, moved) = pass.kind.bytes_per_pixel(plan.samples);
+            let (kept, moved) = pass.id.row().bytes_per_pixel(plan.samples);
             sizes.memory += kept * pixels;
             sizes.traffic += moved * pixels;
         }

@@ -20,7 +20,7 @@ use crate::compile::{HostInputs, Live, Param, ParamId};
 use crate::diag::Diagnostic;
 use crate::document::{Light, Values};
 use crate::frame::{
-    Assets, CompiledShader, Moment, ParamTable, PlanOptions, Planner, Rig, Setup, Stage, Wires,
+    Assets, CompiledShader, ParamTable, PlanOptions, Planner, Rig, RigInputs, Setup, Stage, Wires,
 };
 use crate::ids::{LightId, ObjectId};
 use crate::library::Library;
@@ -238,7 +238,7 @@ impl Model {
         }
         lights.extend(self.scene_lights.iter().map(|(id, light)| (id.clone(), light.clone())));
         let (number, center) = part.object;
-        let moment = Moment {
+        let inputs = RigInputs {
             time: self.time[0],
             illumination: self.illumination,
             camera_from_world: plan.view.rotation(),
@@ -255,7 +255,7 @@ impl Model {
         };
         let params: &[Param] = &part.shader.params;
         let mut values =
-            self.rig.evaluate(params, &part.table, Wires::of(&part.shader), &moment)?;
+            self.rig.evaluate(params, &part.table, Wires::of(&part.shader), &inputs)?;
         // What is turned is neither wired nor keyed, so nothing else has set it.
         for ((knob, setting), ids) in self.knobs.iter().zip(state).zip(&part.ids) {
             let before = ids.first().copied().flatten().and_then(|id| values.params.get(&id));
@@ -264,16 +264,16 @@ impl Model {
                 .params
                 .extend(ids.iter().zip(new).filter_map(|(id, value)| Some(((*id)?, value))));
         }
-        let inputs = HostInputs {
+        let host = HostInputs {
             params: &values.params,
             lights: &values.lights,
             camera_from_world: plan.view.rotation(),
-            viewport: moment.viewport,
+            viewport: inputs.viewport,
             time: self.time[0],
-            frame: moment.frame,
-            object_id: moment.object_id,
+            frame: inputs.frame,
+            object_id: inputs.object_id,
         };
-        Ok(part.shader.host.uniform(&inputs)?.numbers)
+        Ok(part.shader.host.uniform(&host)?.numbers)
     }
 }
 

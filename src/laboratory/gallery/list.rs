@@ -7,8 +7,9 @@ use serde::{Deserialize, Deserializer};
 use serde_json::Value as Json;
 
 use crate::diag::Diagnostic;
-use crate::document::{Scene, parse_hex, read_text};
+use crate::document::{Scene, parse_hex};
 use crate::examples;
+use crate::files::read_text;
 use crate::frame::{Misplaced, SHAPE_PREFIX, place_camera, turn_lights};
 
 /// The file of a folder that says what its gallery shows.

@@ -16,8 +16,8 @@ use std::path::Path;
 
 use crate::catalog::Catalog;
 use crate::diag::Diagnostic;
-use crate::document::{OutputKind, Outputs};
 use crate::files::{self, ReadError};
+use crate::files::{OutputKind, Outputs};
 use crate::frame::Assets;
 use crate::ids::make_slug;
 use crate::library::Library;

@@ -160,7 +160,7 @@ fn facts(entry: &Entry, options: &Options) -> String {
         if *count > 1 { format!("{name} &times;{count}") } else { name }
     };
     let kinds: Vec<String> = entry.kinds.iter().map(kind).collect();
-    let passes: Vec<&str> = entry.passes.iter().map(|pass| pass.kind.label()).collect();
+    let passes: Vec<&str> = entry.passes.iter().map(|pass| pass.id.label()).collect();
     format!(
         "<dl>\n<dt>File</dt><dd>{}</dd>\n<dt>Passes</dt><dd>{}</dd>\n<dt>Triangles</dt><dd>{}</dd>\n<dt>Nodes</dt>\
          <dd>{}</dd>\n</dl>\n",

@@ -304,7 +304,7 @@ pub(super) fn picture(
 /// Writes the files that samples read.
 pub(super) fn write_assets(folder: &Path) -> Result<(), Diagnostic> {
     let write = |name: &str, bytes: &[u8]| {
-        crate::document::write_atomic(&folder.join(name), bytes).map_err(|problem| *problem)
+        crate::files::write_atomic(&folder.join(name), bytes).map_err(|problem| *problem)
     };
     write(HCBTF, examples::file(Path::new(STRIPES)).unwrap_or_default())?;
     // Warm above and cool below, lighter to the right, so that it is seen which way round it lies.

@@ -35,11 +35,11 @@ pub use scan::{
 };
 pub use validate::{Valid, WgslError, parse, validate};
 
-/// `shaders/passes/NAME.wgsl` with what it imports.
+/// `shaders/passes/NAME.wgsl` with what it imports, some of its constants set to other numbers.
 ///
 /// # Errors
-/// That there is no such pass, or what it imports in vain.
-pub fn pass(name: &str) -> Result<Linked, Vec<Diagnostic>> {
+/// That there is no such pass or constant, or what it imports in vain.
+pub fn pass(name: &str, constants: &[(&str, i32)]) -> Result<Linked, Vec<Diagnostic>> {
     let is_it = |path: &str| {
         path.rsplit('/').next().and_then(|file| file.strip_suffix(".wgsl")) == Some(name)
     };
@@ -49,5 +49,19 @@ pub fn pass(name: &str) -> Result<Linked, Vec<Diagnostic>> {
             format!("this build of Chiaro lacks the pass `{name}`"),
         )]);
     };
-    link(&[Source { name: path, text }])
+    let mut text = (*text).to_owned();
+    for (constant, number) in constants {
+        text = with_constant(&text, constant, *number).ok_or_else(|| {
+            let message = format!("the pass `{name}` has no line `const {constant} = ...;`");
+            vec![Diagnostic::error("missing-constant", message)]
+        })?;
+    }
+    link(&[Source { name: path, text: &text }])
+}
+
+/// `text` with the number of its line `const NAME = NUMBER;` replaced.
+fn with_constant(text: &str, name: &str, number: i32) -> Option<String> {
+    let begin = format!("const {name} = ");
+    let line = text.lines().find(|line| line.starts_with(&begin))?;
+    Some(text.replacen(line, &format!("{begin}{number};"), 1))
 }

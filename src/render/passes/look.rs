@@ -3,7 +3,7 @@
 use wgpu::util::DeviceExt as _;
 
 use crate::compile::{BindingKind, CompiledShader, Stage};
-use crate::frame::{Draw, FramePlan, PassKind};
+use crate::frame::{Draw, FramePlan, PassImage};
 use crate::pipeline::{LookPipeline, Sides};
 use crate::{RenderError, Renderer};
 
@@ -14,7 +14,7 @@ pub(super) struct Bound {
 }
 
 /// An attachment that begins with one color.
-pub(super) fn cleared(
+pub(crate) fn cleared(
     view: &wgpu::TextureView,
     color: wgpu::Color,
 ) -> wgpu::RenderPassColorAttachment<'_> {
@@ -103,8 +103,6 @@ impl Renderer {
         let look = draw.look_uniforms.get(&stage).map(|uniform| &uniform.bytes);
         let look = look.filter(|bytes| !bytes.is_empty()).map(|bytes| self.uniform(bytes));
         let images = self.images.of(&self.gpu, draw.images_of(stage), &shader.needs.images)?;
-        let curvature =
-            |kind: PassKind| self.targets.made(&kind).map(wgpu::BindingResource::TextureView);
         let mut entries = Vec::new();
         for binding in &shader.bindings {
             let resource = match &binding.kind {
@@ -115,12 +113,10 @@ impl Renderer {
                     images.get(*index).map(|image| image.texture())
                 }
                 BindingKind::Sampler(index) => images.get(*index).map(|image| image.sampler()),
-                BindingKind::Curvature => curvature(PassKind::Curvature),
-                BindingKind::CurvatureSparse => curvature(PassKind::SparseCurvature),
-                BindingKind::CurvatureDetail => curvature(PassKind::DetailCurvature),
-                BindingKind::CurvatureDetailSparse => curvature(PassKind::SparseDetailCurvature),
-                BindingKind::CurvatureTensor => curvature(PassKind::CurvatureTensor),
-                BindingKind::SmoothNormal(level) => curvature(PassKind::SmoothNormals(*level)),
+                BindingKind::Pass(pass) => {
+                    let image = PassImage { pass: *pass, output: 0 };
+                    self.targets.image(image).map(wgpu::BindingResource::TextureView)
+                }
                 BindingKind::Samples => None,
             };
             let missing = || RenderError::Refused {

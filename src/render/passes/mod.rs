@@ -1,5 +1,9 @@
-//! One file a pass; those with a fixed shader share its name with a file of `shaders/passes/`.
+//! How each kind of work of a pass is put to the GPU: meshes with the looks' modules, one triangle
+//! over the picture, and the picture itself.
 
-pub(super) mod curvature;
 mod look;
-mod normals;
+mod meshes;
+mod screen;
+
+pub(crate) use look::cleared;
+pub(crate) use screen::ScreenPipeline;

@@ -9,7 +9,7 @@ use super::modules::Modules;
 use crate::compile::{HostStep, ParamId, TypedGraph, TypedNode, TypedSource};
 use crate::document::{Definition, InterfacePort, Light, LightField, Look, Target};
 use crate::ids::{LightId, NodePath, PortName};
-use crate::library::{Context, Input, Library, Type};
+use crate::library::{Input, Library, Type};
 
 /// A value that may be set from outside, or that keys move.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -217,7 +217,9 @@ pub(super) fn lights(look: &Look, modules: &Modules) -> Vec<LightDescription> {
     let hosts = modules.modules.iter().filter_map(|module| module.host());
     let mut fields: HashMap<&LightId, BTreeSet<&'static str>> = HashMap::new();
     for step in hosts.flat_map(|host| &host.source.steps) {
-        if let HostStep::Context(context @ Context::Light(_), Some(light)) = step {
+        if let HostStep::Context(context, Some(light)) = step
+            && context.light_input().is_some()
+        {
             fields.entry(light).or_default().insert(context.word());
         }
     }

@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use super::File;
 use crate::diag::Diagnostic;
-use crate::document::{OutputKind, Outputs, read_text};
+use crate::files::{OutputKind, Outputs, read_text};
 
 /// The first file in `folder` that an export must not write over: what the export reads, or what no
 /// export has written. `None` where nothing is in the way.

@@ -12,7 +12,7 @@ use crate::compile::{HostInputs, HostStep, LightValues, ParamId};
 use crate::document::Light;
 use crate::ids::LightId;
 use crate::interp;
-use crate::library::Context;
+use crate::library::{Context, ContextSource};
 
 /// What computes the members of a module's `Look` uniform: run the steps in order, each from the
 /// values of earlier ones, then write each member's step into the uniform at the member's offset.
@@ -282,16 +282,10 @@ fn rounded(value: Value) -> Value {
 
 /// What a surrounding is.
 fn meaning(context: Context) -> &'static str {
-    match context {
-        Context::CameraFromWorld => {
-            "rotation from world to camera axes: x right, y up, z toward the viewer"
-        }
-        Context::ObjectId => "counts objects from 0",
-        Context::Time => "seconds",
-        Context::Frame => "frames since the start of the time range",
-        Context::Viewport => "width and height in pixels",
-        Context::Light(input) => input.help(),
+    match context.row().source {
+        ContextSource::Host { meaning, .. } => meaning,
+        ContextSource::Light(input) => input.help(),
         // Of fragment rate, and so never asked for by a step.
-        _ => "",
+        ContextSource::Fragment { .. } | ContextSource::Pass { .. } => "",
     }
 }

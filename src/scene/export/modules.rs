@@ -10,15 +10,13 @@ use crate::compile::{
     TypedGraph, compile_typed,
 };
 use crate::diag::Diagnostic;
-use crate::library::{Context, SMOOTH_LEVELS};
-use crate::wgsl::{self, Valid};
-
-/// The name of the module that draws the look itself.
-const DRAW: &str = "draw";
+use crate::frame::ScreenModule;
+use crate::library::{PassId, PassOutput};
+use crate::wgsl::Valid;
 
 /// A WGSL module with what a host has to know.
 pub(super) struct ShaderModule {
-    /// `draw`, `normals`, `detail_normals` or `curvature`.
+    /// The slug of its pass, or the name that several passes share.
     pub(super) name: &'static str,
     /// What it does, as a sentence.
     pub(super) purpose: &'static str,
@@ -116,13 +114,6 @@ pub struct Target {
     pub clear: [f64; 4],
 }
 
-const NORMAL_TARGETS: [Target; 2] = [
-    Target { name: "normal", format: "rgba32float", clear: [0.0; 4] },
-    Target { name: "depth", format: "r32float", clear: [0.0; 4] },
-];
-const CURVATURE_TARGET: Target = Target { name: "curvature", format: "r32float", clear: [0.0; 4] };
-const COLOR_TARGET: Target = Target { name: "color", format: "any", clear: [0.0; 4] };
-
 /// An image that the look reads, and how it is sampled.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Image {
@@ -159,7 +150,7 @@ pub(super) struct Modules {
 
 impl ShaderModule {
     pub(super) fn is_draw(&self) -> bool {
-        self.name == DRAW
+        self.name == PassId::LOOK.row().slug
     }
 
     pub(super) fn wgsl(&self) -> &str {
@@ -191,10 +182,9 @@ impl ShaderModule {
         images: &mut Vec<Image>,
     ) -> Self {
         let source = shader.host.source();
-        let file = match name {
-            DRAW => format!("{stem}.prepare.wgsl"),
-            _ => format!("{stem}.{name}.prepare.wgsl"),
-        };
+        let is_look = name == PassId::LOOK.row().slug;
+        let middle = if is_look { String::new() } else { format!(".{name}") };
+        let file = format!("{stem}{middle}.prepare.wgsl");
         let file = (!source.wgsl.is_empty()).then_some(file);
         let bindings = reflect::bindings(&shader.valid.module);
         let feeds = bindings.iter().map(|bound| feed(&shader, bound, images)).collect();
@@ -203,26 +193,24 @@ impl ShaderModule {
         Self { name, purpose, entry_points, bindings, feeds, code }
     }
 
-    fn fixed(name: &'static str, purpose: &'static str) -> Result<Self, Vec<Diagnostic>> {
-        let linked = wgsl::pass(name)?;
-        let valid = wgsl::parse(&linked.text).map_err(|error| {
-            vec![Diagnostic::error("internal-invalid-wgsl", format!("{name}: {error}"))]
-        })?;
+    /// The module of a pass over the whole picture; `None` where the pass draws meshes.
+    fn of_screen(pass: PassId) -> Result<Option<Self>, Vec<Diagnostic>> {
+        let Some(ScreenModule { text, valid, .. }) = ScreenModule::of(pass)? else {
+            return Ok(None);
+        };
         let bindings = reflect::bindings(&valid.module);
         let feeds = bindings.iter().map(|bound| match bound.kind {
             Kind::Texture => Feed::Inputs,
             _ => Feed::Curvature,
         });
-        let feeds = feeds.collect();
-        let entry_points = reflect::entry_points(&valid.module);
-        Ok(Self {
-            name,
-            purpose,
-            entry_points,
+        Ok(Some(Self {
+            name: pass.row().module(),
+            purpose: pass.row().help,
+            entry_points: reflect::entry_points(&valid.module),
+            feeds: feeds.collect(),
             bindings,
-            feeds,
-            code: Code::Fixed(linked.text, Box::new(valid)),
-        })
+            code: Code::Fixed(text, Box::new(valid)),
+        }))
     }
 }
 
@@ -259,188 +247,93 @@ fn feed(shader: &CompiledShader, bound: &Bound, images: &mut Vec<Image>) -> Feed
             Feed::Image { image: image(*index) }
         }
         Some(BindingKind::Sampler(index)) => Feed::Sampler { image: image(*index) },
-        Some(BindingKind::Curvature) => Feed::Pass { pass: "curvature", output: "curvature" },
-        Some(BindingKind::CurvatureSparse) => {
-            Feed::Pass { pass: "curvature_sparse", output: "curvature" }
-        }
-        Some(BindingKind::CurvatureDetailSparse) => {
-            Feed::Pass { pass: "detail_curvature_sparse", output: "curvature" }
-        }
-        Some(BindingKind::CurvatureDetail) => {
-            Feed::Pass { pass: "detail_curvature", output: "curvature" }
-        }
-        Some(BindingKind::CurvatureTensor) => {
-            Feed::Pass { pass: "curvature_tensor", output: "curvature" }
-        }
-        Some(BindingKind::SmoothNormal(level)) => {
-            let pass =
-                OVER_NORMALS.iter().find(|pass| pass.context == Context::SmoothNormal(*level));
-            pass.map_or(Feed::Inputs, |pass| Feed::Pass { pass: pass.pass, output: "normal" })
+        Some(BindingKind::Pass(pass)) => {
+            let row = pass.row();
+            Feed::Pass { pass: row.slug, output: row.writes[0].name }
         }
         // Neither is in a module that draws meshes.
         Some(BindingKind::Samples) | None => Feed::Inputs,
     }
 }
 
-/// A pass over normals.
-#[derive(Clone, Copy)]
-struct OverNormals {
-    /// What a look reads for it.
-    context: Context,
-    pass: &'static str,
-    module: &'static str,
-    /// The pass that draws the normals and depths that it reads.
-    normals: &'static str,
-    /// The pass whose normals it reads in place of those.
-    before: Option<&'static str>,
-}
-
-impl OverNormals {
-    const fn of(
-        context: Context,
-        pass: &'static str,
-        module: &'static str,
-        normals: &'static str,
-    ) -> Self {
-        Self { context, pass, module, normals, before: None }
-    }
-
-    const fn smooth(level: u8, name: &'static str, before: Option<&'static str>) -> Self {
-        Self { before, ..Self::of(Context::SmoothNormal(level), name, name, "normals") }
-    }
-
-    /// Whether a look reads it, or what is made from it.
-    fn is_wanted(&self, reads: &dyn Fn(Context) -> bool) -> bool {
-        match self.context {
-            Context::SmoothNormal(level) => {
-                (level..=SMOOTH_LEVELS).any(|level| reads(Context::SmoothNormal(level)))
-            }
-            context => reads(context),
-        }
-    }
-
-    fn output(&self) -> Target {
-        match self.context {
-            Context::SmoothNormal(_) => NORMAL_TARGETS[0],
-            Context::Tensor => Target { format: NORMAL_TARGETS[0].format, ..CURVATURE_TARGET },
-            _ => CURVATURE_TARGET,
-        }
+impl Pass {
+    fn of(pass: PassId, draws: &'static str, inputs: Vec<PassInput>) -> Self {
+        let row = pass.row();
+        let target = |output: &PassOutput| Target {
+            name: output.name,
+            format: output.format.name(),
+            clear: [0.0; 4],
+        };
+        let outputs = row.writes.iter().map(target).collect();
+        Self { name: row.slug, module: row.module(), draws, inputs, outputs }
     }
 }
-
-const OVER_NORMALS: [OverNormals; 9] = [
-    OverNormals::of(Context::Kappa, "curvature", "curvature", "normals"),
-    OverNormals::of(Context::KappaSparse, "curvature_sparse", "curvature_sparse", "normals"),
-    OverNormals::of(Context::KappaDetail, "detail_curvature", "curvature", "detail_normals"),
-    OverNormals::of(
-        Context::KappaDetailSparse,
-        "detail_curvature_sparse",
-        "curvature_sparse",
-        "detail_normals",
-    ),
-    OverNormals::of(Context::Tensor, "curvature_tensor", "curvature_tensor", "normals"),
-    OverNormals::smooth(1, "smooth_normals_1", None),
-    OverNormals::smooth(2, "smooth_normals_2", Some("smooth_normals_1")),
-    OverNormals::smooth(3, "smooth_normals_3", Some("smooth_normals_2")),
-    OverNormals::smooth(4, "smooth_normals_4", Some("smooth_normals_3")),
-];
-
-/// The modules of these passes, with what they are for.
-const OVER_NORMALS_MODULES: [(&str, &str); 7] = [
-    ("curvature", "Finds curvature from normals and depth."),
-    ("curvature_sparse", "Finds curvature from normals and depth of four neighbours alone."),
-    ("curvature_tensor", "Finds curvature by direction from normals and depth."),
-    ("smooth_normals_1", "Smooths normals from neighbours two steps away."),
-    ("smooth_normals_2", "Smooths normals further, from neighbours four steps away."),
-    ("smooth_normals_3", "Smooths normals further, from neighbours eight steps away."),
-    ("smooth_normals_4", "Smooths normals further, from neighbours sixteen steps away."),
-];
 
 /// Compiles a look's modules and plans its passes.
 pub(super) fn compile(typed: &TypedGraph, stem: &str) -> Result<Modules, Vec<Diagnostic>> {
-    let stage = |stage| {
+    let compile = |stage| {
         let options = Options { live: Live::Exposed, stage, ..Options::default() };
         compile_typed(typed, &options, Vec::new())
     };
-    let draw = stage(Stage::Draw)?;
-    let reads = |context| draw.needs.context(context);
-    let over_normals =
-        OVER_NORMALS.iter().filter(|pass| pass.is_wanted(&reads)).copied().collect::<Vec<_>>();
-    let wants = |normals| over_normals.iter().any(|pass| pass.normals == normals);
+    let draw = compile(Stage::Draw)?;
+    let wanted = wanted(&draw);
     let mut found = Modules { title: header::title(&typed.name), ..Modules::default() };
-    if wants("normals") {
-        let purpose = "Draws normals and depth, for the curvature pass.";
-        let normals = stage(Stage::Normals)?;
-        found.modules.push(ShaderModule::of_look(
-            "normals",
-            purpose,
-            normals,
-            stem,
-            &mut found.images,
-        ));
-        found.passes.push(Pass::meshes("normals", &NORMAL_TARGETS));
-    }
-    if wants("detail_normals") {
-        let purpose = "Draws detail normals and depth, for the curvature pass.";
-        let normals = stage(Stage::DetailNormals)?;
-        found.modules.push(ShaderModule::of_look(
-            "detail_normals",
-            purpose,
-            normals,
-            stem,
-            &mut found.images,
-        ));
-        found.passes.push(Pass::meshes("detail_normals", &NORMAL_TARGETS));
-    }
-    found.add_over_normals(&over_normals)?;
-    let draw = ShaderModule::of_look(
-        DRAW,
-        "Draws a mesh with the look; the result is straight RGBA.",
-        draw,
-        stem,
-        &mut found.images,
-    );
-    let inputs = draw.bindings.iter().zip(&draw.feeds).filter_map(|(bound, feed)| match feed {
-        Feed::Pass { pass, output } => {
-            Some(PassInput { binding: bound.name.clone(), pass, output })
+    for &pass in &wanted {
+        if let Some(stage) = pass.stage() {
+            found.add_meshes(pass, compile(stage)?, stem);
         }
-        _ => None,
-    });
-    found.passes.push(Pass { inputs: inputs.collect(), ..Pass::meshes(DRAW, &[COLOR_TARGET]) });
-    found.modules.push(draw);
+    }
+    found.add_screens(&wanted)?;
+    found.add_meshes(PassId::LOOK, draw, stem);
     Ok(found)
 }
 
-impl Pass {
-    fn meshes(name: &'static str, outputs: &[Target]) -> Self {
-        Self { name, module: name, draws: "meshes", inputs: Vec::new(), outputs: outputs.to_vec() }
+/// The passes before the look that it reads, and those that are read for them.
+fn wanted(draw: &CompiledShader) -> Vec<PassId> {
+    let read: Vec<PassId> = draw.needs.contexts.iter().filter_map(|c| c.pass()).collect();
+    let mut wanted: Vec<PassId> = Vec::new();
+    // From the last to the first, so that whoever reads a pass is known before it.
+    for pass in PassId::all().rev() {
+        if read.contains(&pass) || wanted.iter().any(|reader| reader.reads(pass)) {
+            wanted.push(pass);
+        }
     }
+    wanted.reverse();
+    wanted
 }
 
 impl Modules {
-    fn add_over_normals(&mut self, wanted: &[OverNormals]) -> Result<(), Vec<Diagnostic>> {
-        for (name, purpose) in OVER_NORMALS_MODULES {
-            let passes: Vec<_> = wanted.iter().filter(|pass| pass.module == name).collect();
-            if passes.is_empty() {
+    fn add_meshes(&mut self, pass: PassId, shader: CompiledShader, stem: &str) {
+        let row = pass.row();
+        let module = ShaderModule::of_look(row.slug, row.help, shader, stem, &mut self.images);
+        let inputs = module.bindings.iter().zip(&module.feeds).filter_map(|(bound, feed)| {
+            let Feed::Pass { pass, output } = feed else { return None };
+            Some(PassInput { binding: bound.name.clone(), pass, output })
+        });
+        self.passes.push(Pass::of(pass, "meshes", inputs.collect()));
+        self.modules.push(module);
+    }
+
+    /// The passes over the whole picture, those of one module side by side.
+    fn add_screens(&mut self, wanted: &[PassId]) -> Result<(), Vec<Diagnostic>> {
+        for first in PassId::all().filter(|pass| pass.is_screen()) {
+            let name = first.row().module();
+            let mut passes = wanted.iter().filter(|pass| pass.row().module() == name).peekable();
+            if passes.peek().is_none() || self.modules.iter().any(|known| known.name == name) {
                 continue;
             }
-            let module = ShaderModule::fixed(name, purpose)?;
-            for wanted in passes {
-                let textures = module.bindings.iter().filter(|bound| bound.kind == Kind::Texture);
-                let inputs = textures.map(|bound| {
-                    let (pass, output) = match wanted.before {
-                        _ if bound.name.contains("depth") => (wanted.normals, "depth"),
-                        before => (before.unwrap_or(wanted.normals), "normal"),
-                    };
-                    PassInput { binding: bound.name.clone(), pass, output }
+            let Some(module) = ShaderModule::of_screen(first)? else { continue };
+            let is_texture = |name: &str| {
+                module.bindings.iter().any(|b| b.kind == Kind::Texture && b.name == name)
+            };
+            for &pass in passes {
+                let read = pass.row().reads.iter().filter(|input| is_texture(input.binding));
+                let inputs = read.map(|input| PassInput {
+                    binding: input.binding.to_owned(),
+                    pass: input.pass,
+                    output: input.output,
                 });
-                self.passes.push(Pass {
-                    name: wanted.pass,
-                    module: name,
-                    draws: "screen",
-                    inputs: inputs.collect(),
-                    outputs: vec![wanted.output()],
-                });
+                self.passes.push(Pass::of(pass, "screen", inputs.collect()));
             }
             self.modules.push(module);
         }

@@ -151,14 +151,14 @@ impl View {
         }
     }
 
-    /// How many pixels away the curvature pass looks.
-    pub fn curvature_reach(&self) -> usize {
-        3 * (f64::from(self.viewport[1]) / 800.0).round().max(1.0) as usize
+    /// The pixels of a step in which passes over the picture look around, 1/800 of its height.
+    pub fn step_pixels(&self) -> u32 {
+        (f64::from(self.viewport[1]) / 800.0).round().max(1.0) as u32
     }
 
-    /// Every number of the curvature passes' uniform, in order, for images whose first row is at
-    /// the top, before a picture of so many samples a pixel.
-    pub fn curvature_numbers(&self, samples: u32) -> [f64; 5] {
+    /// Every number of the uniform of passes over the picture, in order, for images whose first row
+    /// is at the top, before a picture of so many samples a pixel.
+    pub fn screen_numbers(&self, samples: u32) -> [f64; 5] {
         let is_perspective = f64::from(u8::from(self.is_perspective));
         [self.pixel_size(), is_perspective, f64::from(self.viewport[1]), 0.0, f64::from(samples)]
     }

@@ -3,9 +3,9 @@
 
 use super::assets::Image;
 use super::plan::{Draw, FramePlan};
+use super::screen::ScreenModule;
 use crate::compile::{Stage, Uniform};
 use crate::geometry::Mesh;
-use crate::wgsl;
 
 /// Takes bytes in; where one part ends and the next begins is the caller's to mark.
 type Sink<'a> = &'a mut dyn FnMut(&[u8]);
@@ -17,9 +17,9 @@ impl FramePlan {
         sink(format!("{:?} {} {:?}", self.size, self.samples, self.backdrop).as_bytes());
         sink(&self.view.uniform_bytes());
         for pass in &self.passes {
-            sink(pass.kind.label().as_bytes());
-            if let Some(linked) = pass.kind.shader().and_then(|name| wgsl::pass(name).ok()) {
-                sink(linked.text.as_bytes());
+            sink(pass.id.label().as_bytes());
+            if let Ok(Some(module)) = ScreenModule::of(pass.id) {
+                sink(module.text.as_bytes());
             }
         }
         self.draws.iter().for_each(|draw| draw.content(sink));
@@ -32,11 +32,11 @@ impl Draw {
         sink(format!("{how:?}").as_bytes());
         sink(self.look.wgsl.as_bytes());
         uniform(&self.object_uniform, sink);
-        for stage in [Stage::Draw, Stage::Normals, Stage::DetailNormals] {
+        for stage in std::iter::once(Stage::Draw).chain(self.before.keys().copied()) {
             if let Some(values) = self.look_uniforms.get(&stage) {
                 uniform(values, sink);
             }
-            if let Some(shader) = self.normals.values().find(|shader| shader.stage == stage) {
+            if let Some(shader) = self.before.get(&stage) {
                 sink(shader.wgsl.as_bytes());
             }
             self.images_of(stage).iter().for_each(|one| image(one, sink));

@@ -1,14 +1,15 @@
 //! What effects cost: counted here, and measured by whoever has a GPU.
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 use serde::Serialize;
 
-use super::plan::{Draw, PassKind, PlanOptions};
+use super::plan::{Draw, PlanOptions};
+use super::screen::ScreenModule;
 use crate::compile::{Attribute, CompiledShader};
 use crate::figures;
-use crate::wgsl::{self, Operations, Valid};
+use crate::library::PassId;
+use crate::wgsl::{Operations, Valid};
 
 /// What an effect costs; of what is dropped, what it would cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
@@ -50,31 +51,6 @@ impl std::fmt::Display for EffectCost {
     }
 }
 
-impl PassKind {
-    /// Bytes a pixel that a pass keeps, and that it at least reads and writes once.
-    pub fn bytes_per_pixel(&self, samples: u32) -> (u64, u64) {
-        const COLOR: u64 = 8;
-        const NORMAL: u64 = 16;
-        const NUMBER: u64 = 4;
-        let samples = u64::from(samples);
-        match self {
-            // Normals, distance and a depth buffer, written.
-            Self::Normals | Self::DetailNormals => (NORMAL + 2 * NUMBER, NORMAL + 2 * NUMBER),
-            // Normals and distances read, curvature written, and read again by the look.
-            Self::Curvature
-            | Self::SparseCurvature
-            | Self::DetailCurvature
-            | Self::SparseDetailCurvature => (NUMBER, NORMAL + NUMBER + 2 * NUMBER),
-            // The same with four numbers each.
-            Self::CurvatureTensor | Self::SmoothNormals(_) => (NORMAL, 3 * NORMAL + NUMBER),
-            Self::Look if samples > 1 => {
-                (COLOR + samples * (COLOR + NUMBER), COLOR + 2 * samples * (COLOR + NUMBER))
-            }
-            Self::Look => (COLOR + NUMBER, COLOR + NUMBER),
-        }
-    }
-}
-
 /// Bytes that a vertex's attribute takes.
 pub fn attribute_bytes(attribute: Attribute) -> u64 {
     match attribute {
@@ -85,33 +61,20 @@ pub fn attribute_bytes(attribute: Attribute) -> u64 {
 }
 
 /// What passes that are not in a plan would hold.
-pub(super) fn of_passes(kinds: &[&PassKind], options: &PlanOptions) -> EffectCost {
+pub(super) fn of_passes(passes: impl Iterator<Item = PassId>, options: &PlanOptions) -> EffectCost {
     let pixels = u64::from(options.size[0]) * u64::from(options.size[1]);
-    let bytes: u64 = kinds.iter().map(|kind| kind.bytes_per_pixel(1).0).sum();
+    let bytes: u64 = passes.map(|pass| pass.row().bytes_per_pixel(1).0).sum();
     EffectCost::bytes(bytes * pixels)
 }
 
 /// The operations at each fragment of the modules that a pass runs; the most, where objects differ.
-pub(super) fn pass_operations(kind: &PassKind, draws: &[Draw]) -> u64 {
-    let most = |of: &dyn Fn(&Draw) -> Option<&Arc<CompiledShader>>| {
-        draws
-            .iter()
-            .filter_map(of)
-            .map(|shader| module_operations(&shader.valid))
-            .max()
-            .unwrap_or_default()
+pub(super) fn pass_operations(pass: PassId, draws: &[Draw]) -> u64 {
+    let Some(stage) = pass.stage() else {
+        let module = ScreenModule::of(pass).ok().flatten();
+        return module.map_or(0, |module| module_operations(&module.valid));
     };
-    match kind {
-        PassKind::Look => most(&|draw| Some(&draw.look)),
-        PassKind::Normals | PassKind::DetailNormals => most(&|draw| draw.normals.get(kind)),
-        _ => kind.shader().map_or(0, fixed_operations),
-    }
-}
-
-/// The operations of a fixed pass.
-fn fixed_operations(name: &str) -> u64 {
-    let valid = wgsl::pass(name).ok().and_then(|linked| wgsl::parse(&linked.text).ok());
-    valid.as_ref().map_or(0, module_operations)
+    let modules = draws.iter().filter_map(|draw| draw.module(stage));
+    modules.map(|shader| module_operations(&shader.valid)).max().unwrap_or_default()
 }
 
 /// The operations of a whole module.

@@ -7,9 +7,9 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use super::cost::{EffectCost, attribute_bytes, pass_operations, shader_operations};
-use super::plan::{Draw, FramePlan, PassKind};
+use super::plan::{Draw, FramePlan};
 use crate::compile::{Attribute, BindingKind, CompiledShader, Proof, StructLayout};
-use crate::library::Type;
+use crate::library::{PassId, Type};
 
 /// What kind of thing an effect is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
@@ -69,7 +69,7 @@ pub struct Effect {
     pub node: Option<String>,
     /// The pass that it is.
     #[serde(skip)]
-    pub pass: Option<PassKind>,
+    pub pass: Option<PassId>,
 }
 
 impl Effect {
@@ -109,15 +109,15 @@ impl Effect {
 
 /// Every effect of a plan. `done` is the input hash of each pass whose result a renderer still
 /// holds, so that what would not run again shows as cached.
-pub fn effects(plan: &FramePlan, done: &HashMap<PassKind, u64>) -> Vec<Effect> {
+pub fn effects(plan: &FramePlan, done: &HashMap<PassId, u64>) -> Vec<Effect> {
     let mut effects: Vec<Effect> = Vec::new();
     let pixels = u64::from(plan.size[0]) * u64::from(plan.size[1]);
     for pass in &plan.passes {
-        let mut effect = Effect::runs(pass.kind.label(), EffectKind::Pass, &pass.reason);
-        effect.pass = Some(pass.kind.clone());
-        effect.cost.operations = pass_operations(&pass.kind, &plan.draws);
-        effect.cost.bytes = pass.kind.bytes_per_pixel(plan.samples).0 * pixels;
-        if done.get(&pass.kind) == Some(&pass.input_hash) {
+        let mut effect = Effect::runs(pass.id.label(), EffectKind::Pass, &pass.reason);
+        effect.pass = Some(pass.id);
+        effect.cost.operations = pass_operations(pass.id, &plan.draws);
+        effect.cost.bytes = pass.id.row().bytes_per_pixel(plan.samples).0 * pixels;
+        if done.get(&pass.id) == Some(&pass.input_hash) {
             effect.state = EffectState::Cached;
             effect.proof = Some(Proof::Unchanged);
         }
@@ -158,7 +158,7 @@ pub fn effects(plan: &FramePlan, done: &HashMap<PassKind, u64>) -> Vec<Effect> {
 fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
     let name = draw.look_name.as_str();
     let mut push = |effect: Effect| effects.push(effect.of(name));
-    let modules = 1 + draw.normals.len();
+    let modules = draw.modules().count();
     let what = if name.is_empty() { "a look" } else { name };
     let reason = format!(
         "object `{}` wears it; it is compiled to {modules} {}",
@@ -185,8 +185,7 @@ fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
         });
     }
     let is_bound = |index: usize| {
-        let modules = std::iter::once(shader).chain(draw.normals.values().map(|module| &**module));
-        modules
+        draw.modules()
             .flat_map(|module| &module.bindings)
             .any(|binding| binding.kind == BindingKind::Image(index))
     };
@@ -260,9 +259,10 @@ fn read_attributes(shader: &CompiledShader, draw: &Draw) -> BTreeMap<Attribute, 
     for attribute in shader.needs.attributes() {
         read.insert(attribute, "look's");
     }
-    for (kind, module) in &draw.normals {
+    for (stage, module) in &draw.before {
+        let label = PassId::of_stage(*stage).map_or("", PassId::label);
         for attribute in module.needs.attributes() {
-            read.entry(attribute).or_insert(kind.label());
+            read.entry(attribute).or_insert(label);
         }
     }
     read

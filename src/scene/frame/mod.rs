@@ -10,6 +10,7 @@ mod camera;
 mod content;
 mod cost;
 mod effects;
+mod executor;
 mod handover;
 mod keys;
 mod nearest;
@@ -17,6 +18,7 @@ mod picture;
 mod place;
 mod plan;
 mod samples;
+mod screen;
 mod setup;
 mod tiles;
 mod uvs;
@@ -28,22 +30,26 @@ mod visibility;
 pub use crate::compile::{
     Attribute, BindingKind, CompiledShader, ImageShape, ImageUse, SAMPLES_PER_ROW, Stage, Uniform,
 };
+/// The passes of a plan, which the compiler lists: a look's module names those that it reads.
+pub use crate::library::{PassId, PassRow, PassWork, TexelFormat};
 pub use assets::{
     Assets, Change, Image, MAX_IMAGE_SIDE, Overlay, SHAPE_PREFIX, UNSAVED_HCBTF, image_bytes,
 };
 pub use camera::{View, widened};
 pub use cost::{EffectCost, attribute_bytes};
 pub use effects::{Effect, EffectKind, EffectState, effects};
+pub use executor::{Executor, PictureFuture};
 pub use handover::stack_of;
 pub use handover::{MAX_DEPTH, SHORTEN, too_deep};
 pub use keys::{
-    KeyedValues, Moment, ObjectValues, ParamTable, Rig, Wires, at_time, driver_value, is_direction,
-    light_field, set_light_field, structural_look,
+    KeyedValues, ObjectValues, ParamTable, Rig, RigInputs, Wires, at_time, driver_value,
+    is_direction, light_field, set_light_field, structural_look,
 };
 pub use picture::Picture;
 pub use place::{Misplaced, place_camera, turn_lights};
-pub use plan::{Draw, Dropped, FramePlan, LookShaders, Pass, PassKind, PlanOptions, Planner};
+pub use plan::{Draw, Dropped, FramePlan, Pass, PlanOptions, Planner};
 pub use samples::{EvalBatch, EvalSample, Evaluable, LightOverride, eval_batches};
+pub use screen::{PassImage, ScreenBinding, ScreenModule, ScreenResource};
 pub use setup::{
     ANY_MATERIAL, DEFAULT_MESH, Setup, SetupLook, SetupObject, Wardrobe, default_setup, look_of,
     object_matrix, open, place_objects, scene_setup,

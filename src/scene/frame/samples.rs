@@ -2,13 +2,14 @@
 //! its camera.
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use glam::{DMat3, DQuat, DVec2, DVec3};
 use indexmap::IndexMap;
 
 use super::assets::{Assets, Image};
-use super::keys::{Moment, ParamTable, Rig, Wires, structural_look};
+use super::keys::{ParamTable, Rig, RigInputs, Wires, structural_look};
 use super::plan::images;
 use super::setup::SetupLook;
 use super::values::{check_exposed_value, live_for_values};
@@ -19,8 +20,7 @@ use crate::compile::{
 use crate::diag::Diagnostic;
 use crate::document::{Light, LightKind, Look, Value, Values};
 use crate::ids::{LightId, ObjectId};
-use crate::interp;
-use crate::library::{Context, Library};
+use crate::library::{Context, Library, SurfacePoint};
 
 /// What a sample says of a light; whatever it leaves out is the look's.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -55,14 +55,9 @@ pub struct EvalSample {
     pub uv: DVec2,
     /// Curvature in 1/viewport-height, convex positive.
     pub kappa: f64,
-    /// The place in the picture from its upper left corner, y down. A sample's picture is one pixel
-    /// high.
-    pub pixel: DVec2,
-    /// Where the object's origin is seen from the picture's middle, y down, and how large a unit of
-    /// the scene is there; in picture heights.
-    pub anchor: DVec3,
-    /// How large a unit of the scene is seen here, in picture heights.
-    pub magnification: f64,
+    /// The numbers of contexts that do not follow from the rest, as their rows say; the default of
+    /// the row where none are given. A sample's picture is one pixel high.
+    pub contexts: BTreeMap<Context, Vec<f64>>,
     /// From the eye to the object, scene units.
     pub distance: f64,
     /// The object's front, its z axis, world space.
@@ -92,9 +87,7 @@ impl Default for EvalSample {
             camera: DMat3::IDENTITY,
             uv: DVec2::ZERO,
             kappa: 0.0,
-            pixel: DVec2::ZERO,
-            anchor: DVec3::Z,
-            magnification: 1.0,
+            contexts: BTreeMap::new(),
             distance: 1.0,
             front: DVec3::Z,
             near: IndexMap::new(),
@@ -351,7 +344,7 @@ impl<'a> Packer<'a> {
         at: usize,
         packed: &mut Uniform,
     ) -> Result<(), Diagnostic> {
-        let surface = SurfaceValues::new(sample);
+        let surface = surface_point(sample);
         if let Some((offset, layout)) = &self.surface {
             for (name, member, layout) in &layout.members {
                 let contexts = &self.shader.needs.contexts;
@@ -365,14 +358,15 @@ impl<'a> Packer<'a> {
                     packed.bytes[at..at + 4].copy_from_slice(&(sample.kappa as f32).to_le_bytes());
                     packed.numbers.push(sample.kappa);
                 } else {
-                    let value = surface.value(*context);
+                    let given = sample.contexts.get(context).map(Vec::as_slice);
+                    let value = context.row().sample.value(*context, &surface, given);
                     layout.write(&value, at, &mut packed.bytes);
                     push_numbers(&value, &mut packed.numbers);
                 }
             }
         }
         let lights = sample_lights(sample, own_lights);
-        let moment = Moment {
+        let inputs = RigInputs {
             time: sample.time,
             illumination: sample.frame,
             camera_from_world: sample.camera,
@@ -388,18 +382,18 @@ impl<'a> Packer<'a> {
             object_id: 0.0,
         };
         let mut values =
-            rig.evaluate(&self.shader.params, table, Wires::of(self.shader), &moment)?;
+            rig.evaluate(&self.shader.params, table, Wires::of(self.shader), &inputs)?;
         place_lights(sample, &mut values.lights);
-        let inputs = HostInputs {
+        let host = HostInputs {
             params: &values.params,
             lights: &values.lights,
             camera_from_world: sample.camera,
-            viewport: moment.viewport,
+            viewport: inputs.viewport,
             time: sample.time,
-            frame: moment.frame,
-            object_id: moment.object_id,
+            frame: inputs.frame,
+            object_id: inputs.object_id,
         };
-        self.shader.host.write(&inputs, at + self.look_at as usize, packed)?;
+        self.shader.host.write(&host, at + self.look_at as usize, packed)?;
         // The struct's padding.
         packed.numbers.extend([0.0; 4]);
         Ok(())
@@ -448,55 +442,26 @@ fn place_lights(sample: &EvalSample, lights: &mut IndexMap<LightId, LightValues>
 }
 
 /// A sample's surface in unit vectors.
-struct SurfaceValues<'a> {
-    sample: &'a EvalSample,
-    normal: DVec3,
-    view: DVec3,
-    tangent: DVec3,
-}
-
-impl<'a> SurfaceValues<'a> {
-    fn new(sample: &'a EvalSample) -> Self {
-        let unit = |v: DVec3, otherwise: DVec3| {
-            // Scaled first, so that neither tiny nor huge vectors under- or overflow.
-            let largest = v.abs().max_element();
-            if largest > 0.0 && largest.is_finite() { (v / largest).normalize() } else { otherwise }
-        };
-        let normal = unit(sample.normal, DVec3::Z);
-        let along = |t: DVec3| t - normal * normal.dot(t);
-        let any = along(if normal.x.abs() < 0.9 { DVec3::X } else { DVec3::Y });
-        let tangent = unit(sample.tangent.map_or(any, along), any.normalize());
-        Self { sample, normal, view: unit(sample.view, DVec3::Z), tangent }
-    }
-
-    fn value(&self, context: Context) -> interp::Value {
-        let sample = self.sample;
-        let vec3 = |v: DVec3| interp::Value::vec(&v.to_array());
-        match context {
-            Context::Normal => vec3(self.normal),
-            Context::View => vec3(self.view),
-            Context::Position | Context::PositionObject => vec3(sample.position),
-            Context::PositionCamera => vec3(sample.camera * sample.position),
-            Context::Uv => interp::Value::vec(&sample.uv.to_array()),
-            Context::VertexColor => interp::Value::vec(&sample.vertex_color),
-            Context::Tangent => vec3(self.tangent),
-            Context::Bitangent => {
-                let bitangent = self.normal.cross(self.tangent);
-                vec3(if self.sample.is_mirrored { -bitangent } else { bitangent })
-            }
-            Context::Pixel => interp::Value::vec(&sample.pixel.to_array()),
-            Context::Anchor => vec3(sample.anchor),
-            Context::Magnification => interp::Value::Float(sample.magnification),
-            Context::WorldFromNormal => interp::Value::matrix(&DMat3::IDENTITY.to_cols_array_2d()),
-            Context::Depth => interp::Value::Float(-(sample.camera * sample.position).z),
-            curvature if curvature.is_curvature() => interp::Value::Float(sample.kappa),
-            // No neighbours: as curved in every direction, and smooth already.
-            Context::Tensor | Context::TensorFast => {
-                vec3(DVec3::new(sample.kappa, 0.0, sample.kappa))
-            }
-            Context::SmoothNormal(_) => vec3(self.normal),
-            // Known before the fragment, and so computed by the host program.
-            _ => interp::Value::Float(0.0),
-        }
+fn surface_point(sample: &EvalSample) -> SurfacePoint {
+    let unit = |v: DVec3, otherwise: DVec3| {
+        // Scaled first, so that neither tiny nor huge vectors under- or overflow.
+        let largest = v.abs().max_element();
+        if largest > 0.0 && largest.is_finite() { (v / largest).normalize() } else { otherwise }
+    };
+    let normal = unit(sample.normal, DVec3::Z);
+    let along = |t: DVec3| t - normal * normal.dot(t);
+    let any = along(if normal.x.abs() < 0.9 { DVec3::X } else { DVec3::Y });
+    let tangent = unit(sample.tangent.map_or(any, along), any.normalize());
+    let bitangent = normal.cross(tangent);
+    SurfacePoint {
+        normal,
+        tangent,
+        bitangent: if sample.is_mirrored { -bitangent } else { bitangent },
+        view: unit(sample.view, DVec3::Z),
+        position: sample.position,
+        camera: sample.camera,
+        uv: sample.uv,
+        vertex_color: sample.vertex_color,
+        kappa: sample.kappa,
     }
 }

@@ -44,6 +44,11 @@ pub struct SetupObject {
 }
 
 impl SetupObject {
+    /// The looks that its parts wear, one for each part that wears any.
+    pub fn worn_looks(&self) -> impl Iterator<Item = usize> {
+        self.mesh.parts.iter().zip(&self.looks).filter_map(|(_, look)| *look)
+    }
+
     /// The middle of the mesh, world space.
     pub fn center(&self) -> DVec3 {
         self.world_from_object.transform_point3(self.mesh.bounds().center())
@@ -130,7 +135,7 @@ pub fn open(
     assets: &mut Assets,
 ) -> Result<(Setup, Vec<Diagnostic>), Vec<Diagnostic>> {
     let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
-    match Document::load(path) {
+    match Document::load(&crate::files::Disk, path) {
         Document::Look(loaded) => {
             let mut problems = loaded.diagnostics.clone();
             let Some(look) = loaded.value.clone().filter(|_| !has_errors(&problems)) else {
@@ -390,7 +395,7 @@ impl Wardrobe for LookFiles<'_> {
             // Told with the object that names it.
             return None;
         }
-        let loaded = Look::load(&path);
+        let loaded = Look::load(&crate::files::Disk, &path);
         problems.extend(loaded.diagnostics.iter().cloned());
         let look = loaded.value.clone()?;
         let own_folder = path.parent().map(Path::to_path_buf).unwrap_or_default();

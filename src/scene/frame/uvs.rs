@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use super::setup::{Setup, SetupLook, SetupObject};
-use crate::compile::{CompiledShader, Options, TypedSource, check, compile};
+use crate::compile::{Attribute, CompiledShader, Options, TypedSource, check, compile};
 use crate::diag::Diagnostic;
 use crate::ids::NodePath;
 use crate::library::{Context, Library, Special};
@@ -23,16 +23,17 @@ pub(super) enum Lack {
 impl Lack {
     /// What a shader lacks on such a mesh; of both the graver.
     pub(super) fn of(shader: &CompiledShader) -> Option<Self> {
-        let reads =
-            |lack: &Self| lack.contexts().iter().any(|context| shader.needs.context(*context));
+        let reads = |lack: &Self| shader.needs.contexts.iter().any(|c| lack.is_of(*c));
         [Self::Uvs, Self::Tangents].into_iter().find(reads)
     }
 
-    fn contexts(self) -> &'static [Context] {
-        match self {
-            Self::Uvs => &[Context::Uv],
-            Self::Tangents => &[Context::Tangent, Context::Bitangent],
-        }
+    /// Whether a context is made from what is lacking.
+    fn is_of(self, context: Context) -> bool {
+        let attribute = match self {
+            Self::Uvs => Attribute::Uv,
+            Self::Tangents => Attribute::Tangent,
+        };
+        Attribute::read_by(context).contains(&attribute)
     }
 }
 
@@ -123,7 +124,8 @@ pub(super) fn readers(
         let mut inputs = node.inputs.iter().flatten();
         node.def.special != Special::Output
             && emitted.contains(&node.path)
-            && inputs.any(|input| matches!(input.source, TypedSource::Context(of) if lack.contexts().contains(&of)))
+            && inputs
+                .any(|input| matches!(input.source, TypedSource::Context(of) if lack.is_of(of)))
     };
     typed.nodes.iter().filter(is_reader).map(|node| node.path.clone()).collect()
 }

@@ -8,8 +8,9 @@ use super::fill::{Filled, NotFilled, Which};
 use super::layers::{LayerOptions, from_layers, stored};
 use super::{contact, folder, ktx2, read_bytes, sheet};
 use crate::diag::Diagnostic;
-use crate::document::{FileSet, Grid, Hcbtf, Storage, write_atomic};
+use crate::document::{Grid, Hcbtf, Storage};
 use crate::figures::{bytes, count};
+use crate::files::{FileSet, write_atomic};
 use crate::progress::Progress;
 
 /// How samples lie in other programs' files.

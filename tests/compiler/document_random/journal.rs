@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use chiaro_compiler::document::journal::{About, Journal, Op, Slot, left_behind, recover};
+use crate::support::chiaro_files::journal::{About, Journal, Op, Slot, left_behind, recover};
 use chiaro_compiler::document::{Edit, History, Look};
 use proptest::prelude::*;
 

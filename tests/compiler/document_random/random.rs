@@ -3,8 +3,9 @@
 use chiaro_compiler::document::{
     Bookmark, Camera, ColorSpace, Curve, Definition, DirectionKey, DirectionKeys, Endpoint,
     Exposed, Frame, Graph, InterfacePort, Interpolation, KeyDirection, KeyScheme, Light,
-    LightField, LightKind, LightSpace, Look, Node, Note, Object, Projection, Ramp, RampStop, Scene,
-    Target, Tier, TimeKey, TimeKeys, TimeRange, Transform, Unknown, Value, Values, Wire,
+    LightField, LightKind, LightQuantity, LightSpace, Look, Node, Note, Object, Projection, Ramp,
+    RampStop, Scene, Target, Tier, TimeKey, TimeKeys, TimeRange, Transform, Unknown, Value, Values,
+    Wire,
 };
 use chiaro_language::ids::{LightId, NodeId, NodePath, PortName};
 use serde_json::json;
@@ -184,21 +185,33 @@ impl Random {
     }
 
     pub(crate) fn light(&mut self) -> Light {
-        let outer = 1e-6 + self.positive(3.1);
-        Light {
+        let mut light = Light {
             name: self.text(),
             kind: self.choose(&[LightKind::Directional, LightKind::Point, LightKind::Spot]),
             space: self.choose(&[LightSpace::Illumination, LightSpace::World, LightSpace::Camera]),
-            direction: self.direction(),
-            position: self.numbers(1e6),
-            aim: self.direction(),
-            inner: outer * self.positive(1.0),
-            outer,
-            color: self.numbers(1e6),
-            intensity: self.positive(1e6),
-            half_distance: self.positive(1e6),
-            range: self.positive(1e6),
+            ..Light::default()
+        };
+        for field in LightField::ALL {
+            let numbers = match (field.range(), field.quantity()) {
+                (Some([least, most]), _) => {
+                    let least = if field.is_above_range() { least + 1e-6 } else { least };
+                    [least + self.positive(most - least); 3]
+                }
+                (None, LightQuantity::Direction) => self.direction(),
+                (None, _) => self.numbers(1e6),
+            };
+            field.set(&mut light, &numbers);
         }
+        // What is to lie within another field does.
+        for field in LightField::ALL {
+            let around = field.within().map(|around| around.numbers(&light).to_vec());
+            for (number, most) in
+                field.numbers_mut(&mut light).iter_mut().zip(around.iter().flatten())
+            {
+                *number = number.min(*most);
+            }
+        }
+        light
     }
 
     pub(crate) fn node(&mut self, kinds: &[String]) -> Node {

@@ -111,7 +111,10 @@ fn a_group_is_made_named_shared_and_changed_for_all() {
     other.press("Go to Look");
     assert!(other.errors().is_empty(), "{:?}", other.errors());
     other.picture().differs(&green);
-    let shared = chiaro::document::Look::load(&studio.path("nodes/skin.json")).value.unwrap();
+    let shared =
+        chiaro::document::Look::load(&chiaro::files::Disk, &studio.path("nodes/skin.json"))
+            .value
+            .unwrap();
     let cutoff = &shared.definitions["skin"].graph.nodes["diffuse"].values["cutoff"];
     assert!(
         matches!(cutoff, Value::Number(x) if (x.to_degrees() - 45.0).abs() < 0.1),

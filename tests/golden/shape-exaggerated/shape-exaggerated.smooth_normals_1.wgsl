@@ -212,8 +212,12 @@ fn pair_of(center: Texel, at: vec2i, offset: vec2i, weight: f32) -> vec3f {
     let both = texel(at + by).normal + texel(at - by).normal;
     return weight * (share * both + (1.0 - share) * 2.0 * center.normal);
 }
-// Normals smoothed a little: from neighbours two steps away.
+// A level of smoothed normals: from neighbours in the level before it, or, for the first one, in
+// the normals themselves.
                           
+
+/// Steps to the neighbours, each 1/800 of the picture's height: twice as many at each level.
+const STEPS = 2;
 
 @vertex
 fn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
@@ -222,5 +226,5 @@ fn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
 
 @fragment
 fn fs_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
-    return smoothed_at(vec2i(position.xy), 2);
+    return smoothed_at(vec2i(position.xy), STEPS);
 }

@@ -5,13 +5,17 @@ use std::sync::{Arc, Mutex};
 
 use chiaro::compile::Live;
 use chiaro::diag::Diagnostic;
-use chiaro::frame::{Assets, Draw, FramePlan, PassKind, PlanOptions, Planner, open};
+use chiaro::frame::{Assets, Draw, FramePlan, PassId, PassImage, PlanOptions, Planner, open};
+use chiaro::interp::Precision;
 use chiaro::library::Library;
 use chiaro::progress::Progress;
-use chiaro::reference::{Interpolation, Options, PassImages, Shader, Shaders, Texels, execute};
+use chiaro::reference::{Interpolation, Modules, Options, PassImages, Shader, Shaders, execute};
 use glam::DVec3;
 
 use super::shaders::Plain;
+
+const NORMALS: PassId = PassId::named("normals");
+const CURVATURE: PassId = PassId::named("curvature");
 
 /// Shaders as closures, that note what they were asked for.
 #[derive(Default)]
@@ -28,7 +32,7 @@ impl Shaders for Noted {
         &'a self,
         plan: &'a FramePlan,
         draw: &'a Draw,
-        kind: &PassKind,
+        pass: PassId,
         images: &'a PassImages,
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {
         // The object stands where its mesh does, in the test's scene.
@@ -40,10 +44,9 @@ impl Shaders for Noted {
         let seen = positions
             .map(|p| plan.view.camera_from_world.transform_point3(p).to_array().to_vec())
             .collect();
-        let shader = if *kind == PassKind::Look {
+        let shader = if pass == PassId::LOOK {
             self.note("look");
-            let curvature =
-                images.surface.curvature.as_ref().expect("the curvature pass came before");
+            let curvature = images.first(CURVATURE).expect("the curvature pass came before");
             Plain::new(clip, move |batch, lane| {
                 let [x, y] = [0, 1].map(|c| batch.position(c)[lane] as u32);
                 Some(vec![curvature.pixel(x, y)[0], 0.0, 0.0, 1.0])
@@ -55,14 +58,18 @@ impl Shaders for Noted {
         Ok(Box::new(shader.with(Interpolation::Perspective, seen)))
     }
 
-    fn curvature<'a>(
+    fn screen<'a>(
         &'a self,
         _: &'a FramePlan,
-        _: &PassKind,
-        normals: &'a Texels,
-        depths: &'a Texels,
+        pass: PassId,
+        images: &'a PassImages,
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {
+        assert_eq!(pass, CURVATURE);
         self.note("curvature");
+        let read = |output| images.get(PassImage { pass: NORMALS, output });
+        let missing = || Diagnostic::error("reference-plan", "the normals come before");
+        let normals = read(0).ok_or_else(missing)?;
+        let depths = read(1).ok_or_else(missing)?;
         let fragment = |batch: &chiaro::reference::QuadBatch, lane: usize| {
             let [x, y] = [0, 1].map(|c| batch.position(c)[lane] as u32);
             let is_inside = x < normals.size[0] && y < normals.size[1];
@@ -86,8 +93,8 @@ fn plan(look: &str, size: [u32; 2]) -> FramePlan {
 #[test]
 fn passes_run_in_order_and_read_each_other() {
     let plan = plan("figure6-comics.json", [81, 60]);
-    let kinds: Vec<_> = plan.passes.iter().map(|pass| pass.kind.clone()).collect();
-    assert_eq!(kinds, [PassKind::Normals, PassKind::Curvature, PassKind::Look]);
+    let kinds: Vec<_> = plan.passes.iter().map(|pass| pass.id).collect();
+    assert_eq!(kinds, [NORMALS, CURVATURE, PassId::LOOK]);
     let shaders = Noted::default();
     let shares: Arc<Mutex<Vec<f64>>> = Arc::default();
     let observed = shares.clone();
@@ -122,9 +129,12 @@ fn passes_run_in_order_and_read_each_other() {
 fn a_plan_out_of_order_is_refused() {
     let mut plan = plan("figure6-comics.json", [16, 16]);
     plan.passes.remove(0);
-    let problem = execute(&plan, &Noted::default(), &Options::default(), &Progress::new())
-        .expect_err("no normals");
-    assert_eq!(problem.code, "reference-plan");
+    let modules = Modules::new(&plan, Precision::F64).expect("modules that run");
+    for shaders in [&Noted::default() as &dyn Shaders, &modules] {
+        let problem =
+            execute(&plan, shaders, &Options::default(), &Progress::new()).expect_err("no normals");
+        assert_eq!(problem.code, "reference-plan");
+    }
     plan.passes.clear();
     let problem = execute(&plan, &Noted::default(), &Options::default(), &Progress::new())
         .expect_err("no picture");

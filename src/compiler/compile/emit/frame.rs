@@ -2,12 +2,14 @@
 
 use std::fmt::Write as _;
 
+use super::attributes::{Attribute, VARYINGS, Varying};
+use super::surface::{ExpressionInputs, expression};
 use super::{Binding, BindingKind, Emitter};
 use crate::compile::{ImageShape, Stage};
 use crate::document::ColorSpace;
-use crate::library::{Context, Type};
+use crate::library::{PassId, Type};
 
-/// Names that the frame uses, kept from the artist's.
+/// Names that the frame uses, kept from the artist's; those of passes' maps stand in their rows.
 pub(super) const RESERVED: &[&str] = &[
     "View",
     "Object",
@@ -23,15 +25,6 @@ pub(super) const RESERVED: &[&str] = &[
     "look",
     "surface",
     "samples",
-    "curvature_map",
-    "curvature_sparse_map",
-    "curvature_detail_map",
-    "curvature_detail_sparse_map",
-    "curvature_tensor_map",
-    "smooth_normal_1_map",
-    "smooth_normal_2_map",
-    "smooth_normal_3_map",
-    "smooth_normal_4_map",
     "shade",
     "vs_main",
     "fs_main",
@@ -40,74 +33,6 @@ pub(super) const RESERVED: &[&str] = &[
 
 /// How many samples lie beside one another in an evaluation's target; each takes two by two pixels.
 pub const SAMPLES_PER_ROW: u32 = 256;
-
-/// A vertex attribute.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Attribute {
-    /// Object space, `vec3f`, location 0.
-    Position,
-    /// Unit, object space, `vec3f`, location 1.
-    Normal,
-    /// Unit with handedness, object space, `vec4f`, location 2.
-    Tangent,
-    /// `vec2f`, location 3.
-    Uv,
-    /// Straight RGBA, `vec4f`, location 4.
-    Color,
-}
-
-impl Attribute {
-    /// All of them, by location.
-    pub const ALL: [Self; 5] = [Self::Position, Self::Normal, Self::Tangent, Self::Uv, Self::Color];
-
-    /// Its location, the same in every module.
-    pub fn location(self) -> u32 {
-        self as u32
-    }
-
-    /// Its name in WGSL.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Position => "position",
-            Self::Normal => "normal",
-            Self::Tangent => "tangent",
-            Self::Uv => "uv",
-            Self::Color => "color",
-        }
-    }
-
-    /// Its WGSL type.
-    pub fn wgsl_type(self) -> &'static str {
-        match self {
-            Self::Position | Self::Normal => "vec3f",
-            Self::Tangent | Self::Color => "vec4f",
-            Self::Uv => "vec2f",
-        }
-    }
-}
-
-impl super::Needs {
-    /// The vertex attributes that a module with these needs reads.
-    pub fn attributes(&self) -> Vec<Attribute> {
-        let mut attributes = vec![Attribute::Position];
-        for context in &self.contexts {
-            match context {
-                Context::Normal | Context::KappaFast | Context::TensorFast => {
-                    attributes.push(Attribute::Normal);
-                }
-                Context::Tangent | Context::Bitangent => {
-                    attributes.extend([Attribute::Normal, Attribute::Tangent]);
-                }
-                Context::Uv => attributes.push(Attribute::Uv),
-                Context::VertexColor => attributes.push(Attribute::Color),
-                _ => {}
-            }
-        }
-        attributes.sort_unstable();
-        attributes.dedup();
-        attributes
-    }
-}
 
 const VIEW: &str = "\
 struct View {
@@ -149,36 +74,32 @@ impl Emitter<'_> {
             && self.graph.color_space == ColorSpace::Linear
     }
 
-    /// Whether the frame calls this function of the library.
-    pub(super) fn frame_uses(&self, function: &str) -> bool {
-        let is_mesh = self.options.stage != Stage::Eval;
-        match function {
-            "normalize_or" => is_mesh,
-            "straight" => is_mesh && self.special.values[self.special.root].ty == Type::Composite,
-            "angle_radians" => is_mesh && self.special.values[self.special.root].ty == Type::Angle,
-            "finite_vec4" => is_mesh,
-            "display_from_linear" => self.encodes(),
-            "curvature_on_screen" => {
-                self.options.stage == Stage::Draw && self.needs.context(Context::KappaFast)
-            }
-            "anchor_on_screen" => is_mesh && self.needs.context(Context::Anchor),
-            "size_on_screen" => is_mesh && self.needs.context(Context::Magnification),
-            "tensor_on_screen" => {
-                self.options.stage == Stage::Draw && self.needs.context(Context::TensorFast)
-            }
-            "linear_from_display" => is_mesh && self.graph.color_space == ColorSpace::Linear,
-            _ => false,
+    /// The functions of the library that the frame may call.
+    pub(super) fn frame_functions(&self) -> Vec<String> {
+        let stage = self.options.stage;
+        if stage == Stage::Eval {
+            return Vec::new();
         }
+        let root = &self.special.values[self.special.root].ty;
+        let own = [
+            ("normalize_or", true),
+            ("straight", *root == Type::Composite),
+            ("angle_radians", *root == Type::Angle),
+            ("finite_vec4", true),
+            ("display_from_linear", self.encodes()),
+            ("linear_from_display", self.graph.color_space == ColorSpace::Linear),
+        ];
+        let own = own.into_iter().filter(|(_, is_used)| *is_used).map(|(name, _)| name.to_owned());
+        let contexts = self.needs.contexts.iter();
+        own.chain(contexts.flat_map(|context| ExpressionInputs::at(*context, stage).functions))
+            .collect()
     }
 
     pub(super) fn write_structs(&mut self) {
         let is_eval = self.options.stage == Stage::Eval;
         if !is_eval {
-            self.out.push_str(if self.needs.context(Context::Pixel) {
-                VIEW_WITH_SCREEN
-            } else {
-                VIEW
-            });
+            let reads_screen = self.needs.contexts.iter().any(|c| ExpressionInputs::of(*c).screen);
+            self.out.push_str(if reads_screen { VIEW_WITH_SCREEN } else { VIEW });
             self.out.push('\n');
             self.out.push_str(OBJECT);
             self.out.push('\n');
@@ -259,25 +180,14 @@ impl Emitter<'_> {
             if !self.host.members.is_empty() {
                 push(BindingKind::Look, "look", "var<uniform> look: Look;".to_owned());
             }
-            // Curvature is made from normals, so that what draws those cannot read it.
-            let reads = |context| self.needs.context(context) && !self.options.stage.is_normals();
-            for (context, kind, name) in [
-                (Context::Kappa, BindingKind::Curvature, "curvature_map"),
-                (Context::KappaSparse, BindingKind::CurvatureSparse, "curvature_sparse_map"),
-                (Context::KappaDetail, BindingKind::CurvatureDetail, "curvature_detail_map"),
-                (
-                    Context::KappaDetailSparse,
-                    BindingKind::CurvatureDetailSparse,
-                    "curvature_detail_sparse_map",
-                ),
-                (Context::Tensor, BindingKind::CurvatureTensor, "curvature_tensor_map"),
-                (Context::SmoothNormal(1), BindingKind::SmoothNormal(1), "smooth_normal_1_map"),
-                (Context::SmoothNormal(2), BindingKind::SmoothNormal(2), "smooth_normal_2_map"),
-                (Context::SmoothNormal(3), BindingKind::SmoothNormal(3), "smooth_normal_3_map"),
-                (Context::SmoothNormal(4), BindingKind::SmoothNormal(4), "smooth_normal_4_map"),
-            ] {
-                if reads(context) {
-                    push(kind, name, format!("var {name}: {texture};"));
+            // Passes are made from normals, so that what draws those cannot read them.
+            let is_normals = self.options.stage.is_normals();
+            let mut passes: Vec<PassId> = Vec::new();
+            for pass in self.needs.contexts.iter().filter_map(|context| context.pass()) {
+                if !is_normals && !passes.contains(&pass) {
+                    passes.push(pass);
+                    let name = pass.row().map;
+                    push(BindingKind::Pass(pass), name, format!("var {name}: {texture};"));
                 }
             }
         }
@@ -328,10 +238,10 @@ impl Emitter<'_> {
             let _ = writeln!(out, "    @location({location}) {name}: {},", attribute.wgsl_type());
         }
         out.push_str("}\n\nstruct Varyings {\n    @builtin(position) clip: vec4f,\n");
-        let varyings = self.varyings(&attributes);
+        let varyings = self.varyings();
         let out = &mut self.out;
-        for (location, (name, ty, _)) in varyings.iter().enumerate() {
-            let _ = writeln!(out, "    @location({location}) {name}: {ty},");
+        for (location, Varying { name, wgsl_type, .. }) in varyings.iter().enumerate() {
+            let _ = writeln!(out, "    @location({location}) {name}: {wgsl_type},");
         }
         out.push_str("}\n\n@vertex\nfn vs_main(vertex: Vertex) -> Varyings {\n");
         out.push_str(
@@ -339,53 +249,26 @@ impl Emitter<'_> {
              Varyings;\n",
         );
         out.push_str("    out.clip = view.clip_from_world * world;\n");
-        for (name, _, value) in &varyings {
+        for Varying { name, value, .. } in &varyings {
             let _ = writeln!(out, "    out.{name} = {value};");
         }
         out.push_str("    return out;\n}\n");
     }
 
-    /// Name, type and value of each varying.
-    fn varyings(
-        &self,
-        attributes: &[Attribute],
-    ) -> Vec<(&'static str, &'static str, &'static str)> {
-        let mut varyings = Vec::new();
-        let position = [
-            Context::Position,
-            Context::PositionCamera,
-            Context::View,
-            Context::Depth,
-            Context::Magnification,
-        ];
-        let reads_it = |context: &Context| position.contains(context) || context.is_derived();
-        if self.options.stage.is_normals() || self.needs.contexts.iter().any(reads_it) {
-            varyings.push(("position", "vec3f", "world.xyz"));
-        }
-        for attribute in attributes {
-            varyings.extend(match attribute {
-                Attribute::Position => self.needs.context(Context::PositionObject).then_some((
-                    "position_object",
-                    "vec3f",
-                    "vertex.position",
-                )),
-                Attribute::Normal => {
-                    Some(("normal", "vec3f", "object.world_from_normal * vertex.normal"))
-                }
-                // An object that is mirrored has its bitangents on the other side of normal and
-                // tangent.
-                Attribute::Tangent => Some((
-                    "tangent",
-                    "vec4f",
-                    "vec4f((object.world_from_object * vec4f(vertex.tangent.xyz, 0.0)).xyz, \
-                     select(vertex.tangent.w, -vertex.tangent.w, \
-                     determinant(object.world_from_normal) < 0.0))",
-                )),
-                Attribute::Uv => Some(("uv", "vec2f", "vertex.uv")),
-                Attribute::Color => Some(("color", "vec4f", "vertex.color")),
-            });
-        }
-        varyings
+    /// The varyings that the fragment reads.
+    fn varyings(&self) -> Vec<&'static Varying> {
+        let attributes = self.needs.attributes();
+        let reads: Vec<ExpressionInputs> =
+            self.needs.contexts.iter().map(|c| ExpressionInputs::of(*c)).collect();
+        let is_read = |varying: &&Varying| match varying.attribute {
+            // Normals are drawn with their depth.
+            Attribute::Position => {
+                reads.iter().any(|reads| reads.varying(varying.name))
+                    || (varying.name == "position" && self.options.stage.is_normals())
+            }
+            attribute => attributes.contains(&attribute),
+        };
+        VARYINGS.iter().filter(is_read).collect()
     }
 
     fn write_fragment(&mut self) {
@@ -399,10 +282,8 @@ impl Emitter<'_> {
             );
         }
         let result = if is_normals { "Fragment" } else { "@location(0) vec4f" };
-        let uses_front = self.needs.contexts.iter().any(|c| {
-            matches!(c, Context::Normal | Context::Tangent | Context::Bitangent)
-                || (c.is_derived() && !is_normals)
-        });
+        let stage = self.options.stage;
+        let uses_front = self.needs.contexts.iter().any(|c| ExpressionInputs::at(*c, stage).normal);
         let front = if uses_front { ", @builtin(front_facing) is_front: bool" } else { "" };
         let _ = write!(self.out, "\n@fragment\nfn fs_main(in: Varyings{front}) -> {result} {{\n");
         if uses_front {
@@ -422,8 +303,9 @@ impl Emitter<'_> {
             self.out.push_str("    var surface: Surface;\n");
             for index in 0..self.needs.contexts.len() {
                 let context = self.needs.contexts[index];
-                let mut value = surface_value(context, self.options.stage).to_owned();
-                if context == Context::VertexColor && self.graph.color_space == ColorSpace::Linear {
+                let mut value = expression(context, stage);
+                let is_color = Type::from_wgsl(context.wgsl_type()) == Type::Color;
+                if is_color && self.graph.color_space == ColorSpace::Linear {
                     value = format!("linear_from_display({value})");
                 }
                 let _ = writeln!(self.out, "    surface.{} = {value};", context.word());
@@ -494,89 +376,6 @@ impl Emitter<'_> {
             "    let value = shade({arguments});\n    return {};\n}}",
             raw(root, "value")
         );
-    }
-}
-
-/// Where a level of smoothed normals lies.
-macro_rules! smooth_normal {
-    ($level:literal) => {
-        concat!(
-            "(vec4f(textureLoad(smooth_normal_",
-            $level,
-            "_map, vec2i(in.clip.xy), 0).xyz, 0.0) * view.camera_from_world).xyz"
-        )
-    };
-}
-
-/// How a fragment's surroundings are found where a mesh is drawn.
-fn surface_value(context: Context, stage: Stage) -> &'static str {
-    match context {
-        // An alpha cutoff may depend on a color that curvature tints; before the curvature pass
-        // everything is flat.
-        curvature if curvature.is_curvature() && stage.is_normals() => "0.0",
-        vector if vector.is_measured_vector() && stage.is_normals() => "vec3f(0.0)",
-        Context::Normal => "normal",
-        Context::View => {
-            "normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, \
-             vec3f(0.0, 0.0, 1.0)))"
-        }
-        Context::Position => "in.position",
-        Context::PositionObject => "in.position_object",
-        Context::PositionCamera => "(view.camera_from_world * vec4f(in.position, 1.0)).xyz",
-        Context::Uv => "in.uv",
-        Context::VertexColor => "in.color",
-        Context::Tangent => {
-            "normalize_or(in.tangent.xyz - normal * dot(normal, in.tangent.xyz), in.tangent.xyz)"
-        }
-        Context::Bitangent => {
-            "cross(normal, normalize_or(in.tangent.xyz - normal * dot(normal, in.tangent.xyz), \
-             in.tangent.xyz)) * in.tangent.w"
-        }
-        Context::Depth => "-(view.camera_from_world * vec4f(in.position, 1.0)).z",
-        Context::Kappa => "textureLoad(curvature_map, vec2i(in.clip.xy), 0).x",
-        Context::KappaFast => {
-            "curvature_on_screen((view.camera_from_world * vec4f(normal, 0.0)).xyz, \
-             (view.camera_from_world * vec4f(in.position, 1.0)).xyz, view.eye.w, \
-             length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, \
-             view.clip_from_world[2].y)))"
-        }
-        Context::KappaSparse => "textureLoad(curvature_sparse_map, vec2i(in.clip.xy), 0).x",
-        Context::KappaDetailSparse => {
-            "textureLoad(curvature_detail_sparse_map, vec2i(in.clip.xy), 0).x"
-        }
-        Context::KappaDetail => "textureLoad(curvature_detail_map, vec2i(in.clip.xy), 0).x",
-        Context::Pixel => "in.clip.xy * view.screen.xy + view.screen.zw",
-        Context::Anchor => {
-            "anchor_on_screen((view.camera_from_world * vec4f(object.world_from_object[3].xyz, \
-             1.0)).xyz, view.eye.w, \
-             length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, \
-             view.clip_from_world[2].y)))"
-        }
-        Context::Magnification => {
-            "size_on_screen(-(view.camera_from_world * vec4f(in.position, 1.0)).z, view.eye.w, \
-             length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, \
-             view.clip_from_world[2].y)))"
-        }
-        Context::WorldFromNormal => "object.world_from_normal",
-        Context::Tensor => "textureLoad(curvature_tensor_map, vec2i(in.clip.xy), 0).xyz",
-        Context::TensorFast => {
-            "tensor_on_screen((view.camera_from_world * vec4f(normal, 0.0)).xyz, \
-             (view.camera_from_world * vec4f(in.position, 1.0)).xyz, view.eye.w, \
-             length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, \
-             view.clip_from_world[2].y)))"
-        }
-        // Camera axes; a vector before a rotation is turned back by it.
-        Context::SmoothNormal(1) => smooth_normal!(1),
-        Context::SmoothNormal(2) => smooth_normal!(2),
-        Context::SmoothNormal(3) => smooth_normal!(3),
-        Context::SmoothNormal(_) => smooth_normal!(4),
-        // Known before the fragment.
-        Context::CameraFromWorld
-        | Context::ObjectId
-        | Context::Time
-        | Context::Frame
-        | Context::Viewport
-        | Context::Light(_) => "",
     }
 }
 

@@ -5,9 +5,11 @@
 //! bounded length that it calls, and last the entry points. Values known before the fragment stand
 //! in the `Look` uniform or as literals.
 
+mod attributes;
 mod expression;
 mod frame;
 mod parts;
+mod surface;
 
 use std::collections::HashMap;
 use std::fmt::Write as _;
@@ -23,10 +25,11 @@ use super::specialize::{
 use super::{Options, Stage};
 use crate::diag::Diagnostic;
 use crate::ids::NodePath;
-use crate::library::{Context, Library, Rate, Special, Type};
+use crate::library::{Context, Library, PassId, Rate, Special, Type};
 use crate::wgsl::WgslError;
 
-pub use frame::{Attribute, SAMPLES_PER_ROW};
+pub use attributes::Attribute;
+pub use frame::SAMPLES_PER_ROW;
 
 /// A binding of the module, in group 0.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -54,18 +57,8 @@ pub enum BindingKind {
     Hcbtf(ImageBinding),
     /// An image's sampler, by index into [`Needs::images`].
     Sampler(ImageBinding),
-    /// The curvature of the surface, one texel a pixel.
-    Curvature,
-    /// The same from four neighbours of a pixel.
-    CurvatureSparse,
-    /// The curvature with the look's detail normal.
-    CurvatureDetail,
-    /// The same from four neighbours of a pixel.
-    CurvatureDetailSparse,
-    /// The curvature tensor of the surface, one texel a pixel.
-    CurvatureTensor,
-    /// A level of smoothed normals, one texel a pixel.
-    SmoothNormal(u8),
+    /// The first result of a pass, one texel a pixel.
+    Pass(PassId),
     /// The samples of an evaluation.
     Samples,
 }
@@ -196,7 +189,8 @@ impl<'a> Emitter<'a> {
         let reached = reachable(&self.special.values, roots.iter().copied());
         self.plan_contexts(&reached);
         self.want_items(&reached);
-        for name in frame::RESERVED {
+        let maps = PassId::all().map(|pass| pass.row().map).filter(|map| !map.is_empty());
+        for name in frame::RESERVED.iter().copied().chain(maps) {
             self.names.reserve(name);
         }
         let items = std::mem::take(&mut self.items);
@@ -241,21 +235,8 @@ impl<'a> Emitter<'a> {
             }
         }
         let Some(built_in) = built_in else { return };
-        for name in [
-            "normalize_or",
-            "straight",
-            "angle_radians",
-            "finite_vec4",
-            "display_from_linear",
-            "linear_from_display",
-            "curvature_on_screen",
-            "anchor_on_screen",
-            "size_on_screen",
-            "tensor_on_screen",
-        ] {
-            if self.frame_uses(name) {
-                self.items.want(&built_in, name);
-            }
+        for name in self.frame_functions() {
+            self.items.want(&built_in, &name);
         }
         for (value, _) in self.special.values.iter().zip(reached).filter(|(_, reached)| **reached) {
             if let Operation::Convert { template, .. } = &value.operation {

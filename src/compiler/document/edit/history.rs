@@ -43,7 +43,7 @@ pub struct History<D: Editable> {
 
 /// What one undo takes back, or one redo repeats.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(in crate::document) struct Step<E> {
+pub struct Step<E> {
     label: String,
     gesture: Option<u64>,
     /// To be applied in this order.
@@ -54,7 +54,7 @@ pub(in crate::document) struct Step<E> {
 
 /// The numbers of a history, which a journal keeps beside its steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub(in crate::document) struct Numbers {
+pub struct HistoryNumbers {
     revision: u64,
     state: u64,
     saved: u64,
@@ -219,27 +219,28 @@ impl<D: Editable> History<D> {
     }
 
     /// What can be taken back, the newest last.
-    pub(in crate::document) fn done(&self) -> &[Step<D::Edit>] {
+    pub fn done(&self) -> &[Step<D::Edit>] {
         &self.done
     }
 
     /// What can be repeated, the next one last.
-    pub(in crate::document) fn undone(&self) -> &[Step<D::Edit>] {
+    pub fn undone(&self) -> &[Step<D::Edit>] {
         &self.undone
     }
 
-    pub(in crate::document) fn numbers(&self) -> Numbers {
-        Numbers { revision: self.revision, state: self.state, saved: self.saved }
+    /// The numbers that a journal keeps.
+    pub fn numbers(&self) -> HistoryNumbers {
+        HistoryNumbers { revision: self.revision, state: self.state, saved: self.saved }
     }
 
     /// A history as a journal has it.
-    pub(in crate::document) fn restored(
+    pub fn restored(
         document: D,
         done: Vec<Step<D::Edit>>,
         undone: Vec<Step<D::Edit>>,
-        numbers: Numbers,
+        numbers: HistoryNumbers,
     ) -> Self {
-        let Numbers { revision, state, saved } = numbers;
+        let HistoryNumbers { revision, state, saved } = numbers;
         Self { document, done, undone, revision, state, saved }
     }
 
@@ -252,7 +253,7 @@ impl<D: Editable> History<D> {
 
     /// Lets go of steps that do not apply to the document, and of what lies beyond them; says how
     /// many. A history that was made by edits has none; one that was read from a damaged file may.
-    pub(in crate::document) fn drop_impossible_steps(&mut self) -> usize
+    pub fn drop_impossible_steps(&mut self) -> usize
     where
         D: Clone,
     {

@@ -15,8 +15,9 @@ use super::json::{self, At, Kind};
 use super::problems::{Lines, Problems};
 use super::shape::{self, Shape};
 use super::source::{Loaded, SourceMap};
-use super::{Look, Scene, VERSION, store};
+use super::{Look, Scene, VERSION, read_text};
 use crate::diag::Diagnostic;
+use crate::files::Files;
 use reader::Reader;
 pub(super) use value::AxisAngle;
 
@@ -40,8 +41,8 @@ impl Document {
 
     /// Reads a file that may hold either. Where the file cannot be read, the diagnostics of a look
     /// say why.
-    pub fn load(path: &Path) -> Self {
-        match store::read_text(path) {
+    pub fn load(files: &dyn Files, path: &Path) -> Self {
+        match read_text(files, path) {
             Ok(text) => Self::read(&text, &path.display().to_string()),
             Err(problem) => Self::Look(failed(path, *problem)),
         }
@@ -68,8 +69,8 @@ impl Look {
     }
 
     /// Reads a look from a file.
-    pub fn load(path: &Path) -> Loaded<Self> {
-        match store::read_text(path) {
+    pub fn load(files: &dyn Files, path: &Path) -> Loaded<Self> {
+        match read_text(files, path) {
             Ok(text) => Self::read(&text, &path.display().to_string()),
             Err(problem) => failed(path, *problem),
         }
@@ -83,8 +84,8 @@ impl Scene {
     }
 
     /// Reads a scene from a file.
-    pub fn load(path: &Path) -> Loaded<Self> {
-        match store::read_text(path) {
+    pub fn load(files: &dyn Files, path: &Path) -> Loaded<Self> {
+        match read_text(files, path) {
             Ok(text) => Self::read(&text, &path.display().to_string()),
             Err(problem) => failed(path, *problem),
         }

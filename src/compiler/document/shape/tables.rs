@@ -2,7 +2,7 @@
 
 use super::{Default, Kind, Shape, say_number};
 use crate::document::described::Described as _;
-use crate::document::{Curve, Look, Ramp, Scene};
+use crate::document::{Curve, LightField, Look, Ramp, Scene};
 
 /// One table in Markdown for each kind of object, by the object's name, as docs/format.md has them.
 pub fn field_tables() -> Vec<(&'static str, String)> {
@@ -11,7 +11,15 @@ pub fn field_tables() -> Vec<(&'static str, String)> {
         collect(top, &mut shapes);
     }
     let rules = ("hcbtf-rules", crate::document::hcbtf::rule::about::table());
-    shapes.into_iter().map(|shape| (shape.name, table(shape))).chain([rules]).collect()
+    let targets = ("light targets", light_targets());
+    shapes.into_iter().map(|shape| (shape.name, table(shape))).chain([rules, targets]).collect()
+}
+
+/// The targets that fields of lights are.
+fn light_targets() -> String {
+    let names: Vec<String> = LightField::names().map(|name| format!("`{name}`")).collect();
+    let (last, first) = names.split_last().expect("a light has fields");
+    format!("- `\"lights.key.direction\"`: a field of a light: {} or {last}.\n", first.join(", "))
 }
 
 /// The shape and those of what lies in it, each once.

@@ -12,6 +12,7 @@ use glam::DQuat;
 
 use crate::commands::Command;
 use crate::document::Look;
+use crate::state::revision::DocumentNumber;
 use crate::state::session::Session;
 use card::{Answer, Progress};
 use steps::STEPS;
@@ -32,17 +33,17 @@ pub(crate) const NOTHING: &str = r##"{
 /// The tour while it goes on.
 pub(crate) struct Tour {
     /// Which document it is about: with another one it ends.
-    document: u64,
+    document: DocumentNumber,
     /// The step that is shown; after the last one, where to go next.
     step: usize,
     /// How things were when each step was first shown.
-    seen: Vec<Before>,
+    seen: Vec<StepStart>,
     /// Whether the panels of the step are to be brought to the front.
     is_new: bool,
 }
 
 /// What a step compares with.
-struct Before {
+struct StepStart {
     look: Look,
     illumination: DQuat,
 }
@@ -67,8 +68,8 @@ impl Tour {
             return (out, !is_over);
         };
         if self.seen.len() == self.step {
-            let illumination = session.view.illumination;
-            self.seen.push(Before { look: session.look().clone(), illumination });
+            let illumination = session.view.orbit.illumination;
+            self.seen.push(StepStart { look: session.look().clone(), illumination });
         }
         if std::mem::take(&mut self.is_new) {
             out.extend(step.panels.iter().map(|panel| Command::ShowPanel(*panel)));

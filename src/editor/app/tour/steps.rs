@@ -1,7 +1,7 @@
 //! The steps of the tour, as data: what each says, what it points at, how it is known to be done,
 //! and how it is shown.
 
-use super::Before;
+use super::StepStart;
 use crate::commands::{Command, PanelId, ViewCommand};
 use crate::document::{Edit, GraphId, Node, Value};
 use crate::ids::NodeId;
@@ -22,7 +22,7 @@ pub(super) struct Step {
     /// What it points at: the first of these that is on the screen.
     pub(super) spots: fn(&Session) -> Vec<Spot>,
     /// Whether it is done, beside how things were when it was first shown.
-    pub(super) is_done: fn(&Session, &Before) -> bool,
+    pub(super) is_done: fn(&Session, &StepStart) -> bool,
     /// What does it in the artist's place; nothing where there is nothing to do it to.
     pub(super) show: fn(&Session) -> Vec<Command>,
 }
@@ -42,7 +42,7 @@ pub(super) static STEPS: [Step; 7] = [
                  the light.",
         panels: &[PanelId::PICTURE, PanelId::LAYERS, PanelId::INSPECTOR],
         spots: |session| match ground(session) {
-            Some(base) if session.selection.contains(&base) => {
+            Some(base) if session.selection.nodes.contains(&base) => {
                 vec![Spot::Input("color".into()), Spot::Layer(base)]
             }
             Some(base) => vec![Spot::Layer(base), Spot::Panel(PanelId::LAYERS)],
@@ -92,7 +92,7 @@ pub(super) static STEPS: [Step; 7] = [
         spots: |_| vec![Spot::Picture],
         is_done: is_light_turned,
         show: |session| {
-            let mut view = session.view.clone();
+            let mut view = session.view.orbit.clone();
             view.turn_lights(-0.1, -0.04);
             vec![Command::View(ViewCommand::TurnTo(Box::new(view)))]
         },
@@ -141,7 +141,7 @@ pub(super) static STEPS: [Step; 7] = [
 ];
 
 fn stack(session: &Session) -> Stack {
-    Stack::of(session.look(), &session.catalog)
+    Stack::of(session.look(), &session.project.catalog)
 }
 
 /// The node that the lowest layer lies on.
@@ -152,33 +152,33 @@ fn ground(session: &Session) -> Option<NodeId> {
 /// The layer that was worked on last, or else the uppermost.
 fn top_layer(session: &Session) -> Option<NodeId> {
     let stack = stack(session);
-    let selected = session.selection.last().filter(|id| stack.index_of(id).is_some());
+    let selected = session.selection.nodes.last().filter(|id| stack.index_of(id).is_some());
     selected.or(stack.layers.first().map(|layer| &layer.id)).cloned()
 }
 
-fn has_more_layers(session: &Session, before: &Before) -> bool {
-    stack(session).layers.len() > Stack::of(&before.look, &session.catalog).layers.len()
+fn has_more_layers(session: &Session, before: &StepStart) -> bool {
+    stack(session).layers.len() > Stack::of(&before.look, &session.project.catalog).layers.len()
 }
 
-fn any_layer_changed(session: &Session, before: &Before, ports: &[&str]) -> bool {
+fn any_layer_changed(session: &Session, before: &StepStart, ports: &[&str]) -> bool {
     stack(session).layers.iter().any(|layer| is_changed(session, before, &layer.id, ports))
 }
 
 /// Whether any of these inputs of a node that was there before has another value.
-fn is_changed(session: &Session, before: &Before, id: &NodeId, ports: &[&str]) -> bool {
+fn is_changed(session: &Session, before: &StepStart, id: &NodeId, ports: &[&str]) -> bool {
     let Some(old) = before.look.graph.nodes.get(id) else { return false };
     let now = session.look().graph.nodes.get(id);
     ports.iter().any(|port| value(Some(old), port) != value(now, port))
 }
 
-fn is_light_turned(session: &Session, before: &Before) -> bool {
+fn is_light_turned(session: &Session, before: &StepStart) -> bool {
     let lights = &session.look().lights;
     let is_other = |(id, light): (_, &crate::document::Light)| {
         lights
             .get(id)
             .is_some_and(|now| (now.direction, now.position) != (light.direction, light.position))
     };
-    session.view.illumination.angle_between(before.illumination) > TURNED
+    session.view.orbit.illumination.angle_between(before.illumination) > TURNED
         || before.look.lights.iter().any(is_other)
 }
 

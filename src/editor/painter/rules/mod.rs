@@ -17,7 +17,7 @@ use crate::commands::{Command, PaintCommand};
 use crate::document::relief::PRESETS;
 use crate::document::{Address, ColorSpace, Directions, HcbtfAngle, HcbtfEdit, Rule, Strokes};
 use crate::hcbtf::Provenance;
-use crate::state::painting::work::Work;
+use crate::state::painting::work::OpenPainting;
 use crate::widgets::color;
 use crate::widgets::rows::lead;
 use crate::widgets::theme;
@@ -67,7 +67,7 @@ fn tip(rule: &Rule) -> String {
 }
 
 /// One of each kind, to be added.
-fn fresh(work: &Work) -> Vec<Rule> {
+fn fresh(work: &OpenPainting) -> Vec<Rule> {
     let from = work.at();
     vec![
         Rule::Blend { sharpness: 4.0 },
@@ -88,7 +88,7 @@ fn fresh(work: &Work) -> Vec<Rule> {
 /// Shows the rules. `share` is how much is filled while that goes on.
 pub(super) fn show(
     ui: &mut Ui,
-    work: &Work,
+    work: &OpenPainting,
     share: Option<f64>,
     problem: Option<&str>,
     memory: &mut Memory,
@@ -156,7 +156,7 @@ pub(super) fn show(
 }
 
 /// How many samples each rule fills or changes.
-fn counts(work: &Work) -> Vec<usize> {
+fn counts(work: &OpenPainting) -> Vec<usize> {
     let mut counts = vec![0; work.hcbtf().rules.len()];
     let Some(filled) = work.filled() else { return counts };
     for (_, _, provenance) in filled.iter() {
@@ -171,7 +171,14 @@ fn counts(work: &Work) -> Vec<usize> {
     counts
 }
 
-fn card(ui: &mut Ui, work: &Work, index: usize, rule: &Rule, count: usize, out: &mut Vec<Command>) {
+fn card(
+    ui: &mut Ui,
+    work: &OpenPainting,
+    index: usize,
+    rule: &Rule,
+    count: usize,
+    out: &mut Vec<Command>,
+) {
     let (name, help) = (rule.about().label, help(rule));
     let rules = &work.hcbtf().rules;
     let frame =
@@ -238,7 +245,7 @@ fn card(ui: &mut Ui, work: &Work, index: usize, rule: &Rule, count: usize, out: 
 }
 
 /// The fields of a rule; who changed one.
-fn fields(ui: &mut Ui, work: &Work, rule: &mut Rule) -> Option<Id> {
+fn fields(ui: &mut Ui, work: &OpenPainting, rule: &mut Rule) -> Option<Id> {
     match rule {
         Rule::Copy { from } => sample(ui, work, from),
         Rule::Specular { from, width } => {
@@ -365,7 +372,7 @@ pub(super) fn along(ui: &mut Ui, label: &str, angle: &mut HcbtfAngle) -> Option<
 }
 
 /// Which painting a rule copies.
-pub(super) fn sample(ui: &mut Ui, work: &Work, from: &mut Address) -> Option<Id> {
+pub(super) fn sample(ui: &mut Ui, work: &OpenPainting, from: &mut Address) -> Option<Id> {
     let mut changed = None;
     let before = *from;
     let grid = work.grid();

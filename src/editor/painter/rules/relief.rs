@@ -4,13 +4,13 @@ use std::ops::RangeInclusive;
 
 use eframe::egui::{Button, CollapsingHeader, Id, Role, Slider, Ui, WidgetInfo};
 
-use super::{LEAD, Work};
+use super::{LEAD, OpenPainting};
 use crate::document::relief::{Channel, Finish, Glint, Illumination, PRESETS, Pattern};
 use crate::document::{Address, Relief};
 use crate::widgets::rows::lead;
 
 /// Shows the fields of a relief; who changed one.
-pub(super) fn fields(ui: &mut Ui, work: &Work, relief: &mut Relief) -> Option<Id> {
+pub(super) fn fields(ui: &mut Ui, work: &OpenPainting, relief: &mut Relief) -> Option<Id> {
     let mut fields = Fields { changed: presets(ui, work, relief) };
     let section = |ui: &mut Ui, title: &str, is_open: bool, add: &mut dyn FnMut(&mut Ui)| {
         CollapsingHeader::new(title).default_open(is_open).show(ui, |ui| add(ui));
@@ -35,7 +35,7 @@ pub(super) fn fields(ui: &mut Ui, work: &Work, relief: &mut Relief) -> Option<Id
 }
 
 /// Buttons that make it another relief.
-fn presets(ui: &mut Ui, work: &Work, relief: &mut Relief) -> Option<Id> {
+fn presets(ui: &mut Ui, work: &OpenPainting, relief: &mut Relief) -> Option<Id> {
     let mut changed = None;
     ui.horizontal_wrapped(|ui| {
         for (name, preset) in PRESETS {
@@ -143,7 +143,7 @@ impl Fields {
         self.changed = self.changed.or(changed);
     }
 
-    fn sample(&mut self, ui: &mut Ui, work: &Work, label: &str, from: &mut Address) {
+    fn sample(&mut self, ui: &mut Ui, work: &OpenPainting, label: &str, from: &mut Address) {
         ui.label(label);
         let changed = ui.push_id(label, |ui| super::sample(ui, work, from)).inner;
         self.changed = self.changed.or(changed);
@@ -155,7 +155,7 @@ impl Fields {
         self.number(ui, &format!("{what} height"), "In parts of its bay", height, 0.05..=0.95);
     }
 
-    fn pattern(&mut self, ui: &mut Ui, work: &Work, pattern: &mut Pattern) {
+    fn pattern(&mut self, ui: &mut Ui, work: &OpenPainting, pattern: &mut Pattern) {
         match pattern {
             Pattern::Painted { heights, channel, is_inverted, colors } => {
                 self.sample(ui, work, "Heights from", heights);

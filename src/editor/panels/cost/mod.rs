@@ -12,21 +12,22 @@ use crate::document::{Edit, GraphId, Look, Tier};
 use crate::frame::{Assets, PlanOptions};
 use crate::progress::{Progress, Stopped};
 use crate::render::{Gpu, Renderer, block_on};
+use crate::state::revision::{DocumentNumber, LookRevision, PictureRevision};
 use crate::state::session::Session;
-use crate::state::still::Still;
+use crate::state::snapshot::RenderSnapshot;
 use crate::state::worker::{BackgroundJobs, Worker};
 pub(super) use panel::PANEL;
 
 /// How often each variant is drawn: enough for an interval, and no long wait.
 const ROUNDS: usize = 15;
 
-struct Job {
-    still: Still,
+struct MeasureRequest {
+    still: RenderSnapshot,
     size: [u32; 2],
     progress: Progress,
 }
 
-struct Done {
+struct Measurement {
     of: Measured,
     result: Result<Report, Vec<Diagnostic>>,
 }
@@ -36,11 +37,11 @@ struct Done {
 struct Measured {
     look: Look,
     mesh: String,
-    stage: Option<u64>,
+    stage: Option<PictureRevision>,
 }
 
 impl Measured {
-    fn of(look: &Look, mesh: &str, stage: Option<u64>) -> Self {
+    fn of(look: &Look, mesh: &str, stage: Option<PictureRevision>) -> Self {
         let mut look = Look { tier: Tier::Exact, ..look.clone() };
         for node in look.graph.nodes.values_mut() {
             node.tier = None;
@@ -52,15 +53,15 @@ impl Measured {
 
 /// The panel and what was measured last.
 pub struct Cost {
-    worker: Option<Worker<Job, Done>>,
+    worker: Option<Worker<MeasureRequest, Measurement>>,
     /// Called from another thread when there is more progress to show.
     wake: Arc<dyn Fn() + Send + Sync>,
     progress: Progress,
-    done: Option<Done>,
+    done: Option<Measurement>,
     /// What is plotted.
     subject: Subject,
     /// Whether what was measured is still so, by the revision that this was found for.
-    is_current: (u64, bool),
+    is_current: (Option<(DocumentNumber, LookRevision)>, bool),
 }
 
 impl Cost {
@@ -77,7 +78,7 @@ impl Cost {
             wake: Arc::new(wake),
             done: None,
             subject: Subject::Whole,
-            is_current: (0, false),
+            is_current: (None, false),
         }
     }
 
@@ -92,8 +93,8 @@ impl Cost {
         self.progress = Progress::observed(move |_| wake());
         // Of a scene, what wears the look: only its figures are asked for, and only its tiers can
         // be chosen.
-        let still = session.still_of(Arc::new(session.look().clone())).alone();
-        let job = Job { still, size, progress: self.progress.clone() };
+        let still = session.snapshot_of(Arc::new(session.look().clone())).alone();
+        let job = MeasureRequest { still, size, progress: self.progress.clone() };
         if let Some(worker) = &self.worker {
             worker.request(|_| job);
         }
@@ -111,13 +112,14 @@ impl Cost {
                 done.result.as_ref().is_err_and(|problems| Stopped::is_among(problems));
             if !is_stopped {
                 self.done = Some(done);
-                self.is_current.0 = 0;
+                self.is_current.0 = None;
             }
         }
-        let number = 1 + session.revision() + (session.document_number() << 32);
-        if self.is_current.0 != number {
-            let now = Measured::of(session.look(), &session.view.mesh, session.stage_version());
-            self.is_current = (number, self.done.as_ref().is_some_and(|done| done.of == now));
+        let revision = Some((session.document_number(), session.revision()));
+        if self.is_current.0 != revision {
+            let now =
+                Measured::of(session.look(), &session.view.orbit.mesh, session.stage_version());
+            self.is_current = (revision, self.done.as_ref().is_some_and(|done| done.of == now));
         }
     }
 }
@@ -172,7 +174,7 @@ fn adopt(look: &Look, row: &Row) -> Option<Edit> {
     }
 }
 
-fn measure(renderer: &mut Option<Renderer>, window: &Gpu, job: &Job) -> Done {
+fn measure(renderer: &mut Option<Renderer>, window: &Gpu, job: &MeasureRequest) -> Measurement {
     // A device of its own: the window's may have no timestamps, and has a window to draw.
     let renderer = renderer.get_or_insert_with(|| {
         let gpu = block_on(Gpu::headless()).unwrap_or_else(|_| window.clone());
@@ -187,5 +189,5 @@ fn measure(renderer: &mut Option<Renderer>, window: &Gpu, job: &Job) -> Done {
     };
     let result = run();
     let stage = job.still.stage.as_ref().map(|stage| stage.version());
-    Done { of: Measured::of(&job.still.look, &job.still.orbit.mesh, stage), result }
+    Measurement { of: Measured::of(&job.still.look, &job.still.orbit.mesh, stage), result }
 }

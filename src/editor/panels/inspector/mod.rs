@@ -32,7 +32,7 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
 pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
     let mut commands = Vec::new();
     let selected =
-        session.selection.last().and_then(|id| Some((id, session.graph().nodes.get(id)?)));
+        session.selection.nodes.last().and_then(|id| Some((id, session.graph().nodes.get(id)?)));
     ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
         // Room for the scroll bar.
         ui.set_max_width((ui.available_width() - 8.0).max(0.0));
@@ -46,7 +46,7 @@ pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
             ui.disable();
         }
         match selected {
-            Some((id, node)) => match session.catalog.of(node) {
+            Some((id, node)) => match session.project.catalog.of(node) {
                 Some(kind) => show_node(ui, &Subject { session, id, node, kind }, &mut commands),
                 None => {
                     ui.heading(id.as_str());
@@ -64,7 +64,7 @@ fn show_node(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
     let Subject { session, id, node, kind } = subject;
     ui.horizontal(|ui| {
         let label = ui.label(RichText::new(&*kind.label).heading());
-        let count = session.selection.len();
+        let count = session.selection.nodes.len();
         if count > 1 {
             let help = "What is set here is set in every selected node that has it";
             let text = RichText::new(format!("and {} more", count - 1)).color(theme::of(ui).dim);
@@ -205,12 +205,12 @@ fn tier_row(
                             .selectable_label(node.tier == tier, name(tier))
                             .on_hover_text(error_of(session, kind, tier));
                         if response.clicked() {
-                            let alike = session.selection.iter().filter(|id| {
+                            let alike = session.selection.nodes.iter().filter(|id| {
                                 let other = session
                                     .graph()
                                     .nodes
                                     .get(*id)
-                                    .and_then(|node| session.catalog.of(node));
+                                    .and_then(|node| session.project.catalog.of(node));
                                 other.is_some_and(|other| other.tiers == kind.tiers)
                             });
                             let graph = session.graph_id();
@@ -230,7 +230,7 @@ fn tier_row(
 
 /// How far a tier may be from the exact one, as its node's file says.
 fn error_of(session: &Session, kind: &Kind, tier: Option<Tier>) -> String {
-    let def = session.library.nodes.get(&kind.id);
+    let def = session.project.library.nodes.get(&kind.id);
     match tier {
         None => format!("As the look is: {}", tier_name(session.look().tier).to_lowercase()),
         Some(Tier::Exact) => "The truth, as near as f32 comes".to_owned(),

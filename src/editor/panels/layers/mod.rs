@@ -18,6 +18,7 @@ use crate::commands::{Command, PanelId};
 use crate::document::{Edit, Endpoint, GraphId, Node, Wire};
 use crate::ids::{NodeId, NodePath, make_slug};
 use crate::panels::table::{PanelPlace, PanelRow};
+use crate::state::revision::{DocumentNumber, LookRevision};
 use crate::state::session::Session;
 use crate::state::stack::{BELOW, Stack};
 use crate::state::worker::BackgroundJobs;
@@ -42,19 +43,19 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
 #[derive(Default)]
 pub(crate) struct Layers {
     /// What the stack was found in.
-    of: Option<(u64, u64)>,
+    of: Option<(DocumentNumber, LookRevision)>,
     stack: Stack,
     renaming: Option<Renaming<NodeId>>,
     /// The layer that a hand is moving.
     dragged: Option<NodeId>,
     /// What was selected when it was shown last.
     shown_for: Option<NodeId>,
-    pictures: HashMap<NodeId, Seen>,
+    pictures: HashMap<NodeId, LayerPicture>,
 }
 
 /// The picture of a layer, and the state of the look that it was found to be right in.
-struct Seen {
-    of: (u64, u64, u64),
+struct LayerPicture {
+    of: (DocumentNumber, LookRevision, u64),
     key: u64,
     /// What is shown until there is a picture of `key`.
     shown: Option<u64>,
@@ -75,7 +76,8 @@ impl Layers {
         }
         ui.spacing_mut().item_spacing.y = 2.0;
         let count = self.stack.layers.len();
-        let selected = session.selection.last().filter(|id| is_selected(session, id)).cloned();
+        let selected =
+            session.selection.nodes.last().filter(|id| is_selected(session, id)).cloned();
         let goal = selected
             .as_ref()
             .filter(|_| self.shown_for != selected)
@@ -122,7 +124,7 @@ impl Layers {
                 self.renaming = None;
             }
             self.of = Some(of);
-            self.stack = Stack::of(session.look(), &session.catalog);
+            self.stack = Stack::of(session.look(), &session.project.catalog);
             self.dragged = self.dragged.take().filter(|id| self.stack.index_of(id).is_some());
         }
     }
@@ -175,7 +177,7 @@ impl Layers {
             .graph
             .nodes
             .get(id)
-            .and_then(|node| Some((node, session.catalog.of(node)?)))
+            .and_then(|node| Some((node, session.project.catalog.of(node)?)))
         else {
             return ui.allocate_rect(rect, egui::Sense::hover());
         };
@@ -347,7 +349,7 @@ impl Layers {
             return;
         };
         let Some(node) = session.look().graph.nodes.get(&ground.node) else { return };
-        let Some(kind) = session.catalog.of(node) else {
+        let Some(kind) = session.project.catalog.of(node) else {
             let mut child = ui.new_child(egui::UiBuilder::new().max_rect(rect));
             let text = format!("The stack ends here: there is no node of kind \"{}\".", node.kind);
             child.label(RichText::new(text).color(theme::of(ui).error));
@@ -387,7 +389,7 @@ impl Layers {
             let side = (row::PICTURE - 2.0) * ui.pixels_per_point();
             let key = key_on(&look, shot, side, session);
             let shown = seen.and_then(|seen| seen.shown);
-            self.pictures.insert(id.clone(), Seen { of: now, key, shown });
+            self.pictures.insert(id.clone(), LayerPicture { of: now, key, shown });
             if !thumbs.is_done(key) {
                 let what = (Arc::new(look), session.folder());
                 thumbs.ask(key, || session.shown_origin(), what, session, shot, side);
@@ -405,7 +407,7 @@ impl Layers {
 pub(crate) fn add_preset(session: &Session, name: &str) -> Vec<Command> {
     let mut out = Vec::new();
     if let Some(preset) = PRESETS.iter().find(|preset| preset.name == name) {
-        add(&Stack::of(session.look(), &session.catalog), session, preset, &mut out);
+        add(&Stack::of(session.look(), &session.project.catalog), session, preset, &mut out);
     }
     out
 }
@@ -415,6 +417,7 @@ fn add(stack: &Stack, session: &Session, preset: &LayerPreset, out: &mut Vec<Com
     let look = session.look();
     let beside = session
         .selection
+        .nodes
         .last()
         .filter(|id| is_selected(session, id) && stack.index_of(id).is_some());
     let at = match beside.and_then(|id| stack.index_of(id)) {
@@ -423,7 +426,7 @@ fn add(stack: &Stack, session: &Session, preset: &LayerPreset, out: &mut Vec<Com
         None if stack
             .ground
             .as_ref()
-            .is_some_and(|ground| session.selection.last() == Some(&ground.node)) =>
+            .is_some_and(|ground| session.selection.nodes.last() == Some(&ground.node)) =>
         {
             stack.layers.len()
         }
@@ -471,5 +474,5 @@ fn select(session: &Session, ids: Vec<NodeId>, out: &mut Vec<Command>) {
 
 /// Whether a node of the look's own graph is selected.
 fn is_selected(session: &Session, id: &NodeId) -> bool {
-    session.open_groups().is_empty() && session.selection.contains(id)
+    session.open_groups().is_empty() && session.selection.nodes.contains(id)
 }

@@ -133,7 +133,7 @@ impl LayerPreset {
         };
         node.values.insert("light".into(), Value::Text(light.to_string()));
         for (port, value) in
-            self.profile.map(|label| profile(&session.catalog, label)).unwrap_or_default()
+            self.profile.map(|label| profile(&session.project.catalog, label)).unwrap_or_default()
         {
             node.values.insert(port, value);
         }
@@ -192,7 +192,7 @@ fn front_light(look: &Look, beside: Option<&NodeId>) -> (LightId, Vec<Edit>) {
 /// A light that gives what is seen now a rim, wherever the camera and the illumination frame were
 /// turned.
 fn back_light(session: &Session) -> (LightId, Vec<Edit>) {
-    let (look, view) = (session.look(), &session.view);
+    let (look, view) = (session.look(), &session.view.orbit);
     let eye = view.direction();
     let is_there = |(_, light): &(&LightId, &Light)| {
         let world = view.illumination * DVec3::from(light.direction).normalize_or_zero();
@@ -229,12 +229,13 @@ mod tests {
             matches!(&edits[..], [Edit::AddLight { light, .. }] if light.direction == BACK.to_array())
         );
         for (camera, lights) in [(0.0, 0.9), (0.7, 0.0), (-0.4, 0.5), (1.0, 1.0)] {
-            session.view.orbit(camera, 0.3 * camera);
-            session.view.turn_lights(lights, 0.5 * lights);
+            session.view.orbit.orbit(camera, 0.3 * camera);
+            session.view.orbit.turn_lights(lights, 0.5 * lights);
             let (id, edits) = back_light(&session);
             let [Edit::AddLight { light, .. }] = &edits[..] else { panic!("{edits:?}") };
-            let world = (session.view.illumination * DVec3::from(light.direction)).normalize();
-            assert!(RIM.contains(&world.dot(session.view.direction())), "{world}");
+            let world =
+                (session.view.orbit.illumination * DVec3::from(light.direction)).normalize();
+            assert!(RIM.contains(&world.dot(session.view.orbit.direction())), "{world}");
             session.apply(edits[0].clone(), None).unwrap();
             let is_behind = light.direction[2] < 0.0;
             assert!(!is_behind || back_light(&session) == (id, Vec::new()), "one is enough");
@@ -247,7 +248,7 @@ mod tests {
     #[test]
     fn presets_set_what_a_layer_has() {
         let session = Session::new(std::sync::Arc::new(Library::built_in().clone()), || {});
-        let kind = session.catalog.get("light_layer").unwrap();
+        let kind = session.project.catalog.get("light_layer").unwrap();
         for preset in &PRESETS {
             let (edits, id, node) = preset.make(&session, None);
             assert_eq!(

@@ -35,7 +35,7 @@ pub(super) struct Row<'a> {
 }
 
 /// What a row answered.
-pub(super) struct Shown {
+pub(super) struct RowResponse {
     pub(super) whole: Response,
     pub(super) more: Response,
 }
@@ -80,7 +80,7 @@ impl Row<'_> {
         is_dragged: bool,
         renaming: &mut Option<Renaming<NodeId>>,
         out: &mut Vec<Command>,
-    ) -> Shown {
+    ) -> RowResponse {
         let title = self.title();
         let is_selected = super::is_selected(self.session, self.id);
         let whole = ui.interact(rect, focus_id(self.id), Sense::click_and_drag());
@@ -128,7 +128,7 @@ impl Row<'_> {
         self.blending(&mut below, &title, out);
         self.opacity(&mut below, &title, out);
         let help = "Click selects its node too · drag to reorder · right click for more";
-        Shown { whole: if whole.dragged() { whole } else { whole.on_hover_text(help) }, more }
+        RowResponse { whole: if whole.dragged() { whole } else { whole.on_hover_text(help) }, more }
     }
 
     /// Shows what the lowest layer lies on.

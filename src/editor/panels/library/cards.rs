@@ -134,7 +134,7 @@ impl Card {
             });
             return Self { origin, name: name_of(path), content, key: 0, side };
         }
-        let (content, key) = match Document::load(path) {
+        let (content, key) = match Document::load(&crate::files::Disk, path) {
             Document::Look(Loaded { value: Some(look), .. }) => {
                 let key = key_of(&look, Shot::Whole, side);
                 (Content::Look(Arc::new(look)), key)
@@ -175,7 +175,7 @@ impl Card {
             Content::Painting(_) => "painting",
             _ => "look",
         };
-        let suspect = self.suspect(&session.crashes);
+        let suspect = self.suspect(&session.journals.crashes);
         let state = suspect
             .as_ref()
             .map_or_else(String::new, |suspect| format!(", which was {}", undone(suspect.step)));

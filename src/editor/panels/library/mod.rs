@@ -26,7 +26,7 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelPlace::WITH_DOCUMENT,
     |bench, ui, PanelContext { session, safety }| {
         let library = bench.memory.of::<Library>();
-        library.know_recent(safety.recent(), &session.crashes);
+        library.know_recent(safety.recent(), &session.journals.crashes);
         library.show(ui, session, &bench.thumbs)
     },
 )

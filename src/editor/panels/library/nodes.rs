@@ -21,7 +21,7 @@ const ROW: f32 = 24.0;
 /// Lists kinds: by category, or what answers a search, best first.
 pub(super) fn show(ui: &mut Ui, session: &Session, query: &str) -> Vec<Command> {
     let mut out = Vec::new();
-    let kinds = || session.catalog.all().filter(|kind| !kind.is_missing);
+    let kinds = || session.project.catalog.all().filter(|kind| !kind.is_missing);
     ScrollArea::vertical().auto_shrink([false, false]).id_salt("nodes").show(ui, |ui| {
         ui.set_max_width(ui.available_width() - 8.0);
         ui.spacing_mut().item_spacing.y = 1.0;

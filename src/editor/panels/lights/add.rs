@@ -6,7 +6,7 @@ use indexmap::IndexMap;
 
 use crate::commands::Command;
 use crate::document::{Light, LightKind};
-use crate::fields::lighting::{Change, Lamp, Owner, Shared};
+use crate::fields::lighting::{Change, OwnedLight, Owner, SharedLight};
 use crate::ids::LightId;
 use crate::state::reading::light_name;
 use crate::state::session::Session;
@@ -16,7 +16,7 @@ use crate::widgets::text::hint;
 pub(super) fn bar(
     ui: &mut Ui,
     session: &Session,
-    shared: &IndexMap<LightId, Shared>,
+    shared: &IndexMap<LightId, SharedLight>,
     out: &mut Vec<Command>,
 ) {
     ui.horizontal(|ui| {
@@ -75,8 +75,8 @@ pub(super) fn bar(
 pub(super) fn scene_menu(
     ui: &mut Ui,
     session: &Session,
-    lamp: &Lamp<'_>,
-    shared: &IndexMap<LightId, Shared>,
+    lamp: &OwnedLight<'_>,
+    shared: &IndexMap<LightId, SharedLight>,
     out: &mut Vec<Command>,
 ) {
     if session.stage().is_none() {
@@ -103,12 +103,12 @@ pub(super) fn scene_menu(
 /// The lights of looks that no light of the scene stands in for.
 fn free<'s>(
     session: &'s Session,
-    shared: &'s IndexMap<LightId, Shared>,
-) -> impl Iterator<Item = (&'s LightId, &'s Shared)> {
+    shared: &'s IndexMap<LightId, SharedLight>,
+) -> impl Iterator<Item = (&'s LightId, &'s SharedLight)> {
     shared.iter().filter(|(id, _)| session.light_of_scene(id).is_none())
 }
 
-fn help_for(id: &LightId, shared: &Shared) -> String {
+fn help_for(id: &LightId, shared: &SharedLight) -> String {
     match shared.looks {
         1 => format!("One look has the light {id}"),
         looks => format!("{looks} looks have the light {id}: all are lit by this one then"),

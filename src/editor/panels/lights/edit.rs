@@ -7,8 +7,8 @@ use eframe::egui::{
 
 use crate::commands::Command;
 use crate::document::{ColorSpace, Light, LightField, LightKind, LightQuantity, LightSpace};
-use crate::fields::lighting::{Lamp, Owner};
-use crate::fields::marks::Marked;
+use crate::fields::lighting::{OwnedLight, Owner};
+use crate::fields::marks::FieldTarget;
 use crate::fields::row::{self, labelled};
 use crate::library::Type;
 use crate::state::session::Session;
@@ -25,7 +25,7 @@ const MOST_BY_SLIDER: f64 = 4.0;
 const OFF: &str = "Off";
 
 /// Everything of a light that can be set but its name.
-pub(crate) fn edit(ui: &mut Ui, session: &Session, lamp: &Lamp<'_>, out: &mut Vec<Command>) {
+pub(crate) fn edit(ui: &mut Ui, session: &Session, lamp: &OwnedLight<'_>, out: &mut Vec<Command>) {
     ui.push_id((lamp.owner, lamp.id), |ui| {
         // Keyed fields are shown, and set, where they are looked at.
         let light = &lamp.as_set(session);
@@ -43,9 +43,10 @@ pub(crate) fn edit(ui: &mut Ui, session: &Session, lamp: &Lamp<'_>, out: &mut Ve
             let is_own = lamp.owner == Owner::Look;
             let ty = Type::of_light_field(field);
             let (target, label) = (lamp.target(field.name()), field.label());
-            let marked = is_own.then_some(Marked { session, target, ty: &ty, label, reset: None });
+            let marked =
+                is_own.then_some(FieldTarget { session, target, ty: &ty, label, reset: None });
             let text = egui::RichText::new(label).color(theme::of(ui).text);
-            let help = marked.as_ref().map(Marked::help).unwrap_or_default();
+            let help = marked.as_ref().map(FieldTarget::help).unwrap_or_default();
             let help = format!("{}\n{help}", field.help());
             row::marked(ui, text, help.trim_end(), marked.as_ref(), &mut asked, |ui, label, _| {
                 hand = hand.or(value(ui, label, field, &mut new, session.look().color_space));

@@ -16,10 +16,11 @@ use indexmap::IndexMap;
 
 use crate::commands::{Command, PanelId};
 use crate::document::{ColorSpace, Light, Value};
-use crate::fields::lighting::{Lamp, Owner, Shared};
+use crate::fields::lighting::{OwnedLight, Owner, SharedLight};
 use crate::ids::LightId;
 use crate::library::Type;
 use crate::panels::table::{PanelPlace, PanelRow};
+use crate::state::revision::{DocumentNumber, LookRevision, PictureRevision};
 use crate::state::session::Session;
 use crate::values;
 use crate::viewport::solo_bar;
@@ -46,8 +47,8 @@ pub(crate) struct Lights {
     /// How many nodes of the look name each light.
     users: HashMap<LightId, usize>,
     /// What a scene's lights can stand in for; nothing without a scene.
-    shared: IndexMap<LightId, Shared>,
-    of: Option<(u64, u64, Option<u64>)>,
+    shared: IndexMap<LightId, SharedLight>,
+    of: Option<(DocumentNumber, LookRevision, Option<PictureRevision>)>,
 }
 
 impl Lights {
@@ -83,7 +84,7 @@ impl Lights {
         let is_short = lights.is_some_and(|lights| lights.len() == 1)
             && session.lights_of(Owner::Scene).is_none();
         for (id, light) in lights.into_iter().flatten() {
-            let lamp = Lamp { owner, id, light };
+            let lamp = OwnedLight { owner, id, light };
             let state = Id::unique("light").with((owner, id.as_str()));
             let state = CollapsingState::load_with_default_open(ui.ctx(), state, is_short);
             let header = state.show_header(ui, |ui| self.head(ui, session, &lamp, out));
@@ -112,7 +113,7 @@ impl Lights {
         for node in
             std::iter::once(&look.graph).chain(groups).flat_map(|graph| graph.nodes.values())
         {
-            let Some(kind) = session.catalog.of(node) else { continue };
+            let Some(kind) = session.project.catalog.of(node) else { continue };
             for port in kind.inputs.iter().filter(|port| port.ty == Type::LightName) {
                 let named = match values::current(port, node.values.get(&port.name)) {
                     Some(Value::Text(id)) if !id.is_empty() => {
@@ -127,7 +128,13 @@ impl Lights {
         }
     }
 
-    fn head(&mut self, ui: &mut Ui, session: &Session, lamp: &Lamp<'_>, out: &mut Vec<Command>) {
+    fn head(
+        &mut self,
+        ui: &mut Ui,
+        session: &Session,
+        lamp: &OwnedLight<'_>,
+        out: &mut Vec<Command>,
+    ) {
         let title = lamp.full_name();
         let solo = session.solo();
         ui.spacing_mut().item_spacing.x = 4.0;
@@ -162,7 +169,7 @@ impl Lights {
     }
 
     /// Who has it: nodes a look's light, looks a scene's.
-    fn users(&self, ui: &mut Ui, lamp: &Lamp<'_>, is_replaced: bool) {
+    fn users(&self, ui: &mut Ui, lamp: &OwnedLight<'_>, is_replaced: bool) {
         let colors = theme::of(ui);
         let (count, what, none, help) = match lamp.owner {
             Owner::Look => {
@@ -207,7 +214,7 @@ impl Lights {
     fn title(
         &mut self,
         ui: &mut Ui,
-        lamp: &Lamp<'_>,
+        lamp: &OwnedLight<'_>,
         is_dark: bool,
         is_replaced: bool,
         out: &mut Vec<Command>,
@@ -237,11 +244,17 @@ impl Lights {
         response.on_hover_text("Double click to rename");
     }
 
-    fn rename(&mut self, lamp: &Lamp<'_>) {
+    fn rename(&mut self, lamp: &OwnedLight<'_>) {
         self.renaming = Some(Renaming::new((lamp.owner, lamp.id.clone()), &lamp.light.name));
     }
 
-    fn menu(&mut self, ui: &mut Ui, session: &Session, lamp: &Lamp<'_>, out: &mut Vec<Command>) {
+    fn menu(
+        &mut self,
+        ui: &mut Ui,
+        session: &Session,
+        lamp: &OwnedLight<'_>,
+        out: &mut Vec<Command>,
+    ) {
         if ui.button("Rename light").on_hover_text("Or double click on the name").clicked() {
             self.rename(lamp);
         }
@@ -275,7 +288,7 @@ fn section(ui: &mut Ui, title: &str, help: &str) {
 }
 
 /// How bright it is, at hand also while the rest is folded away.
-fn intensity(ui: &mut Ui, session: &Session, lamp: &Lamp<'_>, out: &mut Vec<Command>) {
+fn intensity(ui: &mut Ui, session: &Session, lamp: &OwnedLight<'_>, out: &mut Vec<Command>) {
     let light = &lamp.as_set(session);
     let mut value = light.intensity;
     let drag = DragValue::new(&mut value)

@@ -9,7 +9,7 @@ use crate::fields::row::labelled;
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX};
 use crate::geometry::SHAPES;
 use crate::ids::ObjectId;
-use crate::state::stage::{Stage, file_label, from_degrees, mesh_label, stood_up, to_degrees};
+use crate::state::scene::{OpenScene, file_label, from_degrees, mesh_label, stood_up, to_degrees};
 
 /// The smallest scale: 0 leaves nothing.
 const LEAST_SCALE: f64 = 1e-3;
@@ -24,7 +24,7 @@ pub(super) struct Details {
 }
 
 /// What a look is called where objects are listed.
-pub(super) fn look_label(stage: &Stage, name: &str) -> String {
+pub(super) fn look_label(stage: &OpenScene, name: &str) -> String {
     if stage.is_open(name) { stage.open_label() } else { file_label(name) }
 }
 
@@ -33,7 +33,7 @@ impl Details {
     pub(super) fn show(
         &mut self,
         ui: &mut Ui,
-        stage: &Stage,
+        stage: &OpenScene,
         id: &ObjectId,
         object: &Object,
         out: &mut Vec<SceneCommand>,
@@ -122,7 +122,7 @@ impl Details {
 fn mesh(
     ui: &mut Ui,
     label: Id,
-    stage: &Stage,
+    stage: &OpenScene,
     id: &ObjectId,
     object: &Object,
     out: &mut Vec<SceneCommand>,
@@ -154,7 +154,13 @@ fn mesh(
 
 /// A row for what all materials wear, and where the mesh has several, or the object names some, one
 /// for each.
-fn looks(ui: &mut Ui, stage: &Stage, id: &ObjectId, object: &Object, out: &mut Vec<SceneCommand>) {
+fn looks(
+    ui: &mut Ui,
+    stage: &OpenScene,
+    id: &ObjectId,
+    object: &Object,
+    out: &mut Vec<SceneCommand>,
+) {
     let known = stage.materials(id);
     let mut materials: Vec<&str> =
         known.iter().map(String::as_str).filter(|_| known.len() > 1).collect();
@@ -182,7 +188,7 @@ fn looks(ui: &mut Ui, stage: &Stage, id: &ObjectId, object: &Object, out: &mut V
 fn look(
     ui: &mut Ui,
     label: Id,
-    stage: &Stage,
+    stage: &OpenScene,
     id: &ObjectId,
     object: &Object,
     material: &str,

@@ -15,8 +15,8 @@ use crate::document::{Object, SceneEdit};
 use crate::geometry::SHAPES;
 use crate::ids::ObjectId;
 use crate::panels::table::{PanelPlace, PanelRow};
+use crate::state::scene::{OpenScene, mesh_label};
 use crate::state::session::Session;
-use crate::state::stage::{Stage, mesh_label};
 use crate::widgets::rows::{Icon, Renaming, card_ground, icon, leave_with_pointer, undo_keys};
 use crate::widgets::text::hint;
 use crate::widgets::theme;
@@ -85,7 +85,7 @@ impl Objects {
     fn row(
         &mut self,
         ui: &mut Ui,
-        stage: &Stage,
+        stage: &OpenScene,
         id: &ObjectId,
         object: &Object,
         out: &mut Vec<SceneCommand>,
@@ -126,7 +126,7 @@ impl Objects {
     fn head(
         &mut self,
         ui: &mut Ui,
-        stage: &Stage,
+        stage: &OpenScene,
         id: &ObjectId,
         object: &Object,
         out: &mut Vec<SceneCommand>,
@@ -153,7 +153,7 @@ impl Objects {
     fn title(
         &mut self,
         ui: &mut Ui,
-        stage: &Stage,
+        stage: &OpenScene,
         id: &ObjectId,
         object: &Object,
         out: &mut Vec<SceneCommand>,
@@ -178,7 +178,7 @@ impl Objects {
     }
 
     /// What it is, in a line.
-    fn about(&self, ui: &mut Ui, stage: &Stage, object: &Object) {
+    fn about(&self, ui: &mut Ui, stage: &OpenScene, object: &Object) {
         let looks: Vec<String> =
             object.looks.values().map(|name| details::look_label(stage, name)).collect();
         let looks = if looks.is_empty() { "no look".to_owned() } else { looks.join(", ") };
@@ -195,7 +195,7 @@ impl Objects {
         });
     }
 
-    fn menu(&mut self, ui: &mut Ui, stage: &Stage, id: &ObjectId, out: &mut Vec<SceneCommand>) {
+    fn menu(&mut self, ui: &mut Ui, stage: &OpenScene, id: &ObjectId, out: &mut Vec<SceneCommand>) {
         if ui
             .button("Frame object")
             .on_hover_text("Brings it into view (F over the picture)")

@@ -12,8 +12,8 @@ use crate::fields::row;
 use crate::ids::{ObjectId, PortName};
 use crate::library::Type;
 use crate::state::reading::Parameter;
+use crate::state::scene::OpenScene;
 use crate::state::session::Session;
-use crate::state::stage::Stage;
 use crate::values;
 use crate::widgets::theme;
 
@@ -22,7 +22,7 @@ use crate::widgets::theme;
 pub(super) fn show(
     ui: &mut Ui,
     session: &Session,
-    stage: &Stage,
+    stage: &OpenScene,
     id: &ObjectId,
     object: &Object,
     out: &mut Vec<SceneCommand>,
@@ -54,7 +54,7 @@ pub(super) fn show(
 /// The looks that an object wears, each once, with what they expose.
 fn of_looks<'s>(
     session: &Session,
-    stage: &'s Stage,
+    stage: &'s OpenScene,
     object: &'s Object,
 ) -> Vec<(&'s str, Cow<'s, [Parameter]>)> {
     let mut found: Vec<(&str, Cow<'_, [Parameter]>)> = Vec::new();
@@ -80,7 +80,7 @@ fn heading(ui: &mut Ui, text: &str) {
 
 /// Sets values of one object.
 struct Setter<'a> {
-    stage: &'a Stage,
+    stage: &'a OpenScene,
     id: &'a ObjectId,
     object: &'a Object,
     out: &'a mut Vec<SceneCommand>,

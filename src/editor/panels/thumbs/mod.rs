@@ -17,9 +17,10 @@ use crate::document::Look;
 use crate::frame::{Cull, DEFAULT_MESH, Picture, PlanOptions, Planner, SHAPE_PREFIX};
 use crate::render::{Gpu, Renderer, block_on};
 use crate::state::orbit::Orbit;
+use crate::state::revision::{DocumentNumber, LookRevision};
 use crate::state::safety::crashes::{CrashLog, DocumentOrigin, Step};
 use crate::state::session::Session;
-use crate::state::still::{Reused, Still};
+use crate::state::snapshot::{RenderSnapshot, Reused};
 use crate::state::worker::{BackgroundJobs, Worker};
 pub(crate) use scene::key_of_scene;
 
@@ -77,7 +78,7 @@ pub(crate) enum Stand {
 impl Stand {
     /// Of the picture that a session shows now.
     pub(crate) fn of(session: &Session) -> Self {
-        let mesh = &session.view.mesh;
+        let mesh = &session.view.orbit.mesh;
         let is_light = || std::fs::metadata(mesh).is_ok_and(|file| file.len() <= LIGHT);
         match session.stage() {
             Some(_) => Self::Scene,
@@ -97,7 +98,7 @@ impl Stand {
     }
 }
 
-struct Job {
+struct ThumbRequest {
     key: u64,
     /// The document that it is of.
     origin: DocumentOrigin,
@@ -107,12 +108,12 @@ struct Job {
 
 /// What is drawn.
 enum Subject {
-    Look(Box<Still>, Shot),
+    Look(Box<RenderSnapshot>, Shot),
     /// The scene in a file.
     Scene(PathBuf),
 }
 
-struct Done {
+struct ThumbResult {
     key: u64,
     /// `None` where it cannot be drawn.
     image: Option<ColorImage>,
@@ -120,10 +121,10 @@ struct Done {
 
 /// The small pictures of a window.
 pub(crate) struct Thumbs {
-    worker: Option<Worker<Job, Done>>,
+    worker: Option<Worker<ThumbRequest, ThumbResult>>,
     pictures: HashMap<u64, Option<TextureHandle>>,
     /// What the window was when it was looked at last, and since when it is so.
-    seen: (u64, u64),
+    seen: (DocumentNumber, LookRevision),
     seen_at: f64,
     rests: bool,
     /// Whether the first large picture is on its way, which wakes the window.
@@ -143,15 +144,15 @@ impl Thumbs {
                 renderer: Renderer::new(gpu),
                 planner: Reused::new(|assets| Planner::new(assets).culling(Cull::Objects)),
             };
-            Worker::new("thumbs", wake, move |job: Job| {
+            Worker::new("thumbs", wake, move |job: ThumbRequest| {
                 let _going = crashes.begin(Step::Draw, || job.origin.clone());
-                Done { key: job.key, image: artist.draw(&job) }
+                ThumbResult { key: job.key, image: artist.draw(&job) }
             })
         };
         Self {
             worker: gpu.map(start),
             pictures: HashMap::new(),
-            seen: (0, 0),
+            seen: Default::default(),
             seen_at: 0.0,
             rests: false,
             waits: false,
@@ -160,7 +161,9 @@ impl Thumbs {
 
     /// Takes what was drawn, and knows whether the window rests. To be called once a frame.
     pub(crate) fn update(&mut self, ui: &Ui, session: &Session) {
-        for Done { key, image } in self.worker.as_ref().map(Worker::answers).unwrap_or_default() {
+        for ThumbResult { key, image } in
+            self.worker.as_ref().map(Worker::answers).unwrap_or_default()
+        {
             if self.pictures.len() >= MOST {
                 self.pictures.clear();
             }
@@ -228,17 +231,24 @@ impl Thumbs {
             let (distance, height) = shot.distance_and_height();
             let orbit = match Stand::of(session) {
                 // The creature's own face is nearer than any mesh's middle.
-                Stand::Mesh if shot != Shot::Whole && session.view.mesh != DEFAULT_MESH => Orbit {
-                    mesh: session.view.mesh.clone(),
-                    z_is_up: session.view.z_is_up,
-                    distance: NEAR_ANY,
-                    target: DVec3::ZERO,
-                    ..Orbit::default()
-                },
+                Stand::Mesh if shot != Shot::Whole && session.view.orbit.mesh != DEFAULT_MESH => {
+                    Orbit {
+                        mesh: session.view.orbit.mesh.clone(),
+                        z_is_up: session.view.orbit.z_is_up,
+                        distance: NEAR_ANY,
+                        target: DVec3::ZERO,
+                        ..Orbit::default()
+                    }
+                }
                 _ => Orbit { distance, target: DVec3::new(0.0, height, 0.0), ..Orbit::default() },
             };
             Subject::Look(
-                Box::new(Still { folder, orbit, stage: None, ..session.still_of(look) }),
+                Box::new(RenderSnapshot {
+                    folder,
+                    orbit,
+                    stage: None,
+                    ..session.snapshot_of(look)
+                }),
                 shot,
             )
         });
@@ -267,7 +277,7 @@ impl Thumbs {
         };
         let side = (side.round() as u32).clamp(8, MAX_SIDE);
         let (origin, subject) = (origin(), subject());
-        worker.request(|_| Job { key, origin, subject, side });
+        worker.request(|_| ThumbRequest { key, origin, subject, side });
     }
 }
 
@@ -312,7 +322,12 @@ pub(crate) fn key_on(look: &Look, shot: Shot, side: f32, session: &Session) -> u
 /// Tells one mesh in the picture from another.
 pub(crate) fn stage_of(session: &Session) -> u64 {
     let mut hasher = DefaultHasher::new();
-    (&session.view.mesh, session.view.z_is_up, session.stage().is_some(), session.files())
+    (
+        &session.view.orbit.mesh,
+        session.view.orbit.z_is_up,
+        session.stage().is_some(),
+        session.files(),
+    )
         .hash(&mut hasher);
     hasher.finish()
 }
@@ -324,7 +339,7 @@ struct Artist {
 }
 
 impl Artist {
-    fn draw(&mut self, Job { subject, side, .. }: &Job) -> Option<ColorImage> {
+    fn draw(&mut self, ThumbRequest { subject, side, .. }: &ThumbRequest) -> Option<ColorImage> {
         let options = PlanOptions { size: [side * FINER; 2], samples: 4, time: 0.0 };
         let plan = match subject {
             Subject::Look(still, _) => {

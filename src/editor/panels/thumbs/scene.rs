@@ -40,7 +40,7 @@ pub(crate) fn key_of_scene(path: &Path, scene: &Scene, side: f32) -> u64 {
 /// What there is to draw of the scene in a file; `None` where there is nothing, or too much. What
 /// it keeps of the scene's files goes with the picture.
 pub(super) fn plan(path: &Path, options: &PlanOptions) -> Option<FramePlan> {
-    let Document::Scene(loaded) = Document::load(path) else { return None };
+    let Document::Scene(loaded) = Document::load(&crate::files::Disk, path) else { return None };
     let scene = loaded.value?;
     let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
     if bytes_of_meshes(&scene, &folder) > MOST_BYTES {
@@ -53,7 +53,7 @@ pub(super) fn plan(path: &Path, options: &PlanOptions) -> Option<FramePlan> {
         scene_setup(scene, &folder, &loaded.source, None, &mut planner.assets, &mut Vec::new());
     let nodes = folder.join("nodes");
     let library = if nodes.is_dir() {
-        Library::built_in().with_project(&nodes)
+        Library::built_in().with_project(&crate::files::Disk, &nodes)
     } else {
         Library::built_in().clone()
     };

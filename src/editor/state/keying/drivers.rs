@@ -36,7 +36,7 @@ impl Session {
         let mut trial = self.look().clone();
         trial.direction_keys.push(DirectionKeys { name, by, scheme, keys: Vec::new(), unknown });
         let options = Options { live: Live::Exposed, ..Options::default() };
-        let shader = compile(&trial, &self.library, &options).ok()?;
+        let shader = compile(&trial, &self.project.library, &options).ok()?;
         let base = |node: &NodePath, port: &PortName| {
             self.own_value(&Target::Input { node: node.clone(), port: port.clone() })
         };
@@ -62,7 +62,7 @@ impl Session {
     fn wire_name(&self, wire: &OutputPort) -> String {
         let path = wire.node.to_string();
         let Some(node) = self.node_at(&wire.node) else { return wire.to_string() };
-        let kind = self.catalog.of(node);
+        let kind = self.project.catalog.of(node);
         let label = kind.map_or(path.as_str(), |kind| &*kind.label);
         let called = if node.name.is_empty() { label } else { &node.name };
         let port = kind.and_then(|kind| kind.outputs.iter().find(|port| port.name == wire.port));

@@ -38,7 +38,9 @@ impl Session {
                         key.values.insert(target, value);
                     }
                 }
-                (KeyedBy::Time(track), _) => edits.push(self.set_in_time(track, self.time, value)),
+                (KeyedBy::Time(track), _) => {
+                    edits.push(self.set_in_time(track, self.view.time, value))
+                }
                 (KeyedBy::Nothing, Target::Light { light, field }) => {
                     let of = look.lights.get(light).cloned().unwrap_or_default();
                     set_light_field(lights.entry(light.clone()).or_insert(of), field, &value);
@@ -108,11 +110,11 @@ impl Session {
         let value = self.value_now(target)?;
         if let Some(track) = self.look().time_keys.iter().position(|track| track.target == *target)
         {
-            return Some(self.set_in_time(track, self.time, value));
+            return Some(self.set_in_time(track, self.view.time, value));
         }
         let mut keys =
             TimeKeys { target: target.clone(), keys: Vec::new(), unknown: Unknown::new() };
-        put(&mut keys, self.time, value);
+        put(&mut keys, self.view.time, value);
         Some(self.grounded(Some(target), Edit::AddTimeKeys { keys, index: None }))
     }
 

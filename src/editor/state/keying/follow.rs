@@ -29,7 +29,7 @@ impl Session {
     /// The key of a set at which values are set: the one that is selected, or else the one that is
     /// followed.
     pub(crate) fn key_at(&self, set: usize) -> usize {
-        if let Some((_, key)) = self.key.filter(|(selected, _)| *selected == set) {
+        if let Some((_, key)) = self.selection.key.filter(|(selected, _)| *selected == set) {
             return key;
         }
         let count = self.look().direction_keys.get(set).map_or(0, |keys| keys.keys.len());

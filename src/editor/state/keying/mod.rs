@@ -1,4 +1,4 @@
-//! Keyed values: what keys make of a value now, what else is said of it, and which edit sets it.
+//! KeyEvaluation values: what keys make of a value now, what else is said of it, and which edit sets it.
 //!
 //! Who changes a value need not know whether it is keyed: [`Session::set_at`] gives the edit that
 //! shows, which is one of the key at the playhead, of the direction key that is selected, or of the
@@ -20,16 +20,16 @@ use crate::document::{
     DirectionKeys, KeyDirection, Light, LightField, LightKind, Node, Object, Scene, Target, Value,
     Values,
 };
-use crate::frame::{KeyedValues, Moment, Rig, Wires};
+use crate::frame::{KeyedValues, Rig, RigInputs, Wires};
 use crate::ids::{LightId, NodeId, NodePath, ObjectId, PortName};
 use crate::library::Type;
 use crate::state::orbit::Orbit;
 use crate::state::session::Session;
-use crate::state::still::Stamp;
+use crate::state::snapshot::Stamp;
 
 /// What keys come to, kept until anything changes.
 #[derive(Default)]
-pub(crate) struct Keyed {
+pub(crate) struct KeyEvaluation {
     stamp: Option<Stamp>,
     /// The object that it is of.
     own: Option<ObjectId>,
@@ -74,11 +74,11 @@ impl Session {
             .at_this_moment(|moment| rig.keyed_values(&base, wires, moment))
             .unwrap_or_default();
         let followed = std::mem::take(&mut self.keyed.followed);
-        self.keyed = Keyed { stamp: Some(stamp), own, rig: Some(rig), now, followed };
+        self.keyed = KeyEvaluation { stamp: Some(stamp), own, rig: Some(rig), now, followed };
         let sets = &self.look().direction_keys;
         let is_there =
             |&(set, key): &(usize, usize)| sets.get(set).is_some_and(|keys| key < keys.keys.len());
-        self.key = self.key.filter(is_there);
+        self.selection.key = self.selection.key.filter(is_there);
     }
 
     /// The object of the scene that stands for all that wear the open look: the one that is
@@ -92,8 +92,8 @@ impl Session {
     }
 
     /// Asks something of this moment, of the object that stands for all that wear the look.
-    fn at_this_moment<R>(&self, ask: impl FnOnce(&Moment<'_>) -> R) -> R {
-        let scene = self.stage().map(crate::state::stage::Stage::scene);
+    fn at_this_moment<R>(&self, ask: impl FnOnce(&RigInputs<'_>) -> R) -> R {
+        let scene = self.stage().map(crate::state::scene::OpenScene::scene);
         let place = |object: &Object| DVec3::from(object.transform.translate);
         let own = self.own_object();
         let own_place = own.map_or(DVec3::ZERO, |(_, object)| place(object));
@@ -104,20 +104,20 @@ impl Session {
         let near =
             others.map(|(id, object)| (id.clone(), place(object).distance(own_place))).collect();
         let (none, no_values) = (IndexMap::new(), Values::new());
-        ask(&Moment {
-            time: self.time,
-            illumination: self.view.illumination,
-            camera_from_world: camera_from_world(&self.view),
-            view: from_center_to_eye(&self.view),
+        ask(&RigInputs {
+            time: self.view.time,
+            illumination: self.view.orbit.illumination,
+            camera_from_world: camera_from_world(&self.view.orbit),
+            view: from_center_to_eye(&self.view.orbit),
             center: DVec3::ZERO,
-            distance: eye_of(&self.view).distance(own_place),
+            distance: eye_of(&self.view.orbit).distance(own_place),
             front,
             near: &near,
             exposed: own.map_or(&no_values, |(_, object)| &object.values),
             lights: scene.map_or(&none, |scene| &scene.lights),
             // What the picture's size says about wires is not asked for here.
             viewport: [1.0; 2],
-            frame: (self.time * scene.map_or(24.0, |scene| scene.time.fps)).round(),
+            frame: (self.view.time * scene.map_or(24.0, |scene| scene.time.fps)).round(),
             object_id: own.map_or(0.0, |(own, _)| place_of(scene, own)),
         })
     }
@@ -207,9 +207,9 @@ impl Session {
     /// given.
     pub(crate) fn direction_of(&self, by: &KeyDirection) -> DVec3 {
         match by {
-            KeyDirection::View => from_center_to_eye(&self.view),
+            KeyDirection::View => from_center_to_eye(&self.view.orbit),
             KeyDirection::Light(id) => {
-                self.light(id).map_or(DVec3::Z, |light| light_in_camera(light, &self.view))
+                self.light(id).map_or(DVec3::Z, |light| light_in_camera(light, &self.view.orbit))
             }
             KeyDirection::Drivers(drivers) => {
                 let mut values = [0.0; 3];

@@ -4,12 +4,13 @@ use std::path::PathBuf;
 
 use crate::document::Look;
 use crate::state::orbit::Orbit;
+use crate::state::revision::DocumentNumber;
 
 /// A look that showed what is painted, as it was when another one was opened.
 #[derive(Clone, Debug)]
 pub(crate) struct Home {
     /// Which document it was.
-    pub(crate) document: u64,
+    pub(crate) document: DocumentNumber,
     /// Its file, or that of the scene around it.
     pub(crate) path: Option<PathBuf>,
     pub(crate) look: Look,

@@ -5,15 +5,15 @@ use std::sync::Arc;
 
 use serde_json::json;
 
-use super::work::{Stamp, Work};
+use super::work::{FileStamp, OpenPainting};
 use crate::diag::Diagnostic;
 use crate::document::Hcbtf;
-use crate::document::journal::{About, Recovered, Slot};
+use crate::files::journal::{About, Recovered, Slot};
 
 /// What a journal calls the file as it was when it was read or written last.
 const FILE: &str = "file";
 
-impl Work {
+impl OpenPainting {
     /// The one that a journal gave; the journal goes on where it is, once it is kept in a folder.
     pub(crate) fn taken_back(found: Recovered<Hcbtf>) -> Self {
         let mut work = Self::of_history(found.history, found.about.path.map(PathBuf::from));
@@ -21,10 +21,10 @@ impl Work {
             work.set_title(&found.about.name);
         }
         // What others did to the file since is noticed as if the window had stayed open.
-        if let Some(stamp) = found.about.window.get(FILE).and_then(Stamp::of_json) {
-            work.stamp = Some(stamp);
+        if let Some(stamp) = found.about.window.get(FILE).and_then(FileStamp::of_json) {
+            work.document.file = Some(stamp);
         }
-        work.load_problems = found.damage;
+        work.document.load_problems = found.damage;
         work
     }
 
@@ -36,7 +36,7 @@ impl Work {
         wake: Arc<dyn Fn() + Send + Sync>,
         slot: Option<Slot>,
     ) {
-        self.kept.keeping.keep_in(folder, move || wake());
+        self.document.journal.keep_in(folder, move || wake());
         if slot.is_some() || self.is_dirty() {
             self.begin_journal(slot);
         }
@@ -44,7 +44,7 @@ impl Work {
 
     /// Hands what was done to the journal; a gesture that goes on may wait for a moment there.
     pub(crate) fn commit(&mut self, goes_on: bool) {
-        if self.kept.commit(goes_on) {
+        if self.document.commit(goes_on) {
             self.begin_journal(None);
         }
     }
@@ -55,23 +55,24 @@ impl Work {
             path: self.path().and_then(Path::to_str).map(str::to_owned),
             is_partial: false,
             window: self
-                .stamp
-                .and_then(Stamp::to_json)
+                .document
+                .file
+                .and_then(FileStamp::to_json)
                 .map_or_else(|| json!({}), |stamp| json!({ FILE: stamp })),
         };
-        self.kept.begin_journal(about, None, slot);
+        self.document.begin_journal(about, None, slot);
     }
 
     /// Tells the journal that another file counts as the one that was read.
     pub(crate) fn note_file(&mut self) {
-        if let Some(stamp) = self.stamp.and_then(Stamp::to_json) {
-            self.kept.keeping.note_window(FILE, stamp);
+        if let Some(stamp) = self.document.file.and_then(FileStamp::to_json) {
+            self.document.journal.note_window(FILE, stamp);
         }
     }
 
     /// After a save the journal begins anew: with the same past, and nothing unsaved.
     pub(crate) fn saved(&mut self) {
-        if self.kept.saved() {
+        if self.document.saved() {
             self.begin_journal(None);
         }
     }
@@ -79,22 +80,22 @@ impl Work {
     /// Lets go of the journal: it stays if anything in it is not saved.
     pub(crate) fn leave_journal(&mut self, in_peace: bool) {
         self.commit(false);
-        self.kept.leave_journal(false, in_peace);
+        self.document.leave_journal(false, in_peace);
     }
 
     /// Whether closing it would lose nothing, once all is handed over.
     pub(crate) fn keeps_work(&mut self) -> bool {
         self.commit(false);
-        self.kept.keeping.keeps()
+        self.document.journal.keeps()
     }
 
     /// Why unsaved work is not kept, if it should be and is not.
     pub(crate) fn keeping_problem(&self) -> Option<Diagnostic> {
-        self.kept.keeping.problem()
+        self.document.journal.problem()
     }
 
     /// Waits until the system has all that was handed over.
     pub(crate) fn wait_for_journal(&self) {
-        self.kept.keeping.wait();
+        self.document.journal.wait();
     }
 }

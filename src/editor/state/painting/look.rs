@@ -7,14 +7,14 @@ use std::sync::Arc;
 use glam::{DQuat, DVec3};
 use serde_json::json;
 
-use super::work::Work;
+use super::work::OpenPainting;
 use crate::catalog::Catalog;
 use crate::document::{Edit, GraphId, Look, Value};
 use crate::frame::{SetupLook, UNSAVED_HCBTF};
 use crate::library::Type;
 use crate::state::orbit::{Orbit, PLANE};
+use crate::state::scene::{folder_of, real};
 use crate::state::session::Session;
-use crate::state::stage::{folder_of, real};
 
 /// The default look on an HCBTF of this name, and of tiles of so many texels, which keep their
 /// shape in it.
@@ -46,8 +46,8 @@ pub(crate) fn default_look(sheet: &str, name: &str, size: [u32; 2]) -> String {
 
 /// The picture's camera and light turned to the sample at work, over a flat square that lies; none
 /// of a scene, which has its own objects.
-pub(crate) fn from_here(session: &Session, work: &Work) -> Option<Orbit> {
-    let mut view = session.view.clone();
+pub(crate) fn from_here(session: &Session, work: &OpenPainting) -> Option<Orbit> {
+    let mut view = session.view.orbit.clone();
     let (_, light) = session.look().lights.first().filter(|_| session.stage().is_none())?;
     if !lies_flat(&view) {
         view = Orbit { mesh: PLANE.to_owned(), z_is_up: true, ..Orbit::default() };
@@ -74,7 +74,7 @@ pub(crate) fn shows(session: &Session) -> bool {
     let Some(work) = session.painting() else { return false };
     let path = work.path().unwrap_or(Path::new(UNSAVED_HCBTF));
     let names_it = |look: &Arc<SetupLook>| {
-        let names = sheets(&look.look, &session.catalog);
+        let names = sheets(&look.look, &session.project.catalog);
         names.iter().any(|name| !name.is_empty() && real(&look.folder.join(name)) == real(path))
     };
     session.shows_painting(path)
@@ -84,7 +84,7 @@ pub(crate) fn shows(session: &Session) -> bool {
 /// Whether another look, of a file or of none, shows what is painted.
 pub(crate) fn shows_in(session: &Session, look: &Look, path: Option<&Path>) -> bool {
     let Some(work) = session.painting() else { return false };
-    let names = sheets(look, &session.catalog);
+    let names = sheets(look, &session.project.catalog);
     match work.path() {
         None => path.is_none() && names.iter().any(|name| name == UNSAVED_HCBTF),
         Some(painted) => {

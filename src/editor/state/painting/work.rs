@@ -10,11 +10,12 @@ use serde_json::{Value as Json, json};
 
 use super::home::Home;
 use crate::diag::Diagnostic;
-use crate::document::{Address, Grid, Hcbtf, HcbtfEdit, History, Rule, Tile, write_atomic};
+use crate::document::{Address, Grid, Hcbtf, HcbtfEdit, History, Rule, Tile};
+use crate::files::write_atomic;
 use crate::frame::Overlay;
 use crate::hcbtf::{self, Filled, Provenance};
+use crate::state::document::{FileDocument, OnDisk, OpenDocument};
 use crate::state::paths::absolute;
-use crate::state::session::kept::Kept;
 
 /// A new one is filled from the first stroke on: what is painted is blended over all lights and
 /// views.
@@ -51,24 +52,14 @@ pub(crate) enum State {
     Empty,
 }
 
-/// How the file is compared with what was read from it or written to it last.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum OnDisk {
-    Same,
-    /// Another program wrote it.
-    Changed,
-    /// It was removed or moved away.
-    Gone,
-}
-
 /// When a file was written, and how long it was.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Stamp {
+pub(crate) struct FileStamp {
     modified: SystemTime,
     bytes: u64,
 }
 
-impl Stamp {
+impl FileStamp {
     /// Of the file there is now.
     fn of(path: &Path) -> Option<Self> {
         let data = std::fs::metadata(path).ok()?;
@@ -90,20 +81,30 @@ impl Stamp {
     }
 }
 
+impl FileDocument for Hcbtf {
+    type FileState = Option<FileStamp>;
+    type Change = ();
+    const FILE: &'static str = "file";
+    const SAVED: &'static str = "";
+
+    fn on_disk(document: &OpenDocument<Self>, path: &Path) -> OnDisk<()> {
+        match (document.file, FileStamp::of(path)) {
+            (Some(was), Some(is)) if was != is => OnDisk::Changed(()),
+            (Some(_), None) => OnDisk::Gone,
+            _ => OnDisk::Same,
+        }
+    }
+}
+
 /// An HCBTF that is being painted.
-pub struct Work {
-    pub(crate) kept: Kept<Hcbtf>,
-    path: Option<PathBuf>,
+pub struct OpenPainting {
+    pub(crate) document: OpenDocument<Hcbtf>,
     /// What it is called while it has no file; empty for a new one.
     title: String,
     /// The example that it is a copy of.
     example: Option<PathBuf>,
     /// The look that it was seen in, once another one was opened.
     home: Option<Home>,
-    /// The file as it was when this was read from it or saved to it.
-    pub(crate) stamp: Option<Stamp>,
-    /// What reading the file told.
-    pub(crate) load_problems: Vec<Diagnostic>,
     /// The sample at work.
     at: Address,
     /// The one that was at work before.
@@ -123,7 +124,7 @@ pub struct Work {
     number: u64,
 }
 
-impl Work {
+impl OpenPainting {
     fn with(hcbtf: Hcbtf, path: Option<PathBuf>) -> Self {
         Self::of_history(History::new(hcbtf), path)
     }
@@ -131,14 +132,12 @@ impl Work {
     pub(crate) fn of_history(history: History<Hcbtf>, path: Option<PathBuf>) -> Self {
         let shown = Arc::new(history.document().clone());
         let at = shown.painted.keys().next().copied().unwrap_or_default();
+        let file = path.as_deref().and_then(FileStamp::of);
         Self {
-            kept: Kept::new(history),
-            stamp: path.as_deref().and_then(Stamp::of),
-            path,
+            document: OpenDocument::new(history, path, file),
             title: String::new(),
             example: None,
             home: None,
-            load_problems: Vec::new(),
             at,
             before: at,
             live: None,
@@ -162,8 +161,8 @@ impl Work {
     /// holds it.
     pub(crate) fn imported(hcbtf: Hcbtf, notes: Vec<Diagnostic>) -> Self {
         let mut work = Self::with(hcbtf, None);
-        work.kept.history.mark_unsaved();
-        work.load_problems = notes;
+        work.document.history.mark_unsaved();
+        work.document.load_problems = notes;
         work
     }
 
@@ -176,10 +175,12 @@ impl Work {
         if crate::examples::file(path).is_some() {
             let name = path.file_stem().unwrap_or_default().to_string_lossy();
             let (title, example) = (format!("{name}{COPY}"), Some(path.to_owned()));
-            return Ok(Self { title, example, load_problems: notes, ..Self::with(hcbtf, None) });
+            let mut work = Self { title, example, ..Self::with(hcbtf, None) };
+            work.document.load_problems = notes;
+            return Ok(work);
         }
         let mut work = Self::with(hcbtf, Some(absolute(path)));
-        work.load_problems = notes;
+        work.document.load_problems = notes;
         Ok(work)
     }
 
@@ -189,37 +190,20 @@ impl Work {
     /// A diagnostic that says why not; the old file is then as it was.
     pub(crate) fn save_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
         let path = absolute(path);
-        let is_own = self.path.as_ref() == Some(&path);
-        if is_own
-            && self.stamp.is_some()
-            && Stamp::of(&path).is_some_and(|now| Some(now) != self.stamp)
-        {
-            let message = "another program has changed this file since it was opened, and nothing \
-                           was written over it";
-            let problem = Diagnostic::error("changed-on-disk", message);
-            return Err(Box::new(
-                problem.hint("choose above whose version is kept, or save under another name"),
-            ));
-        }
+        self.document.check_saving(&path)?;
         let bytes = hcbtf::write(self.hcbtf())
             .map_err(|problem| problem.in_file(path.display().to_string()))?;
         write_atomic(&path, &bytes)?;
-        self.stamp = Stamp::of(&path);
-        self.path = Some(path);
-        self.load_problems.clear();
-        self.kept.history.mark_saved();
+        let file = FileStamp::of(&path);
+        self.document.was_written(path, file);
         self.version = next_version();
         self.saved();
         Ok(())
     }
 
     /// Compares the file with what it was when it was read or written last.
-    pub(crate) fn on_disk(&self) -> OnDisk {
-        match (self.stamp, self.path.as_deref().map(Stamp::of)) {
-            (Some(was), Some(Some(is))) if was != is => OnDisk::Changed,
-            (Some(_), Some(None)) => OnDisk::Gone,
-            _ => OnDisk::Same,
-        }
+    pub(crate) fn on_disk(&self) -> OnDisk<()> {
+        self.document.on_disk()
     }
 
     /// Takes what another program made of the file, as one step that can be undone. `now` is when.
@@ -228,18 +212,18 @@ impl Work {
     /// # Errors
     /// What keeps the file from being read; everything stays as it is then.
     pub(crate) fn reload(&mut self, now: u64) -> Result<bool, Vec<Diagnostic>> {
-        let Some(path) = self.path.clone() else { return Ok(false) };
+        let Some(path) = self.document.path.clone() else { return Ok(false) };
         // Taken before it is read: what comes in between is noticed the next time.
-        let read = Stamp::of(&path);
+        let read = FileStamp::of(&path);
         let (hcbtf, notes) = hcbtf::load(&path)?;
         let is_other = hcbtf != *self.hcbtf();
         if is_other {
             let change = HcbtfEdit::Replace { hcbtf: Box::new(hcbtf) };
             self.apply(change, None, now).map_err(|problem| vec![*problem])?;
         }
-        self.stamp = read;
-        self.load_problems = notes;
-        self.kept.history.mark_saved();
+        self.document.file = read;
+        self.document.load_problems = notes;
+        self.document.history.mark_saved();
         self.saved();
         Ok(is_other)
     }
@@ -247,28 +231,28 @@ impl Work {
     /// Lets saving write over what another program made of the file, or write it again where it is
     /// gone.
     pub(crate) fn keep_mine(&mut self) {
-        self.stamp = self.path.as_deref().and_then(Stamp::of);
+        self.document.file = self.document.path.as_deref().and_then(FileStamp::of);
         self.note_file();
     }
 
     /// The document as it is, without a stroke that goes on.
     pub fn hcbtf(&self) -> &Hcbtf {
-        self.kept.history.document()
+        self.document.history.document()
     }
 
     /// How finely it is divided.
     pub(crate) fn grid(&self) -> &Grid {
-        &self.kept.history.document().grid
+        &self.document.history.document().grid
     }
 
     /// The file, once there is one.
     pub fn path(&self) -> Option<&Path> {
-        self.path.as_deref()
+        self.document.path.as_deref()
     }
 
     /// What people call it.
     pub(crate) fn name(&self) -> String {
-        match self.path.as_ref().and_then(|path| path.file_name()) {
+        match self.document.path.as_ref().and_then(|path| path.file_name()) {
             Some(name) => name.to_string_lossy().into_owned(),
             None if self.title.is_empty() => NEW.to_owned(),
             None => self.title.clone(),
@@ -282,7 +266,7 @@ impl Work {
 
     /// The example that it is a copy of, as long as it has no file.
     pub(crate) fn example(&self) -> Option<&Path> {
-        self.example.as_deref().filter(|_| self.path.is_none())
+        self.example.as_deref().filter(|_| self.document.path.is_none())
     }
 
     /// The look that it was seen in before another one was opened.
@@ -308,16 +292,16 @@ impl Work {
 
     /// Whether there are changes that no file holds.
     pub fn is_dirty(&self) -> bool {
-        !self.kept.history.is_saved()
+        self.document.is_dirty()
     }
 
     /// Lets unsaved changes go: they are no longer asked about.
     pub(crate) fn give_up_changes(&mut self) {
-        self.kept.history.mark_saved();
+        self.document.history.mark_saved();
     }
 
     pub(crate) fn history(&self) -> &History<Hcbtf> {
-        &self.kept.history
+        &self.document.history
     }
 
     /// The sample at work.
@@ -426,7 +410,7 @@ impl Work {
             Arc::make_mut(&mut hcbtf).painted.insert(address, Arc::new(tinted(tile)));
         }
         Overlay {
-            path: self.path.clone(),
+            path: self.document.path.clone(),
             version: self.version,
             hcbtf,
             filled: self.filled.clone(),
@@ -477,7 +461,7 @@ impl Work {
 
     /// Breaks a gesture, so that whatever comes next is a step of its own.
     pub(crate) fn end_gesture(&mut self) {
-        self.kept.end_gesture();
+        self.document.end_gesture();
     }
 
     /// Applies a change. With a `hand`, consecutive changes by it are one step. `now` is when.
@@ -491,14 +475,14 @@ impl Work {
         hand: Option<u64>,
         now: u64,
     ) -> Result<bool, Box<Diagnostic>> {
-        let is_changed = self.kept.apply(change, hand, now)?;
+        let is_changed = self.document.apply(change, hand, now)?;
         self.live = None;
         self.show();
         Ok(is_changed)
     }
 
     pub(crate) fn undo(&mut self) -> bool {
-        let did = self.kept.undo();
+        let did = self.document.undo();
         if did {
             self.show();
         }
@@ -506,7 +490,7 @@ impl Work {
     }
 
     pub(crate) fn redo(&mut self, now: u64) -> bool {
-        let did = self.kept.redo(now);
+        let did = self.document.redo(now);
         if did {
             self.show();
         }

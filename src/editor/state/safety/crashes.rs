@@ -18,7 +18,8 @@ use std::time::{Duration, UNIX_EPOCH};
 use serde::{Deserialize, Serialize};
 
 use crate::clock;
-use crate::document::{Look, write_atomic};
+use crate::document::Look;
+use crate::files::write_atomic;
 use crate::state::paths::absolute;
 
 const ENDING: &str = "running";

@@ -10,10 +10,11 @@ use super::watch::{Watch, Watched};
 use crate::compile::CompiledShader;
 use crate::frame::SHAPE_PREFIX;
 use crate::library::node_files;
-use crate::state::painting::work::{self, Work};
+use crate::state::document::OnDisk;
+use crate::state::painting::work::OpenPainting;
+use crate::state::revision::{DocumentNumber, PictureRevision};
+use crate::state::scene::OpenScene;
 use crate::state::session::Session;
-use crate::state::session::keeping::OnDisk;
-use crate::state::stage::Stage;
 
 /// After a change nothing is read for so long, in seconds: whoever writes may not be done.
 const CALM: f64 = 0.15;
@@ -45,10 +46,10 @@ pub(crate) enum PaintingConflict {
 /// What decides which files there are.
 #[derive(Clone, Default)]
 struct Use {
-    document: u64,
+    document: DocumentNumber,
     path: Option<PathBuf>,
     mesh: String,
-    stage: Option<u64>,
+    stage: Option<PictureRevision>,
     shader: Option<Arc<CompiledShader>>,
     painting: Option<PathBuf>,
 }
@@ -63,9 +64,9 @@ impl Use {
         same_shader
             && self.document == session.document_number()
             && self.path.as_deref() == session.path()
-            && self.mesh == session.view.mesh
+            && self.mesh == session.view.orbit.mesh
             && self.stage == session.stage_version()
-            && self.painting.as_deref() == session.painting().and_then(Work::path)
+            && self.painting.as_deref() == session.painting().and_then(OpenPainting::path)
     }
 }
 
@@ -129,7 +130,7 @@ impl Disk {
         }
         match self.due {
             // A stroke is ended first.
-            Some(_) if session.painting().is_some_and(Work::is_live) => {
+            Some(_) if session.painting().is_some_and(OpenPainting::is_live) => {
                 (None, Some(Duration::from_secs_f64(CALM)))
             }
             Some(due) if now >= due => {
@@ -150,10 +151,10 @@ impl Disk {
         self.of = Use {
             document: session.document_number(),
             path: session.path().map(Path::to_path_buf),
-            mesh: session.view.mesh.clone(),
+            mesh: session.view.orbit.mesh.clone(),
             stage: session.stage_version(),
             shader: session.baked().cloned(),
-            painting: session.painting().and_then(Work::path).map(Path::to_path_buf),
+            painting: session.painting().and_then(OpenPainting::path).map(Path::to_path_buf),
         };
         if is_other {
             self.conflict = None;
@@ -175,8 +176,9 @@ impl Disk {
             .into_iter()
             .flat_map(|shader| &shader.named_images)
             .map(|image| image.path.as_str());
-        let mesh = Some(session.view.mesh.as_str()).filter(|mesh| !mesh.starts_with(SHAPE_PREFIX));
-        let of_scene = session.stage().map(Stage::files).unwrap_or_default();
+        let mesh =
+            Some(session.view.orbit.mesh.as_str()).filter(|mesh| !mesh.starts_with(SHAPE_PREFIX));
+        let of_scene = session.stage().map(OpenScene::files).unwrap_or_default();
         let paths =
             images.map(|path| folder.join(path)).chain(mesh.map(PathBuf::from)).chain(of_scene);
         let paths = paths.filter_map(|path| std::path::absolute(path).ok());
@@ -235,18 +237,18 @@ impl Disk {
     }
 
     fn check_scene(&mut self, session: &mut Session) -> Option<String> {
-        let text = match session.stage().map(Stage::on_disk) {
+        let text = match session.stage().map(OpenScene::on_disk) {
             Some(OnDisk::Changed(text)) => text,
             _ => {
                 self.scene_conflict = None;
                 return None;
             }
         };
-        if session.stage().is_some_and(Stage::is_dirty) {
+        if session.stage().is_some_and(OpenScene::is_dirty) {
             self.scene_conflict = Some(text);
             return None;
         }
-        let name = session.stage().map(Stage::name).unwrap_or_default();
+        let name = session.stage().map(OpenScene::name).unwrap_or_default();
         // What cannot be read yet is told where problems are, and looked at again when the file
         // changes.
         session
@@ -255,15 +257,14 @@ impl Disk {
     }
 
     fn check_painting(&mut self, session: &mut Session) -> Option<String> {
-        use work::OnDisk;
         let work = session.painting()?;
         let name = work.name();
         let mut told = None;
         self.painting_conflict = match work.on_disk() {
-            OnDisk::Same => None,
+            OnDisk::Same | OnDisk::Unreadable => None,
             OnDisk::Gone => Some(PaintingConflict::Gone),
-            OnDisk::Changed if work.is_dirty() => Some(PaintingConflict::Changed),
-            OnDisk::Changed => match session.reload_painting() {
+            OnDisk::Changed(()) if work.is_dirty() => Some(PaintingConflict::Changed),
+            OnDisk::Changed(()) => match session.reload_painting() {
                 Ok(is_other) => {
                     told = is_other
                         .then(|| format!("{name} was changed by another program and loaded again"));
@@ -280,7 +281,7 @@ impl Disk {
             OnDisk::Same => {
                 self.was_there |= self.look.is_some();
                 if let Some(Conflict::Broken(_)) = self.conflict.take() {
-                    session.load_problems.clear();
+                    session.look.load_problems.clear();
                 }
                 None
             }
@@ -328,7 +329,7 @@ struct ProjectNodes {
 impl ProjectNodes {
     fn below(roots: &[PathBuf]) -> Self {
         let mut nodes = Self::default();
-        for found in roots.iter().map(|root| node_files(root)) {
+        for found in roots.iter().map(|root| node_files(&crate::files::Disk, root)) {
             nodes.stamps.extend(found.files.into_iter().map(|path| (path.clone(), stamp(&path))));
             nodes.folders.extend(found.folders);
         }

@@ -14,7 +14,7 @@ use std::time::Duration;
 use crate::clock::Clock;
 use crate::diag::Diagnostic;
 use crate::document::History;
-use crate::document::journal::{About, Journal, Journaled, Op, Slot};
+use crate::files::journal::{About, Journal, Journaled, Op, Slot};
 use crate::state::worker::start;
 
 /// As long as a gesture goes on, what was done is written so often.
@@ -32,7 +32,7 @@ const WINDOW: f64 = 0.25;
 type Members = serde_json::Map<String, serde_json::Value>;
 
 /// A document as it stands, for a journal to begin with.
-pub(crate) struct Standing<D: Journaled> {
+pub(crate) struct JournalStart<D: Journaled> {
     pub(crate) about: About,
     pub(crate) source: Option<Arc<str>>,
     pub(crate) history: History<D>,
@@ -41,7 +41,7 @@ pub(crate) struct Standing<D: Journaled> {
 }
 
 enum Message<D: Journaled> {
-    Begin(Box<Standing<D>>),
+    Begin(Box<JournalStart<D>>),
     /// What the window wants back beside the document, from now on.
     Window(Members),
     /// What was done, and whether the gesture goes on.
@@ -53,7 +53,7 @@ enum Message<D: Journaled> {
 }
 
 #[derive(Default)]
-struct Shared {
+struct WriterState {
     /// Messages that are dealt with.
     handled: Mutex<u64>,
     changed: Condvar,
@@ -62,10 +62,10 @@ struct Shared {
 }
 
 /// Keeps a journal of what is done.
-pub(crate) struct Keeper<D: Journaled> {
+pub(crate) struct JournalWriter<D: Journaled> {
     sender: Option<Sender<Message<D>>>,
     sent: u64,
-    shared: Arc<Shared>,
+    shared: Arc<WriterState>,
     thread: Option<JoinHandle<()>>,
     /// Whether there is a journal of the document, as far as this side knows.
     pub(crate) has_begun: bool,
@@ -73,7 +73,7 @@ pub(crate) struct Keeper<D: Journaled> {
     goes_on: bool,
 }
 
-impl<D> Keeper<D>
+impl<D> JournalWriter<D>
 where
     D: Journaled + Send + 'static,
     D::Edit: Send,
@@ -82,12 +82,12 @@ where
     /// none any more.
     pub(crate) fn new(folder: PathBuf, wake: impl Fn() + Send + 'static) -> Self {
         let (sender, receiver) = channel();
-        let shared = Arc::new(Shared::default());
+        let shared = Arc::new(WriterState::default());
         let mut writer: Writer<D> = Writer {
             folder,
             slot: None,
             journal: None,
-            waiting: Waiting::default(),
+            waiting: WaitingOps::default(),
             is_synced: true,
             window: Members::new(),
             is_noted: true,
@@ -112,7 +112,7 @@ where
     }
 
     /// Begins the journal, or begins it anew.
-    pub(crate) fn begin(&mut self, standing: Standing<D>) {
+    pub(crate) fn begin(&mut self, standing: JournalStart<D>) {
         self.has_begun = true;
         self.shared.wants_to_begin.store(false, Ordering::Relaxed);
         self.send(Message::Begin(Box::new(standing)));
@@ -161,7 +161,7 @@ where
     }
 }
 
-impl<D: Journaled> Drop for Keeper<D> {
+impl<D: Journaled> Drop for JournalWriter<D> {
     fn drop(&mut self) {
         // The thread ends when nobody can send any more, and after it has written what was sent.
         self.sender = None;
@@ -178,20 +178,20 @@ fn problem(why: impl std::fmt::Display) -> Diagnostic {
 }
 
 /// What is about to be written.
-struct Waiting<D: Journaled> {
+struct WaitingOps<D: Journaled> {
     ops: Vec<Op<D::Edit>>,
     /// Whether the last of them is the first of its gesture. Others of the same gesture never take
     /// its place: it is what makes the undo step, and what takes away what could be redone.
     is_first: bool,
 }
 
-impl<D: Journaled> Default for Waiting<D> {
+impl<D: Journaled> Default for WaitingOps<D> {
     fn default() -> Self {
         Self { ops: Vec::new(), is_first: false }
     }
 }
 
-impl<D: Journaled> Waiting<D> {
+impl<D: Journaled> WaitingOps<D> {
     /// Puts an edit after what waits, or in the place of the last that waits, if it sets the same
     /// anyway.
     fn join(&mut self, op: Op<D::Edit>) {
@@ -218,14 +218,14 @@ struct Writer<D: Journaled> {
     folder: PathBuf,
     slot: Option<Slot>,
     journal: Option<Journal>,
-    waiting: Waiting<D>,
+    waiting: WaitingOps<D>,
     is_synced: bool,
     window: Members,
     /// Whether the journal has `window` as it is now.
     is_noted: bool,
     /// Since when it was written last.
     noted: Option<Clock>,
-    shared: Arc<Shared>,
+    shared: Arc<WriterState>,
     failed: Option<Clock>,
     wake: Box<dyn Fn() + Send>,
 }
@@ -318,7 +318,7 @@ impl<D: Journaled> Writer<D> {
 
     fn begin(
         &mut self,
-        Standing { about, source, history, slot }: Standing<D>,
+        JournalStart { about, source, history, slot }: JournalStart<D>,
     ) -> std::io::Result<()> {
         self.journal = None;
         if slot.is_some() {
@@ -418,8 +418,8 @@ fn reason(error: &std::io::Error) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::journal::LookOp;
     use crate::document::{Edit, GraphId, Look, Node, Value};
+    use crate::files::journal::LookOp;
 
     /// The document, and all that undo and redo lead through.
     fn all_of(mut history: History<Look>) -> Vec<String> {
@@ -490,7 +490,7 @@ mod tests {
                     ops.push(op);
                 }
             }
-            let mut waiting = Waiting::<Look>::default();
+            let mut waiting = WaitingOps::<Look>::default();
             ops.iter().cloned().for_each(|op| waiting.join(op));
             fewer += ops.len() - waiting.ops.len();
             let joined = done(&waiting.ops);

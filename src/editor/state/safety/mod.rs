@@ -18,13 +18,13 @@ use crate::diag::Diagnostic;
 use crate::document::Look;
 use crate::frame::SHAPE_PREFIX;
 use crate::state::painting::look;
+use crate::state::scene::real;
 use crate::state::session::Session;
 use crate::state::settings::{Settings, Theme};
-use crate::state::stage::real;
 use disk::Disk;
 use offers::Offers;
 use places::Places;
-use unopened::Unopened;
+use unopened::UnopenedFile;
 
 /// When, in seconds of the window's clock, it looks for left work once more: a program that was
 /// killed may take a while to let go of its own.
@@ -43,7 +43,7 @@ pub(crate) struct Safety {
     /// How many of [`LOOKS`] were made.
     looks: usize,
     /// The file that could not be opened last.
-    pub(crate) unopened: Option<Unopened>,
+    pub(crate) unopened: Option<UnopenedFile>,
     /// The files of scenes, and of looks within them, that this window has put aside: their work
     /// comes back with them.
     aside: HashSet<PathBuf>,
@@ -74,13 +74,13 @@ impl Safety {
         wake: impl Fn() + Send + Sync + 'static,
     ) {
         session.keep_in(&places.journals(), wake);
-        session.crashes.keep_in(&places.running());
+        session.journals.crashes.keep_in(&places.running());
         self.settings = Settings::load(&places.settings());
         if let Some(mesh) = &self.settings.mesh
             && (mesh.starts_with(SHAPE_PREFIX) || Path::new(mesh).exists())
         {
-            mesh.clone_into(&mut session.view.mesh);
-            session.view.z_is_up = self.settings.z_is_up;
+            mesh.clone_into(&mut session.view.orbit.mesh);
+            session.view.orbit.z_is_up = self.settings.z_is_up;
         }
         self.places = Some(places);
         self.look();
@@ -93,13 +93,13 @@ impl Safety {
         problems: &[Diagnostic],
         session: &Session,
     ) {
-        self.unopened = Some(Unopened::new(path, problems, session));
+        self.unopened = Some(UnopenedFile::new(path, problems, session));
     }
 
     /// Tells that a file is not read, because the last program ended over that, until another one
     /// is opened.
     pub(crate) fn was_interrupted(&mut self, path: &Path, session: &Session) {
-        self.unopened = Some(Unopened::interrupted(path, session));
+        self.unopened = Some(UnopenedFile::interrupted(path, session));
     }
 
     /// The file that is not read for that.
@@ -134,7 +134,7 @@ impl Safety {
     fn is_suspect(&self, number: usize, session: &Session) -> bool {
         let offer = self.offers.get(number);
         let files = offer.into_iter().flat_map(|offer| offer.path.iter().chain(&offer.beside));
-        files.into_iter().any(|path| session.crashes.suspect_in(path).is_some())
+        files.into_iter().any(|path| session.journals.crashes.suspect_in(path).is_some())
     }
 
     fn resume_look(&mut self, session: &mut Session) -> Option<String> {

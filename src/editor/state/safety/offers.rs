@@ -6,8 +6,9 @@ use std::time::{Duration, SystemTime};
 
 use crate::clock;
 use crate::diag::Diagnostic;
-use crate::document::journal::{Found, Journaled, Recovered, Slot, left_behind, recover_any};
-use crate::document::{Look, Scene, read_text};
+use crate::document::{Look, Scene};
+use crate::files::journal::{Found, Journaled, Recovered, Slot, left_behind, recover_any};
+use crate::files::read_text;
 use crate::state::session::Session;
 
 /// Nobody asks any more what could be undone in a saved look after so long.

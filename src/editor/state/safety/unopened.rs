@@ -4,10 +4,11 @@ use std::path::{Path, PathBuf};
 
 use crate::diag::{Diagnostic, LineColumn};
 use crate::state::paths::absolute;
+use crate::state::revision::DocumentNumber;
 use crate::state::session::Session;
 
 /// A file that could not be opened.
-pub(crate) struct Unopened {
+pub(crate) struct UnopenedFile {
     /// Which, and why.
     pub(crate) text: String,
     /// Where it was looked for, and what to do.
@@ -15,10 +16,10 @@ pub(crate) struct Unopened {
     /// Its path, where it was not even tried, as the last program ended over that.
     pub(crate) interrupted: Option<PathBuf>,
     /// What was open meanwhile: the note goes with that.
-    open: (u64, Option<u64>),
+    open: (DocumentNumber, Option<u64>),
 }
 
-impl Unopened {
+impl UnopenedFile {
     pub(super) fn new(path: &Path, problems: &[Diagnostic], session: &Session) -> Self {
         let problem = problems.iter().find(|problem| problem.is_error()).or(problems.first());
         let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
@@ -50,10 +51,10 @@ impl Unopened {
         }
     }
 
-    fn open(session: &Session) -> (u64, Option<u64>) {
+    fn open(session: &Session) -> (DocumentNumber, Option<u64>) {
         (
             session.document_number(),
-            session.painting().map(crate::state::painting::work::Work::number),
+            session.painting().map(crate::state::painting::work::OpenPainting::number),
         )
     }
 

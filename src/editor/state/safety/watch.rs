@@ -36,14 +36,14 @@ impl Watched {
 }
 
 #[derive(Default)]
-struct Shared {
+struct WatchState {
     watched: Mutex<Watched>,
     happened: AtomicBool,
 }
 
 /// The system's watch on files.
 pub(super) struct Watch {
-    shared: Arc<Shared>,
+    shared: Arc<WatchState>,
     /// `None` where the system has none; then files are looked at when the window is come back to.
     watcher: Option<RecommendedWatcher>,
     folders: BTreeSet<PathBuf>,
@@ -52,7 +52,7 @@ pub(super) struct Watch {
 impl Watch {
     /// `wake` is called from another thread when something happened.
     pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
-        let shared = Arc::new(Shared::default());
+        let shared = Arc::new(WatchState::default());
         let seen = shared.clone();
         let watcher = notify::recommended_watcher(move |event: notify::Result<notify::Event>| {
             let watched = seen.watched.lock().unwrap_or_else(PoisonError::into_inner);

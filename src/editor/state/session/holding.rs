@@ -5,15 +5,16 @@ use std::path::PathBuf;
 
 use super::Session;
 use crate::diag::Diagnostic;
+use crate::state::revision::DocumentNumber;
 use crate::state::safety::crashes::{DocumentOrigin, Suspect};
-use crate::state::stage::Stage;
+use crate::state::scene::OpenScene;
 
 /// What is held back.
 #[derive(Default)]
-pub(super) struct Holding {
+pub(crate) struct Holding {
     /// For which document, in which scene, and after how many changes of what is suspected it was
     /// looked.
-    looked_for: Option<(u64, Option<PathBuf>, u64)>,
+    looked_for: Option<(DocumentNumber, Option<PathBuf>, u64)>,
     suspect: Option<Suspect>,
 }
 
@@ -40,34 +41,34 @@ impl Session {
 
     /// Holds what is open back, if the last program ended over it.
     pub(super) fn hold_suspect(&mut self) {
-        let stage = self.stage.as_ref().and_then(Stage::path).map(PathBuf::from);
-        let now = Some((self.document_number, stage, self.crashes.changes()));
-        if self.holding.looked_for == now {
+        let stage = self.stage.as_ref().and_then(OpenScene::path).map(PathBuf::from);
+        let now = Some((self.revisions.document, stage, self.journals.crashes.changes()));
+        if self.journals.holding.looked_for == now {
             return;
         }
-        self.holding.looked_for = now;
-        let suspect = self.crashes.is_any().then(|| {
-            let of_look = self.crashes.suspect(&self.look_origin());
-            of_look.or_else(|| self.crashes.suspect(&self.shown_origin()))
+        self.journals.holding.looked_for = now;
+        let suspect = self.journals.crashes.is_any().then(|| {
+            let of_look = self.journals.crashes.suspect(&self.look_origin());
+            of_look.or_else(|| self.journals.crashes.suspect(&self.shown_origin()))
         });
         let suspect = suspect.flatten();
-        if suspect == self.holding.suspect && suspect.is_none() {
+        if suspect == self.journals.holding.suspect && suspect.is_none() {
             return;
         }
-        self.problems = suspect.iter().map(problem).collect();
-        self.problems_number += 1;
-        self.holding.suspect = suspect;
+        self.compilation.problems = suspect.iter().map(problem).collect();
+        self.revisions.problems.advance();
+        self.journals.holding.suspect = suspect;
     }
 
     /// Over what the last program ended, where what is open is held back for it.
     pub(crate) fn held(&self) -> Option<&Suspect> {
-        self.holding.suspect.as_ref()
+        self.journals.holding.suspect.as_ref()
     }
 
     /// Compiles and draws what was held back.
     pub(crate) fn try_again(&mut self) {
-        if let Some(suspect) = self.holding.suspect.clone() {
-            self.crashes.trust(&suspect.document);
+        if let Some(suspect) = self.journals.holding.suspect.clone() {
+            self.journals.crashes.trust(&suspect.document);
         }
     }
 }

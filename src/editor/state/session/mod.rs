@@ -2,165 +2,99 @@
 //! it.
 
 mod holding;
-pub(crate) mod keeping;
-pub(crate) mod kept;
+mod keeping;
 mod painting;
+mod parts;
 mod place;
 mod project;
+mod scene;
 mod shading;
 mod sharing;
 mod sketch;
-mod stage;
-pub(crate) mod times;
 
 use std::borrow::Cow;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use indexmap::IndexSet;
-
-use crate::catalog::Catalog;
 use crate::diag::Diagnostic;
 use crate::document::{
     DirectionKeys, Document, Edit, GraphId, History, Light, Look, SourceMap, Target, Value,
-    write_atomic,
 };
+use crate::files::write_atomic;
 use crate::ids::{LightId, NodeId};
 use crate::library::{Fallback, Library};
-use crate::state::compiling::{self, Compiler};
+use crate::state::compiling::{self};
+use crate::state::document::{OpenDocument, TextFile};
+use crate::state::keying::KeyEvaluation;
 use crate::state::orbit::Orbit;
-use crate::state::painting::work::Work;
+use crate::state::painting::work::OpenPainting;
+use crate::state::revision::{DocumentNumber, LookRevision, MeaningRevision, ProblemsRevision};
 use crate::state::safety::crashes::CrashLog;
-use crate::state::sketch::Sketch;
+use crate::state::scene::OpenScene;
 use crate::state::solo::Solo;
-use crate::state::stage::Stage;
 use crate::state::wire::ShownWire;
-use keeping::OnDisk;
-use kept::Kept;
-pub(crate) use shading::Showing;
-use shading::Shown;
+use parts::{Compilation, Journals, Project, Revisions, Selection, Sketchbook, ViewState};
+pub(crate) use shading::DrawableLook;
+use shading::ShaderCache;
 
 /// One open look.
 pub struct Session {
-    kept: Kept<Look>,
+    pub(crate) look: OpenDocument<Look>,
     /// The scene around the look, where there is one.
-    stage: Option<Stage>,
+    stage: Option<OpenScene>,
     /// The HCBTF that is being painted, where there is one.
-    painting: Option<Work>,
+    painting: Option<OpenPainting>,
     /// Whether another look is open that does not show it: undo takes nothing back that nobody
     /// sees.
     pub(crate) hides_painting: bool,
-    /// What is painted on the picture.
-    sketch: Sketch,
-    /// What was painted on looks that were left, the latest last.
-    sketches: Vec<((Option<PathBuf>, String), Sketch)>,
-    /// A look that is shown in place of the open one, and how often that changed.
-    preview: Option<Arc<Look>>,
-    preview_number: u64,
-    /// Grows with every step that is done, in the look, in the scene, in the painting or on the
-    /// picture.
-    now: u64,
-    source: Arc<SourceMap>,
-    /// As it was opened: what says the same again after a save is written as it was.
-    opened: Arc<SourceMap>,
-    path: Option<PathBuf>,
-    /// Whether the file holds more than could be read, so that saving over it would lose that.
-    is_partial: bool,
-    pub(crate) library: Arc<Library>,
-    pub(crate) catalog: Catalog,
-    /// Nodes of the graph that is open, the first one selected last.
-    pub(crate) selection: IndexSet<NodeId>,
-    pub(crate) view: Orbit,
-    /// The moment that is shown, in seconds.
-    pub(crate) time: f64,
-    /// The direction key that values are set at: its set and its place there.
-    pub(crate) key: Option<(usize, usize)>,
-    pub(crate) keyed: crate::state::keying::Keyed,
-    /// What reading the file told.
-    pub(crate) load_problems: Vec<Diagnostic>,
-    /// What is wrong with the project's own node files.
-    library_problems: Vec<Diagnostic>,
-    compiler: Compiler,
-    /// What goes on with documents, for the next window to know if this one ends over it.
-    pub(crate) crashes: CrashLog,
-    holding: holding::Holding,
-    shaders: Shown,
-    problems: Vec<Diagnostic>,
+    sketchbook: Sketchbook,
+    pub(crate) project: Project,
+    pub(crate) selection: Selection,
+    pub(crate) view: ViewState,
+    pub(crate) keyed: KeyEvaluation,
+    compilation: Compilation,
+    pub(crate) journals: Journals,
     /// What keeps the picture from being drawn, or was odd about it.
     picture_problems: Vec<Diagnostic>,
-    problems_number: u64,
-    document_number: u64,
-    picture: u64,
-    good_revision: (u64, u64),
-    /// What is shown in place of the look's own output.
-    wire: Option<ShownWire>,
-    /// What is shown alone or left out for now.
-    solo: Solo,
-    /// Grows whenever another solo needs another shader.
-    solo_number: u64,
-    /// Grows with every change of what nodes give, and not while they are only moved about.
-    meaning: u64,
-    /// How often files that the look uses have changed.
-    files: u64,
+    revisions: Revisions,
     /// Whether the first picture is on its way: small ones wait for it.
     pub(crate) awaits_first_picture: bool,
-    /// The view of the work that was taken back last, until somebody wants it.
-    kept_view: Option<serde_json::Value>,
-    /// Where journals are kept, and who is told when that fails.
-    keeps: Option<(PathBuf, Arc<dyn Fn() + Send + Sync>)>,
-    place: place::OpenGroups,
 }
 
 impl Session {
     /// An empty look, with what every look needs. `wake` is called from another thread when there
     /// is something new.
-    pub fn new(library: Arc<Library>, wake: impl Fn() + Send + 'static) -> Self {
-        let catalog = Catalog::new(&library);
-        let source = Arc::new(Look::read(NEW_LOOK, "new look").source);
+    pub fn new(library: Arc<Library>, wake: impl Fn() + Send + Sync + 'static) -> Self {
+        let wake = Arc::new(wake);
+        let nodes_are_read = wake.clone();
+        let file = TextFile::new(Look::read(NEW_LOOK, "new look").source);
         let crashes = CrashLog::default();
         let mut session = Self {
-            kept: Kept::new(History::new(Look::default())),
+            look: OpenDocument::new(History::new(Look::default()), None, file),
             stage: None,
             painting: None,
-            sketch: Sketch::default(),
-            sketches: Vec::new(),
-            preview: None,
-            preview_number: 0,
             hides_painting: false,
-            now: 0,
-            opened: source.clone(),
-            source,
-            path: None,
-            is_partial: false,
-            library,
-            catalog,
-            selection: IndexSet::new(),
-            view: Orbit::default(),
-            time: 0.0,
-            key: None,
-            keyed: Default::default(),
-            load_problems: Vec::new(),
-            library_problems: Vec::new(),
-            compiler: compiling::start(wake, crashes.clone()),
-            crashes,
-            holding: holding::Holding::default(),
-            shaders: Shown::default(),
-            problems: Vec::new(),
+            sketchbook: Sketchbook::default(),
+            project: Project::new(library, move || nodes_are_read()),
+            selection: Selection::default(),
+            view: ViewState::default(),
+            keyed: KeyEvaluation::default(),
+            compilation: Compilation {
+                compiler: compiling::start(move || wake(), crashes.clone()),
+                shaders: ShaderCache::default(),
+                problems: Vec::new(),
+                shown_revision: Default::default(),
+            },
+            journals: Journals {
+                folder: None,
+                view: None,
+                crashes,
+                holding: holding::Holding::default(),
+            },
             picture_problems: Vec::new(),
-            problems_number: 0,
-            document_number: 0,
-            picture: 0,
-            good_revision: (0, 0),
-            wire: None,
-            solo: Solo::default(),
-            solo_number: 0,
-            meaning: 0,
-            files: 0,
+            revisions: Revisions::default(),
             awaits_first_picture: false,
-            kept_view: None,
-            keeps: None,
-            place: Default::default(),
         };
         session.start_new();
         session
@@ -179,8 +113,8 @@ impl Session {
         self.leave_journal(false);
         let loaded = Look::read(NEW_LOOK, "new look");
         self.replace(loaded.value.unwrap_or_default(), loaded.source, None);
-        self.is_partial = false;
-        self.load_problems.clear();
+        self.look.is_partial = false;
+        self.look.load_problems.clear();
     }
 
     /// Begins a new look with what a text says, as one that no file holds.
@@ -190,8 +124,8 @@ impl Session {
         self.leave_stage(false);
         let loaded = Look::read(text, name);
         self.replace(loaded.value.unwrap_or_default(), loaded.source, None);
-        self.is_partial = false;
-        self.load_problems = loaded.diagnostics;
+        self.look.is_partial = false;
+        self.look.load_problems = loaded.diagnostics;
     }
 
     /// Opens a look, within the scene if one is open that wears it, or a scene.
@@ -199,7 +133,7 @@ impl Session {
     /// # Errors
     /// What keeps the file from being read at all; what was open stays then.
     pub fn open(&mut self, path: &Path) -> Result<(), Vec<Diagnostic>> {
-        let loaded = match Document::load(path) {
+        let loaded = match Document::load(&crate::files::Disk, path) {
             Document::Look(loaded) => loaded,
             Document::Scene(loaded) => return self.open_scene(path, loaded),
         };
@@ -210,9 +144,9 @@ impl Session {
         self.leave_stage_unless_worn(Some(path));
         self.use_project(path);
         self.replace(look, loaded.source, Some(path.to_owned()));
-        self.is_partial = is_partial;
-        self.load_problems = diagnostics;
-        self.problems_number += 1;
+        self.look.is_partial = is_partial;
+        self.look.load_problems = diagnostics;
+        self.revisions.problems.advance();
         Ok(())
     }
 
@@ -221,30 +155,18 @@ impl Session {
     /// # Errors
     /// A diagnostic that says why not; the old file is then as it was.
     pub fn save_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
-        let is_own = self.path.as_deref() == Some(path);
-        if is_own && self.is_partial {
-            let message =
-                "this file holds things that could not be read, and saving over it would lose them";
-            return Err(Box::new(
-                Diagnostic::error("partly-read", message).hint("save under another name"),
-            ));
-        }
-        if is_own && let OnDisk::Changed(_) = self.on_disk() {
-            let message = "another program has changed this file since it was opened, and nothing \
-                           was written over it";
-            let hint = "choose above whose version is kept, or save under another name";
-            return Err(Box::new(Diagnostic::error("changed-on-disk", message).hint(hint)));
-        }
+        let is_own = self.look.check_saving(path)?;
         let names = if is_own { None } else { self.names_of_painting(path) };
-        let text = if is_own { self.text() } else { self.look_for(names.as_ref()).to_text() };
+        let text = if is_own {
+            self.look.text_of(self.look())
+        } else {
+            self.look_for(names.as_ref()).to_text()
+        };
         write_atomic(path, text.as_bytes())?;
-        self.source = Arc::new(Look::read(&text, &path.display().to_string()).source);
-        self.path = Some(path.to_owned());
+        self.look.text_was_written(path, &text);
         self.take_names(names);
-        self.kept.history.mark_saved();
-        self.is_partial = false;
-        self.load_problems.clear();
-        self.problems_number += 1;
+        self.look.history.mark_saved();
+        self.revisions.problems.advance();
         if !is_own {
             // Another folder is another project, with nodes of its own.
             self.reload_library();
@@ -256,41 +178,33 @@ impl Session {
         Ok(())
     }
 
-    /// As the file says it, or said it when it was opened, where that is the same; else the
-    /// canonical form.
-    fn text(&self) -> String {
-        let text = self.look().to_text_like(&self.source);
-        if text == **self.source.text() { text } else { self.look().to_text_like(&self.opened) }
-    }
-
     fn replace(&mut self, look: Look, source: SourceMap, path: Option<PathBuf>) {
-        self.document_number += 1;
+        self.revisions.document.advance();
         self.set_preview(None);
         self.leave_sketch();
         self.remember_times();
-        self.kept.history = History::new(look);
-        self.source = Arc::new(source);
-        self.opened = self.source.clone();
-        self.path = path;
+        self.look.history = History::new(look);
+        self.look.file = TextFile::new(source);
+        self.look.path = path;
         self.find_sketch();
-        self.selection.clear();
+        self.selection.nodes.clear();
         // A scene has the camera, and goes on.
         if self.stage.is_none() {
-            self.view = Orbit {
-                mesh: self.view.mesh.clone(),
-                z_is_up: self.view.z_is_up,
+            self.view.orbit = Orbit {
+                mesh: self.view.orbit.mesh.clone(),
+                z_is_up: self.view.orbit.z_is_up,
                 ..Orbit::default()
             };
-            self.time = 0.0;
+            self.view.time = 0.0;
         }
-        self.key = None;
-        self.problems.clear();
-        self.problems_number += 1;
-        self.shaders = Shown::default();
-        self.wire = None;
-        self.solo.keep_for_scene(self.stage.as_ref().map(Stage::scene));
-        self.picture += 1;
-        self.catalog.sync(self.kept.history.document(), &self.library);
+        self.selection.key = None;
+        self.compilation.problems.clear();
+        self.revisions.problems.advance();
+        self.compilation.shaders = ShaderCache::default();
+        self.view.wire = None;
+        self.view.solo.keep_for_scene(self.stage.as_ref().map(OpenScene::scene));
+        self.revisions.picture.advance();
+        self.project.sync(self.look.document());
         self.place_library_problems();
         self.reset_place();
         self.stage_changed();
@@ -298,12 +212,12 @@ impl Session {
 
     /// The look as it is.
     pub fn look(&self) -> &Look {
-        self.kept.history.document()
+        self.look.document()
     }
 
     /// The file, once there is one.
     pub fn path(&self) -> Option<&Path> {
-        self.path.as_deref()
+        self.look.path.as_deref()
     }
 
     /// What people call the look: as its file, or else as itself. One that is called as what is
@@ -322,43 +236,43 @@ impl Session {
 
     /// Whether there are changes that no file holds, of the look or of the scene around it.
     pub fn is_dirty(&self) -> bool {
-        self.is_look_dirty() || self.stage.as_ref().is_some_and(Stage::is_dirty)
+        self.is_look_dirty() || self.stage.as_ref().is_some_and(OpenScene::is_dirty)
     }
 
     /// Whether there are changes of the look that no file holds.
     pub fn is_look_dirty(&self) -> bool {
-        !self.kept.history.is_saved()
+        self.look.is_dirty()
     }
 
     /// Which document is open, as revisions of each begin anew.
-    pub(crate) fn document_number(&self) -> u64 {
-        self.document_number
+    pub(crate) fn document_number(&self) -> DocumentNumber {
+        self.revisions.document
     }
 
     /// Grows with every change.
-    pub fn revision(&self) -> u64 {
-        self.kept.history.revision()
+    pub fn revision(&self) -> LookRevision {
+        LookRevision(self.look.history.revision())
     }
 
     /// Grows with every change of what nodes give; it stays while they are only moved about.
-    pub(crate) fn meaning(&self) -> u64 {
-        self.meaning
+    pub(crate) fn meaning(&self) -> MeaningRevision {
+        self.revisions.meaning
     }
 
     /// Nodes that are selected.
     pub fn selected(&self) -> impl Iterator<Item = &NodeId> {
-        self.selection.iter()
+        self.selection.nodes.iter()
     }
 
     /// Selects nodes and no others.
     pub fn select(&mut self, ids: Vec<NodeId>) {
-        self.selection = ids.into_iter().filter(|id| self.is_here(id)).collect();
+        self.selection.nodes = ids.into_iter().filter(|id| self.is_here(id)).collect();
     }
 
     /// Lets unsaved changes of the look or of the scene go: they are no longer asked about.
     pub(crate) fn give_up_changes(&mut self, of_look: bool, of_scene: bool) {
         if of_look {
-            self.kept.history.mark_saved();
+            self.look.history.mark_saved();
         }
         if let Some(stage) = self.stage.as_mut().filter(|_| of_scene) {
             stage.give_up_changes();
@@ -367,70 +281,70 @@ impl Session {
 
     /// Where the camera and the lights are turned to.
     pub fn orbit(&self) -> &Orbit {
-        &self.view
+        &self.view.orbit
     }
 
     /// The moment that is shown, in seconds.
     pub fn time(&self) -> f64 {
-        self.time
+        self.view.time
     }
 
     /// The wire that is shown in place of the picture.
     pub(crate) fn wire(&self) -> Option<&ShownWire> {
-        self.wire.as_ref()
+        self.view.wire.as_ref()
     }
 
     /// Shows a wire in place of the picture, or the picture again.
     pub(crate) fn show_wire(&mut self, wire: Option<ShownWire>) {
-        if self.wire != wire {
-            self.wire = wire;
-            self.shaders.requested_structure = None;
+        if self.view.wire != wire {
+            self.view.wire = wire;
+            self.compilation.shaders.requested_structure = None;
         }
     }
 
     /// The lights that are neither muted nor left out by a solo, as they are now.
     pub(crate) fn shining(&self) -> impl Iterator<Item = (&LightId, &Light)> {
-        let lights = self.look().lights.iter().filter(|(id, _)| !self.solo.is_dark(id));
+        let lights = self.look().lights.iter().filter(|(id, _)| !self.view.solo.is_dark(id));
         lights.map(|(id, light)| (id, self.light(id).unwrap_or(light)))
     }
 
     /// What is shown alone or left out for now.
     pub(crate) fn solo(&self) -> &Solo {
-        &self.solo
+        &self.view.solo
     }
 
     /// Shows other things alone, or leaves other things out. The document stays as it is.
     pub(crate) fn set_solo(&mut self, solo: Solo) {
-        if self.solo == solo {
+        if self.view.solo == solo {
             return;
         }
-        if self.solo.is_structural(&solo, self.look()) {
-            self.solo_number += 1;
-            self.shaders.requested_structure = None;
+        if self.view.solo.is_structural(&solo, self.look()) {
+            self.view.solo_revision.advance();
+            self.compilation.shaders.requested_structure = None;
         }
-        self.solo = solo;
-        self.picture += 1;
+        self.view.solo = solo;
+        self.revisions.picture.advance();
     }
 
     /// Whether a light shines, as far as the window is asked: it is neither muted nor is another
     /// one shown alone.
     pub fn shines(&self, light: &str) -> bool {
-        !self.solo.is_dark(&light.into())
+        !self.view.solo.is_dark(&light.into())
     }
 
     /// The look as it is shown: what is soloed alone, and without what is muted; or the preview of
     /// another.
     pub(crate) fn shown_look(&self) -> Cow<'_, Look> {
-        match &self.preview {
+        match &self.sketchbook.preview {
             Some(preview) => Cow::Borrowed(preview),
-            None => self.solo.of(self.look(), &self.catalog),
+            None => self.view.solo.of(self.look(), &self.project.catalog),
         }
     }
 
     /// What a node of the look's own graph is called.
     pub(crate) fn title(&self, id: &NodeId) -> String {
         let node = self.look().graph.nodes.get(id);
-        match (node, node.and_then(|node| self.catalog.of(node))) {
+        match (node, node.and_then(|node| self.project.catalog.of(node))) {
             (Some(node), _) if !node.name.is_empty() => node.name.clone(),
             (_, Some(kind)) => kind.label.to_string(),
             _ => id.to_string(),
@@ -439,11 +353,11 @@ impl Session {
 
     /// What is wrong with the look, as the compiler last told.
     pub fn problems(&self) -> &[Diagnostic] {
-        &self.problems
+        &self.compilation.problems
     }
 
-    pub(crate) fn problems_number(&self) -> u64 {
-        self.problems_number
+    pub(crate) fn problems_revision(&self) -> ProblemsRevision {
+        self.revisions.problems
     }
 
     /// Applies an edit. With a `hand` (a widget and its press), consecutive edits by it are one
@@ -454,29 +368,31 @@ impl Session {
     pub fn apply(&mut self, edit: Edit, hand: Option<u64>) -> Result<(), Box<Diagnostic>> {
         let is_structural = self.is_structural(&edit);
         let means = !is_layout(&edit);
-        self.shaders.touch(&edit);
-        if self.kept.apply(edit, hand, self.now + 1)? {
+        self.compilation.shaders.touch(&edit);
+        if self.look.apply(edit, hand, self.revisions.step + 1)? {
             self.step_done();
-            self.meaning += u64::from(means);
+            if means {
+                self.revisions.meaning.advance();
+            }
             self.changed(is_structural);
         }
         Ok(())
     }
 
     fn undo_look(&mut self) -> bool {
-        let did = self.kept.undo();
+        let did = self.look.undo();
         if did {
-            self.meaning += 1;
+            self.revisions.meaning.advance();
             self.changed(true);
         }
         did
     }
 
     fn redo_look(&mut self) -> bool {
-        let did = self.kept.redo(self.now + 1);
+        let did = self.look.redo(self.revisions.step + 1);
         if did {
-            self.now += 1;
-            self.meaning += 1;
+            self.revisions.step += 1;
+            self.revisions.meaning.advance();
             self.changed(true);
         }
         did
@@ -485,20 +401,21 @@ impl Session {
     fn changed(&mut self, is_structural: bool) {
         self.set_preview(None);
         if is_structural {
-            self.shaders.structure = self.kept.history.revision();
-            self.catalog.sync(self.kept.history.document(), &self.library);
+            self.compilation.shaders.structure = self.look.history.revision();
+            self.project.sync(self.look.document());
         }
         self.check_place();
-        let mut selection = std::mem::take(&mut self.selection);
+        let mut selection = std::mem::take(&mut self.selection.nodes);
         selection.retain(|id| self.is_here(id));
-        self.selection = selection;
+        self.selection.nodes = selection;
         self.keep_solo();
-        let nodes = &self.kept.history.document().graph.nodes;
-        self.wire = self
+        let nodes = &self.look.document().graph.nodes;
+        self.view.wire = self
+            .view
             .wire
             .take()
             .filter(|wire| wire.node.outermost().is_some_and(|id| nodes.contains_key(id)));
-        self.picture += 1;
+        self.revisions.picture.advance();
     }
 
     /// Whether a live shader cannot show an edit by its uniforms.
@@ -507,7 +424,11 @@ impl Session {
             Edit::Group { edits } => edits.iter().any(|edit| self.is_structural(edit)),
             edit if is_layout(edit) => false,
             // A long look's uniforms are told by paths, and a group's node lies at many of them.
-            Edit::SetValue { graph: GraphId::Definition(_), .. } if self.shaders.is_long() => true,
+            Edit::SetValue { graph: GraphId::Definition(_), .. }
+                if self.compilation.shaders.is_long() =>
+            {
+                true
+            }
             // Where the same is keyed, all of it is in uniforms; words are not.
             Edit::SetDirectionKeys { index, keys } => {
                 let targets = |keys: &DirectionKeys| -> HashSet<Target> {
@@ -532,7 +453,8 @@ impl Session {
                 .is_none_or(|old| (old.kind, &old.name) != (light.kind, &light.name)),
             Edit::SetValue { graph, id, port, .. } => {
                 let node = self.look().graph_of(graph).and_then(|graph| graph.nodes.get(id));
-                let Some((node, kind)) = node.and_then(|node| Some((node, self.catalog.of(node)?)))
+                let Some((node, kind)) =
+                    node.and_then(|node| Some((node, self.project.catalog.of(node)?)))
                 else {
                     return true;
                 };
@@ -549,21 +471,21 @@ impl Session {
 
     /// The text that the look was read from.
     pub(crate) fn source(&self) -> &Arc<SourceMap> {
-        &self.source
+        &self.look.file.source
     }
 
     /// Everything wrong with the file and the look.
     pub(crate) fn all_problems(&self) -> impl Iterator<Item = &Diagnostic> {
-        let scene = self.stage.iter().flat_map(Stage::problems);
-        let files = self.load_problems.iter().chain(scene).chain(&self.library_problems);
-        files.chain(&self.problems).chain(&self.picture_problems)
+        let scene = self.stage.iter().flat_map(OpenScene::problems);
+        let files = self.look.load_problems.iter().chain(scene).chain(&self.project.problems);
+        files.chain(&self.compilation.problems).chain(&self.picture_problems)
     }
 
     /// Takes what the renderer tells.
     pub(crate) fn set_picture_problems(&mut self, problems: &[Diagnostic]) {
         if self.picture_problems != problems {
             self.picture_problems = problems.to_vec();
-            self.problems_number += 1;
+            self.revisions.problems.advance();
         }
     }
 }

@@ -4,43 +4,43 @@ use std::path::Path;
 
 use super::Session;
 use crate::diag::Diagnostic;
-use crate::document::journal::{Recovered, Slot};
 use crate::document::{Hcbtf, HcbtfEdit, Look};
+use crate::files::journal::{Recovered, Slot};
 use crate::frame::UNSAVED_HCBTF;
 use crate::state::painting::home::Home;
-use crate::state::painting::work::Work;
+use crate::state::painting::work::OpenPainting;
 use crate::state::painting::{PaintingUpdate, look};
-use crate::state::stage::{folder_of, real, relative};
+use crate::state::scene::{folder_of, real, relative};
 
 impl Session {
     /// The HCBTF that is being painted, where there is one.
-    pub fn painting(&self) -> Option<&Work> {
+    pub fn painting(&self) -> Option<&OpenPainting> {
         self.painting.as_ref()
     }
 
     /// The same, for programs that drive the window.
-    pub fn painting_mut(&mut self) -> Option<&mut Work> {
+    pub fn painting_mut(&mut self) -> Option<&mut OpenPainting> {
         self.painting.as_mut()
     }
 
     /// Paints another one, or none.
-    pub(crate) fn set_painting(&mut self, work: Option<Work>) {
+    pub(crate) fn set_painting(&mut self, work: Option<OpenPainting>) {
         self.keep_painting(work, None);
     }
 
     /// Takes painting back that a journal gave. The journal goes on where it is.
     pub(crate) fn take_back_painting(&mut self, found: Recovered<Hcbtf>, slot: Slot) {
-        self.keep_painting(Some(Work::taken_back(found)), Some(slot));
+        self.keep_painting(Some(OpenPainting::taken_back(found)), Some(slot));
     }
 
-    fn keep_painting(&mut self, work: Option<Work>, slot: Option<Slot>) {
+    fn keep_painting(&mut self, work: Option<OpenPainting>, slot: Option<Slot>) {
         self.leave_painting(false);
         self.painting = work;
-        if let (Some(work), Some((folder, wake))) = (&mut self.painting, &self.keeps) {
+        if let (Some(work), Some((folder, wake))) = (&mut self.painting, &self.journals.folder) {
             work.keep_in(folder, wake.clone(), slot);
         }
         self.painting_changed();
-        self.problems_number += 1;
+        self.revisions.problems.advance();
     }
 
     /// Lets go of what is painted; its journal stays if anything in it is not saved.
@@ -52,17 +52,17 @@ impl Session {
 
     /// Whether putting what is painted aside would lose nothing.
     pub(crate) fn keeps_painting(&mut self) -> bool {
-        self.painting.as_mut().is_none_or(Work::keeps_work)
+        self.painting.as_mut().is_none_or(OpenPainting::keeps_work)
     }
 
     /// Whether what is painted has changes that no file holds.
     pub(crate) fn is_painting_dirty(&self) -> bool {
-        self.painting.as_ref().is_some_and(Work::is_dirty)
+        self.painting.as_ref().is_some_and(OpenPainting::is_dirty)
     }
 
     /// The picture may be another now.
     pub(crate) fn painting_changed(&mut self) {
-        self.picture += 1;
+        self.revisions.picture.advance();
     }
 
     /// Takes what a frame found out of what is painted.
@@ -88,11 +88,11 @@ impl Session {
         let Some(work) = &mut self.painting else {
             return Err(Box::new(Diagnostic::error("impossible-edit", "no HCBTF is open")));
         };
-        self.now += 1;
-        let is_changed = work.apply(change, hand, self.now)?;
+        self.revisions.step += 1;
+        let is_changed = work.apply(change, hand, self.revisions.step)?;
         self.painting_changed();
         if is_changed {
-            self.kept.end_gesture();
+            self.look.end_gesture();
             if let Some(stage) = &mut self.stage {
                 stage.end_gesture();
             }
@@ -113,17 +113,17 @@ impl Session {
         let now = work.name();
         let file = work.path().map(Path::to_path_buf).filter(|_| had_no_file);
         if let Some(file) = file {
-            let name = match &self.path {
+            let name = match &self.look.path {
                 Some(look) => relative(&folder_of(look), &file),
                 None => file.to_string_lossy().into_owned(),
             };
             let is_named = self.rename_painting(UNSAVED_HCBTF, &name);
             self.rename_home(&file.to_string_lossy());
-            if self.path.is_none() && self.look().name == before {
+            if self.look.path.is_none() && self.look().name == before {
                 self.call_look(now);
             }
-            if is_named && self.path.is_some() {
-                self.kept.history.mark_unsaved();
+            if is_named && self.look.path.is_some() {
+                self.look.history.mark_unsaved();
             }
             match self.is_look_dirty() {
                 true => self.begin_journal(None),
@@ -136,8 +136,8 @@ impl Session {
 
     /// The same in the look that is gone back to.
     fn rename_home(&mut self, name: &str) {
-        let Some(home) = self.painting.as_mut().and_then(Work::home_mut) else { return };
-        for edit in look::rename(&home.look, &self.catalog, UNSAVED_HCBTF, name) {
+        let Some(home) = self.painting.as_mut().and_then(OpenPainting::home_mut) else { return };
+        for edit in look::rename(&home.look, &self.project.catalog, UNSAVED_HCBTF, name) {
             // What names nothing of this catalog stays as it is.
             let _ = home.look.apply(edit);
         }
@@ -147,19 +147,21 @@ impl Session {
     /// file is none.
     fn call_look(&mut self, name: String) {
         let look = Look { name, ..self.look().clone() };
-        self.kept.history.amend(look, |_| ());
+        self.look.history.amend(look, |_| ());
     }
 
     /// Remembers the open look for the way back to what is painted, if it shows that.
     pub(super) fn note_home(&mut self) {
-        let document = self.document_number;
-        let is_known = |work: &Work| work.home().is_some_and(|home| home.document == document);
+        let document = self.revisions.document;
+        let is_known =
+            |work: &OpenPainting| work.home().is_some_and(|home| home.document == document);
         if self.painting.as_ref().is_none_or(is_known) || !look::shows(self) {
             return;
         }
         let of_scene = self.stage.as_ref().and_then(|stage| stage.path().map(Path::to_path_buf));
-        let path = of_scene.or_else(|| self.path.clone());
-        let home = Home { document, path, look: self.look().clone(), view: self.view.clone() };
+        let path = of_scene.or_else(|| self.look.path.clone());
+        let home =
+            Home { document, path, look: self.look().clone(), view: self.view.orbit.clone() };
         if let Some(work) = &mut self.painting {
             work.set_home(home);
         }
@@ -168,7 +170,7 @@ impl Session {
     /// Lets a look without a file, as it stands, count as saved: whoever loses it loses nothing
     /// that they did.
     pub(crate) fn count_as_saved(&mut self) {
-        self.kept.history.mark_saved();
+        self.look.history.mark_saved();
         self.saved();
     }
 
@@ -187,8 +189,8 @@ impl Session {
     fn rename_painting(&mut self, from: &str, to: &str) -> bool {
         let Some(look) = self.look_naming(from, to) else { return false };
         let is_renamed = look != *self.look();
-        self.kept.history.amend(look, |edit| look::rename_in(edit, from, to));
-        self.meaning += 1;
+        self.look.history.amend(look, |edit| look::rename_in(edit, from, to));
+        self.revisions.meaning.advance();
         self.changed(true);
         is_renamed
     }
@@ -196,7 +198,7 @@ impl Session {
     /// The look with another name for what is painted.
     fn look_naming(&self, from: &str, to: &str) -> Option<Look> {
         let mut look = self.look().clone();
-        for edit in look::rename(&look, &self.catalog, from, to) {
+        for edit in look::rename(&look, &self.project.catalog, from, to) {
             look.apply(edit).ok()?;
         }
         Some(look)
@@ -209,7 +211,7 @@ impl Session {
         let file = self.painting.as_ref()?.path()?;
         let from = file.to_string_lossy().into_owned();
         let to = relative(&folder_of(look), file);
-        (from != to && look::sheets(self.look(), &self.catalog).contains(&from))
+        (from != to && look::sheets(self.look(), &self.project.catalog).contains(&from))
             .then_some((from, to))
     }
 
@@ -232,13 +234,13 @@ impl Session {
     /// # Errors
     /// What keeps the file from being read; everything stays as it is then.
     pub(crate) fn reload_painting(&mut self) -> Result<bool, Vec<Diagnostic>> {
-        self.now += 1;
+        self.revisions.step += 1;
         let Some(work) = &mut self.painting else { return Ok(false) };
-        let is_other = work.reload(self.now)?;
-        self.problems_number += 1;
+        let is_other = work.reload(self.revisions.step)?;
+        self.revisions.problems.advance();
         if is_other {
             self.painting_changed();
-            self.kept.end_gesture();
+            self.look.end_gesture();
             if let Some(stage) = &mut self.stage {
                 stage.end_gesture();
             }
@@ -249,7 +251,7 @@ impl Session {
     /// Whether the look shows the HCBTF of a file, an example, or the one that has no file yet.
     pub(crate) fn shows_painting(&self, path: &Path) -> bool {
         let folder = self.folder();
-        let names = look::sheets(self.look(), &self.catalog);
+        let names = look::sheets(self.look(), &self.project.catalog);
         // What is no file is named the same from everywhere.
         if path == Path::new(UNSAVED_HCBTF) || crate::examples::file(path).is_some() {
             return names.iter().any(|name| Path::new(name) == path);

@@ -3,22 +3,23 @@
 use super::Session;
 use crate::document::{Definition, Edit, Graph, GraphId, OutputPort};
 use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, NodeId, NodePath};
+use crate::state::revision::GraphNumber;
 
 /// The groups that were opened, one in the other.
 #[derive(Default)]
-pub(super) struct OpenGroups {
+pub(crate) struct OpenGroups {
     /// The nodes through which one came here, outermost first.
     path: Vec<NodeId>,
     /// The graph that the last of them leads to.
     graph: GraphId,
     /// Grows whenever another graph is open.
-    number: u64,
+    number: GraphNumber,
 }
 
 impl Session {
     /// The graph that is open.
     pub fn graph_id(&self) -> &GraphId {
-        &self.place.graph
+        &self.selection.groups.graph
     }
 
     /// The graph that is open.
@@ -28,7 +29,7 @@ impl Session {
 
     /// The group that is open; `None` in the look's own graph.
     pub(crate) fn definition(&self) -> Option<&Definition> {
-        match &self.place.graph {
+        match &self.selection.groups.graph {
             GraphId::Look => None,
             GraphId::Definition(id) => self.definition_of(id.as_str()),
         }
@@ -41,12 +42,12 @@ impl Session {
 
     /// Whether the graph that is open is of the library, and so cannot be changed.
     pub fn is_read_only(&self) -> bool {
-        matches!(&self.place.graph, GraphId::Definition(id) if !self.look().definitions.contains_key(id))
+        matches!(&self.selection.groups.graph, GraphId::Definition(id) if !self.look().definitions.contains_key(id))
     }
 
     /// The nodes of groups that lead to the open graph, outermost first.
     pub fn open_groups(&self) -> &[NodeId] {
-        &self.place.path
+        &self.selection.groups.path
     }
 
     /// Nodes of the open graph whose outputs, or those of what lies in them, drive keys.
@@ -62,13 +63,13 @@ impl Session {
     }
 
     /// Grows whenever another graph is open.
-    pub(crate) fn place_number(&self) -> u64 {
-        self.place.number
+    pub(crate) fn graph_number(&self) -> GraphNumber {
+        self.selection.groups.number
     }
 
     /// A node of the open graph, from the look's own graph on.
     pub(crate) fn path_of(&self, id: &NodeId) -> NodePath {
-        let mut ids = self.place.path.iter().chain([id]);
+        let mut ids = self.selection.groups.path.iter().chain([id]);
         let first = NodePath::root(ids.next().unwrap_or(id).clone());
         ids.fold(first, |path, id| path.join(id.clone()))
     }
@@ -81,17 +82,19 @@ impl Session {
             graph = next;
             known.push(id.clone());
         }
-        if (&graph, &known) == (&self.place.graph, &self.place.path) {
+        if (&graph, &known) == (&self.selection.groups.graph, &self.selection.groups.path) {
             return;
         }
-        let was = std::mem::replace(&mut self.place.path, known);
-        self.place.graph = graph;
-        self.place.number += 1;
+        let was = std::mem::replace(&mut self.selection.groups.path, known);
+        self.selection.groups.graph = graph;
+        self.selection.groups.number.advance();
         // Who comes out of a group sees which one it was.
-        let left =
-            was.get(self.place.path.len()).filter(|_| was.starts_with(&self.place.path)).cloned();
-        self.selection = left.into_iter().collect();
-        self.problems_number += 1;
+        let left = was
+            .get(self.selection.groups.path.len())
+            .filter(|_| was.starts_with(&self.selection.groups.path))
+            .cloned();
+        self.selection.nodes = left.into_iter().collect();
+        self.revisions.problems.advance();
     }
 
     /// What a node of a graph opens.
@@ -107,19 +110,21 @@ impl Session {
     /// Whether there is such a node in the open graph; a group's ends count.
     pub(super) fn is_here(&self, id: &NodeId) -> bool {
         let is_end = matches!(id.as_str(), GROUP_INPUTS | GROUP_OUTPUTS)
-            && self.place.graph != GraphId::Look;
+            && self.selection.groups.graph != GraphId::Look;
         is_end || self.graph().nodes.contains_key(id)
     }
 
     /// Leaves groups that are no more.
     pub(super) fn check_place(&mut self) {
-        let path = self.place.path.clone();
+        let path = self.selection.groups.path.clone();
         self.open_graph(&path);
     }
 
     /// Goes back to the look's own graph, of another look.
     pub(super) fn reset_place(&mut self) {
-        self.place = OpenGroups { number: self.place.number + 1, ..OpenGroups::default() };
+        self.selection.groups =
+            OpenGroups { number: self.selection.groups.number, ..OpenGroups::default() };
+        self.selection.groups.number.advance();
     }
 
     /// Of a path, the node that lies in the open graph: where this graph, or another use of its
@@ -127,7 +132,7 @@ impl Session {
     pub(crate) fn step_here<'p>(&self, path: &'p NodePath) -> Option<&'p NodeId> {
         let mut graph = GraphId::Look;
         for id in path.ids() {
-            if graph == self.place.graph {
+            if graph == self.selection.groups.graph {
                 return Some(id);
             }
             graph = self.graph_within(&graph, id)?;
@@ -138,7 +143,7 @@ impl Session {
     /// Makes the library's group that is open the look's own, so that it can be changed: for every
     /// node of it in the look.
     pub(crate) fn own_group(&self) -> Option<Edit> {
-        let GraphId::Definition(id) = &self.place.graph else { return None };
+        let GraphId::Definition(id) = &self.selection.groups.graph else { return None };
         let definition = self.definition().filter(|_| self.is_read_only())?.clone();
         Some(Edit::AddDefinition { id: id.clone(), definition, index: None })
     }

@@ -7,27 +7,120 @@ use std::sync::Arc;
 use super::Session;
 use crate::catalog::Catalog;
 use crate::diag::Diagnostic;
-use crate::document::remove_abandoned;
+use crate::files::{Disk, remove_abandoned};
 use crate::ids::NodePath;
 use crate::library::Library;
+use crate::state::worker::Worker;
+
+/// Folders of nodes to be read.
+pub(super) struct NodesRequest {
+    folders: Vec<PathBuf>,
+    number: u64,
+    /// Whether a node whose file is broken stays as it was.
+    keeps_broken: bool,
+}
+
+/// What the folders of a request hold, beside the nodes that Chiaro ships.
+pub(super) struct NodesAnswer {
+    request: NodesRequest,
+    library: Library,
+}
+
+/// Reads a project's own nodes off the window's thread: the folder may be a stranger's, on a disk
+/// that is slow.
+pub(super) struct ProjectReader {
+    worker: Worker<NodesRequest, NodesAnswer>,
+    /// The number of the newest request; what an older one gave is of another project.
+    newest: u64,
+}
+
+impl ProjectReader {
+    /// `wake` is called from another thread when nodes were read.
+    pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
+        let read = |request: NodesRequest| {
+            let read = |library: Library, folder: &PathBuf| library.with_project(&Disk, folder);
+            let library = request.folders.iter().fold(Library::built_in().clone(), read);
+            NodesAnswer { request, library }
+        };
+        Self { worker: Worker::new("nodes", wake, read), newest: 0 }
+    }
+
+    fn ask(&mut self, folders: Vec<PathBuf>, keeps_broken: bool) {
+        self.newest += 1;
+        let number = self.newest;
+        // What still waits is of no use, but that its nodes were to stay.
+        self.worker.request(|waiting| NodesRequest {
+            folders,
+            number,
+            keeps_broken: keeps_broken
+                && waiting.is_none_or(|waiting: NodesRequest| waiting.keeps_broken),
+        });
+    }
+
+    /// Lets go of what is being read.
+    fn forget(&mut self) {
+        self.newest += 1;
+    }
+
+    /// The nodes that were asked for last, once they are read.
+    fn answer(&self) -> Option<NodesAnswer> {
+        let answers = self.worker.answers().into_iter();
+        answers.filter(|answer| answer.request.number == self.newest).last()
+    }
+
+    /// Whether nodes are being read, or are and were not taken yet.
+    pub(super) fn owes(&self) -> bool {
+        self.worker.owes()
+    }
+
+    /// Waits until nothing is being read.
+    pub(super) fn wait(&self) {
+        self.worker.wait();
+    }
+}
 
 impl Session {
     /// What is in no folder has no nodes but those that Chiaro ships.
     pub(super) fn leave_project(&mut self) {
-        if self.path.is_some() || self.stage.is_some() {
-            self.use_library(Library::built_in().clone());
+        if self.look.path.is_some() || self.stage.is_some() {
+            self.leave_all_projects();
         }
     }
 
+    /// As [`leave_project`](Self::leave_project), wherever the document of before was.
+    pub(super) fn leave_all_projects(&mut self) {
+        self.project.reader.forget();
+        self.use_library(Library::built_in().clone());
+    }
+
+    /// Goes to the project of the document at `path`: with the nodes that Chiaro ships at once, and
+    /// with the project's own as soon as they are read.
     pub(super) fn use_project(&mut self, path: &Path) {
         remove_abandoned(path.parent().unwrap_or(Path::new("")));
-        let mut library = Library::built_in().clone();
-        for nodes in self.node_folders_with(Some(path)) {
-            if nodes.is_dir() {
-                library = library.with_project(&nodes);
-            }
+        self.use_library(Library::built_in().clone());
+        self.read_nodes(path, false);
+    }
+
+    /// Asks for the project's own nodes, where there are any.
+    fn read_nodes(&mut self, path: &Path, keeps_broken: bool) -> bool {
+        let mut folders = self.node_folders_with(Some(path));
+        folders.retain(|folder| folder.is_dir());
+        let is_asked = !folders.is_empty();
+        if is_asked {
+            self.project.reader.ask(folders, keeps_broken);
+        } else {
+            self.project.reader.forget();
         }
-        self.use_library(library);
+        is_asked
+    }
+
+    /// Takes the project's own nodes, once they are read. Returns whether they are being read: what
+    /// is compiled without them would be of other nodes.
+    pub(super) fn awaits_nodes(&mut self) -> bool {
+        if let Some(NodesAnswer { request, library }) = self.project.reader.answer() {
+            self.renew_library(library, request.keeps_broken);
+        }
+        self.project.reader.owes()
     }
 
     /// The folders that the project's own nodes come from, be they there or not: those beside the
@@ -47,45 +140,88 @@ impl Session {
     /// node as it was.
     pub(crate) fn reload_library(&mut self) {
         let of_scene = || self.stage.as_ref().and_then(|stage| stage.path()).map(Path::to_path_buf);
-        let Some(path) = self.path.clone().or_else(of_scene) else { return };
-        let before = self.library.clone();
-        self.use_project(&path);
-        let broken = self.library.problems.iter().filter_map(kind_of).map(str::to_owned);
-        let lost: Vec<String> =
-            broken.filter(|kind| !self.library.nodes.contains_key(kind)).collect();
-        for kind in lost {
-            if let Some(node) = before.nodes.get(&kind) {
-                Arc::make_mut(&mut self.library).nodes.insert(kind, node.clone());
-            }
+        let Some(path) = self.look.path.clone().or_else(of_scene) else { return };
+        remove_abandoned(path.parent().unwrap_or(Path::new("")));
+        if !self.read_nodes(&path, true) {
+            self.renew_library(Library::built_in().clone(), true);
         }
-        self.catalog = Catalog::new(&self.library);
-        self.catalog.sync(self.kept.history.document(), &self.library);
+    }
+
+    fn renew_library(&mut self, library: Library, keeps_broken: bool) {
+        let before = self.project.library.clone();
+        self.use_library(library);
+        if keeps_broken {
+            let broken =
+                self.project.library.problems.iter().filter_map(kind_of).map(str::to_owned);
+            let lost: Vec<String> =
+                broken.filter(|kind| !self.project.library.nodes.contains_key(kind)).collect();
+            for kind in lost {
+                if let Some(node) = before.nodes.get(&kind) {
+                    Arc::make_mut(&mut self.project.library).nodes.insert(kind, node.clone());
+                }
+            }
+            self.project.catalog = Catalog::new(&self.project.library);
+        }
+        self.project.sync(self.look.document());
         self.place_library_problems();
-        self.shaders.structure_changed();
+        self.compilation.shaders.structure_changed();
         // What was probed or compared was so with the nodes of before.
         self.files_changed();
     }
 
     /// Tells what is wrong with node files at a node of theirs, where the look has one.
     pub(super) fn place_library_problems(&mut self) {
-        let nodes = &self.kept.history.document().graph.nodes;
-        let placed = self.library.problems.iter().cloned().map(|mut problem| {
+        let nodes = &self.look.document().graph.nodes;
+        let placed = self.project.library.problems.iter().cloned().map(|mut problem| {
             let used =
                 kind_of(&problem).and_then(|kind| nodes.iter().find(|(_, node)| node.kind == kind));
             problem.place.node = used.map(|(id, _)| NodePath::root(id.clone()));
             problem
         });
-        self.library_problems = placed.collect();
-        self.problems_number += 1;
+        self.project.problems = placed.collect();
+        self.revisions.problems.advance();
     }
 
     pub(super) fn use_library(&mut self, library: Library) {
-        self.library = Arc::new(library);
-        self.catalog = Catalog::new(&self.library);
+        self.project.set_library(library);
     }
 }
 
 /// The kind of node that a problem's file is about.
 fn kind_of(problem: &Diagnostic) -> Option<&str> {
     Path::new(problem.place.file.as_deref()?).file_stem()?.to_str()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_projects_nodes_come_after_the_look_is_open() {
+        let folder = tempfile::tempdir().unwrap();
+        let look = folder.path().join("look.json");
+        std::fs::write(&look, "{\"nodes\": []}").unwrap();
+        std::fs::create_dir(folder.path().join("nodes")).unwrap();
+        let node = folder.path().join("nodes/half.wgsl");
+        std::fs::write(&node, "fn half(x: f32) -> f32 {\n    return 0.5 * x;\n}\n").unwrap();
+        let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
+        session.open(&look).unwrap();
+        assert!(session.is_compiling() && !session.project.library.nodes.contains_key("half"));
+        session.wait();
+        session.tick(0.0);
+        assert!(
+            session.project.library.nodes.contains_key("half")
+                && session.project.problems.is_empty()
+        );
+
+        // What is broken later is told, and the node stays as it was.
+        std::fs::write(&node, "fn half(x: f32) -> f32 {\n    return 0.5 *;\n}\n").unwrap();
+        session.reload_library();
+        session.wait();
+        session.tick(0.0);
+        assert!(
+            session.project.library.nodes.contains_key("half")
+                && !session.project.problems.is_empty()
+        );
+    }
 }

@@ -9,7 +9,8 @@ use super::Session;
 use crate::compile::{CompiledShader, Live, TypedGraph};
 use crate::document::{Edit, GraphId, Look};
 use crate::ids::{NodePath, PortName};
-use crate::state::compiling::{Answer, Request};
+use crate::state::compiling::{CompileAnswer, CompileRequest};
+use crate::state::revision::PictureRevision;
 
 /// What a look is after nothing was done to it for so long, in seconds, is compiled without
 /// uniforms.
@@ -20,7 +21,7 @@ const MOST_TOUCHED: usize = 512;
 
 /// The shaders that are shown, and how they relate to the document.
 #[derive(Default)]
-pub(super) struct Shown {
+pub(crate) struct ShaderCache {
     /// The look that a shader can show: the document, or, while that does not compile, as it was
     /// when it last did.
     pub(super) good: Option<Arc<Look>>,
@@ -47,13 +48,13 @@ pub(super) struct Shown {
 }
 
 /// A look with a shader that shows it.
-pub(crate) struct Showing {
+pub(crate) struct DrawableLook {
     pub(crate) look: Arc<Look>,
     pub(crate) shader: Arc<CompiledShader>,
     pub(crate) live: Live,
 }
 
-impl Shown {
+impl ShaderCache {
     /// What nodes there are is another than before, so that whatever was compiled is of no use.
     pub(super) fn structure_changed(&mut self) {
         self.requested_structure = None;
@@ -99,27 +100,32 @@ impl Session {
     /// Asks for what must be compiled, takes what is. `now` is the window's clock. Returns when to
     /// look again.
     pub(crate) fn tick(&mut self, now: f64) -> Option<Duration> {
-        for answer in self.compiler.answers() {
+        let awaits_nodes = self.awaits_nodes();
+        for answer in self.compilation.compiler.answers() {
             self.take(answer);
+        }
+        if awaits_nodes {
+            return None;
         }
         self.hold_suspect();
         if self.held().is_some() {
             return None;
         }
-        let revision = self.kept.history.revision();
-        if self.shaders.seen_revision != revision {
-            self.shaders.seen_revision = revision;
-            self.shaders.changed_at = now;
+        let revision = self.look.history.revision();
+        if self.compilation.shaders.seen_revision != revision {
+            self.compilation.shaders.seen_revision = revision;
+            self.compilation.shaders.changed_at = now;
         }
-        let is_another = self.shaders.requested_structure != Some(self.shaders.structure);
-        if is_another || self.shaders.lacks_a_uniform() {
+        let is_another = self.compilation.shaders.requested_structure
+            != Some(self.compilation.shaders.structure);
+        if is_another || self.compilation.shaders.lacks_a_uniform() {
             self.request(false);
             return None;
         }
-        if self.shaders.requested == Some(revision) {
+        if self.compilation.shaders.requested == Some(revision) {
             return None;
         }
-        let rested = now - self.shaders.changed_at;
+        let rested = now - self.compilation.shaders.changed_at;
         if rested >= REST {
             self.request(true);
             return None;
@@ -128,146 +134,154 @@ impl Session {
     }
 
     fn request(&mut self, only_baked: bool) {
-        self.shaders.requested = Some(self.kept.history.revision());
-        self.shaders.requested_structure = Some(self.shaders.structure);
+        self.compilation.shaders.requested = Some(self.look.history.revision());
+        self.compilation.shaders.requested_structure = Some(self.compilation.shaders.structure);
         if !only_baked {
-            self.shaders.requested_touched = self.shaders.touched.len();
+            self.compilation.shaders.requested_touched = self.compilation.shaders.touched.len();
         }
-        let request = Request {
-            look: match &self.preview {
+        let request = CompileRequest {
+            look: match &self.sketchbook.preview {
                 Some(preview) => preview.clone(),
-                None => Arc::new(self.solo.alone(self.look(), &self.catalog).into_owned()),
+                None => {
+                    Arc::new(self.view.solo.alone(self.look(), &self.project.catalog).into_owned())
+                }
             },
-            document: self.document_number,
-            revision: self.kept.history.revision(),
-            structure: self.shaders.structure,
-            touched: self.shaders.touched.clone(),
-            wire: self.wire.clone().map(|wire| {
-                let ty = wire.ty(self.look(), &self.library, &self.catalog);
+            document: self.revisions.document,
+            revision: self.look.history.revision(),
+            structure: self.compilation.shaders.structure,
+            touched: self.compilation.shaders.touched.clone(),
+            wire: self.view.wire.clone().map(|wire| {
+                let ty = wire.ty(self.look(), &self.project.library, &self.project.catalog);
                 (wire, ty)
             }),
-            library: self.library.clone(),
+            library: self.project.library.clone(),
             only_baked,
-            solo: self.solo_number,
-            preview: self.preview_number,
+            solo: self.view.solo_revision,
+            preview: self.sketchbook.preview_revision,
             name: self.name(),
-            path: self.path.clone(),
+            path: self.look.path.clone(),
         };
         // What waited for both must not be lost to a wish for less.
-        self.compiler.request(|waiting| Request {
+        self.compilation.compiler.request(|waiting| CompileRequest {
             only_baked: request.only_baked && waiting.is_none_or(|waiting| waiting.only_baked),
             ..request
         });
     }
 
-    fn take(&mut self, Answer { request, result }: Answer) {
+    fn take(&mut self, CompileAnswer { request, result }: CompileAnswer) {
+        let is_current = request.document == self.revisions.document
+            && request.structure == self.compilation.shaders.structure;
         let is_current =
-            request.document == self.document_number && request.structure == self.shaders.structure;
-        let is_current =
-            is_current && request.wire.as_ref().map(|(wire, _)| wire) == self.wire.as_ref();
+            is_current && request.wire.as_ref().map(|(wire, _)| wire) == self.view.wire.as_ref();
         let is_current = is_current
-            && request.solo == self.solo_number
-            && request.preview == self.preview_number;
+            && request.solo == self.view.solo_revision
+            && request.preview == self.sketchbook.preview_revision;
         if !is_current {
             // A newer one is on its way, and what this one is about is gone.
             return;
         }
-        self.problems_number += 1;
+        self.revisions.problems.advance();
         match result {
             Ok(shaders) => {
-                self.problems.clone_from(&shaders.baked.warnings);
+                self.compilation.problems.clone_from(&shaders.baked.warnings);
                 if let Some(live) = shaders.live {
-                    self.shaders.live = Some(live);
-                    self.shaders.live_structure = Some(request.structure);
+                    self.compilation.shaders.live = Some(live);
+                    self.compilation.shaders.live_structure = Some(request.structure);
                 }
-                self.shaders.baked = Some(shaders.baked);
-                self.shaders.typed = Some(shaders.typed);
+                self.compilation.shaders.baked = Some(shaders.baked);
+                self.compilation.shaders.typed = Some(shaders.typed);
                 self.forget_keys();
-                self.shaders.baked_revision = Some(request.revision);
-                self.shaders.good = Some(request.look);
-                self.picture += 1;
+                self.compilation.shaders.baked_revision = Some(request.revision);
+                self.compilation.shaders.good = Some(request.look);
+                self.revisions.picture.advance();
             }
             // The last good picture stays.
-            Err(problems) => self.problems = problems,
+            Err(problems) => self.compilation.problems = problems,
         }
-        if self.kept.history.revision() == 0 {
-            self.source.locate_all(&mut self.problems);
+        if self.look.history.revision() == 0 {
+            self.look.file.source.locate_all(&mut self.compilation.problems);
         }
     }
 
-    /// Whether something is being compiled, or is and was not taken yet.
+    /// Whether nodes are being read or something compiled, or are and were not taken yet.
     pub fn is_compiling(&self) -> bool {
-        self.compiler.owes()
+        self.project.reader.owes() || self.compilation.compiler.owes()
     }
 
-    /// Waits for the compiler; for tests.
+    /// Waits for the project's nodes and the compiler; for tests.
     pub fn wait(&self) {
-        self.compiler.wait();
+        self.project.reader.wait();
+        self.compilation.compiler.wait();
     }
 
     /// Grows whenever the picture may be another.
-    pub(crate) fn picture(&self) -> u64 {
-        self.picture
+    pub(crate) fn picture(&self) -> PictureRevision {
+        self.revisions.picture
     }
 
     /// Whether the baked shader shows the look as it is.
     fn is_baked(&self) -> bool {
-        self.shaders.baked_revision == Some(self.kept.history.revision())
+        self.compilation.shaders.baked_revision == Some(self.look.history.revision())
     }
 
     /// Takes the look as it is for what is shown, where the live shader can show that.
     pub(crate) fn refresh_shown_look(&mut self) {
-        let revision = (self.document_number, self.kept.history.revision());
-        let is_live = self.shaders.live_structure == Some(self.shaders.structure);
-        if self.is_baked() || !is_live || self.good_revision == revision {
+        let revision = (self.revisions.document, self.revision());
+        let is_live =
+            self.compilation.shaders.live_structure == Some(self.compilation.shaders.structure);
+        if self.is_baked() || !is_live || self.compilation.shown_revision == revision {
             return;
         }
-        if let Some(good) = &mut self.shaders.good {
-            *good =
-                Arc::new(self.solo.alone(self.kept.history.document(), &self.catalog).into_owned());
-            self.good_revision = revision;
+        if let Some(good) = &mut self.compilation.shaders.good {
+            *good = Arc::new(
+                self.view.solo.alone(self.look.document(), &self.project.catalog).into_owned(),
+            );
+            self.compilation.shown_revision = revision;
         }
     }
 
     /// What can be shown: the look as it was refreshed last, by the baked shader where nothing
     /// changed since, else by the live one; or the last look that could be compiled.
-    pub(crate) fn showing(&self) -> Option<Showing> {
-        let good = self.solo.lit(self.shaders.good.as_ref()?);
+    pub(crate) fn showing(&self) -> Option<DrawableLook> {
+        let good = self.view.solo.lit(self.compilation.shaders.good.as_ref()?);
         let (shader, live) = match self.is_baked() {
-            true => (&self.shaders.baked, Live::Keyed),
-            false => (&self.shaders.live, Live::All),
+            true => (&self.compilation.shaders.baked, Live::Keyed),
+            false => (&self.compilation.shaders.live, Live::All),
         };
-        Some(Showing { look: good, shader: shader.clone()?, live })
+        Some(DrawableLook { look: good, shader: shader.clone()?, live })
     }
 
     /// The shader whose text is shown.
     pub fn baked(&self) -> Option<&Arc<CompiledShader>> {
-        self.shaders.baked.as_ref()
+        self.compilation.shaders.baked.as_ref()
     }
 
     /// The look as it was compiled last.
     pub(crate) fn typed(&self) -> Option<&TypedGraph> {
-        self.shaders.typed.as_deref()
+        self.compilation.shaders.typed.as_deref()
     }
 
     /// The shader that knows the values of now: the baked one where nothing changed since, else the
     /// live one.
     pub(crate) fn current_shader(&self) -> Option<&CompiledShader> {
-        let is_baked = self.shaders.baked_revision == Some(self.kept.history.revision());
-        let shader = if is_baked { &self.shaders.baked } else { &self.shaders.live };
+        let is_baked =
+            self.compilation.shaders.baked_revision == Some(self.look.history.revision());
+        let shader =
+            if is_baked { &self.compilation.shaders.baked } else { &self.compilation.shaders.live };
         shader.as_deref()
     }
 
     /// What computes wires for an object, which may set exposed values: a baked shader has those of
     /// the look in it.
     pub(crate) fn shader_of_wires(&self, sets_values: bool) -> Option<&CompiledShader> {
-        let is_there = sets_values && self.shaders.live_structure == Some(self.shaders.structure);
-        let live = self.shaders.live.as_deref().filter(|_| is_there);
+        let is_there = sets_values
+            && self.compilation.shaders.live_structure == Some(self.compilation.shaders.structure);
+        let live = self.compilation.shaders.live.as_deref().filter(|_| is_there);
         live.or_else(|| self.current_shader())
     }
 
     /// The shader whose values are uniforms.
     pub fn live(&self) -> Option<&Arc<CompiledShader>> {
-        self.shaders.live.as_ref()
+        self.compilation.shaders.live.as_ref()
     }
 }

@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use super::Session;
-use crate::document::{Edit, Graph, GraphId, Look, write_atomic};
+use crate::document::{Edit, Graph, GraphId, Look};
+use crate::files::write_atomic;
 use crate::ids::{DefinitionId, make_slug};
 
 impl Session {
@@ -40,10 +41,12 @@ impl Session {
         }
         let file_of = |slug: &str| folder.join(format!("{slug}.json"));
         let is_known =
-            self.library.groups.contains_key(id.as_str()) && file_of(id.as_str()).is_file();
+            self.project.library.groups.contains_key(id.as_str()) && file_of(id.as_str()).is_file();
         let is_taken = |slug: &str| {
             let is_other = slug != id.as_str() && own.contains_key(slug);
-            is_other || self.library.kinds().any(|kind| kind == slug) || file_of(slug).exists()
+            is_other
+                || self.project.library.kinds().any(|kind| kind == slug)
+                || file_of(slug).exists()
         };
         let shared =
             if is_known { id.clone() } else { DefinitionId::new(make_slug(&name, is_taken)) };

@@ -17,7 +17,7 @@ const PERCENT: f32 = 110.0;
 const SUN: f32 = 28.0;
 
 impl Fitting {
-    /// FitGoal turns painting on and off.
+    /// What turns painting on and off.
     pub(crate) fn toggle(&self, ui: &mut Ui, out: &mut Vec<Command>) {
         let help = "Paint on the picture where it should be lighter or darker, and fit the look to \
                     that (L)";

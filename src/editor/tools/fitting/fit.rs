@@ -3,8 +3,8 @@
 
 use std::sync::Arc;
 
-use super::work::Done;
-use super::work::Job;
+use super::work::FitRequest;
+use super::work::FitResult;
 use super::{ENOUGH, Fitting, LEAST_PAINTED};
 use crate::commands::{Command, FitGoal};
 use crate::diag::Diagnostic;
@@ -12,10 +12,11 @@ use crate::document::{Edit, Look, Tile};
 use crate::fit::{FitOptions, Fitted, Keep, Report, Target};
 use crate::progress::Progress;
 use crate::state::problem_text::sentence;
+use crate::state::revision::{DocumentNumber, LookRevision, PictureRevision};
 use crate::state::session::Session;
 
 /// Which look something is about: another revision is another look.
-pub(super) type Of = (u64, u64, Option<u64>);
+pub(super) type FittedState = (DocumentNumber, LookRevision, Option<PictureRevision>);
 
 /// What was painted when something was asked for.
 #[derive(Clone)]
@@ -42,7 +43,7 @@ const LEAST_GAIN: f64 = 0.05 / 255.0;
 const STOPPED: &str = "The fit was stopped before it came nearer: the look is as it was";
 
 pub(super) struct Running {
-    pub(super) of: Of,
+    pub(super) of: FittedState,
     pub(super) strokes: Strokes,
     pub(super) progress: Progress,
 }
@@ -54,7 +55,7 @@ pub(super) struct Outcome {
     pub(super) edit: Edit,
     pub(super) report: Report,
     /// The look that it was applied to, once it is: what is told of it holds for no other.
-    pub(super) applied: Option<Of>,
+    pub(super) applied: Option<FittedState>,
 }
 
 impl Fitting {
@@ -87,17 +88,17 @@ impl Fitting {
         let progress = Progress::observed(move |_| wake());
         let keep = if what == FitGoal::ThisLook { self.how.keep } else { Keep::default() };
         let options = FitOptions {
-            time: session.time,
+            time: session.view.time,
             keep,
             keep_rest: self.how.keep_rest,
             starts: self.how.starts,
             enough: ENOUGH,
         };
-        let still = session.still_of(Arc::new(session.look().clone()));
+        let still = session.snapshot_of(Arc::new(session.look().clone()));
         self.outcome = None;
         let strokes = Strokes::of(session);
         self.running = Some(Running { of: of(session), strokes, progress: progress.clone() });
-        self.fitter.request(|_| Job { what, still, target, options, progress });
+        self.fitter.request(|_| FitRequest { what, still, target, options, progress });
         Ok(())
     }
 
@@ -122,7 +123,7 @@ impl Fitting {
     }
 
     /// Takes what a fit came to: the look to be shown in place of the open one, if any.
-    pub(super) fn take(&mut self, done: Done, session: &Session) -> Option<Arc<Look>> {
+    pub(super) fn take(&mut self, done: FitResult, session: &Session) -> Option<Arc<Look>> {
         // What was given up, or is of a look that is gone, is nobody's.
         if !self.running.as_ref().is_some_and(|running| running.progress.is_same(&done.progress)) {
             return None;
@@ -177,7 +178,7 @@ impl Fitting {
 }
 
 /// Which look is open.
-pub(super) fn of(session: &Session) -> Of {
+pub(super) fn of(session: &Session) -> FittedState {
     (session.document_number(), session.revision(), session.stage_version())
 }
 

@@ -14,17 +14,17 @@ use crate::interp::Precision;
 use crate::progress::{Progress, Stopped};
 use crate::reference::{Modules, Options, execute};
 use crate::state::session::Session;
-use crate::state::still::{Reused, Stamp, Still};
+use crate::state::snapshot::{RenderSnapshot, Reused, Stamp};
 use crate::state::worker::Worker;
 
 /// What a ground is of: the same again is known.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Moment {
+pub(super) struct GroundInputs {
     stamp: Stamp,
     size: [u32; 2],
 }
 
-impl Moment {
+impl GroundInputs {
     pub(super) fn new(session: &Session, size: [u32; 2]) -> Self {
         Self { stamp: session.stamp(), size }
     }
@@ -82,30 +82,33 @@ impl Ground {
     }
 }
 
-struct Job {
-    moment: Moment,
-    still: Still,
+struct GroundRequest {
+    moment: GroundInputs,
+    still: RenderSnapshot,
     progress: Progress,
 }
 
-struct Done {
-    moment: Moment,
+struct GroundResult {
+    moment: GroundInputs,
     result: Result<Ground, Vec<Diagnostic>>,
 }
 
 /// Keeps the ground up to date.
 pub(super) struct Grounds {
-    worker: Worker<Job, Done>,
-    asked: Option<Moment>,
+    worker: Worker<GroundRequest, GroundResult>,
+    asked: Option<GroundInputs>,
     progress: Progress,
-    known: Option<Done>,
+    known: Option<GroundResult>,
 }
 
 impl Grounds {
     /// `wake` is called from another thread when there is another ground.
     pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
         let mut planner = Reused::new(|assets| Planner::new(assets).culling(Cull::Objects));
-        let draw = move |job: Job| Done { result: draw(&mut planner, &job), moment: job.moment };
+        let draw = move |job: GroundRequest| GroundResult {
+            result: draw(&mut planner, &job),
+            moment: job.moment,
+        };
         Self {
             worker: Worker::new("ground", wake, draw),
             asked: None,
@@ -115,7 +118,7 @@ impl Grounds {
     }
 
     /// Takes what was drawn, and asks for what is shown now.
-    pub(super) fn update(&mut self, session: &Session, moment: &Moment) {
+    pub(super) fn update(&mut self, session: &Session, moment: &GroundInputs) {
         for done in self.worker.answers() {
             // The same may have been given up and asked for again.
             let is_whole =
@@ -128,9 +131,9 @@ impl Grounds {
             self.rest();
             self.progress = Progress::new();
             self.asked = Some(moment.clone());
-            let job = Job {
+            let job = GroundRequest {
                 moment: moment.clone(),
-                still: session.still(),
+                still: session.snapshot(),
                 progress: self.progress.clone(),
             };
             self.worker.request(|_| job);
@@ -165,7 +168,7 @@ impl Grounds {
     }
 
     /// The moment of the last one.
-    pub(super) fn moment(&self) -> Option<&Moment> {
+    pub(super) fn moment(&self) -> Option<&GroundInputs> {
         self.known.as_ref().map(|known| &known.moment)
     }
 
@@ -184,9 +187,9 @@ impl Drop for Grounds {
     }
 }
 
-fn draw(planner: &mut Reused, job: &Job) -> Result<Ground, Vec<Diagnostic>> {
+fn draw(planner: &mut Reused, job: &GroundRequest) -> Result<Ground, Vec<Diagnostic>> {
     let one = |problem| vec![problem];
-    let Job { moment: Moment { size, .. }, still, progress } = job;
+    let GroundRequest { moment: GroundInputs { size, .. }, still, progress } = job;
     let planner = planner.of(&still.look, &still.library);
     let (setup, _) = still.setup(&mut planner.assets)?;
     let options = PlanOptions { size: *size, samples: 1, time: still.time };

@@ -16,7 +16,7 @@ use crate::state::session::Session;
 use crate::state::sketch::Standpoint;
 
 /// A stroke that goes on: what is wished is made of how much it covers.
-pub(super) struct Going {
+pub(super) struct LightStroke {
     cover: Cover,
     before: Arc<Tile>,
     pub(super) now: Arc<Tile>,
@@ -26,7 +26,7 @@ pub(super) struct Going {
 }
 
 /// A stroke over a picture that is still being read.
-pub(super) struct Waiting {
+pub(super) struct WaitingStroke {
     /// Where it went, in heights of the picture from its middle.
     pub(super) path: Vec<DVec2>,
     /// The brush that was taken for it.
@@ -35,7 +35,7 @@ pub(super) struct Waiting {
     is_over: bool,
 }
 
-impl Going {
+impl LightStroke {
     fn begin(before: Arc<Tile>, tools: &Tools) -> Self {
         let size = before.size();
         let cover = Cover::new(size, tools.radius(size[1]), tools.hardness);
@@ -159,7 +159,8 @@ impl Fitting {
             }
             return None;
         }
-        self.waiting = Some(Waiting { path: vec![at], tools: self.tools.clone(), is_over: false });
+        self.waiting =
+            Some(WaitingStroke { path: vec![at], tools: self.tools.clone(), is_over: false });
         self.told = None;
         None
     }
@@ -173,7 +174,7 @@ impl Fitting {
         let ground = self.ground()?;
         let empty = || Arc::new(Tile::filled(ground.size.map(|side| side * FINENESS), [0; 4]));
         let before = session.sketch().tile().cloned().unwrap_or_else(empty);
-        let mut going = Going::begin(before, &waiting.tools);
+        let mut going = LightStroke::begin(before, &waiting.tools);
         for at in waiting.path {
             going.to(on_sketch(at, going.before.size()), ground);
         }
@@ -181,7 +182,7 @@ impl Fitting {
         None
     }
 
-    fn end(&self, going: Going, session: &Session) -> Option<Command> {
+    fn end(&self, going: LightStroke, session: &Session) -> Option<Command> {
         if !going.meets {
             let told = "That stroke met no object that wears this look: only strokes on it count";
             return Some(Command::Tell(told.to_owned()));
@@ -189,7 +190,7 @@ impl Fitting {
         if going.now != going.before {
             let from = match session.sketch().standpoint() {
                 Some(standpoint) => standpoint.clone(),
-                None => Standpoint::new(&session.view, session.time),
+                None => Standpoint::new(&session.view.orbit, session.view.time),
             };
             let is_empty = going.now.bytes().chunks_exact(4).all(|texel| texel[3] == 0);
             let tile = Arc::unwrap_or_clone(going.now);

@@ -27,16 +27,32 @@ use crate::commands::{Command, LightBrush, SketchCommand};
 use crate::diag::has_errors;
 use crate::document::{Look, Tile};
 use crate::fit::{Keep, Wish as Painted};
+use crate::state::revision::DocumentNumber;
 use crate::state::session::Session;
 pub(crate) use crate::state::sketch::Standpoint;
 use crate::state::worker::{BackgroundJobs, Worker};
+use crate::tools::{PictureContext, SwitchPlace, ToolRow};
 use fit::{Outcome, Running, of};
-use ground::{Ground, Grounds, Moment};
-use hand::{Going, Waiting};
+use ground::{Ground, GroundInputs, Grounds};
+use hand::{LightStroke, WaitingStroke};
 use overlay::Textures;
 use target::FINENESS;
 use tools::Tools;
-use work::{Done, Job};
+use work::{FitRequest, FitResult};
+
+pub(super) const TOOL: ToolRow = ToolRow::new(
+    SwitchPlace::Bar,
+    |tools| tools.fitting.is_on(),
+    |tools, ui, out| tools.fitting.toggle(ui, out),
+)
+.with_pointer(|tools| tools.fitting.hint())
+.with_bar(|tools, ui, _| tools.fitting.bar(ui))
+.with_interaction(|tools, ui, PictureContext { session, response, rect, .. }| {
+    tools.fitting.interact(ui, response, *rect, session)
+})
+.with_overlay(|tools, ui, PictureContext { session, response, rect, .. }, out| {
+    tools.fitting.over(ui, response, *rect, session, out);
+});
 
 /// The height of the picture that is fitted at, in pixels: what is painted is broad, and a fit
 /// looks at some hundred pixels only.
@@ -54,7 +70,7 @@ const REST: f64 = 0.15;
 
 /// How to fit.
 #[derive(Clone, Copy, Debug)]
-struct How {
+struct FitSettings {
     keep: Keep,
     /// How far what is not painted stays as it is, from 0 to 1.
     keep_rest: f64,
@@ -66,7 +82,7 @@ struct How {
 
 /// What is seen over the picture.
 #[derive(Clone, Copy, Debug)]
-struct Shows {
+struct OverlaySettings {
     strokes: bool,
     misses: bool,
 }
@@ -79,18 +95,18 @@ pub struct Fitting {
     /// How wide the viewport is, in parts of its height.
     aspect: f64,
     tools: Tools,
-    how: How,
-    shows: Shows,
+    how: FitSettings,
+    shows: OverlaySettings,
     grounds: Grounds,
     /// What was seen last, and when, in seconds of the window's clock.
-    seen: Option<(Moment, f64)>,
-    going: Option<Going>,
+    seen: Option<(GroundInputs, f64)>,
+    going: Option<LightStroke>,
     /// A stroke that waits until the picture under it is read.
-    waiting: Option<Waiting>,
+    waiting: Option<WaitingStroke>,
     /// The document that is painted on: no other is.
-    document: u64,
-    wishes: Option<(Arc<Tile>, Moment, Vec<Painted>)>,
-    fitter: Worker<Job, Done>,
+    document: DocumentNumber,
+    wishes: Option<(Arc<Tile>, GroundInputs, Vec<Painted>)>,
+    fitter: Worker<FitRequest, FitResult>,
     running: Option<Running>,
     outcome: Option<Outcome>,
     /// What there is to be said of the last fit, or why there was none.
@@ -108,13 +124,13 @@ impl Fitting {
             height: HEIGHT,
             aspect: 1.0,
             tools: Tools::default(),
-            how: How { keep: Keep::default(), keep_rest: 0.5, layers: 2, starts: STARTS },
-            shows: Shows { strokes: true, misses: false },
+            how: FitSettings { keep: Keep::default(), keep_rest: 0.5, layers: 2, starts: STARTS },
+            shows: OverlaySettings { strokes: true, misses: false },
             grounds: Grounds::new(wake.clone()),
             seen: None,
             going: None,
             waiting: None,
-            document: 0,
+            document: DocumentNumber::default(),
             wishes: None,
             fitter: work::start(wake.clone()),
             running: None,
@@ -251,7 +267,7 @@ impl Fitting {
         if !self.is_on {
             return out;
         }
-        let moment = Moment::new(session, self.size(session));
+        let moment = GroundInputs::new(session, self.size(session));
         let now = ui.input(|input| input.time);
         let was = self.seen.as_ref().filter(|(seen, _)| *seen == moment).map(|(_, since)| *since);
         let since = was.unwrap_or(now);
@@ -310,7 +326,9 @@ impl Fitting {
     /// Whether the view is the one that the strokes belong to.
     fn is_at_view(session: &Session) -> bool {
         let sketch = session.sketch();
-        sketch.standpoint().is_none_or(|standpoint| standpoint.sees_as(&session.view, session.time))
+        sketch
+            .standpoint()
+            .is_none_or(|standpoint| standpoint.sees_as(&session.view.orbit, session.view.time))
     }
 
     /// Why nothing can be painted or fitted now.
@@ -338,7 +356,7 @@ impl Fitting {
         if session.sketch().is_empty() {
             return Vec::new();
         }
-        let from = Standpoint::new(&session.view, session.time);
+        let from = Standpoint::new(&session.view.orbit, session.view.time);
         let label = "clear the strokes";
         vec![Command::Sketch(SketchCommand::Paint { label, from, tile: None })]
     }

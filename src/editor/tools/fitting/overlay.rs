@@ -12,7 +12,7 @@ use eframe::egui::{
 use glam::DVec2;
 
 use super::Fitting;
-use super::ground::Moment;
+use super::ground::GroundInputs;
 use super::target;
 use super::veil::strokes;
 use crate::commands::{Command, FitCommand};
@@ -21,20 +21,20 @@ use crate::fit::picture_of;
 use crate::state::session::Session;
 use crate::widgets::theme;
 
-/// FitGoal a texture of strokes is of.
+/// What a texture of strokes is of.
 #[derive(PartialEq)]
-struct Of {
+struct StrokesTextureKey {
     tile: usize,
-    moment: Option<Moment>,
+    moment: Option<GroundInputs>,
     outlines_only: bool,
 }
 
 /// What is on the GPU for it.
 #[derive(Default)]
 pub(super) struct Textures {
-    strokes: Option<(Of, Arc<Tile>, TextureHandle)>,
-    misses: Option<(Of, TextureHandle)>,
-    ground: Option<(Moment, TextureHandle)>,
+    strokes: Option<(StrokesTextureKey, Arc<Tile>, TextureHandle)>,
+    misses: Option<(StrokesTextureKey, TextureHandle)>,
+    ground: Option<(GroundInputs, TextureHandle)>,
 }
 
 impl Fitting {
@@ -146,7 +146,7 @@ impl Fitting {
         let tile = self.going.as_ref().map(|going| &going.now).or(session.sketch().tile())?.clone();
         let outlines_only = !self.shows.strokes || self.shows.misses || self.awaits();
         let moment = self.grounds.moment().cloned();
-        let of = Of { tile: Arc::as_ptr(&tile) as usize, moment, outlines_only };
+        let of = StrokesTextureKey { tile: Arc::as_ptr(&tile) as usize, moment, outlines_only };
         if let Some((known, _, handle)) = &self.textures.strokes
             && *known == of
         {
@@ -170,7 +170,7 @@ impl Fitting {
     fn misses(&mut self, ctx: &Context) -> Option<TextureId> {
         let (tile, moment, wishes) = self.wishes.as_ref()?;
         let ground = self.grounds.latest()?;
-        let of = Of {
+        let of = StrokesTextureKey {
             tile: Arc::as_ptr(tile) as usize,
             moment: Some(moment.clone()),
             outlines_only: false,

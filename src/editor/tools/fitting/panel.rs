@@ -124,7 +124,7 @@ impl Fitting {
         });
     }
 
-    /// FitGoal came of a fit.
+    /// What came of a fit.
     fn result(&self, ui: &mut Ui, outcome: &Outcome, session: &Session, out: &mut Vec<Command>) {
         let report = &outcome.report;
         errors(ui, report);
@@ -140,7 +140,7 @@ impl Fitting {
         changes(ui, report, session);
     }
 
-    /// FitGoal else may bring a look nearer to the strokes.
+    /// What else may bring a look nearer to the strokes.
     pub(super) fn advice(&self, what: FitGoal, report: &Report) -> String {
         let mut ways = Vec::new();
         if let Some(kept) = report.kept.told().filter(|_| what == FitGoal::ThisLook) {

@@ -8,20 +8,20 @@ use crate::document::Look;
 use crate::fit::{FitOptions, Fitted, Target, fit_layers, fit_look};
 use crate::frame::Assets;
 use crate::progress::Progress;
-use crate::state::still::Still;
+use crate::state::snapshot::RenderSnapshot;
 use crate::state::worker::Worker;
 
 /// A fit that is asked for.
-pub(super) struct Job {
+pub(super) struct FitRequest {
     pub(super) what: FitGoal,
-    pub(super) still: Still,
+    pub(super) still: RenderSnapshot,
     pub(super) target: Target,
     pub(super) options: FitOptions,
     pub(super) progress: Progress,
 }
 
-/// FitGoal became of it.
-pub(super) struct Done {
+/// What became of a fit.
+pub(super) struct FitResult {
     pub(super) what: FitGoal,
     pub(super) look: Arc<Look>,
     pub(super) progress: Progress,
@@ -29,16 +29,16 @@ pub(super) struct Done {
 }
 
 /// A thread that fits.
-pub(super) fn start(wake: impl Fn() + Send + 'static) -> Worker<Job, Done> {
+pub(super) fn start(wake: impl Fn() + Send + 'static) -> Worker<FitRequest, FitResult> {
     let mut assets = Assets::default();
-    Worker::new("fit", wake, move |job: Job| {
+    Worker::new("fit", wake, move |job: FitRequest| {
         let result = fit(&mut assets, &job);
-        Done { what: job.what, look: job.still.look, progress: job.progress, result }
+        FitResult { what: job.what, look: job.still.look, progress: job.progress, result }
     })
 }
 
-fn fit(assets: &mut Assets, job: &Job) -> Result<Fitted, Vec<Diagnostic>> {
-    let Job { what, still, target, options, progress, .. } = job;
+fn fit(assets: &mut Assets, job: &FitRequest) -> Result<Fitted, Vec<Diagnostic>> {
+    let FitRequest { what, still, target, options, progress, .. } = job;
     let (setup, _) = still.setup(assets)?;
     // The open look is the first.
     match what {

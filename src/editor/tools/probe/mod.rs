@@ -8,15 +8,37 @@ pub(crate) use panel::wire_name;
 use eframe::egui;
 use eframe::egui::{Pos2, Rect, Stroke, Ui, pos2, vec2};
 
+use crate::commands::{Command, Switch, table};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::frame::{Draw, PlanOptions, Planner, Setup};
 use crate::progress::Progress;
 use crate::reference::{Options, WireValue, probe_wires};
 use crate::state::session::Session;
-use crate::state::still::{Reused, Stamp, Still};
+use crate::state::snapshot::{RenderSnapshot, Reused, Stamp};
 use crate::state::worker::{BackgroundJobs, Worker};
+use crate::tools::{PictureContext, SwitchPlace, ToolRow};
 use crate::widgets::theme;
+
+pub(super) const TOOL: ToolRow = ToolRow::new(
+    SwitchPlace::Bar,
+    |tools| tools.probe.is_on(),
+    |tools, ui, out| {
+        let mut is_on = tools.probe.is_on();
+        let help = table::help_of(&Command::Probe(Switch::Toggle));
+        if ui.toggle_value(&mut is_on, "Probe pixel").on_hover_text(help).changed() {
+            out.push(Command::Probe(is_on.into()));
+        }
+    },
+)
+.with_pointer(|tools| match tools.probe.pinned() {
+    None => "Rest the pointer to read a pixel, click to keep it · Esc leaves the probe",
+    Some(_) => "This pixel is kept: click another · Esc lets go of it, Esc again leaves the probe",
+})
+.with_overlay(|tools, ui, PictureContext { session, response, rect, pointer }, _| {
+    tools.probe.update(ui, session, *rect, *pointer, response.clicked());
+})
+.with_mark(|tools, ui, rect| tools.probe.mark(ui, rect));
 
 /// The pointer rests after so many seconds.
 const REST: f64 = 0.15;
@@ -31,11 +53,11 @@ struct Spot {
 
 struct Query {
     spot: Spot,
-    still: Still,
+    still: RenderSnapshot,
     progress: Progress,
 }
 
-struct Found {
+struct ProbeResult {
     spot: Spot,
     /// `None` where nothing is drawn.
     result: Result<Option<Vec<WireValue>>, Vec<Diagnostic>>,
@@ -43,7 +65,7 @@ struct Found {
 
 /// The probe and what it found last.
 pub struct Probe {
-    worker: Worker<Query, Found>,
+    worker: Worker<Query, ProbeResult>,
     is_on: bool,
     /// Whether the pixel stays where it is while the pointer moves on.
     is_pinned: bool,
@@ -52,7 +74,7 @@ pub struct Probe {
     seen_at: f64,
     asked: Option<Spot>,
     progress: Progress,
-    found: Option<Found>,
+    found: Option<ProbeResult>,
     jump: bool,
 }
 
@@ -167,7 +189,7 @@ impl Probe {
         self.progress.stop();
         self.progress = Progress::new();
         self.asked = Some(spot.clone());
-        let query = Query { spot, still: session.still(), progress: self.progress.clone() };
+        let query = Query { spot, still: session.snapshot(), progress: self.progress.clone() };
         self.worker.request(|_| query);
     }
 
@@ -244,7 +266,7 @@ fn other_look(setup: &Setup, draw: &Draw) -> Option<Diagnostic> {
     })
 }
 
-fn probe(planner: &mut Reused, Query { spot, still, progress }: Query) -> Found {
+fn probe(planner: &mut Reused, Query { spot, still, progress }: Query) -> ProbeResult {
     let planner = planner.of(&still.look, &still.library);
     let mut find = || {
         let (setup, _) = still.setup(&mut planner.assets)?;
@@ -259,5 +281,5 @@ fn probe(planner: &mut Reused, Query { spot, still, progress }: Query) -> Found 
         }
     };
     let result = find();
-    Found { spot, result }
+    ProbeResult { spot, result }
 }

@@ -130,7 +130,7 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
     response.widget_info(|| {
         egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Wire of {}", wire.node))
     });
-    let is_selected = wire.node.outermost().is_some_and(|id| session.selection.contains(id));
+    let is_selected = wire.node.outermost().is_some_and(|id| session.selection.nodes.contains(id));
     if is_first_broken {
         ui.painter().rect_filled(rect, 2.0, theme::of(ui).error.gamma_multiply(0.25));
     } else if is_selected {
@@ -181,8 +181,8 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
         .then(|| wire.node.outermost().cloned().map(|id| Command::Show(NodePath::root(id))))
         .flatten();
     response.context_menu(|ui| {
-        let node = node_at(session.look(), &session.library, wire.node.ids());
-        let Some(kind) = node.and_then(|node| session.catalog.of(node)) else { return };
+        let node = node_at(session.look(), &session.project.library, wire.node.ids());
+        let Some(kind) = node.and_then(|node| session.project.catalog.of(node)) else { return };
         for (port, style) in
             kind.outputs.iter().flat_map(|port| Style::ALL.map(|style| (port, style)))
         {
@@ -201,7 +201,7 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
 pub(crate) fn wire_name(session: &Session, path: &NodePath) -> String {
     let [outer, inner @ ..] = path.ids() else { return String::new() };
     let node = session.look().graph.nodes.get(outer);
-    let kind = || Some(session.catalog.of(node?)?.label.to_string());
+    let kind = || Some(session.project.catalog.of(node?)?.label.to_string());
     let own = node.map(|node| node.name.clone()).filter(|name| !name.is_empty());
     let mut name = own.or_else(kind).unwrap_or_else(|| outer.to_string());
     for id in inner {

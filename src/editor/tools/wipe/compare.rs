@@ -2,14 +2,14 @@
 
 use eframe::egui::ColorImage;
 
-use super::{Against, Compared, Done, Job};
+use super::{Compared, ComparisonRequest, ComparisonResult, ComparisonTarget};
 use crate::accuracy::{Colors, Truth, Variant, compare};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::Tier;
 use crate::frame::{Assets, Cull, Picture, PlanOptions, Planner, Setup};
 use crate::render::{Gpu, Renderer, block_on};
-use crate::state::still::Reused;
+use crate::state::snapshot::Reused;
 
 /// What it keeps between comparisons.
 pub(super) struct Comparer {
@@ -26,12 +26,12 @@ impl Comparer {
         Self { renderer: None, window, planner }
     }
 
-    pub(super) fn run(&mut self, job: Job) -> Done {
+    pub(super) fn run(&mut self, job: ComparisonRequest) -> ComparisonResult {
         let result = self.try_run(&job);
-        Done { moment: job.moment, result }
+        ComparisonResult { moment: job.moment, result }
     }
 
-    fn try_run(&mut self, job: &Job) -> Result<Compared, Vec<Diagnostic>> {
+    fn try_run(&mut self, job: &ComparisonRequest) -> Result<Compared, Vec<Diagnostic>> {
         let library = &job.still.library;
         let options = PlanOptions { size: job.moment.size, samples: 1, time: job.still.time };
         let planner = self.planner.of(&job.still.look, &job.still.library);
@@ -46,11 +46,11 @@ impl Comparer {
         };
         let present = draw(&setup)?;
         match job.moment.against {
-            Against::Tier(tier) => {
+            ComparisonTarget::Tier(tier) => {
                 let other = draw(&Variant::Looks(tier).of(&setup))?;
                 Ok(together(&present, &other, &Colors::from(&other), |_| false))
             }
-            Against::Truth => {
+            ComparisonTarget::Truth => {
                 let truth = truth(job, &Variant::Looks(Tier::Exact).of(&setup), &options)?;
                 let wanted = truth.picture().to_picture();
                 Ok(together(&present, &wanted, &truth.colors(), |index| truth.is_edge(index)))
@@ -59,7 +59,11 @@ impl Comparer {
     }
 }
 
-fn truth(job: &Job, setup: &Setup, options: &PlanOptions) -> Result<Truth, Vec<Diagnostic>> {
+fn truth(
+    job: &ComparisonRequest,
+    setup: &Setup,
+    options: &PlanOptions,
+) -> Result<Truth, Vec<Diagnostic>> {
     let mut planner = Planner::for_truth(Assets::default());
     let truth = Truth::of(setup, &job.still.library, &mut planner, options, &job.progress);
     Ok(truth?)

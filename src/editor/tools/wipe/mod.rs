@@ -19,9 +19,27 @@ use crate::document::Tier;
 use crate::progress::{Progress, Stopped};
 use crate::render::Gpu;
 use crate::state::session::Session;
-use crate::state::still::{Stamp, Still};
+use crate::state::snapshot::{RenderSnapshot, Stamp};
 use crate::state::worker::{BackgroundJobs, Worker};
+use crate::tools::probe::picture_size;
+use crate::tools::{PictureContext, SwitchPlace, ToolRow};
 use compare::Comparer;
+
+pub(super) const TOOL: ToolRow = ToolRow::new(
+    SwitchPlace::Bar,
+    |tools| tools.wipe.against.is_some(),
+    |tools, ui, _| {
+        // Pictures beside it would be in the way of strokes.
+        if !tools.fitting.is_on() {
+            tools.wipe.choice(ui);
+        }
+    },
+)
+.with_bar(|tools, ui, session| tools.wipe.bar(ui, session))
+.with_overlay(|tools, ui, PictureContext { session, rect, .. }, _| {
+    tools.wipe.update(ui, session, picture_size(*rect, ui.pixels_per_point()));
+    tools.wipe.over(ui, *rect);
+});
 
 /// A tier is compared again after the hand rests for so many seconds.
 const REST: f64 = 0.2;
@@ -31,12 +49,12 @@ pub(crate) const GAINS: [u32; 3] = [16, 64, 256];
 
 /// What the picture is held against.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Against {
+pub(crate) enum ComparisonTarget {
     Tier(Tier),
     Truth,
 }
 
-impl Against {
+impl ComparisonTarget {
     pub(crate) const ALL: [Self; 4] =
         [Self::Truth, Self::Tier(Tier::Exact), Self::Tier(Tier::Balanced), Self::Tier(Tier::Fast)];
 
@@ -52,20 +70,20 @@ impl Against {
 
 /// What is compared and when: the same again is known.
 #[derive(Clone, Debug, PartialEq)]
-struct Moment {
+struct ComparisonInputs {
     stamp: Stamp,
     size: [u32; 2],
-    against: Against,
+    against: ComparisonTarget,
 }
 
-struct Job {
-    moment: Moment,
-    still: Still,
+struct ComparisonRequest {
+    moment: ComparisonInputs,
+    still: RenderSnapshot,
     progress: Progress,
 }
 
-struct Done {
-    moment: Moment,
+struct ComparisonResult {
+    moment: ComparisonInputs,
     result: Result<Compared, Vec<Diagnostic>>,
 }
 
@@ -79,8 +97,8 @@ struct Compared {
 }
 
 /// What is on the screen.
-struct Shown {
-    moment: Moment,
+struct ComparisonView {
+    moment: ComparisonInputs,
     compared: Compared,
     textures: [TextureHandle; 2],
     /// The difference and how often it is magnified.
@@ -89,19 +107,19 @@ struct Shown {
 
 /// The comparison and what it found last.
 pub struct Wipe {
-    worker: Option<Worker<Job, Done>>,
-    against: Option<Against>,
+    worker: Option<Worker<ComparisonRequest, ComparisonResult>>,
+    against: Option<ComparisonTarget>,
     /// `None` while the divider is shown.
     gain: Option<u32>,
     /// Where the divider is, in parts of the width.
     split: f32,
-    seen: Option<Moment>,
+    seen: Option<ComparisonInputs>,
     seen_at: f64,
-    asked: Option<Moment>,
+    asked: Option<ComparisonInputs>,
     progress: Progress,
     /// Called from another thread when there is more progress to show.
     wake: Arc<dyn Fn() + Send + Sync>,
-    shown: Option<Shown>,
+    shown: Option<ComparisonView>,
     problems: Vec<Diagnostic>,
 }
 
@@ -138,11 +156,11 @@ impl Wipe {
         self.split
     }
 
-    fn current(&self) -> Option<&Shown> {
+    fn current(&self) -> Option<&ComparisonView> {
         self.shown.as_ref().filter(|shown| Some(&shown.moment) == self.seen.as_ref())
     }
 
-    fn choose(&mut self, against: Option<Against>) {
+    fn choose(&mut self, against: Option<ComparisonTarget>) {
         if self.against != against {
             self.stop();
             self.against = against;
@@ -167,19 +185,19 @@ impl Wipe {
             }
         }
         let Some(against) = self.against else { return };
-        let moment = Moment { stamp: session.stamp(), size, against };
+        let moment = ComparisonInputs { stamp: session.stamp(), size, against };
         let now = ui.input(|input| input.time);
         let is_first = self.seen.is_none();
         if self.seen.as_ref() != Some(&moment) {
             self.seen = Some(moment.clone());
             self.seen_at = now;
-            if against == Against::Truth && !is_first {
+            if against == ComparisonTarget::Truth && !is_first {
                 self.stop();
                 self.shown = None;
             }
         }
         let is_known = self.asked.as_ref() == Some(&moment);
-        if is_known || (against == Against::Truth && !is_first) {
+        if is_known || (against == ComparisonTarget::Truth && !is_first) {
             return;
         }
         let rested = now - self.seen_at;
@@ -190,18 +208,22 @@ impl Wipe {
         }
     }
 
-    fn ask(&mut self, session: &Session, moment: Moment) {
+    fn ask(&mut self, session: &Session, moment: ComparisonInputs) {
         self.stop();
         let wake = self.wake.clone();
         self.progress = Progress::observed_by_percent(move |_| wake());
         self.asked = Some(moment.clone());
-        let job = Job { moment, still: session.still(), progress: self.progress.clone() };
+        let job = ComparisonRequest {
+            moment,
+            still: session.snapshot(),
+            progress: self.progress.clone(),
+        };
         if let Some(worker) = &self.worker {
             worker.request(|_| job);
         }
     }
 
-    fn take(&mut self, ui: &Ui, done: Done) {
+    fn take(&mut self, ui: &Ui, done: ComparisonResult) {
         self.problems.clear();
         match done.result {
             Ok(compared) => {
@@ -210,8 +232,12 @@ impl Wipe {
                 };
                 let [left, right] = &compared.pictures;
                 let textures = [load("as it is", left), load("against", right)];
-                self.shown =
-                    Some(Shown { moment: done.moment, compared, textures, magnified: None });
+                self.shown = Some(ComparisonView {
+                    moment: done.moment,
+                    compared,
+                    textures,
+                    magnified: None,
+                });
             }
             Err(problems) => {
                 self.shown = None;

@@ -6,7 +6,7 @@ use eframe::egui::{
     pos2, vec2,
 };
 
-use super::{Against, GAINS, Shown, Wipe};
+use super::{ComparisonTarget, ComparisonView, GAINS, Wipe};
 use crate::state::problem_text::sentence;
 use crate::state::session::Session;
 use crate::state::worker::BackgroundJobs;
@@ -21,12 +21,12 @@ impl Wipe {
         if self.worker.is_none() {
             return;
         }
-        let text = self.against.map_or("Compare with", Against::label);
+        let text = self.against.map_or("Compare with", ComparisonTarget::label);
         let combo = egui::ComboBox::from_id_salt("against").selected_text(text).show_ui(ui, |ui| {
             if ui.selectable_label(self.against.is_none(), "Nothing").clicked() {
                 self.choose(None);
             }
-            for against in Against::ALL {
+            for against in ComparisonTarget::ALL {
                 if ui.selectable_label(self.against == Some(against), against.label()).clicked() {
                     self.choose(Some(against));
                 }
@@ -67,7 +67,7 @@ impl Wipe {
         }
     }
 
-    fn state(&mut self, ui: &mut Ui, session: &Session, against: Against) {
+    fn state(&mut self, ui: &mut Ui, session: &Session, against: ComparisonTarget) {
         if let Some(shown) = self.current() {
             let figures = &shown.compared.figures;
             let text = match figures.max {
@@ -86,7 +86,7 @@ impl Wipe {
             return;
         }
         if self.is_busy() {
-            if against == Against::Truth {
+            if against == ComparisonTarget::Truth {
                 let share = self.progress.share() as f32;
                 let bar = egui::ProgressBar::new(share)
                     .desired_width(90.0)
@@ -100,7 +100,7 @@ impl Wipe {
             }
             return;
         }
-        if against == Against::Truth {
+        if against == ComparisonTarget::Truth {
             if ui
                 .button("Compute again")
                 .on_hover_text("Computes the truth of what is shown now")
@@ -198,7 +198,7 @@ fn tag(ui: &Ui, at: Pos2, align: Align2, text: &str) {
     ui.painter().galley(place.min, galley, theme::of(ui).text);
 }
 
-fn magnified(shown: &Shown, gain: u32) -> egui::ColorImage {
+fn magnified(shown: &ComparisonView, gain: u32) -> egui::ColorImage {
     let byte = |x: f32| (x * gain as f32).clamp(0.0, 1.0).mul_add(255.0, 0.5) as u8;
     let pixels = shown.compared.difference.iter().map(|pixel| {
         let [r, g, b] = pixel.map(byte);

@@ -13,7 +13,10 @@ use crate::diag::Diagnostic;
 use crate::document::{Directions, Grid, Hcbtf, Look, Tier, Tile};
 use crate::frame::SetupLook;
 use crate::hcbtf;
-use crate::library::{Context, Fallback, Input, Library, NodeDef, Parameter, Special, Type};
+use crate::library::{
+    Context, ContextSample, Fallback, Input, Library, NodeDef, Parameter, Special, SurfacePart,
+    Type,
+};
 
 /// The largest number that f32 holds.
 const MOST: f64 = f32::MAX as f64;
@@ -319,7 +322,7 @@ impl Builder<'_> {
             let name = input.name.to_string();
             // What the Output asks beside the color belongs to other passes.
             let is_other = self.def.special == Special::Output && name != "color";
-            if input.hidden || is_other || input.fallback == Fallback::Context(Context::Kappa) {
+            if input.hidden || is_other || input.fallback == Fallback::Context(Context::KAPPA) {
                 continue;
             }
             if let Some(word) = self.case.choices.get(&name) {
@@ -424,62 +427,39 @@ impl Builder<'_> {
 
     /// Slots for what the node asks of its surroundings.
     fn surroundings(&mut self) {
-        let number = Kind::Number { min: None, max: None, is_angle: false };
-        let clock = Kind::Number { min: Some(0.0), max: Some(100.0), is_angle: false };
         let is_fed =
-            |input: &Input| !input.hidden && input.fallback != Fallback::Context(Context::Kappa);
+            |input: &Input| !input.hidden && input.fallback != Fallback::Context(Context::KAPPA);
         let contexts: Vec<Context> =
             self.def.inputs.iter().filter(|input| !is_fed(input)).filter_map(context_of).collect();
         for context in contexts {
-            match context {
-                Context::Normal => self.slot("surface_normal", Place::Normal, Kind::Unit, 3, 1.0),
-                Context::View => self.slot("view", Place::View, Kind::Unit, 3, 1.0),
-                Context::Tangent | Context::Bitangent => {
-                    self.slot("surface_normal", Place::Normal, Kind::Unit, 3, 1.0);
-                    self.slot("surface_tangent", Place::Tangent, Kind::Unit, 3, 1.0);
-                }
-                Context::Position | Context::PositionObject => {
-                    self.slot("surface_position", Place::Position, number, 3, MOST_PLACE);
-                }
-                Context::PositionCamera | Context::Depth => {
-                    self.slot("surface_position", Place::Position, number, 3, MOST_PLACE);
-                    self.slot("camera", Place::Camera, Kind::Rotation, 4, 1.0);
-                }
-                Context::CameraFromWorld => {
-                    self.slot("camera", Place::Camera, Kind::Rotation, 4, 1.0);
-                }
-                Context::Uv => self.slot("uv", Place::Uv, number, 2, MOST),
-                Context::VertexColor => {
-                    self.slot("vertex_color", Place::VertexColor, Kind::Color, 4, MOST_COLOR);
-                }
-                Context::Kappa
-                | Context::KappaSparse
-                | Context::KappaFast
-                | Context::KappaDetail
-                | Context::KappaDetailSparse => {
-                    self.slot("kappa", Place::Kappa, Kind::Kappa, 1, MOST);
-                }
-                Context::Tensor | Context::TensorFast => {
-                    self.slot("kappa", Place::Kappa, Kind::Kappa, 1, MOST);
-                }
-                Context::SmoothNormal(_) => {
-                    self.slot("surface_normal", Place::Normal, Kind::Unit, 3, 1.0);
-                }
-                Context::Time | Context::Frame => {
-                    self.slot("time", Place::Time, clock, 1, MOST_LIGHT);
-                }
-                Context::Pixel => self.slot("pixel", Place::Pixel, number, 2, MOST_PLACE),
-                Context::Anchor => self.slot("anchor", Place::Anchor, number, 3, MOST_PLACE),
-                Context::Magnification => {
-                    let number = Kind::Number { min: Some(0.0), max: Some(4.0), is_angle: false };
-                    self.slot("magnification", Place::Magnification, number, 1, MOST_PLACE);
-                }
-                Context::ObjectId
-                | Context::Viewport
-                | Context::WorldFromNormal
-                | Context::Light(_) => {}
+            let sample = context.row().sample;
+            for &part in sample.parts() {
+                self.part(part);
+            }
+            if let ContextSample::Own { default, range: (min, max) } = sample {
+                let kind = Kind::Number { min, max, is_angle: false };
+                let place = Place::Context(context);
+                self.slot(context.word(), place, kind, default.len(), MOST_PLACE);
             }
         }
+    }
+
+    /// A slot for a part of the surface.
+    fn part(&mut self, part: SurfacePart) {
+        let number = Kind::Number { min: None, max: None, is_angle: false };
+        let clock = Kind::Number { min: Some(0.0), max: Some(100.0), is_angle: false };
+        let (name, kind, width, most) = match part {
+            SurfacePart::Normal => ("surface_normal", Kind::Unit, 3, 1.0),
+            SurfacePart::Tangent => ("surface_tangent", Kind::Unit, 3, 1.0),
+            SurfacePart::View => ("view", Kind::Unit, 3, 1.0),
+            SurfacePart::Position => ("surface_position", number, 3, MOST_PLACE),
+            SurfacePart::Camera => ("camera", Kind::Rotation, 4, 1.0),
+            SurfacePart::Uv => ("uv", number, 2, MOST),
+            SurfacePart::VertexColor => ("vertex_color", Kind::Color, 4, MOST_COLOR),
+            SurfacePart::Kappa => ("kappa", Kind::Kappa, 1, MOST),
+            SurfacePart::Time => ("time", clock, 1, MOST_LIGHT),
+        };
+        self.slot(name, Place::Part(part), kind, width, most);
     }
 
     fn roots(&mut self) -> Vec<Root> {

@@ -13,7 +13,7 @@ use crate::document::Value;
 use crate::frame::{Assets, EvalBatch, EvalSample, LightOverride, SetupLook, eval_batches};
 use crate::ids::{NodePath, PortName};
 use crate::interp::Precision;
-use crate::library::{Library, Type};
+use crate::library::{Library, SurfacePart, Type};
 use crate::reference;
 use crate::render::{Renderer, block_on};
 
@@ -612,27 +612,8 @@ pub fn sample(slots: &[Slot], all: &Numbers) -> EvalSample {
                 };
                 sample.values.insert(slot.name.as_str().into(), value);
             }
-            Place::Normal => sample.normal = vec3(numbers),
-            Place::Tangent => sample.tangent = Some(vec3(numbers)),
-            Place::View => sample.view = vec3(numbers),
-            Place::Position => sample.position = vec3(numbers),
-            Place::Camera => {
-                let turn = glam::DQuat::from_slice(numbers);
-                sample.camera = glam::DMat3::from_quat(if turn.length() > 1e-9 {
-                    turn.normalize()
-                } else {
-                    glam::DQuat::IDENTITY
-                });
-            }
-            Place::Uv => sample.uv = glam::DVec2::from_slice(numbers),
-            Place::Kappa => sample.kappa = numbers[0],
-            Place::Pixel => sample.pixel = glam::DVec2::from_slice(numbers),
-            Place::Anchor => sample.anchor = vec3(numbers),
-            Place::Magnification => sample.magnification = numbers[0],
-            Place::VertexColor => {
-                sample.vertex_color = [numbers[0], numbers[1], numbers[2], numbers[3]];
-            }
-            Place::Time => sample.time = numbers[0],
+            Place::Part(part) => set_part(&mut sample, part, numbers),
+            Place::Context(context) => drop(sample.contexts.insert(context, numbers.clone())),
             Place::LightDirection => light.direction = Some(vec3(numbers)),
             Place::LightPosition => light.position = Some(vec3(numbers)),
             Place::LightColor => light.color = Some(vec3(numbers)),
@@ -643,6 +624,31 @@ pub fn sample(slots: &[Slot], all: &Numbers) -> EvalSample {
         sample.lights.insert("key".into(), light);
     }
     sample
+}
+
+/// Gives a part of a sample's surface its numbers.
+fn set_part(sample: &mut EvalSample, part: SurfacePart, numbers: &[f64]) {
+    let vec3 = || glam::DVec3::from_slice(numbers);
+    match part {
+        SurfacePart::Normal => sample.normal = vec3(),
+        SurfacePart::Tangent => sample.tangent = Some(vec3()),
+        SurfacePart::View => sample.view = vec3(),
+        SurfacePart::Position => sample.position = vec3(),
+        SurfacePart::Camera => {
+            let turn = glam::DQuat::from_slice(numbers);
+            sample.camera = glam::DMat3::from_quat(if turn.length() > 1e-9 {
+                turn.normalize()
+            } else {
+                glam::DQuat::IDENTITY
+            });
+        }
+        SurfacePart::Uv => sample.uv = glam::DVec2::from_slice(numbers),
+        SurfacePart::VertexColor => {
+            sample.vertex_color = [numbers[0], numbers[1], numbers[2], numbers[3]]
+        }
+        SurfacePart::Kappa => sample.kappa = numbers[0],
+        SurfacePart::Time => sample.time = numbers[0],
+    }
 }
 
 /// A sample and its result in words.

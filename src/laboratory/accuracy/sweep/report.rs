@@ -12,7 +12,8 @@ use super::search::Worst;
 use super::stability::StabilityMeasured;
 use super::{pictures, plot, stability};
 use crate::diag::Diagnostic;
-use crate::document::{OutputKind, Outputs, Tier};
+use crate::document::Tier;
+use crate::files::{OutputKind, Outputs};
 
 /// What a survey came to.
 #[derive(Clone, Debug, Default, Serialize)]

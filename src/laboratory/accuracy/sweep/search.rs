@@ -12,7 +12,7 @@ use super::random::Random;
 use super::slot::{Numbers, relate};
 use crate::accuracy::MeasureError;
 use crate::diag::Diagnostic;
-use crate::document::{OutputKind, Outputs, read_text};
+use crate::files::{OutputKind, Outputs, read_text};
 use crate::library::Library;
 
 /// How many are kept from round to round.

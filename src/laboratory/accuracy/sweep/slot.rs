@@ -6,6 +6,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use glam::DVec3;
 
 use super::random::{Random, direction};
+use crate::library::{Context, SurfacePart};
 
 /// The numbers of all slots of one sample.
 pub type Numbers = Vec<Vec<f64>>;
@@ -15,30 +16,10 @@ pub type Numbers = Vec<Vec<f64>>;
 pub enum Place {
     /// To the exposed parameter of the slot's name.
     Value,
-    /// To the surface's normal.
-    Normal,
-    /// To the surface's tangent.
-    Tangent,
-    /// To the direction to the eye.
-    View,
-    /// To the place on the surface.
-    Position,
-    /// To the camera's rotation, as a quaternion of any length.
-    Camera,
-    /// To the texture coordinates.
-    Uv,
-    /// To the curvature.
-    Kappa,
-    /// To the place in the picture.
-    Pixel,
-    /// To where the object's origin is seen.
-    Anchor,
-    /// To how large things are seen.
-    Magnification,
-    /// To the vertices' color.
-    VertexColor,
-    /// To the clock.
-    Time,
+    /// To a part of the surface; the camera's rotation as a quaternion of any length.
+    Part(SurfacePart),
+    /// To a context that has numbers of its own.
+    Context(Context),
     /// To the light's direction.
     LightDirection,
     /// To the light's position.

@@ -4,7 +4,7 @@
 use glam::DVec3;
 use indexmap::IndexMap;
 
-use super::Moment;
+use super::RigInputs;
 use crate::compile::{CompiledShader, HostProgram, LightValues, Param};
 use crate::document::{Driver, Light, LightKind};
 use crate::ids::LightId;
@@ -34,31 +34,31 @@ pub(super) const FAR_AWAY: f64 = 1e6;
 pub fn driver_value(
     driver: &Driver,
     lights: &IndexMap<LightId, Light>,
-    moment: &Moment<'_>,
+    inputs: &RigInputs<'_>,
 ) -> f64 {
     match driver {
-        Driver::Distance => moment.distance.clamp(0.0, FAR_AWAY),
-        Driver::Facing => match (moment.front.try_normalize(), moment.view.try_normalize()) {
+        Driver::Distance => inputs.distance.clamp(0.0, FAR_AWAY),
+        Driver::Facing => match (inputs.front.try_normalize(), inputs.view.try_normalize()) {
             (Some(front), Some(view)) => 2.0 * (0.5 * front.distance(view)).clamp(0.0, 1.0).asin(),
             _ => 0.0,
         },
         Driver::Height(id) => lights
             .get(id)
-            .map_or(0.0, |light| toward_light(light, moment).y.clamp(-1.0, 1.0).asin()),
+            .map_or(0.0, |light| toward_light(light, inputs).y.clamp(-1.0, 1.0).asin()),
         Driver::Near(id) => {
-            moment.near.get(id).map_or(FAR_AWAY, |distance| distance.clamp(0.0, FAR_AWAY))
+            inputs.near.get(id).map_or(FAR_AWAY, |distance| distance.clamp(0.0, FAR_AWAY))
         }
         Driver::Wire(_) => 0.0,
     }
 }
 
 /// Unit, from the object's centre toward a light, world space.
-pub(super) fn toward_light(light: &Light, moment: &Moment<'_>) -> DVec3 {
-    let resolved = LightValues::new(light, moment.illumination, moment.camera_from_world);
+pub(super) fn toward_light(light: &Light, inputs: &RigInputs<'_>) -> DVec3 {
+    let resolved = LightValues::new(light, inputs.illumination, inputs.camera_from_world);
     match light.kind {
         LightKind::Directional => resolved.direction(),
         LightKind::Point | LightKind::Spot => {
-            (resolved.position() - moment.center).try_normalize().unwrap_or(DVec3::Z)
+            (resolved.position() - inputs.center).try_normalize().unwrap_or(DVec3::Z)
         }
     }
 }

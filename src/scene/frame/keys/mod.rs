@@ -31,9 +31,9 @@ pub use params::ParamTable;
 pub use rig::Rig;
 pub use time::{at_time, structural_look};
 
-/// Where and when an object is shaded.
+/// What decides between keys for one object: where and when it is shaded.
 #[derive(Clone, Copy, Debug)]
-pub struct Moment<'a> {
+pub struct RigInputs<'a> {
     /// Seconds.
     pub time: f64,
     /// World from illumination frame.

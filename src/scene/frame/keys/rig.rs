@@ -10,7 +10,7 @@ use super::driver::{FAR_AWAY, Wires, driver_value, toward_light};
 use super::light::{light_field, set_lights};
 use super::params::ParamTable;
 use super::time::at_time;
-use super::{KeyedValues, Moment, ObjectValues};
+use super::{KeyedValues, ObjectValues, RigInputs};
 use crate::compile::{HostInputs, LightValues, Param};
 use crate::diag::Diagnostic;
 use crate::directions::KeyWeights;
@@ -93,15 +93,15 @@ impl Rig {
         params: &[Param],
         table: &ParamTable,
         wires: Wires<'_>,
-        moment: &Moment<'_>,
+        inputs: &RigInputs<'_>,
     ) -> Result<ObjectValues, Diagnostic> {
         let base = |node: &NodePath, port: &PortName| {
             table.find(node, port).and_then(|id| params[id].value.clone())
         };
         let KeyedValues { values, lights, decided } =
-            self.keyed_values(&base, Some(wires), moment)?;
+            self.keyed_values(&base, Some(wires), inputs)?;
         let resolve =
-            |light: &Light| LightValues::new(light, moment.illumination, moment.camera_from_world);
+            |light: &Light| LightValues::new(light, inputs.illumination, inputs.camera_from_world);
         Ok(ObjectValues {
             params: values
                 .into_iter()
@@ -124,21 +124,21 @@ impl Rig {
         &self,
         base: &dyn Fn(&NodePath, &PortName) -> Option<Value>,
         wires: Option<Wires<'_>>,
-        moment: &Moment<'_>,
+        inputs: &RigInputs<'_>,
     ) -> Result<KeyedValues, Diagnostic> {
         let mut values: HashMap<Target, Value> = HashMap::new();
         for (name, target) in &self.exposed {
-            if let Some(value) = moment.exposed.get(name) {
+            if let Some(value) = inputs.exposed.get(name) {
                 values.insert(target.clone(), value.clone().in_space(self.space));
             }
         }
         for track in &self.time {
-            if let Some(value) = at_time(&track.keys, moment.time, is_direction(&track.target)) {
+            if let Some(value) = at_time(&track.keys, inputs.time, is_direction(&track.target)) {
                 values.insert(track.target.clone(), value);
             }
         }
         let mut lights = self.lights.clone();
-        for (id, light) in moment.lights {
+        for (id, light) in inputs.lights {
             if let Some(slot) = lights.get_mut(id) {
                 slot.clone_from(light);
             }
@@ -147,9 +147,9 @@ impl Rig {
         let mut decided = vec![(DVec3::ZERO, Vec::new()); self.directions.len()];
         for set in self.order(wires) {
             let (keys, weights) = &self.directions[set];
-            let mut direction = self.direction(&keys.by, &lights, moment);
+            let mut direction = self.direction(&keys.by, &lights, inputs);
             if let (Some(wires), Some(_)) = (wires, keys.by.outputs().next()) {
-                self.drive(&keys.by, wires, (&values, &lights, base), moment, &mut direction)?;
+                self.drive(&keys.by, wires, (&values, &lights, base), inputs, &mut direction)?;
             }
             let of_target = |target: &Target| {
                 let value = match target {
@@ -180,14 +180,14 @@ impl Rig {
         by: &KeyDirection,
         wires: Wires<'_>,
         (values, lights, base): Known<'_>,
-        moment: &Moment<'_>,
+        inputs: &RigInputs<'_>,
         direction: &mut DVec3,
     ) -> Result<(), Diagnostic> {
         let KeyDirection::Drivers(drivers) = by else { return Ok(()) };
         let mut lights = lights.clone();
         set_lights(&mut lights, values);
         let resolve =
-            |light: &Light| LightValues::new(light, moment.illumination, moment.camera_from_world);
+            |light: &Light| LightValues::new(light, inputs.illumination, inputs.camera_from_world);
         let lights = lights.iter().map(|(id, light)| (id.clone(), resolve(light))).collect();
         for (axis, driver) in drivers.iter().enumerate() {
             let Some(wire) = driver.output() else { continue };
@@ -201,16 +201,16 @@ impl Rig {
                 let value = values.get(&target).cloned().or_else(|| base(node, port));
                 params.extend(value.map(|value| (id, value.in_space(self.space))));
             }
-            let inputs = HostInputs {
+            let host = HostInputs {
                 params: &params,
                 lights: &lights,
-                camera_from_world: moment.camera_from_world,
-                viewport: moment.viewport,
-                time: moment.time,
-                frame: moment.frame,
-                object_id: moment.object_id,
+                camera_from_world: inputs.camera_from_world,
+                viewport: inputs.viewport,
+                time: inputs.time,
+                frame: inputs.frame,
+                object_id: inputs.object_id,
             };
-            direction[axis] = wires.host.driver(program, &inputs)?.clamp(-FAR_AWAY, FAR_AWAY);
+            direction[axis] = wires.host.driver(program, &host)?.clamp(-FAR_AWAY, FAR_AWAY);
         }
         Ok(())
     }
@@ -219,20 +219,20 @@ impl Rig {
         &self,
         by: &KeyDirection,
         lights: &IndexMap<LightId, Light>,
-        moment: &Moment<'_>,
+        inputs: &RigInputs<'_>,
     ) -> DVec3 {
         match by {
-            KeyDirection::View => moment.view,
+            KeyDirection::View => inputs.view,
             KeyDirection::Drivers(drivers) => {
                 let mut values = [0.0; 3];
                 for (value, driver) in values.iter_mut().zip(drivers) {
-                    *value = driver_value(driver, lights, moment);
+                    *value = driver_value(driver, lights, inputs);
                 }
                 values.into()
             }
             KeyDirection::Light(id) => {
                 let Some(light) = lights.get(id) else { return DVec3::Z };
-                moment.camera_from_world * toward_light(light, moment)
+                inputs.camera_from_world * toward_light(light, inputs)
             }
         }
     }
@@ -276,7 +276,7 @@ mod tests {
                 DirectionKeys { name: String::new(), by, scheme, keys, unknown: Unknown::new() };
             Look { direction_keys: vec![set], ..Look::default() }
         };
-        let moment = Moment {
+        let inputs = RigInputs {
             time: 0.0,
             illumination: DQuat::IDENTITY,
             camera_from_world: DMat3::IDENTITY,
@@ -292,7 +292,7 @@ mod tests {
             object_id: 0.0,
         };
         let of = |rig: &Rig| {
-            rig.keyed_values(&|_, _| None, None, &moment).unwrap().values[&target].clone()
+            rig.keyed_values(&|_, _| None, None, &inputs).unwrap().values[&target].clone()
         };
         let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
         let (first, _) = Rig::new(&look_with(&[x, z], 1.0));

@@ -7,7 +7,7 @@ use eframe::egui::{
 use glam::DVec3;
 
 use super::sphere::{Ground, mixed};
-use super::{Shown, name};
+use super::{KeySetView, name};
 use crate::commands::Command;
 use crate::document::{Driver, KeyDirection};
 use crate::state::keying::{said, targets_of};
@@ -22,7 +22,7 @@ const PIECES: usize = 96;
 /// Shows the drivers of a set and the places of its keys; along one driver also who weighs where.
 pub(super) fn show(
     ui: &mut Ui,
-    shown: &Shown<'_>,
+    shown: &KeySetView<'_>,
     axes: &[Driver],
     ground: &mut Ground,
     out: &mut Vec<Command>,
@@ -75,13 +75,19 @@ pub(super) fn show(
 }
 
 /// What can drive the keys of a set: numbers of the scene, then wires of the look that may change.
-fn all(shown: &Shown<'_>) -> impl Iterator<Item = Driver> {
+fn all(shown: &KeySetView<'_>) -> impl Iterator<Item = Driver> {
     let [wires, _] = shown.session.wires(&targets_of(shown.keys));
     shown.session.drivers().into_iter().chain(wires)
 }
 
 /// Which driver an axis is of.
-fn chosen(ui: &mut Ui, shown: &Shown<'_>, axes: &[Driver], axis: usize, out: &mut Vec<Command>) {
+fn chosen(
+    ui: &mut Ui,
+    shown: &KeySetView<'_>,
+    axes: &[Driver],
+    axis: usize,
+    out: &mut Vec<Command>,
+) {
     let session = shown.session;
     let combo = ComboBox::from_id_salt("driver").width(150.0).wrap_mode(TextWrapMode::Extend);
     let combo = combo.selected_text(session.driver_name(&axes[axis]));
@@ -108,7 +114,7 @@ fn chosen(ui: &mut Ui, shown: &Shown<'_>, axes: &[Driver], axis: usize, out: &mu
 /// Where a key lies along an axis.
 fn place(
     ui: &mut Ui,
-    shown: &Shown<'_>,
+    shown: &KeySetView<'_>,
     driver: &Driver,
     (axis, key): (usize, usize),
     out: &mut Vec<Command>,
@@ -129,7 +135,7 @@ fn place(
 }
 
 /// Another driver beside those that decide: all keys lie where it is now.
-fn add(ui: &mut Ui, shown: &Shown<'_>, axes: &[Driver], out: &mut Vec<Command>) {
+fn add(ui: &mut Ui, shown: &KeySetView<'_>, axes: &[Driver], out: &mut Vec<Command>) {
     let session = shown.session;
     ui.menu_button("Add driver", |ui| {
         ScrollArea::vertical().max_height(MENU).show(ui, |ui| {
@@ -168,7 +174,7 @@ pub(super) fn beside(place: [f64; 3]) -> [f64; 3] {
 
 /// Who weighs where along the one driver, with the keys and where it is now. A press chooses the
 /// nearest key.
-fn strip(ui: &mut Ui, shown: &Shown<'_>, ground: &mut Ground, out: &mut Vec<Command>) {
+fn strip(ui: &mut Ui, shown: &KeySetView<'_>, ground: &mut Ground, out: &mut Vec<Command>) {
     let colors = theme::of(ui);
     let (rect, response) =
         ui.allocate_exact_size(vec2(ui.available_width().max(80.0), 34.0), Sense::click());

@@ -12,7 +12,7 @@ use crate::state::session::Session;
 /// not move the light.
 pub(super) fn to(session: &Session, by: &KeyDirection, direction: DVec3) -> Option<Orbit> {
     let direction = direction.try_normalize()?;
-    let mut view = session.view.clone();
+    let mut view = session.view.orbit.clone();
     match by {
         KeyDirection::View => {
             view.yaw = direction.x.atan2(direction.z).rem_euclid(std::f64::consts::TAU);

@@ -5,7 +5,7 @@ use eframe::egui::{Align2, FontId, Key, Pos2, Rect, Stroke, Ui, pos2};
 use glam::DVec3;
 
 use super::sphere::Globe;
-use super::{STEP, Shown, copy, remove};
+use super::{KeySetView, STEP, copy, remove};
 use crate::commands::Command;
 use crate::state::keying::rounded;
 use crate::widgets::handle::{self, handle};
@@ -14,7 +14,7 @@ use crate::widgets::theme;
 /// A key on the sphere: dragged, selected, copied, deleted.
 pub(super) fn key_handle(
     ui: &Ui,
-    shown: &Shown<'_>,
+    shown: &KeySetView<'_>,
     globe: Globe,
     index: usize,
     direction: DVec3,
@@ -49,10 +49,10 @@ pub(super) fn key_handle(
         out.push(Command::EditHeld(handled.response.id, edit));
     }
     if handle::pressed(ui, &handled.response, Key::Delete) {
-        remove(&Shown { key: index, ..Shown { weights: Vec::new(), ..*shown } }, out);
+        remove(&KeySetView { key: index, ..KeySetView { weights: Vec::new(), ..*shown } }, out);
     }
     if handle::pressed(ui, &handled.response, Key::D) {
-        copy(&Shown { key: index, ..Shown { weights: Vec::new(), ..*shown } }, out);
+        copy(&KeySetView { key: index, ..KeySetView { weights: Vec::new(), ..*shown } }, out);
     }
     let is_selected = shown.key == index;
     let radius = if is_front { 8.0 } else { 6.5 };
@@ -81,7 +81,7 @@ pub(super) fn key_handle(
 }
 
 /// Where the light or the view is now: a sun.
-pub(super) fn now_mark(ui: &Ui, shown: &Shown<'_>, globe: Globe) {
+pub(super) fn now_mark(ui: &Ui, shown: &KeySetView<'_>, globe: Globe) {
     let colors = theme::of(ui);
     let at = globe.project(shown.now);
     let strength = if globe.is_front(shown.now) { 1.0 } else { 0.45 };

@@ -52,7 +52,7 @@ pub(crate) struct Keys {
 }
 
 /// A set that is shown.
-struct Shown<'a> {
+struct KeySetView<'a> {
     session: &'a Session,
     set: usize,
     keys: &'a DirectionKeys,
@@ -67,7 +67,7 @@ impl Keys {
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut commands = Vec::new();
         let sets = &session.look().direction_keys;
-        if let Some((set, _)) = session.key {
+        if let Some((set, _)) = session.selection.key {
             self.set = set;
         }
         self.set = self.set.min(sets.len().saturating_sub(1));
@@ -79,7 +79,7 @@ impl Keys {
             session.decided(self.set).map(|(_, weights)| weights.clone()).unwrap_or_default();
         let now = session.direction_of(&keys.by);
         let key = session.key_at(self.set);
-        let shown = Shown { session, set: self.set, keys, key, weights, now };
+        let shown = KeySetView { session, set: self.set, keys, key, weights, now };
         self.sets(ui, &shown, &mut commands);
         let room = ui.available_size();
         if let KeyDirection::Drivers(axes) = &keys.by {
@@ -104,7 +104,7 @@ impl Keys {
         commands
     }
 
-    fn beside(&mut self, ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
+    fn beside(&mut self, ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
         shares(ui, shown);
         self.buttons(ui, shown, out);
         ScrollArea::both()
@@ -114,8 +114,8 @@ impl Keys {
     }
 
     /// Which set, what decides between its keys, and how they are weighed.
-    fn sets(&mut self, ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
-        let Shown { session, set, keys, .. } = shown;
+    fn sets(&mut self, ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
+        let KeySetView { session, set, keys, .. } = shown;
         ui.horizontal_wrapped(|ui| {
             let sets = &session.look().direction_keys;
             if sets.len() > 1 {
@@ -163,8 +163,8 @@ impl Keys {
     }
 
     /// What is done with the key that is selected.
-    fn buttons(&mut self, ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
-        let Shown { session, set, keys, key, .. } = shown;
+    fn buttons(&mut self, ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
+        let KeySetView { session, set, keys, key, .. } = shown;
         let can_edit = !keys.keys.is_empty();
         ui.horizontal_wrapped(|ui| {
             let help = "Adds a key where the light or the view is now, with the values that are \
@@ -189,7 +189,7 @@ impl Keys {
             if go.on_disabled_hover_text(help).clicked()
                 && let Some(view) = to
             {
-                self.back.get_or_insert_with(|| session.view.clone());
+                self.back.get_or_insert_with(|| session.view.orbit.clone());
                 out.push(Command::View(ViewCommand::TurnTo(Box::new(view))));
             }
             let back = ui.add_enabled(self.back.is_some(), egui::Button::new("Back"));
@@ -201,7 +201,7 @@ impl Keys {
         });
     }
 
-    fn globe(&mut self, ui: &mut Ui, shown: &Shown<'_>, side: f32, out: &mut Vec<Command>) {
+    fn globe(&mut self, ui: &mut Ui, shown: &KeySetView<'_>, side: f32, out: &mut Vec<Command>) {
         let colors = theme::of(ui);
         let (rect, response) = ui.allocate_exact_size(vec2(side, side), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Sphere of directions"));
@@ -250,7 +250,7 @@ impl Keys {
     }
 
     /// A small sphere in the corner as seen from the other side; a press turns the large one there.
-    fn other_side(&mut self, ui: &Ui, shown: &Shown<'_>, rect: Rect, [yaw, pitch]: [f64; 2]) {
+    fn other_side(&mut self, ui: &Ui, shown: &KeySetView<'_>, rect: Rect, [yaw, pitch]: [f64; 2]) {
         let colors = theme::of(ui);
         let radius = (rect.width() * 0.11).clamp(14.0, 34.0);
         let turned = [yaw + std::f64::consts::PI, -pitch];
@@ -338,8 +338,8 @@ fn add_menu(ui: &mut Ui, session: &Session, text: &str, out: &mut Vec<Command>) 
     );
 }
 
-fn by(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
-    let Shown { session, set, keys, .. } = shown;
+fn by(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
+    let KeySetView { session, set, keys, .. } = shown;
     let text = |by: &KeyDirection| match by {
         KeyDirection::View => "By the view".to_owned(),
         KeyDirection::Light(id) => format!("By \"{}\"", session.light_name(id)),
@@ -364,8 +364,8 @@ fn by(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
     );
 }
 
-fn scheme(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
-    let Shown { session, set, keys, .. } = shown;
+fn scheme(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
+    let KeySetView { session, set, keys, .. } = shown;
     let text = |scheme| match scheme {
         KeyScheme::Biharmonic => {
             ("Biharmonic", "The smoothest weights on a sphere, in closed form")
@@ -393,7 +393,7 @@ fn scheme(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
 }
 
 /// The weight of each key now, as a bar.
-fn shares(ui: &mut Ui, shown: &Shown<'_>) {
+fn shares(ui: &mut Ui, shown: &KeySetView<'_>) {
     let colors = theme::of(ui);
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 12.0), Sense::hover());
     response.widget_info(|| {
@@ -422,8 +422,8 @@ fn shares(ui: &mut Ui, shown: &Shown<'_>) {
     response.on_hover_text("How much each key counts where the light or the view is now");
 }
 
-fn add_here(shown: &Shown<'_>) -> Edit {
-    let Shown { session, set, keys, now, .. } = shown;
+fn add_here(shown: &KeySetView<'_>) -> Edit {
+    let KeySetView { session, set, keys, now, .. } = shown;
     let values = crate::state::keying::targets_of(keys)
         .into_iter()
         .filter_map(|target| Some((target.clone(), session.value_now(&target)?)))
@@ -434,7 +434,7 @@ fn add_here(shown: &Shown<'_>) -> Edit {
     })
 }
 
-fn copy(shown: &Shown<'_>, out: &mut Vec<Command>) {
+fn copy(shown: &KeySetView<'_>, out: &mut Vec<Command>) {
     let Some(original) = shown.keys.keys.get(shown.key) else { return };
     let direction = match shown.keys.by.axes() {
         Some(_) => drivers::beside(original.direction),
@@ -449,7 +449,7 @@ fn copy(shown: &Shown<'_>, out: &mut Vec<Command>) {
     out.push(Command::SelectKey(Some((shown.set, shown.keys.keys.len()))));
 }
 
-fn remove(shown: &Shown<'_>, out: &mut Vec<Command>) {
+fn remove(shown: &KeySetView<'_>, out: &mut Vec<Command>) {
     let key = shown.key;
     out.push(Command::SelectKey(None));
     out.push(Command::Edit(shown.session.change_set(shown.set, |keys| {

@@ -3,7 +3,7 @@
 use eframe::egui;
 use eframe::egui::{Button, Grid, RichText, Ui, WidgetInfo};
 
-use super::Shown;
+use super::KeySetView;
 use crate::commands::Command;
 use crate::document::{LightField, Target};
 use crate::library::Type;
@@ -13,7 +13,7 @@ use crate::widgets::theme;
 use crate::widgets::value;
 
 /// Shows the table.
-pub(super) fn show(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
+pub(super) fn show(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
     let targets = targets_of(shown.keys);
     Grid::new(("keyed values", shown.set))
         .num_columns(shown.keys.keys.len() + 2)
@@ -34,7 +34,7 @@ pub(super) fn show(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
     add_value(ui, shown, &targets, out);
 }
 
-fn head(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
+fn head(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
     let colors = theme::of(ui);
     ui.label(RichText::new("Value").small().color(colors.dim));
     // A key that is selected on the sphere comes into view.
@@ -59,15 +59,15 @@ fn head(ui: &mut Ui, shown: &Shown<'_>, out: &mut Vec<Command>) {
         let help = "Values set elsewhere in the window are set at this key; press again to follow \
                     the heaviest key";
         if response.on_hover_text(help).clicked() {
-            let is_held = shown.session.key == Some((shown.set, index));
+            let is_held = shown.session.selection.key == Some((shown.set, index));
             out.push(Command::SelectKey((!is_held).then_some((shown.set, index))));
         }
     }
     ui.end_row();
 }
 
-fn row(ui: &mut Ui, shown: &Shown<'_>, target: &Target, out: &mut Vec<Command>) {
-    let Shown { session, set, keys, .. } = shown;
+fn row(ui: &mut Ui, shown: &KeySetView<'_>, target: &Target, out: &mut Vec<Command>) {
+    let KeySetView { session, set, keys, .. } = shown;
     let [owner, what] = session.names_of(target);
     let called = format!("{owner}: {what}");
     let link = ui
@@ -130,12 +130,13 @@ fn row(ui: &mut Ui, shown: &Shown<'_>, target: &Target, out: &mut Vec<Command>) 
 }
 
 /// A menu of what of the selected nodes, or of the lights, can be keyed.
-fn add_value(ui: &mut Ui, shown: &Shown<'_>, known: &[Target], out: &mut Vec<Command>) {
+fn add_value(ui: &mut Ui, shown: &KeySetView<'_>, known: &[Target], out: &mut Vec<Command>) {
     let session = shown.session;
     ui.menu_button("Add value", |ui| {
         egui::ScrollArea::vertical().max_height(320.0).show(ui, |ui| {
-            for id in &session.selection {
-                let kind = session.graph().nodes.get(id).and_then(|node| session.catalog.of(node));
+            for id in &session.selection.nodes {
+                let kind =
+                    session.graph().nodes.get(id).and_then(|node| session.project.catalog.of(node));
                 let ports = kind.map(|kind| kind.inputs.as_slice()).unwrap_or_default();
                 for port in ports.iter().filter(|port| has_between(&port.ty)) {
                     let is_free = session.graph().wire_into(id, &port.name).is_none();
@@ -143,7 +144,7 @@ fn add_value(ui: &mut Ui, shown: &Shown<'_>, known: &[Target], out: &mut Vec<Com
                     entry(ui, shown, &target, is_free && !known.contains(&target), out);
                 }
             }
-            if session.selection.is_empty() {
+            if session.selection.nodes.is_empty() {
                 hint(ui, "Select a node to key its values.");
             }
             for (id, light) in &session.look().lights {
@@ -163,7 +164,13 @@ fn add_value(ui: &mut Ui, shown: &Shown<'_>, known: &[Target], out: &mut Vec<Com
     .on_hover_text("Keys another value: it has its present one at every key until you change it");
 }
 
-fn entry(ui: &mut Ui, shown: &Shown<'_>, target: &Target, is_new: bool, out: &mut Vec<Command>) {
+fn entry(
+    ui: &mut Ui,
+    shown: &KeySetView<'_>,
+    target: &Target,
+    is_new: bool,
+    out: &mut Vec<Command>,
+) {
     let [owner, what] = shown.session.names_of(target);
     if is_new
         && shown.session.value_now(target).is_some()

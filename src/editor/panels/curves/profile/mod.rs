@@ -95,7 +95,7 @@ struct Layer<'a> {
 impl<'a> Layer<'a> {
     fn new(session: &'a Session, id: &'a NodeId) -> Option<Self> {
         let node = session.graph().nodes.get(id)?;
-        let kind: &Kind = session.catalog.of(node)?;
+        let kind: &Kind = session.project.catalog.of(node)?;
         if !has_profile(kind) {
             return None;
         }
@@ -172,7 +172,7 @@ impl Profile {
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut commands = Vec::new();
         let has_one = |id: &&NodeId| Layer::new(session, id).is_some();
-        let selected = session.selection.iter().rev().find(has_one);
+        let selected = session.selection.nodes.iter().rev().find(has_one);
         let id = selected.or_else(|| self.shown.as_ref().filter(has_one)).cloned();
         let id = id.or_else(|| session.graph().nodes.keys().find(has_one).cloned());
         let layer = id.as_ref().and_then(|id| Layer::new(session, id));
@@ -228,7 +228,7 @@ impl Profile {
     fn curve(&mut self, layer: &Layer<'_>, shape: Shape, shift: f64) -> Arc<Curve> {
         const COUNT: usize = 240;
         let tier = layer.tier();
-        let library: &Arc<Library> = &layer.session.library;
+        let library: &Arc<Library> = &layer.session.project.library;
         if !self
             .sampler
             .as_ref()
@@ -259,7 +259,7 @@ fn head(ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
     ui.horizontal_wrapped(|ui| {
         let name = |ui: &mut Ui| {
             for (id, node) in &session.graph().nodes {
-                let kind = session.catalog.of(node).filter(|kind| has_profile(kind));
+                let kind = session.project.catalog.of(node).filter(|kind| has_profile(kind));
                 let Some(kind) = kind else { continue };
                 if ui.selectable_label(id == layer.id, name_of(node, kind)).clicked() {
                     out.push(Command::Select(vec![id.clone()]));
@@ -280,8 +280,12 @@ fn head(ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
                     format!("Profile of {}", layer.name()),
                 )
             });
-        let presets =
-            session.catalog.get("profile").map(|kind| kind.presets.as_slice()).unwrap_or_default();
+        let presets = session
+            .project
+            .catalog
+            .get("profile")
+            .map(|kind| kind.presets.as_slice())
+            .unwrap_or_default();
         for preset in presets {
             let is_it = preset.values.iter().all(|(port, value)| {
                 let now =

@@ -15,7 +15,7 @@ use super::{Curve, Layer, PARTS};
 use crate::commands::Command;
 use crate::document::Value;
 use crate::values;
-use crate::widgets::handle::{self, Handled, handle};
+use crate::widgets::handle::{self, HandleResponse, handle};
 use crate::widgets::theme;
 
 /// Room for the numbers of the axes.
@@ -200,7 +200,7 @@ fn handles(
     axes: Axes,
     curves: &Curves,
     can_edit: bool,
-) -> [(Pos2, Handled); 3] {
+) -> [(Pos2, HandleResponse); 3] {
     let shape = layer.shape.sanitized();
     let is_step = Bend::of(layer.shape) == Bend::Step;
     let middle = if is_step { 0.5 } else { tone_at(&curves.own, shape.falloff).clamp(0.16, 0.84) };
@@ -228,7 +228,7 @@ fn moved(
     layer: &Layer<'_>,
     axes: Axes,
     part: usize,
-    handled: &Handled,
+    handled: &HandleResponse,
 ) -> Option<Command> {
     let shape = layer.shape.sanitized();
     let own = [shape.offset, shape.falloff, shape.cutoff];
@@ -261,7 +261,7 @@ fn paint_handle(
     axes: Axes,
     part: usize,
     at: Pos2,
-    handled: &Handled,
+    handled: &HandleResponse,
 ) {
     let colors = theme::of(ui);
     let color = color_of(ui, part);
@@ -297,7 +297,7 @@ fn paint_handle(
 
 /// Names the handles, each beside its own where no other's name or handle is: a cartoon's three are
 /// at one place nearly.
-fn labels(ui: &Ui, layer: &Layer<'_>, axes: Axes, handles: &[(Pos2, Handled); 3]) {
+fn labels(ui: &Ui, layer: &Layer<'_>, axes: Axes, handles: &[(Pos2, HandleResponse); 3]) {
     let shape = layer.shape.sanitized();
     let values = [shape.offset, shape.falloff, shape.cutoff];
     let font = FontId::proportional(theme::SMALL_TEXT);
@@ -330,7 +330,7 @@ fn labels(ui: &Ui, layer: &Layer<'_>, axes: Axes, handles: &[(Pos2, Handled); 3]
     }
 }
 
-fn is_hot(handled: &Handled) -> bool {
+fn is_hot(handled: &HandleResponse) -> bool {
     handled.response.dragged() || handled.response.hovered() || handled.response.has_focus()
 }
 
@@ -368,7 +368,7 @@ fn place(taken: &[Rect], room: Rect, at: Pos2, size: Vec2, part: usize) -> Rect 
 }
 
 /// While a handle is dragged: how far it may go, and what stops it.
-fn reach(ui: &Ui, layer: &Layer<'_>, axes: Axes, part: usize, handled: &Handled) {
+fn reach(ui: &Ui, layer: &Layer<'_>, axes: Axes, part: usize, handled: &HandleResponse) {
     let colors = theme::of(ui);
     let painter = ui.painter();
     let [low, high] = limits(layer, part);

@@ -137,7 +137,7 @@ struct Functions {
 }
 
 fn functions(layer: &Layer<'_>, mode: &str) -> Option<Functions> {
-    let node = |kind: &str| layer.session.library.nodes.get(kind);
+    let node = |kind: &str| layer.session.project.library.nodes.get(kind);
     let program = |def: &NodeDef, function: &str| def.module.program(function).ok();
     let first = |kind: &str| {
         let def = node(kind)?;

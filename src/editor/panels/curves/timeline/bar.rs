@@ -39,8 +39,8 @@ pub(super) fn show(
                 timeline.go(time, out);
             }
         }
-        let frame = (session.time * timeline.fps).round();
-        let text = format!("{} s, frame {frame}", values::number_text(session.time, 3));
+        let frame = (session.view.time * timeline.fps).round();
+        let text = format!("{} s, frame {frame}", values::number_text(session.view.time, 3));
         ui.label(RichText::new(text).monospace()).on_hover_text("Where the playhead is");
         ui.separator();
         rate(timeline, ui);
@@ -60,7 +60,7 @@ pub(super) fn show(
 /// The nearest key before or after the playhead.
 fn neighbour(session: &Session, way: f64) -> Option<f64> {
     let times = session.look().time_keys.iter().flat_map(|track| &track.keys).map(|key| key.time);
-    let beyond = times.filter(|time| (time - session.time) * way > super::LEAST / 2.0);
+    let beyond = times.filter(|time| (time - session.view.time) * way > super::LEAST / 2.0);
     beyond.min_by(|a, b| (a * way).total_cmp(&(b * way)))
 }
 
@@ -95,8 +95,9 @@ fn range(timeline: &mut Timeline, ui: &mut Ui) {
 fn add_value(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     let menu = ui.menu_button("Key a value", |ui| {
         egui::ScrollArea::vertical().max_height(320.0).show(ui, |ui| {
-            for id in &session.selection {
-                let kind = session.graph().nodes.get(id).and_then(|node| session.catalog.of(node));
+            for id in &session.selection.nodes {
+                let kind =
+                    session.graph().nodes.get(id).and_then(|node| session.project.catalog.of(node));
                 for port in kind.map(|kind| kind.inputs.as_slice()).unwrap_or_default() {
                     if changes_in_time(&port.ty)
                         && session.graph().wire_into(id, &port.name).is_none()
@@ -105,7 +106,7 @@ fn add_value(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
                     }
                 }
             }
-            if session.selection.is_empty() {
+            if session.selection.nodes.is_empty() {
                 hint(ui, "Select a node to key its values.");
             }
             for (id, light) in &session.look().lights {

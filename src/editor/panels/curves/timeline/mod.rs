@@ -116,8 +116,11 @@ impl Timeline {
         let now = ui.input(|input| input.time);
         let [start, end] = self.range;
         // From the end it starts again.
-        let at =
-            if session.time >= end - LEAST || session.time < start { start } else { session.time };
+        let at = if session.view.time >= end - LEAST || session.view.time < start {
+            start
+        } else {
+            session.view.time
+        };
         self.playing = if self.playing.is_some() { None } else { Some((at, now)) };
         ui.ctx().request_repaint();
     }
@@ -181,13 +184,13 @@ impl Timeline {
     fn scrub(&mut self, ui: &mut Ui, session: &Session, axis: Axis, out: &mut Vec<Command>) {
         let id = ui.scope_id().with("ruler");
         let response = ui.interact(axis.lane, id, Sense::click_and_drag());
-        let time = session.time;
+        let time = session.view.time;
         response.widget_info(|| egui::WidgetInfo::slider(true, time, "Playhead"));
         if let Some(pointer) =
             response.interact_pointer_pos().filter(|_| response.dragged() || response.clicked())
         {
             let time = self.snapped(axis.time(pointer.x));
-            if time != session.time {
+            if time != session.view.time {
                 self.go(time, out);
             }
         }
@@ -260,7 +263,7 @@ fn tidy(time: f64) -> f64 {
 }
 
 fn playhead(ui: &Ui, session: &Session, axis: Axis, rows: Rect) {
-    let x = axis.x(session.time);
+    let x = axis.x(session.view.time);
     if !(axis.lane.left() - 1.0..=axis.lane.right() + 1.0).contains(&x) {
         return;
     }

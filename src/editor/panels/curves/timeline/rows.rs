@@ -66,7 +66,7 @@ fn name(ui: &mut Ui, session: &Session, index: usize, track: &TimeKeys, out: &mu
     let colors = theme::of(ui);
     let [owner, what] = session.names_of(&track.target);
     ui.horizontal_centered(|ui| {
-        let here = track.keys.iter().position(|key| (key.time - session.time).abs() < 1e-6);
+        let here = track.keys.iter().position(|key| (key.time - session.view.time).abs() < 1e-6);
         let verb = if here.is_some() { "Delete key of" } else { "Add key of" };
         let diamond = mark::of(ui, session, &track.target, &format!("{verb} {owner}: {what}"));
         let help = if here.is_some() {

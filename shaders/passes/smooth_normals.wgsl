@@ -1,0 +1,16 @@
+// A level of smoothed normals: from neighbours in the level before it, or, for the first one, in
+// the normals themselves.
+import chiaro::smooth_map;
+
+/// Steps to the neighbours, each 1/800 of the picture's height: twice as many at each level.
+const STEPS = 2;
+
+@vertex
+fn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
+    return whole_picture(index);
+}
+
+@fragment
+fn fs_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
+    return smoothed_at(vec2i(position.xy), STEPS);
+}

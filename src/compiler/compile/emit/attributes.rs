@@ -1,0 +1,122 @@
+//! What comes to a fragment from the vertices of a mesh.
+
+use super::surface::ExpressionInputs;
+use crate::compile::Needs;
+use crate::library::Context;
+
+/// A vertex attribute.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Attribute {
+    /// Object space, `vec3f`, location 0.
+    Position,
+    /// Unit, object space, `vec3f`, location 1.
+    Normal,
+    /// Unit with handedness, object space, `vec4f`, location 2.
+    Tangent,
+    /// `vec2f`, location 3.
+    Uv,
+    /// Straight RGBA, `vec4f`, location 4.
+    Color,
+}
+
+impl Attribute {
+    /// All of them, by location.
+    pub const ALL: [Self; 5] = [Self::Position, Self::Normal, Self::Tangent, Self::Uv, Self::Color];
+
+    /// Its location, the same in every module.
+    pub fn location(self) -> u32 {
+        self as u32
+    }
+
+    /// Its name in WGSL.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Position => "position",
+            Self::Normal => "normal",
+            Self::Tangent => "tangent",
+            Self::Uv => "uv",
+            Self::Color => "color",
+        }
+    }
+
+    /// Its WGSL type.
+    pub fn wgsl_type(self) -> &'static str {
+        match self {
+            Self::Position | Self::Normal => "vec3f",
+            Self::Tangent | Self::Color => "vec4f",
+            Self::Uv => "vec2f",
+        }
+    }
+}
+
+/// A number that is interpolated over triangles.
+#[derive(Debug)]
+pub(super) struct Varying {
+    /// What expressions read as a member of `in`.
+    pub(super) name: &'static str,
+    pub(super) wgsl_type: &'static str,
+    /// The value at a vertex.
+    pub(super) value: &'static str,
+    /// The attribute that it is made from.
+    pub(super) attribute: Attribute,
+}
+
+/// Every varying that there is, in the order of locations. The place in clip space, `in.clip`, is
+/// there without being asked for.
+pub(super) const VARYINGS: [Varying; 6] = [
+    Varying {
+        name: "position",
+        wgsl_type: "vec3f",
+        value: "world.xyz",
+        attribute: Attribute::Position,
+    },
+    Varying {
+        name: "position_object",
+        wgsl_type: "vec3f",
+        value: "vertex.position",
+        attribute: Attribute::Position,
+    },
+    Varying {
+        name: "normal",
+        wgsl_type: "vec3f",
+        value: "object.world_from_normal * vertex.normal",
+        attribute: Attribute::Normal,
+    },
+    // An object that is mirrored has its bitangents on the other side of normal and tangent.
+    Varying {
+        name: "tangent",
+        wgsl_type: "vec4f",
+        value: "vec4f((object.world_from_object * vec4f(vertex.tangent.xyz, 0.0)).xyz, \
+                select(vertex.tangent.w, -vertex.tangent.w, \
+                determinant(object.world_from_normal) < 0.0))",
+        attribute: Attribute::Tangent,
+    },
+    Varying { name: "uv", wgsl_type: "vec2f", value: "vertex.uv", attribute: Attribute::Uv },
+    Varying {
+        name: "color",
+        wgsl_type: "vec4f",
+        value: "vertex.color",
+        attribute: Attribute::Color,
+    },
+];
+
+impl Needs {
+    /// The vertex attributes that a module with these needs reads.
+    pub fn attributes(&self) -> Vec<Attribute> {
+        let of_contexts = self.contexts.iter().flat_map(|context| Attribute::read_by(*context));
+        let mut attributes: Vec<Attribute> =
+            std::iter::once(Attribute::Position).chain(of_contexts).collect();
+        attributes.sort_unstable();
+        attributes.dedup();
+        attributes
+    }
+}
+
+impl Attribute {
+    /// The attributes that a context is made from where a mesh is drawn.
+    pub fn read_by(context: Context) -> Vec<Self> {
+        let reads = ExpressionInputs::of(context);
+        let is_read = |varying: &&Varying| reads.varying(varying.name);
+        VARYINGS.iter().filter(is_read).map(|varying| varying.attribute).collect()
+    }
+}

@@ -1,0 +1,294 @@
+//! Every context, a row each.
+//!
+//! A new one is a row here, and whatever its expression calls in `shaders/lib`; one that a pass
+//! serves names its row of the [table of passes](crate::library::PassId).
+
+use glam::{DMat3, DVec3};
+
+use super::Rate::{Frame, Object};
+use super::row::{Bounds, ContextRow as Row};
+use super::sample::SurfacePart::{
+    Camera, Kappa, Normal, Position, Tangent, Time, Uv, VertexColor, View,
+};
+use super::sample::vec3;
+use crate::interp::Value;
+
+/// A fragment's place in camera axes.
+macro_rules! position_camera {
+    () => {
+        "(view.camera_from_world * vec4f(in.position, 1.0)).xyz"
+    };
+}
+
+/// What clip space multiplies heights by: at depth 1, or at every depth without perspective.
+macro_rules! view_scale {
+    () => {
+        "length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, \
+         view.clip_from_world[2].y))"
+    };
+}
+
+/// What measures the fragment's own normal, in camera axes.
+macro_rules! on_screen {
+    ($measure:literal) => {
+        concat!(
+            $measure,
+            "((view.camera_from_world * vec4f(normal, 0.0)).xyz, ",
+            position_camera!(),
+            ", view.eye.w, ",
+            view_scale!(),
+            ")"
+        )
+    };
+}
+
+/// A texel in camera axes turned into world space: a vector before a rotation is turned back by it.
+const TURNED_BACK: &str = "(vec4f(texel.xyz, 0.0) * view.camera_from_world).xyz";
+
+/// The rows. Structs of generated modules have their members in this order.
+pub(super) const TABLE: &[Row] = &[
+    Row::fragment(
+        "normal",
+        "vec3f",
+        "normal",
+        "unit surface normal, world space, toward the side that is seen",
+    )
+    .within(Bounds::Unit)
+    .sampled(&[Normal], |at| vec3(at.normal)),
+    Row::fragment(
+        "view",
+        "vec3f",
+        "normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, \
+         vec3f(0.0, 0.0, 1.0)))",
+        "unit, from the surface to the eye, world space",
+    )
+    .within(Bounds::Unit)
+    .sampled(&[View], |at| vec3(at.view)),
+    Row::fragment("position", "vec3f", "in.position", "the place on the surface, world space")
+        .sampled(&[Position], |at| vec3(at.position)),
+    Row::fragment(
+        "position_object",
+        "vec3f",
+        "in.position_object",
+        "the place on the surface, the object's own space",
+    )
+    .sampled(&[Position], |at| vec3(at.position)),
+    Row::fragment(
+        "position_camera",
+        "vec3f",
+        position_camera!(),
+        "the place on the surface from the eye, camera axes: x right, y up, z toward the viewer",
+    )
+    .sampled(&[Position, Camera], |at| vec3(at.camera * at.position)),
+    Row::fragment("uv", "vec2f", "in.uv", "texture coordinates; v up")
+        .sampled(&[Uv], |at| Value::vec(&at.uv.to_array())),
+    Row::fragment(
+        "vertex_color",
+        "Color",
+        "in.color",
+        "straight RGBA of the vertices; white where the mesh has none",
+    )
+    .sampled(&[VertexColor], |at| Value::vec(&at.vertex_color)),
+    Row::fragment(
+        "tangent",
+        "vec3f",
+        "normalize_or(in.tangent.xyz - normal * dot(normal, in.tangent.xyz), in.tangent.xyz)",
+        "unit, along u, world space, at a right angle to the normal",
+    )
+    .sampled(&[Normal, Tangent], |at| vec3(at.tangent)),
+    Row::fragment(
+        "bitangent",
+        "vec3f",
+        "cross(normal, normalize_or(in.tangent.xyz - normal * dot(normal, in.tangent.xyz), \
+         in.tangent.xyz)) * in.tangent.w",
+        "unit, along v, world space",
+    )
+    .sampled(&[Normal, Tangent], |at| vec3(at.bitangent)),
+    Row::fragment(
+        "depth",
+        "f32",
+        "-(view.camera_from_world * vec4f(in.position, 1.0)).z",
+        "distance in front of the eye along the viewing axis, scene units",
+    )
+    .sampled(&[Position, Camera], |at| Value::Float(-(at.camera * at.position).z)),
+    Row::of_pass(
+        "mean_depth",
+        "f32",
+        ("mean_depth", "texel.x"),
+        "the mean distance in front of the eye around the pixel, scene units",
+    )
+    .sampled(&[Position, Camera], |at| Value::Float(-(at.camera * at.position).z)),
+    Row::of_pass(
+        "kappa",
+        "f32",
+        ("curvature", "texel.x"),
+        "signed curvature of the surface in 1/viewport-height, convex positive",
+    )
+    .labeled("curvature")
+    .cheaper(Some("kappa_sparse"), Some("kappa_fast"))
+    .sampled(&[Kappa], |at| Value::Float(at.kappa)),
+    Row::of_pass(
+        "kappa_sparse",
+        "f32",
+        ("curvature_sparse", "texel.x"),
+        "the same from four neighbours of a pixel, two steps away",
+    )
+    .labeled("curvature")
+    .sampled(&[Kappa], |at| Value::Float(at.kappa)),
+    Row::derived(
+        "kappa_fast",
+        "f32",
+        on_screen!("curvature_on_screen"),
+        "the same from the normals of neighbouring pixels alone, without a pass of its own; \
+         triangles show in it",
+    )
+    .labeled("curvature")
+    .sampled(&[Kappa], |at| Value::Float(at.kappa)),
+    Row::of_pass(
+        "kappa_detail",
+        "f32",
+        ("detail_curvature", "texel.x"),
+        "signed curvature of the Output node's detail normal, in 1/viewport-height",
+    )
+    .labeled("detail curvature")
+    .cheaper(Some("kappa_detail_sparse"), Some("kappa_detail_sparse"))
+    .sampled(&[Kappa], |at| Value::Float(at.kappa)),
+    Row::of_pass(
+        "kappa_detail_sparse",
+        "f32",
+        ("detail_curvature_sparse", "texel.x"),
+        "the same from four neighbours of a pixel, two steps away",
+    )
+    .labeled("detail curvature")
+    .sampled(&[Kappa], |at| Value::Float(at.kappa)),
+    // A sample has no neighbours: as curved in every direction.
+    Row::of_pass(
+        "curvature_tensor",
+        "vec3f",
+        ("curvature_tensor", "texel.xyz"),
+        "curvature of the surface by direction: xx, xy and yy in camera axes, in \
+         1/viewport-height, convex positive",
+    )
+    .cheaper(None, Some("curvature_tensor_fast"))
+    .sampled(&[Kappa], |at| vec3(DVec3::new(at.kappa, 0.0, at.kappa))),
+    Row::derived(
+        "curvature_tensor_fast",
+        "vec3f",
+        on_screen!("tensor_on_screen"),
+        "the same from the normals of neighbouring pixels alone, without a pass of its own; \
+         triangles show in it",
+    )
+    .sampled(&[Kappa], |at| vec3(DVec3::new(at.kappa, 0.0, at.kappa))),
+    // A sample has no neighbours: smooth already.
+    Row::of_pass(
+        "smooth_normal_1",
+        "vec3f",
+        ("smooth_normals_1", TURNED_BACK),
+        "the surface's normal smoothed over 1/570 of the picture's height, world space; 0 where \
+         there is none",
+    )
+    .sampled(&[Normal], |at| vec3(at.normal)),
+    Row::of_pass(
+        "smooth_normal_2",
+        "vec3f",
+        ("smooth_normals_2", TURNED_BACK),
+        "the same over 1/250 of the height",
+    )
+    .sampled(&[Normal], |at| vec3(at.normal)),
+    Row::of_pass(
+        "smooth_normal_3",
+        "vec3f",
+        ("smooth_normals_3", TURNED_BACK),
+        "the same over 1/125 of the height",
+    )
+    .sampled(&[Normal], |at| vec3(at.normal)),
+    Row::of_pass(
+        "smooth_normal_4",
+        "vec3f",
+        ("smooth_normals_4", TURNED_BACK),
+        "the same over 1/60 of the height",
+    )
+    .sampled(&[Normal], |at| vec3(at.normal)),
+    Row::host(
+        "camera_from_world",
+        "mat3x3f",
+        (Frame, |host| Value::matrix(&host.camera_from_world.to_cols_array_2d())),
+        "the rotation from world to camera axes",
+        "rotation from world to camera axes: x right, y up, z toward the viewer",
+    )
+    .within(Bounds::Unit)
+    .follows(&[Camera]),
+    Row::host(
+        "object_id",
+        "f32",
+        (Object, |host| Value::Float(host.object_id)),
+        "counts objects from 0",
+        "counts objects from 0",
+    )
+    .within(Bounds::Count),
+    Row::host("time", "f32", (Frame, |host| Value::Float(host.time)), "seconds", "seconds")
+        .follows(&[Time]),
+    Row::host(
+        "frame",
+        "f32",
+        (Frame, |host| Value::Float(host.frame)),
+        "frames since the start of the time range",
+        "frames since the start of the time range",
+    )
+    .follows(&[Time]),
+    Row::host(
+        "viewport",
+        "vec2f",
+        (Frame, |host| Value::vec(&host.viewport)),
+        "width and height in pixels",
+        "width and height in pixels",
+    )
+    .within(Bounds::Count),
+    Row::fragment(
+        "pixel",
+        "vec2f",
+        "in.clip.xy * view.screen.xy + view.screen.zw",
+        "the pixel's place from the picture's upper left corner, x to the right and y down, in \
+         pixels; centres lie at halves",
+    )
+    .given(&[0.0, 0.0], (None, None)),
+    Row::fragment(
+        "anchor",
+        "vec3f",
+        concat!(
+            "anchor_on_screen((view.camera_from_world * vec4f(object.world_from_object[3].xyz, \
+             1.0)).xyz, view.eye.w, ",
+            view_scale!(),
+            ")"
+        ),
+        "where the object's origin is seen from the picture's middle, x to the right and y down, \
+         and how large a unit of \
+         the scene is seen there; in picture heights",
+    )
+    .given(&[0.0, 0.0, 1.0], (None, None)),
+    Row::fragment(
+        "magnification",
+        "f32",
+        concat!(
+            "size_on_screen(-(view.camera_from_world * vec4f(in.position, 1.0)).z, view.eye.w, ",
+            view_scale!(),
+            ")"
+        ),
+        "how large a unit of the scene is seen at this distance, in picture heights",
+    )
+    .given(&[1.0], (Some(0.0), Some(4.0))),
+    Row::fragment(
+        "eye_distance",
+        "f32",
+        "size_on_screen(length((view.camera_from_world * vec4f(in.position, 1.0)).xyz), 1.0, 1.0)",
+        "how large a unit of the scene is seen at this distance from the eye itself",
+    )
+    .given(&[1.0], (Some(0.0), Some(4.0))),
+    Row::fragment(
+        "world_from_normal",
+        "mat3x3f",
+        "object.world_from_normal",
+        "turns normals and gradients of the object's own space into world space",
+    )
+    .sampled(&[], |_| Value::matrix(&DMat3::IDENTITY.to_cols_array_2d())),
+];

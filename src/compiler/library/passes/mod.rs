@@ -1,0 +1,150 @@
+//! The passes of a frame: what may be drawn for a picture, in order.
+//!
+//! A [`PassId`] is a handle to a row of one [table](table). The row says what the pass runs, reads,
+//! writes and is for; plans, renderers, the reference, exports, costs and reports ask it, and none
+//! of them tells passes apart in any other way. A look reads a pass through the
+//! [context](super::Context) whose row names it.
+
+mod row;
+mod table;
+
+use std::fmt;
+
+pub use row::{PassInput, PassOutput, PassRow, PassWork, Stage, TexelFormat};
+
+use super::context::is_same;
+use table::TABLE;
+
+/// A pass of the table; passes are ordered as their rows are, each after those that it reads.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct PassId(u8);
+
+impl PassId {
+    /// The looks themselves: the picture.
+    pub const LOOK: Self = Self::named("draw");
+
+    /// The pass of a slug, looked up when Chiaro is compiled.
+    ///
+    /// # Panics
+    /// Where no row has the slug; use [`from_slug`](Self::from_slug) for slugs that are read.
+    pub const fn named(slug: &str) -> Self {
+        let mut index = 0;
+        while index < TABLE.len() {
+            if is_same(TABLE[index].slug.as_bytes(), slug.as_bytes()) {
+                return Self(index as u8);
+            }
+            index += 1;
+        }
+        panic!("no row of the table of passes has this slug")
+    }
+
+    /// All of them, each after those that it reads.
+    pub fn all() -> impl DoubleEndedIterator<Item = Self> {
+        (0..TABLE.len()).map(|index| Self(index as u8))
+    }
+
+    /// The pass of a slug.
+    pub fn from_slug(slug: &str) -> Option<Self> {
+        Self::all().find(|pass| pass.row().slug == slug)
+    }
+
+    /// The pass that draws meshes with the looks' modules of a stage.
+    pub fn of_stage(stage: Stage) -> Option<Self> {
+        Self::all().find(|pass| pass.stage() == Some(stage))
+    }
+
+    /// Everything that is known of it.
+    pub fn row(self) -> &'static PassRow {
+        &TABLE[usize::from(self.0)]
+    }
+
+    /// What people read.
+    pub fn label(self) -> &'static str {
+        self.row().label
+    }
+
+    /// The stage of the looks' modules that it draws meshes with; `None` where it draws over the
+    /// whole picture.
+    pub fn stage(self) -> Option<Stage> {
+        match self.row().work {
+            PassWork::Meshes(stage) => Some(stage),
+            PassWork::Screen { .. } => None,
+        }
+    }
+
+    /// Whether its one module of `shaders/passes` draws over the whole picture.
+    pub fn is_screen(self) -> bool {
+        self.stage().is_none()
+    }
+
+    /// Whether it reads a result of `other`.
+    pub fn reads(self, other: Self) -> bool {
+        self.row().reads.iter().any(|input| input.pass == other.row().slug)
+    }
+
+    /// How many steps, of 1/800 of the picture's height each, lie between a pixel and the farthest
+    /// pixel of meshes that it depends on.
+    pub fn reach(self) -> u32 {
+        let before = self.row().reads.iter().filter_map(|input| Self::from_slug(input.pass));
+        self.own_reach() + before.map(Self::reach).max().unwrap_or_default()
+    }
+
+    /// How many of these steps it looks around in what it reads.
+    pub fn own_reach(self) -> u32 {
+        match self.row().work {
+            PassWork::Meshes(_) => 0,
+            PassWork::Screen { reach, .. } => reach,
+        }
+    }
+}
+
+impl fmt::Debug for PassId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "PassId({})", self.row().slug)
+    }
+}
+
+impl serde::Serialize for PassId {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.label().replace(' ', "-"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::library::Context;
+
+    #[test]
+    fn every_row_is_whole() {
+        for pass in PassId::all() {
+            let row = pass.row();
+            assert_eq!(PassId::from_slug(row.slug), Some(pass), "{pass:?} twice");
+            assert!(!row.label.is_empty() && !row.help.is_empty(), "{pass:?}");
+            assert!(!row.writes.is_empty(), "{pass:?} writes nothing");
+            for input in row.reads {
+                let read = PassId::from_slug(input.pass);
+                assert!(read.is_some_and(|read| read < pass), "{pass:?} reads `{}`", input.pass);
+                let mut written = read.iter().flat_map(|read| read.row().writes);
+                assert!(written.any(|output| output.name == input.output), "{pass:?}: {input:?}");
+            }
+            let is_served = Context::all().any(|context| context.pass() == Some(pass));
+            let is_read = PassId::all().any(|other| other.reads(pass));
+            assert!(is_served || is_read || pass == PassId::LOOK, "nobody reads {pass:?}");
+            assert!(!is_served || !row.map.is_empty(), "{pass:?}: a look reads it by what name?");
+        }
+        assert!(TABLE.len() < usize::from(u8::MAX));
+        assert_eq!(PassId::all().next_back(), Some(PassId::LOOK));
+        for stage in [Stage::Draw, Stage::Normals, Stage::DetailNormals] {
+            assert!(PassId::of_stage(stage).is_some(), "{stage:?}");
+        }
+    }
+
+    #[test]
+    fn levels_look_ever_farther_around() {
+        let reach = |slug| PassId::named(slug).reach();
+        let smooth = ["smooth_normals_1", "smooth_normals_2", "smooth_normals_3"].map(reach);
+        assert_eq!(smooth, [2, 6, 14]);
+        assert_eq!([reach("normals"), reach("curvature"), reach("draw")], [0, 3, 0]);
+    }
+}

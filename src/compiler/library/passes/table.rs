@@ -1,0 +1,187 @@
+//! Every pass, a row each, each after those that it reads.
+//!
+//! A new one over the whole picture is a row here and a file of `shaders/passes`, whose textures
+//! are the row's `reads` by name and whose uniform has the numbers of the view that
+//! `shaders/lib/curvature_map.wgsl` lists. A look reads it through a row of the table of contexts.
+
+use super::row::{PassInput, PassOutput, PassRow, PassWork, Stage, TexelFormat};
+
+/// What every pass that draws normals draws into.
+const SURFACE: &[PassOutput] = &[
+    // In camera axes, and the object's number plus 1; 0 where nothing is.
+    PassOutput { name: "normal", format: TexelFormat::Numbers },
+    // In front of the eye.
+    PassOutput { name: "depth", format: TexelFormat::Number },
+];
+const CURVATURE: &[PassOutput] = &[PassOutput { name: "curvature", format: TexelFormat::Number }];
+const TENSOR: &[PassOutput] = &[PassOutput { name: "curvature", format: TexelFormat::Numbers }];
+const NORMAL: &[PassOutput] = &[PassOutput { name: "normal", format: TexelFormat::Numbers }];
+const COLOR: &[PassOutput] = &[PassOutput { name: "color", format: TexelFormat::Picture }];
+
+/// The normals of one pass, and the depths of the pass that drew the surface.
+macro_rules! reads {
+    ($normals:literal, $depths:literal) => {
+        &[
+            PassInput { binding: "normals", pass: $normals, output: "normal" },
+            PassInput { binding: "depths", pass: $depths, output: "depth" },
+        ]
+    };
+}
+
+/// What is measured over normals with a file that is set to nothing.
+const fn measured(shader: &'static str, reach: u32) -> PassWork {
+    PassWork::Screen { shader, constants: &[], reach }
+}
+
+/// A level of smoothed normals, each made from the one before it, twice as far around.
+const fn smooth(
+    slug: &'static str,
+    (label, map): (&'static str, &'static str),
+    reads: &'static [PassInput],
+    steps: &'static [(&'static str, i32); 1],
+    help: &'static str,
+) -> PassRow {
+    let reach = steps[0].1 as u32;
+    PassRow {
+        slug,
+        label,
+        work: PassWork::Screen { shader: "smooth_normals", constants: steps, reach },
+        reads,
+        writes: NORMAL,
+        map,
+        purpose: "smoothed normals",
+        result: "smoother ones are",
+        help,
+    }
+}
+
+/// The rows.
+pub(super) const TABLE: &[PassRow] = &[
+    PassRow {
+        slug: "normals",
+        label: "normals",
+        work: PassWork::Meshes(Stage::Normals),
+        reads: &[],
+        writes: SURFACE,
+        map: "",
+        purpose: "curvature of the surface",
+        result: "",
+        help: "Draws normals and depth, for the curvature pass.",
+    },
+    PassRow {
+        slug: "curvature",
+        label: "curvature",
+        work: measured("curvature", 3),
+        reads: reads!("normals", "normals"),
+        writes: CURVATURE,
+        map: "curvature_map",
+        purpose: "curvature",
+        result: "curvature is",
+        help: "Finds curvature from normals and depth.",
+    },
+    PassRow {
+        slug: "curvature_sparse",
+        label: "sparse curvature",
+        work: measured("curvature_sparse", 3),
+        reads: reads!("normals", "normals"),
+        writes: CURVATURE,
+        map: "curvature_sparse_map",
+        purpose: "curvature from four neighbours, its cheaper tier",
+        result: "curvature is",
+        help: "Finds curvature from normals and depth of four neighbours alone.",
+    },
+    PassRow {
+        slug: "curvature_tensor",
+        label: "curvature tensor",
+        work: measured("curvature_tensor", 3),
+        reads: reads!("normals", "normals"),
+        writes: TENSOR,
+        map: "curvature_tensor_map",
+        purpose: "curvature by direction",
+        result: "curvature is",
+        help: "Finds curvature by direction from normals and depth.",
+    },
+    PassRow {
+        slug: "mean_depth",
+        label: "mean depth",
+        work: measured("mean_depth", 2),
+        reads: reads!("normals", "normals"),
+        writes: &[PassOutput { name: "depth", format: TexelFormat::Number }],
+        map: "mean_depth_map",
+        purpose: "the mean depth around it",
+        result: "mean depth is",
+        help: "Finds the mean depth around a pixel.",
+    },
+    smooth(
+        "smooth_normals_1",
+        ("smooth normals 1", "smooth_normal_1_map"),
+        reads!("normals", "normals"),
+        &[("STEPS", 2)],
+        "Smooths normals from neighbours two steps away.",
+    ),
+    smooth(
+        "smooth_normals_2",
+        ("smooth normals 2", "smooth_normal_2_map"),
+        reads!("smooth_normals_1", "normals"),
+        &[("STEPS", 4)],
+        "Smooths normals further, from neighbours four steps away.",
+    ),
+    smooth(
+        "smooth_normals_3",
+        ("smooth normals 3", "smooth_normal_3_map"),
+        reads!("smooth_normals_2", "normals"),
+        &[("STEPS", 8)],
+        "Smooths normals further, from neighbours eight steps away.",
+    ),
+    smooth(
+        "smooth_normals_4",
+        ("smooth normals 4", "smooth_normal_4_map"),
+        reads!("smooth_normals_3", "normals"),
+        &[("STEPS", 16)],
+        "Smooths normals further, from neighbours sixteen steps away.",
+    ),
+    PassRow {
+        slug: "detail_normals",
+        label: "detail normals",
+        work: PassWork::Meshes(Stage::DetailNormals),
+        reads: &[],
+        writes: SURFACE,
+        map: "",
+        purpose: "curvature of the detail normals",
+        result: "",
+        help: "Draws detail normals and depth, for the curvature pass.",
+    },
+    PassRow {
+        slug: "detail_curvature",
+        label: "detail curvature",
+        work: measured("curvature", 3),
+        reads: reads!("detail_normals", "detail_normals"),
+        writes: CURVATURE,
+        map: "curvature_detail_map",
+        purpose: "curvature",
+        result: "curvature is",
+        help: "Finds curvature from normals and depth.",
+    },
+    PassRow {
+        slug: "detail_curvature_sparse",
+        label: "sparse detail curvature",
+        work: measured("curvature_sparse", 3),
+        reads: reads!("detail_normals", "detail_normals"),
+        writes: CURVATURE,
+        map: "curvature_detail_sparse_map",
+        purpose: "curvature from four neighbours, its cheaper tier",
+        result: "curvature is",
+        help: "Finds curvature from normals and depth of four neighbours alone.",
+    },
+    PassRow {
+        slug: "draw",
+        label: "look",
+        work: PassWork::Meshes(Stage::Draw),
+        reads: &[],
+        writes: COLOR,
+        map: "",
+        purpose: "the picture",
+        result: "",
+        help: "Draws a mesh with the look; the result is straight RGBA.",
+    },
+];

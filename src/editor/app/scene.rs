@@ -1,0 +1,216 @@
+//! What is asked for of the scene around the look.
+
+use std::path::{Path, PathBuf};
+
+use eframe::egui::Ui;
+
+use super::App;
+use super::files::Pending;
+use crate::commands::{FilePurpose, PanelId, SceneCommand};
+use crate::document::SceneEdit;
+use crate::examples;
+use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX, look_of};
+use crate::ids::ObjectId;
+use crate::state::scene::{OPEN_LOOK, OpenScene};
+use crate::widgets::spots::{self, Spot};
+
+impl App {
+    pub(super) fn apply_to_stage(&mut self, ui: &Ui, command: SceneCommand) {
+        match command {
+            SceneCommand::Edit(edit) => self.tell(|session| session.apply_to_scene(edit, None)),
+            SceneCommand::EditHeld(widget, edit) => {
+                let hand = self.hand(ui, widget);
+                self.tell(|session| session.apply_to_scene(edit, Some(hand)));
+            }
+            SceneCommand::Make(id, edit) => self.make(id, edit),
+            SceneCommand::Pick(id, material) => self.pick(id, material.as_deref()),
+            SceneCommand::Unselect => self.session.select_object(None),
+            SceneCommand::Add(Some(mesh)) => self.add_object(&mesh),
+            SceneCommand::Add(None) => {
+                self.dialogs.ask(FilePurpose::AddMesh, self.near_stage().as_deref())
+            }
+            SceneCommand::Ask(purpose, id, material) => {
+                if let Some(stage) = self.session.stage_mut() {
+                    stage.asked = Some((id, material));
+                }
+                self.dialogs.ask(purpose, self.near_stage().as_deref());
+            }
+            SceneCommand::Chosen(purpose, path) => self.chosen(purpose, &path),
+            SceneCommand::Frame(only) => {
+                self.session.frame(only.as_ref(), self.bench.viewport.aspect())
+            }
+            SceneCommand::Locate(placed) => {
+                if let Some(stage) = self.session.stage_mut() {
+                    stage.placed = placed;
+                }
+            }
+            SceneCommand::KeepView => {
+                let edit = self.session.view_as_edit();
+                self.tell(|session| session.apply_to_scene(edit, None));
+            }
+            SceneCommand::Save => self.save_scene(),
+            SceneCommand::SaveAs => {
+                self.dialogs.ask(FilePurpose::SaveScene, self.near_stage().as_deref())
+            }
+            SceneCommand::Close => self.do_or_ask(Pending::LeaveScene),
+        }
+    }
+
+    /// What a dialog for a file of the scene begins near to.
+    fn near_stage(&self) -> Option<PathBuf> {
+        let own = self.session.stage().and_then(OpenScene::path);
+        own.map(Path::to_path_buf)
+            .or_else(|| Some(self.session.path()?.with_file_name("scene.json")))
+    }
+
+    fn chosen(&mut self, purpose: FilePurpose, path: &Path) {
+        let asked = self.session.stage_mut().and_then(|stage| stage.asked.take());
+        match (purpose, asked) {
+            (FilePurpose::SaveScene, _) => self.save_scene_and_go_on(path),
+            (FilePurpose::AddMesh, _) => self.add_object(&path.to_string_lossy()),
+            (FilePurpose::ObjectMesh, Some((id, _))) => self.change_object(&id, |stage, object| {
+                object.mesh = stage.name_of(path);
+            }),
+            (FilePurpose::ObjectLook, Some((id, material))) => {
+                self.change_object(&id, |stage, object| {
+                    object.looks.insert(material, stage.name_of(path));
+                });
+            }
+            _ => {}
+        }
+    }
+
+    fn change_object(
+        &mut self,
+        id: &ObjectId,
+        change: impl FnOnce(&OpenScene, &mut crate::document::Object),
+    ) {
+        let stage = self.session.stage();
+        let edit = stage.and_then(|stage| stage.change(id, |object| change(stage, object)));
+        if let Some(edit) = edit {
+            self.tell(|session| session.apply_to_scene(edit, None));
+        }
+    }
+
+    /// Adds an object, and a scene around the look where there is none.
+    fn add_object(&mut self, mesh: &str) {
+        self.session.begin_stage();
+        let Some(stage) = self.session.stage() else { return };
+        let name = if mesh.starts_with(SHAPE_PREFIX) {
+            mesh.to_owned()
+        } else {
+            stage.name_of(Path::new(mesh))
+        };
+        let (id, edit) = stage.add(&name);
+        self.make(id, edit);
+        self.session.frame(None, self.bench.viewport.aspect());
+        self.dock.open(PanelId::OBJECTS);
+    }
+
+    fn make(&mut self, id: ObjectId, edit: SceneEdit) {
+        self.tell(|session| session.apply_to_scene(edit, None));
+        self.session.select_object(Some(id));
+    }
+
+    /// Selects an object and opens its look.
+    fn pick(&mut self, id: ObjectId, material: Option<&str>) {
+        let Some(object) = self.session.stage().and_then(|stage| stage.scene().objects.get(&id))
+        else {
+            return;
+        };
+        let worn = material.map_or_else(
+            || object.looks.get(ANY_MATERIAL).map(String::as_str),
+            |it| look_of(object, it),
+        );
+        let worn =
+            worn.or_else(|| object.looks.values().next().map(String::as_str)).map(str::to_owned);
+        // An object that wears the open look on any of its materials keeps it open, unless another
+        // was pointed at.
+        let keeps = material.is_none()
+            && self.session.stage().is_some_and(|stage| stage.wears_open(object));
+        self.session.select_object(Some(id));
+        if let Some(worn) = worn.filter(|_| !keeps) {
+            self.open_worn(&worn);
+        }
+    }
+
+    /// Opens a look of the scene, which stays.
+    fn open_worn(&mut self, name: &str) {
+        let Some(stage) = self.session.stage().filter(|stage| !stage.is_open(name)) else { return };
+        if stage.wears_unsaved() && self.session.path().is_none() {
+            self.message = Some(
+                "Save this look first: objects of the scene wear it, and it has no file yet"
+                    .to_owned(),
+            );
+            return;
+        }
+        let path = stage.path_of(name);
+        if examples::file(&path).is_some() {
+            let text = "This object wears an example: open that from the start page to change it, \
+                        or choose another look";
+            self.message = Some(text.to_owned());
+            return;
+        }
+        if name == OPEN_LOOK || !path.is_file() {
+            self.message =
+                Some(format!("There is no look {}: choose another for the object", path.display()));
+            return;
+        }
+        self.do_or_ask(Pending::Switch(path));
+    }
+
+    /// Puts an object on another mesh: the one under the pointer, or the selected one, or one that
+    /// wears the open look.
+    pub(super) fn mesh_of_object(&mut self, mesh: &str) {
+        let Some(stage) = self.session.stage() else { return };
+        let objects = &stage.scene().objects;
+        let worn = || objects.iter().find(|(_, object)| stage.wears_open(object)).map(|(id, _)| id);
+        let under = self.bench.viewport.hovered().filter(|id| objects.contains_key(*id));
+        let Some(id) = under.or(stage.selected().map(|(id, _)| id)).or_else(worn).cloned() else {
+            self.message = Some(
+                "Select the object that is to have this mesh, or hold Shift to add one".to_owned(),
+            );
+            return;
+        };
+        let mesh = mesh.to_owned();
+        self.change_object(&id, |stage, object| {
+            object.mesh =
+                if mesh.starts_with(SHAPE_PREFIX) { mesh } else { stage.name_of(Path::new(&mesh)) };
+        });
+    }
+
+    /// Whether a mesh that is dropped now is one more object.
+    pub(super) fn adds_what_is_dropped(&self, ui: &Ui) -> bool {
+        let at = ui.input(|input| input.pointer.latest_pos());
+        let panel = spots::find(ui.ctx(), &Spot::Panel(PanelId::OBJECTS));
+        let is_on_panel = panel.is_some_and(|panel| at.is_some_and(|at| panel.contains(at)));
+        is_on_panel || ui.input(|input| input.modifiers.shift)
+    }
+
+    /// Saves the scene, or asks where to.
+    pub(super) fn save_scene(&mut self) {
+        match self.session.stage().map(|stage| stage.path().map(Path::to_path_buf)) {
+            Some(Some(path)) => self.save_scene_and_go_on(&path),
+            Some(None) => self.dialogs.ask(FilePurpose::SaveScene, self.near_stage().as_deref()),
+            None => {}
+        }
+    }
+
+    fn save_scene_and_go_on(&mut self, path: &Path) {
+        if self.save_scene_as(path) {
+            self.go_on_if_safe();
+        }
+    }
+
+    /// Saves the scene to a file and tells where that fails.
+    pub fn save_scene_as(&mut self, path: &Path) -> bool {
+        let saved = self.session.save_scene_as(path);
+        self.tell_saved(path, saved)
+    }
+
+    /// Adds an object on a mesh (a path, or `shape:` and the name of an own shape), as a mesh that
+    /// is dropped with Shift does.
+    pub fn add_mesh(&mut self, mesh: &str) {
+        self.add_object(mesh);
+    }
+}

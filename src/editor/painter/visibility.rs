@@ -1,0 +1,109 @@
+//! Where what is painted is seen: whether the open look shows it, and where in the picture the
+//! sample at work is.
+
+use std::path::{Path, PathBuf};
+
+use eframe::egui::Ui;
+
+use crate::commands::{Command, ViewCommand};
+use crate::state::orbit::Orbit;
+use crate::state::painting::work::OpenPainting;
+use crate::state::painting::{PaintingUpdate, look};
+use crate::state::revision::{DocumentNumber, MeaningRevision, PictureRevision};
+use crate::state::session::Session;
+
+/// What is known of it.
+#[derive(Default)]
+pub(super) struct PaintingVisibility {
+    /// Whether the sample at work is marked in the picture.
+    marks: bool,
+    /// Whether what is open shows what is painted, and of what that is known: to find out, files
+    /// are looked at.
+    shown: Option<(VisibilityInputs, bool)>,
+    /// The view that the picture had before it was turned to a sample on a flat square, and of
+    /// which document.
+    turned_from: Option<(DocumentNumber, Box<Orbit>)>,
+}
+
+/// For as long as it stays as it is, what is painted is shown or not.
+#[derive(Clone, PartialEq)]
+struct VisibilityInputs {
+    look: (DocumentNumber, MeaningRevision, Option<PathBuf>),
+    painting: Option<(u64, Option<PathBuf>)>,
+    stage: Option<PictureRevision>,
+}
+
+impl VisibilityInputs {
+    fn now(session: &Session) -> Self {
+        Self {
+            look: (
+                session.document_number(),
+                session.meaning(),
+                session.path().map(Path::to_path_buf),
+            ),
+            painting: session
+                .painting()
+                .map(|work| (work.number(), work.path().map(Path::to_path_buf))),
+            stage: session.stage_version(),
+        }
+    }
+}
+
+impl PaintingVisibility {
+    /// What is due once a frame.
+    pub(super) fn tick(&mut self, session: &Session) -> PaintingUpdate {
+        let now = VisibilityInputs::now(session);
+        if self.shown.as_ref().is_none_or(|(of, _)| *of != now) {
+            self.shown = Some((now, look::shows(session)));
+        }
+        let number = session.document_number();
+        let is_there = look::lies_flat(&session.view.orbit);
+        self.turned_from = self.turned_from.take().filter(|(of, _)| *of == number && is_there);
+        PaintingUpdate { is_shown: self.is_shown(), is_marked: self.marks && self.is_shown() }
+    }
+
+    /// Whether what is open shows what is painted, as of the last tick.
+    pub(super) fn is_shown(&self) -> bool {
+        self.shown.as_ref().is_some_and(|(_, is_shown)| *is_shown)
+    }
+
+    /// What marks the sample at work in the picture.
+    pub(super) fn mark(&mut self, ui: &mut Ui) {
+        let help = "Tints the sample at work in the picture. It is seen only where the light and \
+                    the eye stand to the \
+                    surface as they do here; other places show other samples. Where nothing is \
+                    tinted, Show in the \
+                    picture turns to it";
+        ui.toggle_value(&mut self.marks, "Where it shows").on_hover_text(help);
+    }
+
+    /// What turns the picture to the sample at work, and back.
+    pub(super) fn turn(
+        &mut self,
+        ui: &mut Ui,
+        session: &Session,
+        work: &OpenPainting,
+        out: &mut Vec<Command>,
+    ) {
+        if let Some(view) = look::from_here(session, work) {
+            let help = "Turns the picture's camera and light to where the eye and the light are \
+                        that you paint for, over a \
+                        flat square";
+            if ui.small_button("Show in the picture").on_hover_text(help).clicked() {
+                let before = &session.view.orbit;
+                if !look::lies_flat(before) {
+                    self.turned_from = Some((session.document_number(), Box::new(before.clone())));
+                }
+                out.push(Command::View(ViewCommand::TurnTo(Box::new(view))));
+            }
+        }
+        if let Some((_, view)) =
+            self.turned_from.as_ref().filter(|_| look::lies_flat(&session.view.orbit))
+        {
+            let help = "Shows what the picture showed before, from where it was seen";
+            if ui.small_button("Back to the mesh").on_hover_text(help).clicked() {
+                out.push(Command::View(ViewCommand::TurnTo(view.clone())));
+            }
+        }
+    }
+}

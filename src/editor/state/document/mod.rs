@@ -1,0 +1,225 @@
+//! A document that is open: with its past, when its steps were done, the gestures that they come
+//! of, the journal that loses none of it, and its file. The look, the scene around it and what is
+//! painted are one each.
+
+pub(crate) mod journal;
+mod text;
+pub(crate) mod times;
+
+use std::path::{Path, PathBuf};
+
+use crate::diag::Diagnostic;
+use crate::document::History;
+use crate::files::journal::{About, Journaled, Op, Slot};
+use crate::state::safety::keeper::JournalStart;
+use journal::DocumentJournal;
+pub(crate) use text::TextFile;
+use times::{Gestures, Times};
+
+/// A document that is open.
+pub(crate) struct OpenDocument<D: FileDocument> {
+    pub(crate) history: History<D>,
+    pub(crate) times: Times,
+    gestures: Gestures,
+    pub(crate) journal: DocumentJournal<D>,
+    /// Its file, once there is one.
+    pub(crate) path: Option<PathBuf>,
+    /// The file as it was read or written last.
+    pub(crate) file: D::FileState,
+    /// Whether the file holds more than could be read, so that saving over it would lose that.
+    pub(crate) is_partial: bool,
+    /// What reading the file told.
+    pub(crate) load_problems: Vec<Diagnostic>,
+}
+
+/// A document that files hold.
+pub(crate) trait FileDocument: Journaled {
+    /// What is remembered of the file.
+    type FileState;
+    /// What is found in a file that another program wrote.
+    type Change;
+    /// What such a file is called by who says that it changed.
+    const FILE: &'static str;
+    /// What is saved, for who says how.
+    const SAVED: &'static str;
+
+    /// Compares the file of a document with what it was when it was read or written last.
+    fn on_disk(document: &OpenDocument<Self>, path: &Path) -> OnDisk<Self::Change>;
+}
+
+/// How a file is compared with what was read from it or written to it last.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum OnDisk<T = String> {
+    Same,
+    /// There is no file, or none yet.
+    Gone,
+    /// Another program wrote it.
+    Changed(T),
+    /// It cannot be read at this moment.
+    Unreadable,
+}
+
+impl<D> OpenDocument<D>
+where
+    D: FileDocument + Send + 'static,
+    D::Edit: Send,
+{
+    /// A document with its past. When the steps of that were done nobody knows: they are older than
+    /// all others.
+    pub(crate) fn new(history: History<D>, path: Option<PathBuf>, file: D::FileState) -> Self {
+        let mut times = Times::default();
+        times.fit(history.steps());
+        Self {
+            history,
+            times,
+            gestures: Gestures::default(),
+            journal: DocumentJournal::default(),
+            path,
+            file,
+            is_partial: false,
+            load_problems: Vec::new(),
+        }
+    }
+
+    /// The document as it is.
+    pub(crate) fn document(&self) -> &D {
+        self.history.document()
+    }
+
+    /// Whether there are changes that no file holds.
+    pub(crate) fn is_dirty(&self) -> bool {
+        !self.history.is_saved()
+    }
+
+    /// Compares the file with what it was when it was read or written last.
+    pub(crate) fn on_disk(&self) -> OnDisk<D::Change> {
+        self.path.as_deref().map_or(OnDisk::Same, |path| D::on_disk(self, path))
+    }
+
+    /// Whether saving to a file writes over the document's own.
+    ///
+    /// # Errors
+    /// A diagnostic that says why nothing may be written there.
+    pub(crate) fn check_saving(&self, path: &Path) -> Result<bool, Box<Diagnostic>> {
+        if self.path.as_deref() != Some(path) {
+            return Ok(false);
+        }
+        let saved = D::SAVED;
+        if self.is_partial {
+            let message =
+                "this file holds things that could not be read, and saving over it would lose them";
+            let hint = format!("save {saved}under another name");
+            return Err(Box::new(Diagnostic::error("partly-read", message).hint(hint)));
+        }
+        if let OnDisk::Changed(_) = self.on_disk() {
+            let file = D::FILE;
+            let message = format!(
+                "another program has changed this {file} since it was opened, and nothing was \
+                 written over it"
+            );
+            let hint =
+                format!("choose above whose version is kept, or save {saved}under another name");
+            return Err(Box::new(Diagnostic::error("changed-on-disk", message).hint(hint)));
+        }
+        Ok(true)
+    }
+
+    /// Takes a file that holds the document from now on, all of it.
+    pub(crate) fn was_written(&mut self, path: PathBuf, file: D::FileState) {
+        self.path = Some(path);
+        self.file = file;
+        self.is_partial = false;
+        self.load_problems.clear();
+        self.history.mark_saved();
+    }
+
+    /// Applies an edit. With a `hand`, consecutive edits by it are one step. `now` is when. Returns
+    /// whether anything is another now.
+    ///
+    /// # Errors
+    /// A diagnostic where the edit is impossible; nothing is changed then.
+    pub(crate) fn apply(
+        &mut self,
+        edit: D::Edit,
+        hand: Option<u64>,
+        now: u64,
+    ) -> Result<bool, Box<Diagnostic>> {
+        let before = self.history.revision();
+        let kept = self.journal.is_on().then(|| edit.clone());
+        let gesture = hand.map(|hand| self.gestures.of(hand, before));
+        match gesture {
+            Some(gesture) => self.history.apply_in(gesture, edit)?,
+            None => self.history.apply(edit)?,
+        }
+        self.gestures.did(hand, self.history.revision());
+        let is_changed = self.history.revision() != before;
+        if is_changed {
+            self.times.did(self.history.steps(), now);
+            self.journal.note(kept.map(|edit| Op::Edit { gesture, edit }));
+        }
+        Ok(is_changed)
+    }
+
+    /// Takes the last step back, if there is one.
+    pub(crate) fn undo(&mut self) -> bool {
+        let did = self.history.undo().is_some();
+        if did {
+            self.times.undid();
+            self.journal.note(Some(Op::Undo));
+        }
+        did
+    }
+
+    /// Repeats the step that was taken back last, if there is one. `now` is when.
+    pub(crate) fn redo(&mut self, now: u64) -> bool {
+        let did = self.history.redo().is_some();
+        if did {
+            self.times.redid(now);
+            self.journal.note(Some(Op::Redo));
+        }
+        did
+    }
+
+    /// Breaks a gesture, so that whatever comes next is a step of its own.
+    pub(crate) fn end_gesture(&mut self) {
+        self.gestures.end();
+    }
+
+    /// Hands what was done to the journal; a gesture that goes on may wait for a moment there.
+    /// Returns whether the journal is to begin anew instead, with the document as it stands.
+    #[must_use]
+    pub(crate) fn commit(&mut self, goes_on: bool) -> bool {
+        let begins = self.journal.wants_to_begin(!self.history.is_saved());
+        if !begins {
+            self.journal.add(goes_on);
+        }
+        begins
+    }
+
+    /// Begins the journal with the document as it stands.
+    pub(crate) fn begin_journal(
+        &mut self,
+        about: About,
+        source: Option<std::sync::Arc<str>>,
+        slot: Option<Slot>,
+    ) {
+        self.journal.begin(JournalStart { about, source, history: self.history.clone(), slot });
+    }
+
+    /// After a save: returns whether the journal is to begin anew, with the same past and nothing
+    /// unsaved. Without a past there is nothing that is worth one.
+    #[must_use]
+    pub(crate) fn saved(&mut self) -> bool {
+        self.journal.forget_overridden();
+        let begins = self.journal.is_on() && self.history.steps() != (0, 0);
+        if !begins {
+            self.journal.clear();
+        }
+        begins
+    }
+
+    /// Lets go of the journal: it stays if anything in it is not saved, or is needed all the same.
+    pub(crate) fn leave_journal(&mut self, is_needed: bool, in_peace: bool) {
+        self.journal.leave(!self.history.is_saved() || is_needed, in_peace);
+    }
+}

@@ -1,0 +1,99 @@
+//! Documents whose files are text: looks and scenes.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use super::{FileDocument, OnDisk, OpenDocument};
+use crate::document::{Loaded, Look, Scene, SourceMap};
+
+/// A file of text as it was read or written last.
+pub(crate) struct TextFile {
+    pub(crate) source: Arc<SourceMap>,
+    /// As it was opened: what says the same again after a save is written as it was.
+    pub(crate) opened: Arc<SourceMap>,
+}
+
+impl TextFile {
+    /// One that was opened just now.
+    pub(crate) fn new(source: SourceMap) -> Self {
+        let source = Arc::new(source);
+        Self { opened: source.clone(), source }
+    }
+
+    /// The same file after it was written.
+    pub(crate) fn written(&self, source: SourceMap) -> Self {
+        Self { source: Arc::new(source), opened: self.opened.clone() }
+    }
+}
+
+/// A document that a text says.
+pub(crate) trait TextDocument: FileDocument<FileState = TextFile, Change = String> {
+    fn read_text(text: &str, file: &str) -> Loaded<Self>;
+
+    /// The canonical text, with what `source` says otherwise but to the same end.
+    fn text_like(&self, source: &SourceMap) -> String;
+}
+
+macro_rules! text_document {
+    ($document:ty, $file:literal, $saved:literal) => {
+        impl FileDocument for $document {
+            type FileState = TextFile;
+            type Change = String;
+            const FILE: &'static str = $file;
+            const SAVED: &'static str = $saved;
+
+            fn on_disk(document: &OpenDocument<Self>, path: &Path) -> OnDisk {
+                match crate::files::read_text(path) {
+                    Ok(found) if found == **document.file.source.text() => OnDisk::Same,
+                    Ok(found) if document.journal.overrides(&found) => OnDisk::Same,
+                    Ok(found) => OnDisk::Changed(found),
+                    Err(_) if !path.exists() => OnDisk::Gone,
+                    Err(_) => OnDisk::Unreadable,
+                }
+            }
+        }
+
+        impl TextDocument for $document {
+            fn read_text(text: &str, file: &str) -> Loaded<Self> {
+                Self::read(text, file)
+            }
+
+            fn text_like(&self, source: &SourceMap) -> String {
+                self.to_text_like(source)
+            }
+        }
+    };
+}
+
+text_document!(Look, "file", "");
+text_document!(Scene, "scene", "the scene ");
+
+impl<D> OpenDocument<D>
+where
+    D: TextDocument + Send + 'static,
+    D::Edit: Send,
+{
+    /// A document as the file says it, or said it when it was opened, where that is the same; else
+    /// the canonical form.
+    pub(crate) fn text_of(&self, document: &D) -> String {
+        let text = document.text_like(&self.file.source);
+        match text == **self.file.source.text() {
+            true => text,
+            false => document.text_like(&self.file.opened),
+        }
+    }
+
+    /// Takes a file that was written with this text, and holds the document from now on.
+    pub(crate) fn text_was_written(&mut self, path: &Path, text: &str) {
+        let source = D::read_text(text, &path.display().to_string()).source;
+        let file = self.file.written(source);
+        self.was_written(path.to_owned(), file);
+    }
+
+    /// Takes the file as another program wrote it: the document says the same.
+    pub(crate) fn was_reloaded(&mut self, source: SourceMap) {
+        self.file = TextFile::new(source);
+        self.is_partial = false;
+        self.history.mark_saved();
+    }
+}

@@ -1,0 +1,148 @@
+//! The looks that are not open, from their files: read again when those change, and as they were
+//! while they are broken.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::SystemTime;
+
+use crate::catalog::Catalog;
+use crate::compile::{TypedGraph, TypedSource, check};
+use crate::diag::{Diagnostic, has_errors};
+use crate::document::{Look, Value};
+use crate::examples;
+use crate::frame::SetupLook;
+use crate::library::{Library, Type};
+use crate::state::reading::{Parameter, Reading};
+
+/// Looks by their files.
+#[derive(Default)]
+pub(super) struct Looks {
+    known: BTreeMap<PathBuf, LookFile>,
+    /// The nodes that they were read with.
+    library: Option<Arc<Library>>,
+}
+
+struct LookFile {
+    stamp: Option<(SystemTime, u64)>,
+    /// `None` where it could never be read.
+    look: Option<Arc<ClosedLook>>,
+    problems: Vec<Diagnostic>,
+}
+
+/// A look that is not open, and what the window needs to know of it.
+pub(super) struct ClosedLook {
+    pub(super) look: Arc<SetupLook>,
+    /// What objects that wear it may set.
+    pub(super) parameters: Vec<Parameter>,
+    /// The files of its images.
+    pub(super) images: Vec<PathBuf>,
+}
+
+impl Looks {
+    /// Reads those that are not known, or that have changed, and forgets the others. With other
+    /// nodes all are read anew.
+    pub(super) fn refresh<'p>(
+        &mut self,
+        files: impl Iterator<Item = &'p PathBuf>,
+        library: &Arc<Library>,
+    ) {
+        let has_same_nodes = self.library.as_ref().is_some_and(|known| Arc::ptr_eq(known, library));
+        self.library = Some(library.clone());
+        let mut old = std::mem::take(&mut self.known);
+        let mut catalog = None;
+        for file in files {
+            if self.known.contains_key(file) {
+                continue;
+            }
+            let stamp = stamp(file);
+            let known = match old.remove(file) {
+                Some(known) if known.stamp == stamp && has_same_nodes => known,
+                _ if stamp.is_none() => continue,
+                known => {
+                    read(file, stamp, known.and_then(|known| known.look), library, &mut catalog)
+                }
+            };
+            self.known.insert(file.clone(), known);
+        }
+    }
+
+    /// The look in a file, or that it is broken; `None` where there is no such file.
+    pub(super) fn get(&self, file: &Path) -> Option<Option<Arc<ClosedLook>>> {
+        self.known.get(file).map(|known| known.look.clone())
+    }
+
+    pub(super) fn problems(&self) -> impl Iterator<Item = &Diagnostic> {
+        self.known.values().flat_map(|known| &known.problems)
+    }
+}
+
+fn stamp(file: &Path) -> Option<(SystemTime, u64)> {
+    // Examples never change.
+    if let Some(bytes) = examples::file(file) {
+        return Some((SystemTime::UNIX_EPOCH, bytes.len() as u64));
+    }
+    let data = std::fs::metadata(file).ok().filter(std::fs::Metadata::is_file)?;
+    Some((data.modified().ok()?, data.len()))
+}
+
+/// Reads a look; `before` is shown where it is broken now. `catalog` is of the library, made when
+/// it is first needed.
+fn read(
+    file: &Path,
+    stamp: Option<(SystemTime, u64)>,
+    before: Option<Arc<ClosedLook>>,
+    library: &Library,
+    catalog: &mut Option<Catalog>,
+) -> LookFile {
+    let loaded = Look::load(&crate::files::Disk, file);
+    let mut problems = loaded.diagnostics;
+    let folder = file.parent().map(Path::to_path_buf).unwrap_or_default();
+    let look = loaded.value.filter(|_| !has_errors(&problems));
+    let look = look.and_then(|look| match check(&look, library, None) {
+        Ok((typed, _)) => {
+            let catalog = catalog.get_or_insert_with(|| Catalog::new(library));
+            catalog.sync(&look, library);
+            let parameters = Reading { look: &look, catalog, library }.parameters();
+            Some((look, parameters, images(&typed, &folder)))
+        }
+        Err(mut found) => {
+            loaded.source.locate_all(&mut found);
+            problems.extend(found);
+            None
+        }
+    });
+    let source = Arc::new(loaded.source);
+    let look = look.map(|(look, parameters, images)| {
+        Arc::new(ClosedLook {
+            look: Arc::new(SetupLook { look, source, folder }),
+            parameters,
+            images,
+        })
+    });
+    let stays = look.is_none() && before.is_some();
+    let told = problems.into_iter().map(|problem| of_file(problem, file, stays)).collect();
+    LookFile { stamp, look: look.or(before), problems: told }
+}
+
+/// The files of the images that a look's nodes name.
+fn images(typed: &TypedGraph, folder: &Path) -> Vec<PathBuf> {
+    let inputs = typed.nodes.iter().flat_map(|node| node.inputs.iter().flatten());
+    let named =
+        inputs.filter(|input| input.ty == Type::Image).filter_map(|input| match &input.source {
+            TypedSource::Param(_, Value::Text(path)) if !path.is_empty() => Some(folder.join(path)),
+            _ => None,
+        });
+    named.collect()
+}
+
+/// A problem with a look that is not open: its nodes are none of the graph on the canvas.
+fn of_file(mut problem: Diagnostic, file: &Path, stays: bool) -> Diagnostic {
+    let node = problem.place.node.take();
+    let node = node.map(|node| format!("`{node}`: ")).unwrap_or_default();
+    let name = file.file_name().unwrap_or_default().to_string_lossy();
+    problem.message = format!("{name}: {node}{}", problem.message);
+    problem.place.port = None;
+    problem.place.file.get_or_insert_with(|| file.display().to_string());
+    if stays { problem.hint("it is shown as it was before") } else { problem }
+}

@@ -1,0 +1,335 @@
+//! The stage: a scene around the open look. It has a past, a file and a journal of its own, as the
+//! look has; the looks of objects that do not wear the open one come from their files.
+
+mod files;
+mod looks;
+mod names;
+mod objects;
+mod snapshot;
+
+use std::collections::{HashMap, HashSet};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use serde_json::json;
+
+use crate::diag::Diagnostic;
+use crate::document::{History, Object, Scene, SceneEdit, SourceMap};
+use crate::files::journal::{About, Recovered, Slot};
+use crate::frame::SetupLook;
+use crate::ids::ObjectId;
+use crate::library::Library;
+use crate::state::document::journal::DocumentJournal;
+use crate::state::document::times::Times;
+use crate::state::document::{OpenDocument, TextFile};
+use crate::state::orbit::Orbit;
+use crate::state::paths::absolute;
+use crate::state::reading::Parameter;
+use crate::state::revision::PictureRevision;
+use looks::{ClosedLook, Looks};
+pub(crate) use names::{folder_of, real, relative};
+pub(crate) use objects::{
+    ObjectPlace, file_label, from_degrees, mesh_label, scene_of, stood_up, to_degrees,
+};
+pub(crate) use snapshot::SceneSnapshot;
+
+/// What an object wears that wears the open look, while that has no file.
+pub(crate) const OPEN_LOOK: &str = "look:open";
+
+/// A scene around the open look.
+pub struct OpenScene {
+    pub(crate) document: OpenDocument<Scene>,
+    /// What the names in the scene are relative to: the folder of the file that it was opened from;
+    /// empty where it was made here.
+    base: PathBuf,
+    looks: Looks,
+    /// The looks that are not open, by their names; `None` where a file is broken.
+    closed: HashMap<String, Option<Arc<ClosedLook>>>,
+    staged: Arc<SceneSnapshot>,
+    selected: Option<ObjectId>,
+    /// Where objects are, as of the last picture.
+    pub(crate) placed: Vec<ObjectPlace>,
+    /// The file of the open look.
+    open_file: Option<PathBuf>,
+    /// When the steps of looks were done that were open before, by their files.
+    pub(crate) left: HashMap<PathBuf, Times>,
+    /// The object and the material that a file is being chosen for.
+    pub(crate) asked: Option<(ObjectId, String)>,
+    /// The look that was open when this was put aside, if it was.
+    pub(crate) wanted: Option<LookToOpen>,
+}
+
+/// The look that is to be opened with a stage that is taken back.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum LookToOpen {
+    /// The one in this file.
+    File(PathBuf),
+    /// One that has no file yet.
+    Unsaved,
+}
+
+impl OpenScene {
+    fn with(
+        history: History<Scene>,
+        source: SourceMap,
+        path: Option<PathBuf>,
+        base: PathBuf,
+    ) -> Self {
+        Self {
+            document: OpenDocument::new(history, path, TextFile::new(source)),
+            base,
+            looks: Looks::default(),
+            closed: HashMap::new(),
+            staged: Arc::default(),
+            selected: None,
+            placed: Vec::new(),
+            open_file: None,
+            left: HashMap::new(),
+            asked: None,
+            wanted: None,
+        }
+    }
+
+    /// A scene that no file holds; its names are paths that hold wherever it will be saved.
+    pub(crate) fn unsaved(scene: Scene) -> Self {
+        Self::with(History::new(scene), Scene::read("{}", "scene").source, None, PathBuf::new())
+    }
+
+    /// The scene as it is.
+    pub fn scene(&self) -> &Scene {
+        self.document.history.document()
+    }
+
+    /// Its file, once there is one.
+    pub fn path(&self) -> Option<&Path> {
+        self.document.path.as_deref()
+    }
+
+    /// What people call it.
+    pub(crate) fn name(&self) -> String {
+        let file = self.document.path.as_ref().and_then(|path| path.file_name());
+        file.map_or_else(|| "New scene".to_owned(), |name| name.to_string_lossy().into_owned())
+    }
+
+    /// Whether there are changes that no file holds.
+    pub fn is_dirty(&self) -> bool {
+        self.document.is_dirty()
+    }
+
+    /// The object that is selected, which is one of the scene.
+    pub fn selected(&self) -> Option<(&ObjectId, &Object)> {
+        self.scene().objects.get_key_value(self.selected.as_ref()?)
+    }
+
+    pub(crate) fn select(&mut self, id: Option<ObjectId>) {
+        self.selected = id;
+    }
+
+    pub(crate) fn history(&self) -> &History<Scene> {
+        &self.document.history
+    }
+
+    /// Lets unsaved changes go: they are no longer asked about.
+    pub(crate) fn give_up_changes(&mut self) {
+        self.document.history.mark_saved();
+    }
+
+    /// Breaks a gesture, so that whatever comes next is a step of its own.
+    pub(crate) fn end_gesture(&mut self) {
+        self.document.end_gesture();
+    }
+
+    /// Applies an edit. With a `hand`, consecutive edits by it are one step. `now` is when.
+    ///
+    /// # Errors
+    /// A diagnostic where the edit is impossible; nothing is changed then.
+    pub(crate) fn apply(
+        &mut self,
+        edit: SceneEdit,
+        hand: Option<u64>,
+        now: u64,
+    ) -> Result<bool, Box<Diagnostic>> {
+        self.document.apply(edit, hand, now)
+    }
+
+    pub(crate) fn undo(&mut self) -> bool {
+        self.document.undo()
+    }
+
+    pub(crate) fn redo(&mut self, now: u64) -> bool {
+        self.document.redo(now)
+    }
+
+    /// Finds out anew what the objects wear; `open` is the file of the open look. `version` grows.
+    pub(crate) fn sync(
+        &mut self,
+        open: Option<&Path>,
+        library: &Arc<Library>,
+        version: PictureRevision,
+    ) {
+        let scene = self.document.history.document();
+        self.selected = self.selected.take().filter(|id| scene.objects.contains_key(id));
+        self.open_file = open.map(Path::to_path_buf);
+        let open = open.map(real);
+        let names =
+            scene.objects.values().flat_map(|object| object.looks.values()).map(String::as_str);
+        // A crowd may wear a handful of looks.
+        let names: HashSet<&str> = names.collect();
+        let (mut of_open, mut others) = (Vec::new(), HashMap::new());
+        for name in names {
+            let path = self.path_of(name);
+            if name == OPEN_LOOK || open.as_ref().is_some_and(|open| *open == real(&path)) {
+                of_open.push(name.to_owned());
+            } else {
+                others.insert(name.to_owned(), path);
+            }
+        }
+        self.looks.refresh(others.values(), library);
+        let find = |(name, path): (String, PathBuf)| Some((name, self.looks.get(&path)?));
+        self.closed = others.into_iter().filter_map(find).collect();
+        let setup =
+            |look: &Option<Arc<ClosedLook>>| look.as_ref().map(|closed| closed.look.clone());
+        // Of an edited scene nobody knows where what is wrong lies in the file.
+        let source = match self.document.history.revision() {
+            0 => self.document.file.source.clone(),
+            _ => Arc::new(Scene::read("{}", self.document.file.source.file()).source),
+        };
+        let mut staged = SceneSnapshot {
+            version,
+            shape: version,
+            scene: scene.clone(),
+            base: self.base.clone(),
+            source,
+            open: of_open.into_iter().collect(),
+            others: self.closed.iter().map(|(name, look)| (name.clone(), setup(look))).collect(),
+            is_alone: false,
+        };
+        if staged.has_shape_of(&self.staged) {
+            staged.shape = self.staged.shape;
+        }
+        self.staged = Arc::new(staged);
+    }
+
+    /// What the picture shows, as something that a thread can take with it.
+    pub(crate) fn staged(&self) -> &Arc<SceneSnapshot> {
+        &self.staged
+    }
+
+    /// The looks of objects that are not open, as far as they can be read.
+    pub(crate) fn other_looks(&self) -> impl Iterator<Item = &Arc<SetupLook>> {
+        self.staged.others.values().flatten()
+    }
+
+    /// What objects that wear a look which is not open may set.
+    pub(crate) fn parameters(&self, name: &str) -> &[Parameter] {
+        self.closed.get(name).and_then(Option::as_ref).map_or(&[], |closed| &closed.parameters)
+    }
+
+    /// Whether a name means the open look.
+    pub(crate) fn is_open(&self, name: &str) -> bool {
+        self.staged.open.contains(name)
+    }
+
+    /// Whether an object wears the open look, on any material.
+    pub(crate) fn wears_open(&self, object: &Object) -> bool {
+        object.looks.values().any(|name| self.is_open(name))
+    }
+
+    /// The look to open where no object wears the one that is: one that can be read, of an object
+    /// that is seen if possible.
+    pub(crate) fn look_to_open(&self) -> Option<PathBuf> {
+        let objects = &self.scene().objects;
+        if objects.values().any(|object| self.wears_open(object)) {
+            return None;
+        }
+        let visible = objects.values().filter(|object| object.visible);
+        let hidden = objects.values().filter(|object| !object.visible);
+        let mut names = visible.chain(hidden).flat_map(|object| object.looks.values());
+        let name = names.find(|name| matches!(self.staged.others.get(*name), Some(Some(_))))?;
+        Some(self.path_of(name))
+    }
+
+    /// Whether an object wears the look in this file.
+    pub(crate) fn wears(&self, file: &Path) -> bool {
+        let file = real(file);
+        let names = self.scene().objects.values().flat_map(|object| object.looks.values());
+        names.filter(|name| *name != OPEN_LOOK).any(|name| real(&self.path_of(name)) == file)
+    }
+
+    /// Whether an object wears a look that has no file.
+    pub(crate) fn wears_unsaved(&self) -> bool {
+        self.scene()
+            .objects
+            .values()
+            .any(|object| object.looks.values().any(|name| name == OPEN_LOOK))
+    }
+
+    /// What is wrong with the file of the scene and those of its looks.
+    pub(crate) fn problems(&self) -> impl Iterator<Item = &Diagnostic> {
+        self.document.load_problems.iter().chain(self.looks.problems())
+    }
+
+    /// What is wrong, as people read it.
+    pub fn problem_texts(&self) -> impl Iterator<Item = &str> {
+        self.problems().map(|problem| problem.message.as_str())
+    }
+
+    /// Keeps the journal of unsaved work in a folder from now on.
+    pub(crate) fn keep_in(&mut self, folder: &Path, wake: Arc<dyn Fn() + Send + Sync>) {
+        self.document.journal.keep_in(folder, move || wake());
+    }
+
+    pub(crate) fn journal(&self) -> &DocumentJournal<Scene> {
+        &self.document.journal
+    }
+
+    /// Tells the journal where the window looks from.
+    pub(crate) fn note_view(&mut self, view: &Orbit) {
+        self.document.journal.note_view(view);
+    }
+
+    /// Hands what was done to the journal.
+    pub(crate) fn commit(&mut self, goes_on: bool) {
+        if self.document.commit(goes_on) {
+            self.begin_journal(None);
+        }
+    }
+
+    /// Begins the journal with the scene as it stands.
+    pub(crate) fn begin_journal(&mut self, slot: Option<Slot>) {
+        let text = |path: PathBuf| path.to_str().map(str::to_owned);
+        let base = text(self.base.clone());
+        let about = About {
+            name: self.name(),
+            path: self.document.path.as_deref().and_then(|path| text(absolute(path))),
+            is_partial: self.document.is_partial,
+            window: json!({ "base": base, "look": self.open_file.as_deref().and_then(|path| text(absolute(path))) }),
+        };
+        let source = self.document.path.is_some().then(|| self.document.file.source.text().clone());
+        self.document.begin_journal(about, source, slot);
+    }
+
+    /// Lets go of the journal: it stays if anything in it is not saved.
+    pub(crate) fn leave_journal(&mut self, in_peace: bool) {
+        self.commit(false);
+        self.document.leave_journal(false, in_peace);
+    }
+
+    /// The stage that a journal gave.
+    pub(crate) fn taken_back(found: Recovered<Scene>) -> Self {
+        let path = found.about.path.as_ref().map(PathBuf::from);
+        let name = found.about.path.as_deref().unwrap_or("scene");
+        let source = Scene::read(found.source.as_deref().unwrap_or("{}"), name).source;
+        let of_window = |key: &str| {
+            found.about.window.get(key).and_then(serde_json::Value::as_str).map(PathBuf::from)
+        };
+        let base =
+            of_window("base").or_else(|| path.as_deref().map(names::folder_of)).unwrap_or_default();
+        let wanted = of_window("look").map_or(LookToOpen::Unsaved, LookToOpen::File);
+        let mut stage = Self::with(found.history, source, path, base);
+        stage.document.is_partial = found.about.is_partial;
+        stage.document.load_problems = found.damage;
+        stage.wanted = Some(wanted);
+        stage
+    }
+}

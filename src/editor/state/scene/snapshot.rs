@@ -1,0 +1,147 @@
+//! What the viewport shows of a stage, with everything that a thread needs to draw it.
+
+use std::collections::{BTreeMap, HashMap, HashSet};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use crate::diag::Diagnostic;
+use crate::document::{Object, Scene, SourceMap};
+use crate::frame::{Assets, Setup, SetupLook, Wardrobe, place_objects};
+use crate::ids::ObjectId;
+use crate::state::revision::PictureRevision;
+
+/// A scene with the looks that are not open.
+#[derive(Clone)]
+pub(crate) struct SceneSnapshot {
+    /// Another number is another picture.
+    pub(super) version: PictureRevision,
+    /// Another number is another shape: objects are elsewhere, on other meshes, or wear other
+    /// looks.
+    pub(super) shape: PictureRevision,
+    pub(crate) scene: Scene,
+    /// What meshes are relative to.
+    pub(super) base: PathBuf,
+    pub(super) source: Arc<SourceMap>,
+    /// The names that mean the open look.
+    pub(super) open: HashSet<String>,
+    /// The others; `None` where a file is broken.
+    pub(super) others: HashMap<String, Option<Arc<SetupLook>>>,
+    /// Whether only what wears the open look is there.
+    pub(super) is_alone: bool,
+}
+
+impl Default for SceneSnapshot {
+    fn default() -> Self {
+        Self {
+            version: PictureRevision::default(),
+            shape: PictureRevision::default(),
+            scene: Scene::default(),
+            base: PathBuf::new(),
+            source: Arc::new(Scene::read("{}", "").source),
+            open: HashSet::new(),
+            others: HashMap::new(),
+            is_alone: false,
+        }
+    }
+}
+
+impl SceneSnapshot {
+    /// Tells one picture of a stage from another.
+    pub(crate) fn version(&self) -> PictureRevision {
+        self.version
+    }
+
+    /// The looks that are not open, as far as they can be read, each once, in the order of their
+    /// names.
+    pub(crate) fn other_looks(&self) -> impl Iterator<Item = &Arc<SetupLook>> {
+        let mut named: Vec<_> =
+            self.others.iter().filter_map(|(name, look)| Some((name, look.as_ref()?))).collect();
+        named.sort_unstable_by_key(|(name, _)| *name);
+        let mut seen = HashSet::new();
+        named.into_iter().map(|(_, look)| look).filter(move |look| seen.insert(Arc::as_ptr(look)))
+    }
+
+    /// Tells one shape of it from another; lights and values are none of it.
+    pub(crate) fn shape(&self) -> PictureRevision {
+        self.shape
+    }
+
+    /// Whether every object is where it is in another, on the same mesh, and wears the same as far
+    /// as it can be worn.
+    pub(super) fn has_shape_of(&self, other: &Self) -> bool {
+        let is_like = |a: &Object, b: &Object| {
+            (&a.mesh, a.transform, &a.looks, a.visible)
+                == (&b.mesh, b.transform, &b.looks, b.visible)
+        };
+        let (own, others) = (&self.scene.objects, &other.scene.objects);
+        let is_same =
+            |((id, object), (other_id, other)): ((&ObjectId, &Object), (&ObjectId, &Object))| {
+                id == other_id && is_like(object, other)
+            };
+        let can_be_worn = |staged: &'_ Self| -> BTreeMap<String, bool> {
+            staged.others.iter().map(|(name, look)| (name.clone(), look.is_some())).collect()
+        };
+        own.len() == others.len()
+            && own.iter().zip(others).all(is_same)
+            && (&self.base, &self.open) == (&other.base, &other.open)
+            && can_be_worn(self) == can_be_worn(other)
+    }
+
+    /// Without what does not wear the open look.
+    #[must_use]
+    pub(crate) fn alone(&self) -> Self {
+        Self { is_alone: true, ..self.clone() }
+    }
+
+    /// The scene with everything that it names, as far as that is there, and what is wrong. `open`
+    /// is the first of its looks, whether anything wears it or not.
+    pub(crate) fn setup(&self, open: SetupLook, assets: &mut Assets) -> (Setup, Vec<Diagnostic>) {
+        let mut problems = Vec::new();
+        let mut worn = Worn { staged: self, looks: vec![open], known: HashMap::new() };
+        let objects = place_objects(
+            &self.scene,
+            &self.base,
+            &self.source,
+            None,
+            assets,
+            &mut worn,
+            &mut problems,
+        );
+        let mut setup =
+            Setup { scene: self.scene.clone(), looks: worn.looks, objects, ..Setup::default() };
+        if self.is_alone {
+            setup.looks.truncate(1);
+            for object in &mut setup.objects {
+                object.looks.iter_mut().for_each(|look| *look = look.filter(|&look| look == 0));
+            }
+            setup.objects.retain(|object| object.looks.iter().any(Option::is_some));
+        }
+        (setup, problems)
+    }
+}
+
+/// The open look and the others, as objects ask for them.
+struct Worn<'s> {
+    staged: &'s SceneSnapshot,
+    looks: Vec<SetupLook>,
+    known: HashMap<*const SetupLook, usize>,
+}
+
+impl Wardrobe for Worn<'_> {
+    fn has(&self, name: &str) -> bool {
+        self.staged.open.contains(name) || self.staged.others.contains_key(name)
+    }
+
+    fn find(&mut self, name: &str, _: &mut Vec<Diagnostic>) -> Option<usize> {
+        if self.staged.open.contains(name) {
+            return Some(0);
+        }
+        // What is wrong with a broken one was told when it was read.
+        let look = self.staged.others.get(name)?.as_ref()?;
+        let looks = &mut self.looks;
+        Some(*self.known.entry(Arc::as_ptr(look)).or_insert_with(|| {
+            looks.push((**look).clone());
+            looks.len() - 1
+        }))
+    }
+}

@@ -1,0 +1,160 @@
+//! What the viewport shows, as something that a thread can take with it, and a stamp that tells
+//! whether it still holds.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use glam::DQuat;
+
+use crate::diag::Diagnostic;
+use crate::document::{Look, SourceMap};
+use crate::frame::{Assets, Overlay, Planner, Setup, SetupLook, default_setup};
+use crate::library::Library;
+use crate::state::orbit::Orbit;
+use crate::state::painting::work::OpenPainting;
+use crate::state::revision::{
+    DocumentNumber, FilesRevision, LookRevision, PictureRevision, PreviewRevision,
+};
+use crate::state::scene::SceneSnapshot;
+use crate::state::session::Session;
+use crate::state::solo::Solo;
+
+/// A look with everything that its picture depends on, but for the size.
+#[derive(Clone)]
+pub(crate) struct RenderSnapshot {
+    pub(crate) look: Arc<Look>,
+    pub(crate) source: Arc<SourceMap>,
+    /// What the look's assets are relative to.
+    pub(crate) folder: PathBuf,
+    pub(crate) library: Arc<Library>,
+    pub(crate) orbit: Orbit,
+    /// In seconds.
+    pub(crate) time: f64,
+    /// The scene around the look; without one it is on a mesh of its own.
+    pub(crate) stage: Option<Arc<SceneSnapshot>>,
+    /// The HCBTF that is being painted, in place of its file.
+    pub(crate) painting: Option<Overlay>,
+}
+
+impl RenderSnapshot {
+    /// Without what does not wear the look.
+    #[must_use]
+    pub(crate) fn alone(self) -> Self {
+        let stage = self.stage.map(|stage| Arc::new(stage.alone()));
+        Self { stage, ..self }
+    }
+
+    /// As a scene, with what was odd about the mesh. The look is the first of its looks. Of a stage
+    /// what is missing is left out and told.
+    ///
+    /// # Errors
+    /// What is wrong with the mesh, without a stage.
+    pub(crate) fn setup(
+        &self,
+        assets: &mut Assets,
+    ) -> Result<(Setup, Vec<Diagnostic>), Vec<Diagnostic>> {
+        assets.overlay(self.painting.clone());
+        let look = SetupLook {
+            look: (*self.look).clone(),
+            source: self.source.clone(),
+            folder: self.folder.clone(),
+        };
+        let (mut setup, notes) = match &self.stage {
+            Some(stage) => stage.setup(look, assets),
+            None => default_setup(look, &self.orbit.mesh, assets)?,
+        };
+        if self.orbit.z_is_up && self.stage.is_none() {
+            setup.stand_up();
+        }
+        setup.scene.camera = self.orbit.camera();
+        setup.scene.backdrop = self.orbit.backdrop.or(setup.scene.backdrop);
+        setup.scene.illumination = DQuat::to_array(&self.orbit.illumination);
+        Ok((setup, notes))
+    }
+}
+
+/// A planner that keeps meshes and images, and of what it compiled only what is of the last look.
+pub(crate) struct Reused {
+    planner: Planner,
+    make: fn(Assets) -> Planner,
+    last: Option<(Arc<Look>, Arc<Library>)>,
+}
+
+impl Reused {
+    /// `make` makes a planner of assets.
+    pub(crate) fn new(make: fn(Assets) -> Planner) -> Self {
+        Self { planner: make(Assets::default()), make, last: None }
+    }
+
+    /// The planner, for this look and these nodes.
+    pub(crate) fn of(&mut self, look: &Arc<Look>, library: &Arc<Library>) -> &mut Planner {
+        let is_same =
+            |(last, of): &(Arc<Look>, Arc<Library>)| **last == **look && Arc::ptr_eq(of, library);
+        if !self.last.as_ref().is_some_and(is_same) {
+            self.planner = (self.make)(std::mem::take(&mut self.planner.assets));
+            self.last = Some((look.clone(), library.clone()));
+        }
+        &mut self.planner
+    }
+}
+
+/// Tells one moment of a session from another: the same stamp is the same look in the same view.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Stamp {
+    document: DocumentNumber,
+    revision: LookRevision,
+    files: FilesRevision,
+    orbit: Orbit,
+    time: f64,
+    solo: Solo,
+    preview: PreviewRevision,
+    /// Of what there is of a scene.
+    stage: Option<PictureRevision>,
+    painting: Option<u64>,
+}
+
+impl Session {
+    /// The document as it is shown, in the view as it is.
+    pub(crate) fn snapshot(&self) -> RenderSnapshot {
+        self.snapshot_of(Arc::new(self.shown_look().into_owned()))
+    }
+
+    /// Another look in its place.
+    pub(crate) fn snapshot_of(&self, look: Arc<Look>) -> RenderSnapshot {
+        RenderSnapshot {
+            look,
+            source: self.source().clone(),
+            folder: self.folder(),
+            library: self.project.library.clone(),
+            orbit: self.view.orbit.clone(),
+            time: self.view.time,
+            stage: self.stage().map(|stage| self.solo().lit_stage(stage.staged())),
+            painting: self.painting().map(OpenPainting::overlay),
+        }
+    }
+
+    /// What tells the scene as it is from what it was, if there is one.
+    pub(crate) fn stage_version(&self) -> Option<PictureRevision> {
+        self.stage().map(|stage| stage.staged().version())
+    }
+
+    /// What the look's assets are relative to.
+    pub(crate) fn folder(&self) -> PathBuf {
+        self.path().and_then(Path::parent).map(Path::to_path_buf).unwrap_or_default()
+    }
+
+    /// What changes whenever [`snapshot`](Self::snapshot) does.
+    pub(crate) fn stamp(&self) -> Stamp {
+        Stamp {
+            document: self.document_number(),
+            revision: self.revision(),
+            files: self.files(),
+            orbit: self.view.orbit.clone(),
+            time: self.view.time,
+            solo: self.solo().clone(),
+            preview: self.preview_revision(),
+            stage: self.stage_version(),
+            painting: self.painting().map(OpenPainting::version),
+        }
+    }
+}

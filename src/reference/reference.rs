@@ -1,0 +1,28 @@
+//! The reference as an executor of frame plans.
+
+use super::executor::execute;
+use super::modules::Modules;
+use super::options::Options;
+use crate::frame::{Executor, FramePlan, PictureFuture};
+use crate::interp::Precision;
+use crate::progress::Progress;
+
+/// Draws frame plans on the CPU in f64; see [`execute`] for more than the picture.
+#[derive(Clone, Debug, Default)]
+pub struct Reference {
+    /// How pictures are made.
+    pub options: Options,
+}
+
+impl Executor for Reference {
+    fn name(&self) -> String {
+        "the reference, in f64".to_owned()
+    }
+
+    fn picture<'a>(&'a mut self, plan: &'a FramePlan, progress: &'a Progress) -> PictureFuture<'a> {
+        Box::pin(async move {
+            let modules = Modules::new(plan, Precision::F64)?;
+            Ok(execute(plan, &modules, &self.options, progress)?.to_picture())
+        })
+    }
+}

@@ -1,0 +1,27 @@
+//! The renderer as an executor of frame plans.
+
+use crate::Renderer;
+use crate::diag::Diagnostic;
+use crate::frame::{Executor, FramePlan, PictureFuture};
+use crate::progress::Progress;
+
+impl Executor for Renderer {
+    fn name(&self) -> String {
+        self.gpu().name()
+    }
+
+    fn picture<'a>(&'a mut self, plan: &'a FramePlan, progress: &'a Progress) -> PictureFuture<'a> {
+        Box::pin(async move {
+            // A frame is one submission: it is stopped before it, or not at all.
+            progress.begin(1);
+            progress.check()?;
+            let picture = Self::picture(self, plan).await?;
+            progress.add(1);
+            Ok(picture)
+        })
+    }
+
+    fn warnings(&self, plan: &FramePlan) -> Vec<Diagnostic> {
+        self.gpu().warnings(plan)
+    }
+}

@@ -1,0 +1,37 @@
+//! Passes before the looks that draw every object, one sample a pixel: normals, object numbers and
+//! depth.
+
+use super::look::{Bound, depth_attachment};
+use crate::compile::Stage;
+use crate::frame::{FramePlan, PassId};
+use crate::{RenderError, Renderer};
+
+impl Renderer {
+    pub(crate) fn draw_meshes(
+        &mut self,
+        plan: &FramePlan,
+        (pass, stage): (PassId, Stage),
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Result<(), RenderError> {
+        let view = self.uniform(&plan.view.uniform_bytes());
+        let mut bound: Vec<(usize, Bound)> = Vec::new();
+        for (index, draw) in plan.draws.iter().enumerate() {
+            if let Some(shader) = draw.module(stage) {
+                bound.push((index, self.bind(shader, stage, draw, &view, 1)?));
+            }
+        }
+        let Some(buffer) = self.targets.buffer(pass) else { return Ok(()) };
+        let attachments = self.targets.attachments(pass);
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some(pass.label()),
+            color_attachments: &attachments,
+            depth_stencil_attachment: Some(depth_attachment(buffer)),
+            timestamp_writes: Self::stamps(&mut self.timer),
+            ..wgpu::RenderPassDescriptor::default()
+        });
+        for (index, bound) in &bound {
+            self.submit(&mut pass, &plan.draws[*index], bound);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,143 @@
+//! Passes over the whole picture: the files of `shaders/passes`, each with what earlier passes drew.
+
+use std::collections::hash_map::Entry;
+
+use wgpu::util::DeviceExt as _;
+
+use crate::frame::{FramePlan, PassId, ScreenModule, ScreenResource};
+use crate::gpu::Gpu;
+use crate::target::format_of;
+use crate::{RenderError, Renderer};
+
+/// The fixed pipeline of one of them.
+#[derive(Debug)]
+pub(crate) struct ScreenPipeline {
+    pipeline: wgpu::RenderPipeline,
+    layout: wgpu::BindGroupLayout,
+    module: ScreenModule,
+}
+
+impl ScreenPipeline {
+    /// The pipeline of a pass.
+    ///
+    /// # Errors
+    /// That its file is not what its row says.
+    fn new(gpu: &Gpu, pass: PassId) -> Result<Self, RenderError> {
+        let refused = |message: String| RenderError::Refused { message };
+        let module = ScreenModule::of(pass)
+            .map_err(|problems| refused(problems[0].message.clone()))?
+            .ok_or_else(|| refused(format!("`{}` draws meshes", pass.label())))?;
+        let label = Some(pass.label());
+        let source = wgpu::ShaderSource::Wgsl(module.text.as_str().into());
+        let shader =
+            gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor { label, source });
+        let layout = layout(&gpu.device, &module);
+        let pipeline_layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label,
+            bind_group_layouts: &[Some(&layout)],
+            immediate_size: 0,
+        });
+        let targets: Vec<_> = pass
+            .row()
+            .writes
+            .iter()
+            .map(|output| Some(format_of(gpu, output.format).into()))
+            .collect();
+        let pipeline = gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label,
+            layout: Some(&pipeline_layout),
+            vertex: wgpu::VertexState {
+                module: &shader,
+                entry_point: Some("vs_main"),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                buffers: &[],
+            },
+            primitive: wgpu::PrimitiveState::default(),
+            depth_stencil: None,
+            multisample: wgpu::MultisampleState::default(),
+            fragment: Some(wgpu::FragmentState {
+                module: &shader,
+                entry_point: Some("fs_main"),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                targets: &targets,
+            }),
+            multiview_mask: None,
+            cache: None,
+        });
+        Ok(Self { pipeline, layout, module })
+    }
+}
+
+fn layout(device: &wgpu::Device, module: &ScreenModule) -> wgpu::BindGroupLayout {
+    let entry = |binding: &crate::frame::ScreenBinding| wgpu::BindGroupLayoutEntry {
+        binding: binding.binding,
+        visibility: wgpu::ShaderStages::FRAGMENT,
+        ty: match binding.holds {
+            ScreenResource::Image(_) => wgpu::BindingType::Texture {
+                sample_type: wgpu::TextureSampleType::Float { filterable: false },
+                view_dimension: wgpu::TextureViewDimension::D2,
+                multisampled: false,
+            },
+            ScreenResource::View => wgpu::BindingType::Buffer {
+                ty: wgpu::BufferBindingType::Uniform,
+                has_dynamic_offset: false,
+                min_binding_size: None,
+            },
+        },
+        count: None,
+    };
+    let entries: Vec<_> = module.bindings.iter().map(entry).collect();
+    let descriptor = wgpu::BindGroupLayoutDescriptor { label: Some("screen"), entries: &entries };
+    device.create_bind_group_layout(&descriptor)
+}
+
+impl Renderer {
+    pub(crate) fn draw_screen(
+        &mut self,
+        plan: &FramePlan,
+        pass: PassId,
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Result<(), RenderError> {
+        let ScreenPipeline { pipeline, layout, module } = match self.screens.entry(pass) {
+            Entry::Occupied(made) => made.into_mut(),
+            Entry::Vacant(place) => place.insert(ScreenPipeline::new(&self.gpu, pass)?),
+        };
+        let device = &self.gpu.device;
+        let numbers = plan.view.screen_numbers(plan.samples).map(|number| number as f32);
+        let uniform = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: Some("screen"),
+            contents: bytemuck::cast_slice(&numbers),
+            usage: wgpu::BufferUsages::UNIFORM,
+        });
+        let mut entries = Vec::new();
+        for binding in &module.bindings {
+            let resource = match binding.holds {
+                ScreenResource::Image(image) => {
+                    let missing = || RenderError::Refused {
+                        message: format!("`{}` comes before what it reads", pass.label()),
+                    };
+                    let view = self.targets.image(image).ok_or_else(missing)?;
+                    wgpu::BindingResource::TextureView(view)
+                }
+                ScreenResource::View => uniform.as_entire_binding(),
+            };
+            entries.push(wgpu::BindGroupEntry { binding: binding.binding, resource });
+        }
+        let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some(pass.label()),
+            layout,
+            entries: &entries,
+        });
+        let attachments = self.targets.attachments(pass);
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some(pass.label()),
+            color_attachments: &attachments,
+            timestamp_writes: Self::stamps(&mut self.timer),
+            ..wgpu::RenderPassDescriptor::default()
+        });
+        pass.set_pipeline(pipeline);
+        pass.set_bind_group(0, &group, &[]);
+        pass.draw(0..3, 0..1);
+        Ok(())
+    }
+}

@@ -1,0 +1,51 @@
+//! What a look's modules are kept by: a hash of everything that they depend on.
+
+use std::collections::BTreeSet;
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+use crate::compile::Live;
+use crate::document::{Graph, LightField, Look, Value};
+use crate::ids::LightId;
+
+/// What a look's module depends on: all of it, or while everything is live what is no uniform.
+pub(super) fn look_key(
+    look: &Look,
+    live: &Live,
+    cutout: bool,
+    dark: &BTreeSet<(LightId, LightField)>,
+) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    (cutout, dark).hash(&mut hasher);
+    if *live == Live::All {
+        (look.color_space, look.tier).hash(&mut hasher);
+        hash_graph(&look.graph, &mut hasher);
+        for (id, definition) in &look.definitions {
+            (id, format!("{:?}{:?}", definition.inputs, definition.outputs)).hash(&mut hasher);
+            hash_graph(&definition.graph, &mut hasher);
+        }
+        look.lights.iter().for_each(|(id, light)| (id, light.kind).hash(&mut hasher));
+        look.exposed.iter().for_each(|exposed| (&exposed.name, &exposed.target).hash(&mut hasher));
+        for keys in &look.direction_keys {
+            format!("{keys:?}").hash(&mut hasher);
+        }
+        look.time_keys.iter().for_each(|track| format!("{track:?}").hash(&mut hasher));
+    } else {
+        look.to_text().hash(&mut hasher);
+        format!("{live:?}").hash(&mut hasher);
+    }
+    hasher.finish()
+}
+
+fn hash_graph(graph: &Graph, hasher: &mut DefaultHasher) {
+    for (id, node) in &graph.nodes {
+        (id, &node.kind, &node.name, node.tier).hash(hasher);
+        for (port, value) in &node.values {
+            // Words decide what is compiled; hex colors are colors.
+            if let (Value::Text(text), None) = (value, value.color()) {
+                (port, text).hash(hasher);
+            }
+        }
+    }
+    graph.wires.hash(hasher);
+    graph.frames.iter().for_each(|(id, frame)| (id, &frame.title, &frame.nodes).hash(hasher));
+}

@@ -1,0 +1,70 @@
+//! What a plan does without: dark and unread lights, and looks that say the same as another.
+
+use std::collections::HashMap;
+
+use super::Dropped;
+use super::variants::{DarkLights, LookShaders, Variants};
+use crate::compile::Proof;
+use crate::document::Look;
+use crate::frame::cost::EffectCost;
+use crate::frame::effects::EffectKind;
+use crate::frame::setup::Setup;
+use crate::ids::LightId;
+
+/// Lists the lights of a look that its module does not read, and those that are dark.
+pub(super) fn push_lights(
+    dropped: &mut Vec<Dropped>,
+    look: &Look,
+    shaders: &LookShaders,
+    dark: &DarkLights,
+) {
+    let is_read = |id: &LightId| shaders.draw.host.lights().any(|light| light == id);
+    for id in look.lights.keys() {
+        let found = dark.iter().find(|((light, _), _)| light == id);
+        let (why, proof) = match found {
+            Some((_, why)) => (*why, Proof::NoLight),
+            None if is_read(id) => continue,
+            None => ("no live node reads it, so that it has no uniforms", Proof::Unreachable),
+        };
+        let one = Dropped {
+            what: format!("light `{id}`"),
+            why: why.to_owned(),
+            kind: EffectKind::Light,
+            proof,
+            look: Some(look.name.clone()),
+            cost: EffectCost::default(),
+        };
+        if !dropped.contains(&one) {
+            dropped.push(one);
+        }
+    }
+}
+
+/// Lists the looks that are compiled once with another.
+pub(super) fn push_equal_looks(dropped: &mut Vec<Dropped>, setup: &Setup, variants: &Variants) {
+    let mut known: HashMap<u64, usize> = HashMap::new();
+    let mut sorted: Vec<_> =
+        variants.iter().map(|((_, look), variant)| (*look, variant.key)).collect();
+    sorted.sort_unstable();
+    sorted.dedup();
+    for (look, key) in sorted {
+        let first = *known.entry(key).or_insert(look);
+        if first != look {
+            let name = &setup.looks[look].look.name;
+            dropped.push(Dropped {
+                what: quoted(name),
+                why: "another look says the same: both are compiled once and share their pipelines"
+                    .to_owned(),
+                kind: EffectKind::Look,
+                proof: Proof::Equal,
+                look: Some(name.clone()),
+                cost: EffectCost::default(),
+            });
+        }
+    }
+}
+
+/// A look as sentences name it.
+pub(super) fn quoted(name: &str) -> String {
+    if name.is_empty() { "a look".to_owned() } else { format!("the look \"{name}\"") }
+}

@@ -1,0 +1,128 @@
+//! Where objects and camera are, and what of it is seen.
+
+use std::borrow::Cow;
+
+use glam::DVec3;
+use indexmap::IndexMap;
+
+use super::planner::Planner;
+use super::{Dropped, PlanOptions};
+use crate::compile::Live;
+use crate::document::Light;
+use crate::frame::camera::View;
+use crate::frame::cost::EffectCost;
+use crate::frame::effects::EffectKind;
+use crate::frame::nearest::nearest_surface;
+use crate::frame::setup::{Setup, SetupObject};
+use crate::frame::values::live_for_values;
+use crate::frame::visibility::{Cull, Placed, hidden};
+use crate::ids::LightId;
+use crate::library::Library;
+
+/// A scene whose objects and camera are placed for a picture.
+pub(super) struct PlacedScene<'a> {
+    pub(super) setup: &'a Setup,
+    pub(super) library: &'a Library,
+    pub(super) options: &'a PlanOptions,
+    /// How alive each look is to be.
+    pub(super) lives: Vec<Live>,
+    /// Where each object stands.
+    pub(super) placed: Vec<Placed>,
+    pub(super) view: View,
+}
+
+/// An object of which something may be seen, with its number in the scene.
+#[derive(Clone, Copy)]
+pub(super) struct VisibleObject<'a> {
+    pub(super) number: usize,
+    pub(super) object: &'a SetupObject,
+}
+
+impl PlacedScene<'_> {
+    /// Lights in place of those that a look was compiled with: the scene's, and of a look that is
+    /// being edited its own as they are now.
+    pub(super) fn lights(&self, look: usize) -> Cow<'_, IndexMap<LightId, Light>> {
+        let setup = self.setup;
+        if setup.edited != Some(look) {
+            return Cow::Borrowed(&setup.scene.lights);
+        }
+        let mut lights = setup.looks[look].look.lights.clone();
+        lights.extend(setup.scene.lights.iter().map(|(id, light)| (id.clone(), light.clone())));
+        Cow::Owned(lights)
+    }
+}
+
+impl Planner {
+    /// Places objects and camera.
+    pub(super) fn place<'a>(
+        &mut self,
+        setup: &'a Setup,
+        library: &'a Library,
+        live: &Live,
+        options: &'a PlanOptions,
+    ) -> PlacedScene<'a> {
+        let placed = self.bounds.place(&setup.objects);
+        let (center, radius) = bounds(&placed);
+        let view = View::new(&setup.scene.camera, options.size, center, radius);
+        let view = view.with_surface_at(nearest_surface(
+            &setup.objects,
+            &placed,
+            view.eye,
+            view.least_distance(),
+        ));
+        PlacedScene { setup, library, options, lives: lives(setup, live), placed, view }
+    }
+
+    /// The objects of which something may be seen; the others are dropped.
+    pub(super) fn visible<'a>(
+        &self,
+        scene: &PlacedScene<'a>,
+        dropped: &mut Vec<Dropped>,
+    ) -> Vec<VisibleObject<'a>> {
+        let mut visible = Vec::new();
+        for (number, object) in scene.setup.objects.iter().enumerate() {
+            let hidden = hidden(object, &scene.placed[number], &scene.view);
+            match hidden.filter(|_| self.cull != Cull::Nothing) {
+                Some((proof, why)) => dropped.push(Dropped {
+                    what: format!("object `{}`", object.id),
+                    why: why.to_owned(),
+                    kind: EffectKind::Object,
+                    proof,
+                    look: None,
+                    cost: EffectCost::bytes(4 * object.mesh.indices.len() as u64),
+                }),
+                None => visible.push(VisibleObject { number, object }),
+            }
+        }
+        visible
+    }
+}
+
+/// How alive each look is to be: those whose objects set values by name are seen to change.
+fn lives(setup: &Setup, live: &Live) -> Vec<Live> {
+    let sets_values = |look: usize| {
+        setup
+            .objects
+            .iter()
+            .any(|object| !object.values.is_empty() && object.looks.contains(&Some(look)))
+    };
+    let asked = |look: usize| match setup.edited {
+        Some(edited) if edited != look => &Live::Keyed,
+        _ => live,
+    };
+    (0..setup.looks.len()).map(|look| live_for_values(asked(look), sets_values(look))).collect()
+}
+
+fn bounds(objects: &[Placed]) -> (DVec3, f64) {
+    let mut min = DVec3::INFINITY;
+    let mut max = DVec3::NEG_INFINITY;
+    for object in objects {
+        min = min.min(object.center - object.radius);
+        max = max.max(object.center + object.radius);
+    }
+    if min.is_finite() && max.is_finite() {
+        (0.5 * (min + max), 0.5 * (max - min).length())
+    } else {
+        (DVec3::ZERO, 1.0)
+    }
+}

@@ -1,0 +1,96 @@
+//! What is odd about a scene, and stops nothing.
+
+use std::collections::BTreeSet;
+
+use super::placement::{PlacedScene, VisibleObject};
+use super::planner::Planner;
+use super::variants::{LookShaders, Variants};
+use crate::diag::Diagnostic;
+use crate::document::{Driver, KeyDirection};
+use crate::frame::setup::{Setup, SetupLook};
+use crate::frame::uvs::{self, Lack};
+use crate::ids::ObjectId;
+
+impl Planner {
+    /// Tells what is odd about the visible objects and their looks.
+    pub(super) fn warn(
+        &mut self,
+        scene: &PlacedScene<'_>,
+        visible: &[VisibleObject<'_>],
+        variants: &Variants,
+    ) {
+        self.warn_of_uvs(scene, visible, variants);
+        for VisibleObject { object, .. } in visible {
+            for look in object.worn_looks() {
+                self.warn_of_missing(scene.setup, &scene.setup.looks[look], &object.id);
+            }
+        }
+    }
+
+    /// Tells of objects whose looks read UVs, or the tangents along them, that their meshes do not
+    /// have.
+    fn warn_of_uvs(
+        &mut self,
+        scene: &PlacedScene<'_>,
+        visible: &[VisibleObject<'_>],
+        variants: &Variants,
+    ) {
+        self.uv_readers.retain(|key, _| self.used.contains(key));
+        for VisibleObject { number, object } in visible.iter().filter(|of| !of.object.mesh.has_uvs)
+        {
+            for &index in object.looks.iter().flatten().collect::<BTreeSet<_>>() {
+                let look = &scene.setup.looks[index];
+                let Some(variant) = variants.get(&(*number, index)) else { continue };
+                let Some(LookShaders { draw, .. }) = self.shaders.get(&variant.key) else {
+                    continue;
+                };
+                let Some(lack) = Lack::of(draw) else { continue };
+                let readers = self
+                    .uv_readers
+                    .entry(variant.key)
+                    .or_insert_with(|| uvs::readers(look, draw, lack, scene.library));
+                let problem = uvs::without_uvs(object, look, lack, readers);
+                if !self.warnings.contains(&problem) {
+                    self.warnings.push(problem);
+                }
+            }
+        }
+    }
+
+    /// Tells of keys by the distance to an object that is not in the scene.
+    fn warn_of_missing(&mut self, setup: &Setup, look: &SetupLook, own: &ObjectId) {
+        for (index, set) in look.look.direction_keys.iter().enumerate() {
+            let KeyDirection::Drivers(drivers) = &set.by else { continue };
+            for driver in drivers {
+                let Driver::Near(id) = driver else { continue };
+                if *id != *own && setup.objects.iter().any(|object| object.id == *id) {
+                    continue;
+                }
+                let is_own = *id == *own;
+                let message = if is_own {
+                    format!("object `{id}` wears a look whose keys go by how near it is to itself")
+                } else {
+                    format!("there is no object `{id}` in the scene")
+                };
+                let ids =
+                    setup.objects.iter().map(|object| &object.id).filter(|other| *other != own);
+                let known: Vec<String> = ids.take(8).map(|id| format!("`{id}`")).collect();
+                let hint = if known.is_empty() {
+                    "add another object to the scene, or let something else decide".to_owned()
+                } else {
+                    format!(
+                        "other objects are {}; until then it counts as far away",
+                        known.join(", ")
+                    )
+                };
+                let mut problem = Diagnostic::warning("unknown-object", message)
+                    .json_path(format!("direction_keys[{index}].by"))
+                    .hint(hint);
+                look.source.locate(&mut problem);
+                if !self.warnings.contains(&problem) {
+                    self.warnings.push(problem);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! Every context that the table has, as a GPU and as the reference find it: each is shown by a look
+//! of its own, so that a new row is drawn on both without another word.
+#![cfg(feature = "gpu")]
+
+use crate::support::eval::{look, renderer, scene_of, shape, told};
+use chiaro::compile::Live;
+use chiaro::document::Scene;
+use chiaro::frame::{Executor, FramePlan, Picture, PlanOptions, Planner, SetupLook};
+use chiaro::library::{Context, Library};
+use chiaro::progress::Progress;
+use chiaro::reference::Reference;
+use chiaro::render::block_on;
+use serde_json::json;
+
+const SIZE: [u32; 2] = [96, 80];
+
+/// A look that shows a context, squeezed into colors.
+fn showing(context: Context) -> SetupLook {
+    let (word, ty) = (context.word(), context.wgsl_type());
+    let shown = match ty {
+        "f32" => "vec3f(x)",
+        "vec2f" => "vec3f(x, 0.0)",
+        "vec3f" => "x",
+        "Color" => "x.xyz",
+        "mat3x3f" => "x * vec3f(0.2, 0.5, 0.9)",
+        other => panic!("{word}: show a {other}"),
+    };
+    let code = format!(
+        "import chiaro::types;\n\n/// Shows a context.\n///\n/// @param x from={word}\n\
+         fn shown_context(x: {ty}) -> vec3f {{\n    let y = {shown};\n    \
+         return 0.5 + 0.5 * y / (1.0 + abs(y));\n}}\n"
+    );
+    look(&json!({
+        "nodes": [
+            {"id": "own", "kind": "wgsl", "values": {"code": code}},
+            {"id": "output", "kind": "output"}
+        ],
+        "wires": [{"from": "own", "to": "output.color"}]
+    }))
+}
+
+fn plan_of(context: Context) -> FramePlan {
+    let (mesh, fitted) = shape("torus");
+    let setup = scene_of(
+        vec![(showing(context), mesh, fitted)],
+        Scene { backdrop: None, ..Scene::default() },
+    );
+    let options = PlanOptions { size: SIZE, samples: 1, time: 0.25 };
+    let planned = Planner::default().plan(&setup, Library::built_in(), &Live::Keyed, &options);
+    planned.unwrap_or_else(|problems| panic!("{context:?}: {}", told(&problems)))
+}
+
+fn drawn_by(executor: &mut dyn Executor, plan: &FramePlan) -> Picture {
+    let picture = block_on(executor.picture(plan, &Progress::new()));
+    picture.unwrap_or_else(|error| panic!("{}: {error}", executor.name()))
+}
+
+/// Pixels that both show, and how many of these differ by more than a hundredth.
+fn differing(one: &Picture, other: &Picture) -> [usize; 2] {
+    let both = one.rgba.iter().zip(&other.rgba).filter(|(a, b)| a[3] > 0.5 && b[3] > 0.5);
+    both.fold([0; 2], |[count, far], (a, b)| {
+        let is_far = a.iter().zip(b).any(|(a, b)| !((a - b).abs() <= 0.01));
+        [count + 1, far + usize::from(is_far)]
+    })
+}
+
+#[test]
+fn every_context_is_the_same_on_a_gpu_and_in_truth() {
+    let lights = |context: &Context| context.light_input().is_none();
+    for context in Context::all().filter(lights) {
+        let plan = plan_of(context);
+        let is_planned = |pass| plan.passes.iter().any(|planned| planned.id == pass);
+        assert!(context.pass().is_none_or(is_planned), "{context:?}: its pass");
+        let gpu = drawn_by(&mut *renderer(), &plan);
+        let truth = drawn_by(&mut Reference::default(), &plan);
+        let [count, far] = differing(&gpu, &truth);
+        assert!(count > 1000, "{context:?}: {count} pixels");
+        assert!(far * 50 < count, "{context:?}: {far} of {count} pixels differ");
+    }
+}
+
+#[test]
+fn a_picture_that_is_not_wanted_any_more_is_not_made() {
+    let plan = plan_of(Context::KAPPA);
+    for executor in [&mut *renderer() as &mut dyn Executor, &mut Reference::default()] {
+        let progress = Progress::new();
+        progress.stop();
+        let stopped = block_on(executor.picture(&plan, &progress)).expect_err("it was stopped");
+        assert_eq!(stopped.code, chiaro::progress::Stopped::CODE, "{}", executor.name());
+    }
+}
+
+/// The dummy pass: the mean of depths around a pixel is close to the depth within a surface.
+#[test]
+fn mean_depths_are_depths_nearly() {
+    let [mean, depth] = ["mean_depth", "depth"].map(|word| {
+        let plan = plan_of(Context::from_word(word).expect("a row"));
+        [drawn_by(&mut *renderer(), &plan), drawn_by(&mut Reference::default(), &plan)]
+    });
+    for (mean, depth) in mean.iter().zip(&depth) {
+        let [count, far] = differing(mean, depth);
+        assert!(count > 1000 && far * 10 < count, "{far} of {count} pixels differ");
+    }
+}
+
+/// The dummy context, which calls a function of the library: half the inverse of the distance.
+#[test]
+fn distances_to_the_eye_are_seen() {
+    let plan = plan_of(Context::from_word("eye_distance").expect("a row"));
+    for picture in [drawn_by(&mut *renderer(), &plan), drawn_by(&mut Reference::default(), &plan)] {
+        let seen: Vec<f32> =
+            picture.rgba.iter().filter(|pixel| pixel[3] > 0.5).map(|pixel| pixel[0]).collect();
+        let eye = plan.view.eye.length() as f32;
+        let [near, far] = [eye - 2.0, eye + 2.0].map(|distance| 0.5 / distance);
+        let shown = |x: f32| 0.5 + 0.5 * x / (1.0 + x);
+        assert!(seen.len() > 1000);
+        assert!(seen.iter().all(|x| (shown(far)..=shown(near)).contains(x)), "{near} {far}");
+    }
+}
