@@ -103,15 +103,21 @@ fn short(folder: &Path, file: &Path) -> String {
 
 /// The place of each path of a file that says an order.
 fn ranks(file: &Path) -> HashMap<String, usize> {
-    println!("cargo::rerun-if-changed={}", file.display());
+    watch(file);
     let text =
         fs::read_to_string(file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
     text.lines().map(str::to_owned).zip(0..).collect()
 }
 
+/// Has the build script run again when a file or a folder changes.
+#[expect(clippy::print_stdout, reason = "cargo listens to what a build script prints")]
+fn watch(path: &Path) {
+    println!("cargo::rerun-if-changed={}", path.display());
+}
+
 /// Every file below a folder that has one of the extensions.
 fn walk(folder: &Path, extensions: &[&str], files: &mut Vec<PathBuf>) {
-    println!("cargo::rerun-if-changed={}", folder.display());
+    watch(folder);
     let entries =
         fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
     for entry in entries {

@@ -95,7 +95,8 @@ fn said(is_read: bool, problems: &[Diagnostic], input: &str) -> String {
 fn excerpt(input: &str, line: usize, column: usize) -> String {
     let Some(line) = input.lines().nth(line.saturating_sub(1)) else { return String::new() };
     let column = column.saturating_sub(1);
-    let from = column.saturating_sub(SHOWN / 2);
+    let is_short = line.chars().count() <= SHOWN;
+    let from = if is_short { 0 } else { column.saturating_sub(SHOWN / 2) };
     let shown: String = line
         .chars()
         .skip(from)

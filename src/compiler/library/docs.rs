@@ -36,6 +36,8 @@
 //! Numbers may be written with `pi` (`pi/2`, `-pi`, `2pi`), vectors with commas and no spaces, text
 //! in quotes. A help text may go on in following lines that are indented by two spaces or more.
 
+use std::fmt;
+
 /// One `@word ...` line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tag {
@@ -57,6 +59,17 @@ pub enum Piece {
     Quoted(String),
     /// `key=value`.
     Pair(String, String),
+}
+
+impl fmt::Display for Piece {
+    /// As it is written.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Word(word) => f.write_str(word),
+            Self::Quoted(text) => write!(f, "\"{text}\""),
+            Self::Pair(key, value) => write!(f, "{key}={value}"),
+        }
+    }
 }
 
 /// A parsed doc comment.

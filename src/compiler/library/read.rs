@@ -351,7 +351,7 @@ impl Reader<'_> {
             if !ok {
                 self.problem(
                     head,
-                    format!("`@param {name}` has a piece that means nothing: {piece:?}"),
+                    format!("`@param {name}` has a piece that means nothing: `{piece}`"),
                 );
             }
         }
@@ -711,8 +711,11 @@ fn set_attribute(input: &mut Input, key: &str, value: &str) -> bool {
             None => return false,
         },
         "same" => input.fallback = Fallback::Same(value.into()),
-        "min" => input.min = docs::number(value),
-        "max" => input.max = docs::number(value),
+        "min" | "max" => {
+            let Some(number) = docs::number(value) else { return false };
+            let bound = if key == "min" { &mut input.min } else { &mut input.max };
+            *bound = Some(number);
+        }
         "unit" => value.clone_into(&mut input.unit),
         "widget" => value.clone_into(&mut input.widget),
         _ => return false,
