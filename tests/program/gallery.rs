@@ -258,7 +258,7 @@ fn every_example_has_a_page() {
     let whole = Key::of_sources(JUDGES).with(whole.as_bytes());
     ledger.prove("the whole", &whole, || gallery(&list));
     let library = Library::built_in();
-    let keys = |shown: &[&Shown]| -> Vec<Key> {
+    let keys = |shown: &[&GalleryDocument]| -> Vec<Key> {
         let mut maker = KeyMaker::new();
         shown.iter().map(|shown| maker.key(shown, library)).collect()
     };
