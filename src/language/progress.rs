@@ -301,6 +301,7 @@ mod tests {
     }
 
     #[test]
+    #[expect(clippy::disallowed_methods, reason = "the test is of what threads share")]
     fn parts_on_threads_add_up() {
         let whole = Progress::new();
         whole.begin(3);

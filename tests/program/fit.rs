@@ -68,7 +68,7 @@ fn soak_the_rate_over_fifty_hidden_looks() {
         if difference >= NEAR {
             hidden.told.iter().for_each(|layer| println!("     hidden {layer}"));
             fitted.report.changed.iter().for_each(|change| {
-                println!("     {} {}: {}", change.what, change.place, change.to)
+                println!("     {} {}: {}", change.what, change.place, change.to);
             });
         }
     }

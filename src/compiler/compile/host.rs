@@ -164,9 +164,9 @@ fn resolve(quantity: LightQuantity, numbers: &mut [f64], world_from_own: DMat3) 
         LightQuantity::Factor => numbers.iter_mut().for_each(|x| {
             *x = if x.is_nan() { 0.0 } else { x.clamp(0.0, MAX_INTENSITY) };
         }),
-        LightQuantity::Angle => {
-            numbers.iter_mut().for_each(|x| *x = x.max(0.0).min(std::f64::consts::PI));
-        }
+        LightQuantity::Angle => numbers.iter_mut().for_each(|x| {
+            *x = if x.is_nan() { 0.0 } else { x.clamp(0.0, std::f64::consts::PI) };
+        }),
         LightQuantity::Distance => numbers.iter_mut().for_each(|x| *x = light_distance(*x)),
     }
 }

@@ -190,6 +190,7 @@ mod tests {
     }
 
     #[test]
+    #[expect(clippy::disallowed_methods, reason = "the test is of what threads share")]
     fn who_comes_while_it_is_read_waits() {
         let shelf: Shelf<&'static str, u32> = Shelf::default();
         let reads = AtomicU64::new(0);

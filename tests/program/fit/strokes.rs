@@ -46,7 +46,7 @@ pub(crate) fn strokes(look: &Look, mesh: &str) -> Strokes {
                 });
             }
             None => {
-                rest.push(PixelGoal { pixel: [x, y], color: shown, weight: 1.0, is_rest: false })
+                rest.push(PixelGoal { pixel: [x, y], color: shown, weight: 1.0, is_rest: false });
             }
         }
     }
