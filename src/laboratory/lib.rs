@@ -11,9 +11,9 @@ use chiaro_language::{diag, figures, ids, progress};
 use chiaro_reference as reference;
 #[cfg(feature = "gpu")]
 use chiaro_render as render;
+use chiaro_scene::frame;
 #[cfg(feature = "gpu")]
-use chiaro_scene::{drawing, export};
-use chiaro_scene::{frame, hcbtf};
+use chiaro_scene::{drawing, export, hcbtf};
 
 /// What a node is shown with in docs and gallery, by kind: values, sources, shape.
 pub const NODE_SAMPLES: &str = include_str!("gallery/samples.json");
