@@ -12,7 +12,10 @@ impl<T: Part> Codec<T> for Plain {
     fn read(r: &mut Reader<'_>, fields: &mut Fields, name: &'static str) -> Option<T> {
         let mut extras = Unknown::new();
         let value = r.field(fields, name, |r, at, kind| T::read(r, at, kind, &mut extras));
-        fields.shadow(name, extras);
+        // What could not be read is not written either, and nor is what it held beside.
+        if value.is_some() {
+            fields.shadow(name, extras);
+        }
         value
     }
 

@@ -139,7 +139,9 @@ impl<T: Described> Part for T {
     ) -> Option<Self> {
         let mut fields = r.object(at, T::shape())?;
         let value = T::from_fields(r, &mut fields);
-        *extras = fields.unknown;
+        if value.is_some() {
+            *extras = fields.unknown;
+        }
         value
     }
 

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::Session;
 use crate::document::{Edit, Graph, GraphId, Look};
-use crate::files::write_atomic;
+use crate::files::{MemoryFiles, write_atomic};
 use crate::ids::{DefinitionId, make_slug};
 
 impl Session {
@@ -57,7 +57,14 @@ impl Session {
         let path = file_of(shared.as_str());
         std::fs::create_dir_all(&folder)
             .map_err(|error| format!("{} cannot be made: {error}", folder.display()))?;
-        write_atomic(&path, file.to_text().as_bytes()).map_err(|problem| problem.message)?;
+        let text = file.to_text();
+        write_atomic(&path, text.as_bytes()).map_err(|problem| problem.message)?;
+        // The group is there at once; the folder is read anew on its own thread.
+        let mut written = MemoryFiles::default();
+        written.add(path.clone(), text);
+        let library = self.project.library.with_project(&written, &folder);
+        self.use_library(library);
+        self.project.sync(self.look.document());
         self.reload_library();
         self.apply(edit, None).map_err(|problem| problem.message)?;
         Ok(format!("\"{name}\" is in {}: every look beside this one has it now", path.display()))
@@ -103,8 +110,7 @@ impl Session {
         if loses {
             return Err(
                 "Values inside of it are keyed or exposed in this look: make them inputs of the \
-                 group, and key \
-                        those"
+                 group, and key those"
                     .to_owned(),
             );
         }
