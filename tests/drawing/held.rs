@@ -109,7 +109,7 @@ pub fn bench(def: &NodeDef, choice: &[(&str, &str)], types: &[Type]) -> SetupLoo
     look(&json!({"lights": lights, "nodes": nodes, "wires": wires, "exposed": exposed}))
 }
 
-/// A place of a surface with these numbers of the node on a [`bench`].
+/// A place of a surface with these numbers of the node on a [`bench()`].
 pub fn sample(def: &NodeDef, inputs: In<'_>, at: &EvalSample) -> EvalSample {
     let value = |numbers: &Vec<f64>| match numbers.as_slice() {
         [x] => Value::Number(*x),
