@@ -90,14 +90,20 @@ fn draw(renderer: &mut Renderer, plans: [&FramePlan; 2]) -> [f64; 2] {
 /// A look of some layers under its own name, so that none is like another.
 fn layered(name: &str, color: f64) -> SetupLook {
     let layer = |id: &str, kind: &str, offset: f64| {
-        json!({"id": id, "kind": "light_layer", "values": {"light": "key", "type": kind, "offset": offset,
-            "falloff": offset + 0.5, "cutoff": offset + 1.0, "convex": [color, 0.4, 0.6, 1], "concave": [color, 0.4, 0.6, 1]}})
+        json!({
+            "id": id, "kind": "light_layer",
+            "values": {"light": "key", "type": kind, "offset": offset,
+            "falloff": offset + 0.5, "cutoff": offset + 1.0, "convex": [color, 0.4, 0.6, 1],
+            "concave": [color, 0.4, 0.6, 1]}})
     };
     look(&json!({"name": name, "lights": {"key": {"direction": [1, 2, 3]}},
-        "nodes": [{"id": "base", "kind": "base"}, layer("one", "diffuse", 0.0), layer("two", "specular", 0.2),
+        "nodes": [
+            {"id": "base", "kind": "base"}, layer("one", "diffuse", 0.0),
+            layer("two", "specular", 0.2),
             layer("three", "diffuse", 0.4), {"id": "output", "kind": "output"}],
         "wires": [{"from": "base", "to": "one.below"}, {"from": "one.below", "to": "two.below"},
-            {"from": "two.below", "to": "three.below"}, {"from": "three.below", "to": "output.color"}]}))
+            {"from": "two.below", "to": "three.below"},
+            {"from": "three.below", "to": "output.color"}]}))
 }
 
 /// Ten objects before the camera, and `others` far to the side of it, each with a look of its own.
@@ -165,7 +171,9 @@ fn cases() -> Vec<Case> {
         (
             "zero weight: a mix of 0 with four octaves of noise",
             "mix.factor",
-            json!([facing, noise("noise"), {"id": "mix", "kind": "mix_values", "values": {"factor": 0}}]),
+            json!([
+                facing, noise("noise"), {"id": "mix", "kind": "mix_values", "values": {"factor": 0}}
+            ]),
             json!([wire("facing", "mix.a"), wire("noise", "mix.b"), to_output("mix")]),
         ),
         (
@@ -177,19 +185,36 @@ fn cases() -> Vec<Case> {
         (
             "constant: noise at one place",
             "noise.position",
-            json!([facing, {"id": "noise", "kind": "noise", "values": {"octaves": 4, "position": [0.3, 0.2, 0.1]}}, {"id": "sum", "kind": "add"}]),
+            json!([
+                facing,
+                {
+                    "id": "noise", "kind": "noise",
+                    "values": {"octaves": 4, "position": [0.3, 0.2, 0.1]}
+                },
+                {"id": "sum", "kind": "add"}
+            ]),
             json!([wire("facing", "sum.a"), wire("noise", "sum.b"), to_output("sum")]),
         ),
         (
             "equal to another: the same noise twice",
             "twin.scale",
-            json!([noise("noise"), {"id": "twin", "kind": "noise", "values": {"octaves": 4, "kind": "perlin", "scale": 5}}, {"id": "sum", "kind": "add"}]),
+            json!([
+                noise("noise"),
+                {
+                    "id": "twin", "kind": "noise",
+                    "values": {"octaves": 4, "kind": "perlin", "scale": 5}
+                },
+                {"id": "sum", "kind": "add"}
+            ]),
             json!([wire("noise", "sum.a"), wire("twin", "sum.b"), to_output("sum")]),
         ),
         (
             "ranges: a mask that is 1 everywhere before noise",
             "more.b",
-            json!([facing, noise("noise"), {"id": "more", "kind": "add", "values": {"b": 2}}, {"id": "mask", "kind": "threshold"}, {"id": "mix", "kind": "mix_values"}]),
+            json!([
+                facing, noise("noise"), {"id": "more", "kind": "add", "values": {"b": 2}},
+                {"id": "mask", "kind": "threshold"}, {"id": "mix", "kind": "mix_values"}
+            ]),
             json!([
                 wire("facing", "more.a"),
                 wire("more", "mask.value"),
@@ -202,7 +227,11 @@ fn cases() -> Vec<Case> {
         (
             "ranges: an ambient profile",
             "profile.offset",
-            json!([facing, {"id": "profile", "kind": "profile", "values": {"offset": std::f64::consts::PI}}, {"id": "all", "kind": "multiply"}]),
+            json!([
+                facing,
+                {"id": "profile", "kind": "profile", "values": {"offset": std::f64::consts::PI}},
+                {"id": "all", "kind": "multiply"}
+            ]),
             json!([
                 wire("facing", "profile.angle"),
                 wire("profile", "all.a"),
@@ -219,7 +248,10 @@ fn cases() -> Vec<Case> {
         (
             "passes: curvature of slope 0",
             "bent.slope",
-            json!([facing, {"id": "bent", "kind": "transition", "values": {"slope": 0}}, {"id": "sum", "kind": "add"}]),
+            json!([
+                facing, {"id": "bent", "kind": "transition", "values": {"slope": 0}},
+                {"id": "sum", "kind": "add"}
+            ]),
             json!([wire("facing", "sum.a"), wire("bent", "sum.b"), to_output("sum")]),
         ),
     ]
@@ -233,9 +265,9 @@ fn removals(renderer: &mut Renderer, mesh: &Arc<Mesh>) {
             "output.cutoff" => json!({"id": "output", "kind": "output", "values": {"cutoff": 0.5}}),
             _ => json!({"id": "output", "kind": "output"}),
         });
-        let look = look(
-            &json!({"nodes": nodes, "wires": wires, "exposed": [{"name": "kept", "target": exposed}]}),
-        );
+        let look = look(&json!({
+            "nodes": nodes, "wires": wires, "exposed": [{"name": "kept", "target": exposed}]
+        }));
         let setup = one(look, mesh);
         let kept = plan(&mut Planner::default(), &setup, &Live::Exposed);
         let left_out = plan(&mut Planner::default(), &setup, &Live::Keyed);

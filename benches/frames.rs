@@ -76,7 +76,8 @@ fn layers(count: usize, lights: usize, kind: &str) -> Json {
     for index in 0..count {
         let id = format!("layer{index}");
         let share = index as f64 / count as f64;
-        nodes.push(json!({"id": id, "kind": "light_layer", "values": {"light": format!("l{}", index % lights),
+        nodes.push(json!({
+            "id": id, "kind": "light_layer", "values": {"light": format!("l{}", index % lights),
             "offset": 0.1 + 0.2 * share, "falloff": 0.5 + 0.3 * share, "cutoff": 1.2 + 0.5 * share,
             "convex": [0.2, 0.3 * share, 0.1], "blend": "add"}}));
         wires.push(json!({"from": below, "to": format!("{id}.below")}));
@@ -195,7 +196,8 @@ fn looks(renderer: &mut Renderer) {
     let bandwidth = bandwidth(renderer);
     println!("\nExample looks on the creature at 1600x1200, one sample a pixel, ms a frame");
     println!(
-        "(the machine: {price:.4} ns an instruction and fragment in a chain of products and sums, {:.2} GB/s in copies)",
+        "(the machine: {price:.4} ns an instruction and fragment in a chain of products and sums, \
+         {:.2} GB/s in copies)",
         bandwidth * 1e-9
     );
     let beside = "instructions alone, ms (times as long) | bytes alone, ms (times as long)";

@@ -75,7 +75,8 @@ fn main() {
             let [naga, optimised] = ratios.collect::<Vec<_>>().try_into().expect("two");
             let (own, hand) = (lines(shader), by_hand.2);
             println!(
-                "| {look} | {tier:?} | {naga} | {optimised} | {:.2} ({:.2} to {:.2}) | {:.2} ms | {own} / {hand} = {:.2} |",
+                "| {look} | {tier:?} | {naga} | {optimised} | {:.2} ({:.2} to {:.2}) | {:.2} ms | \
+                 {own} / {hand} = {:.2} |",
                 time.median,
                 time.low,
                 time.high,

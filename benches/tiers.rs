@@ -292,7 +292,8 @@ fn run(bench: &Bench, file: &Path) {
     };
     let (nothing, exact) = (times("nothing"), times("exact"));
     println!(
-        "\n{name}\n| form | ns per evaluation | of exact | 95% interval |\n| --- | ---: | ---: | --- |"
+        "\n{name}\n| form | ns per evaluation | of exact | 95% interval |\n| --- | ---: | ---: | \
+         --- |"
     );
     let per = 1e6 / f64::from(SIZE * SIZE * REPEATS);
     for candidate in candidates.iter().filter(|c| c.name != "nothing") {
@@ -323,7 +324,8 @@ fn frame_time(renderer: &mut Renderer, plan: &FramePlan) -> f64 {
 fn looks(filter: &str) {
     let mut renderer = Renderer::new(gpu());
     println!(
-        "\nwhole frames, 800x600, one sample a pixel\n| look | exact | balanced | of exact | fast | of exact |"
+        "\nwhole frames, 800x600, one sample a pixel\n| look | exact | balanced | of exact | fast \
+         | of exact |"
     );
     println!("| --- | ---: | ---: | --- | ---: | --- |");
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");

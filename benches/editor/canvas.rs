@@ -136,10 +136,12 @@ pub(crate) fn run() {
         ));
     }
     println!(
-        "\nOpening, and an edit of the structure (a wire goes, or comes back), ms; of edits median / p95"
+        "\nOpening, and an edit of the structure (a wire goes, or comes back), ms; of edits \
+         median / p95"
     );
     println!(
-        "\n| nodes | open to first frame | to its shaders | edit: its frame | the frame after | until validated |"
+        "\n| nodes | open to first frame | to its shaders | edit: its frame | the frame after | \
+         until validated |"
     );
     println!("| ---: | ---: | ---: | ---: | ---: | ---: |");
     opened.iter().for_each(|row| println!("{row}"));

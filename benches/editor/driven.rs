@@ -88,7 +88,8 @@ impl eframe::App for Driven {
 /// their edit was, and how long it took from the pointer's move until that frame was presented.
 pub(crate) fn run(look: &Path) {
     println!(
-        "\nThe same in a window of 1600x960 points on a display, until it is presented; ms, median / p95"
+        "\nThe same in a window of 1600x960 points on a display, until it is presented; ms, \
+         median / p95"
     );
     println!("\n| what is dragged | in the very next frame | from the pointer to the screen |");
     println!("| --- | ---: | ---: |");

@@ -50,7 +50,8 @@ pub(crate) fn run() {
     let mut hand = Hand::drawing();
     println!("\nFrom a drag to its picture (window of 1500x900 points); ms, median / p95");
     println!(
-        "\n| what is dragged | in the very next frame | from the pointer to the drawn frame | of that the UI thread |"
+        "\n| what is dragged | in the very next frame | from the pointer to the drawn frame | of \
+         that the UI thread |"
     );
     println!("| --- | ---: | ---: | ---: |");
     for look in ["figure1-layers", "figure4-both"] {

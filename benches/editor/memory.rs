@@ -57,7 +57,8 @@ pub(crate) fn child(nodes: usize) {
 
 pub(crate) fn run() {
     println!(
-        "\nResident memory of a window without GPU, MiB; an edit is a value, and all are undone and redone at the end"
+        "\nResident memory of a window without GPU, MiB; an edit is a value, and all are undone \
+         and redone at the end"
     );
     println!(
         "\n| nodes | new look | opened | after {EDITS} edits | {} | {} |",

@@ -103,7 +103,8 @@ fn stroke(hand: &mut Hand, texels: f64, what: &str) {
 pub(crate) fn run() {
     println!("\nFrom the pointer to the stroke (window of 1500x900 points); ms, median / p95");
     println!(
-        "\n| tile, directions, brush | on the tile in the very frame | on the surface | the UI thread | to the drawn frame \
+        "\n| tile, directions, brush | on the tile in the very frame | on the surface | the UI \
+         thread | to the drawn frame \
          | until all is filled |"
     );
     println!("| --- | ---: | ---: | ---: | ---: | ---: |");

@@ -79,7 +79,8 @@ pub(crate) fn run() {
     let mut rows: Vec<_> = all.into_iter().map(|(name, times)| (name, spread(times))).collect();
     rows.sort_by(|a, b| a.1[0].total_cmp(&b.1[0]));
     println!(
-        "\nStart of {what}, on figure1-layers: ms since the program was asked for, of {STARTS} starts"
+        "\nStart of {what}, on figure1-layers: ms since the program was asked for, of {STARTS} \
+         starts"
     );
     println!("\n| milestone | median | p95 | since the one before |");
     println!("| --- | ---: | ---: | ---: |");

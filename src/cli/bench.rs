@@ -43,7 +43,9 @@ pub(super) struct Arguments {
     #[arg(long, default_value_t = 1, value_parser = parse_samples)]
     samples: u32,
     /// How often each variant is drawn, from 3 to 10000
-    #[arg(short, long, default_value_t = 30, value_parser = clap::value_parser!(u32).range(3..=10_000))]
+    #[arg(
+        short, long, default_value_t = 30, value_parser = clap::value_parser!(u32).range(3..=10_000)
+    )]
     rounds: u32,
     /// The time in seconds
     #[arg(long, default_value_t = 0.0, value_parser = parse_time, allow_negative_numbers = true)]

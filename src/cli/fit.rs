@@ -56,10 +56,16 @@ pub(super) struct Arguments {
     keep: Vec<KeepArgument>,
     /// How far what is not painted stays as it is, in percent: at 0 only what is painted counts
     /// (the window begins with 50)
-    #[arg(long, value_name = "PERCENT", default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..=100))]
+    #[arg(
+        long, value_name = "PERCENT", default_value_t = 0,
+        value_parser = clap::value_parser!(u8).range(0..=100)
+    )]
     keep_rest: u8,
     /// From how many beginnings a look is turned, its own first, from 1 to 100
-    #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u32).range(1..=100), conflicts_with = "layers")]
+    #[arg(
+        long, default_value_t = 6, value_parser = clap::value_parser!(u32).range(1..=100),
+        conflicts_with = "layers"
+    )]
     starts: u32,
     /// Where the picture was taken from, as `chiaro render` takes it
     #[arg(short, long)]
@@ -185,7 +191,8 @@ fn setup(arguments: &Arguments, output: &Output) -> Result<Setup, Vec<Diagnostic
 
 /// A base and nothing over it.
 const NOTHING: &str = r##"{"chiaro": "look", "version": 1,
-    "nodes": [{"id": "base", "kind": "base", "values": {"color": "#808080"}}, {"id": "output", "kind": "output"}],
+    "nodes": [{"id": "base", "kind": "base", "values": {"color": "#808080"}},
+        {"id": "output", "kind": "output"}],
     "wires": [{"from": "base.below", "to": "output.color"}]}"##;
 
 /// What is written, refused where it would take the place of what is read or of another document.

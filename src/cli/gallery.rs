@@ -17,7 +17,8 @@ Examples:
   chiaro gallery a.json b.json -o out/ --rounds 0
 
 A folder's gallery.json says what is shown and in which order:
-  {\"title\": \"...\", \"about\": \"...\", \"sections\": [{\"title\": \"...\", \"entries\": [\"look.json\"]}]}
+  {\"title\": \"...\", \"about\": \"...\", \"sections\": [{\"title\": \"...\", \"entries\": \
+  [\"look.json\"]}]}
 An entry may say more: \
 {\"file\": \"look.json\", \"mesh\": \"shape:knot\", \"backdrop\": \"#f2ead8\"}, and \"name\",
 \"camera\", \"turn_lights\" and \"time\", as chiaro render takes them.

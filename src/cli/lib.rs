@@ -52,7 +52,10 @@ pub use target::OutputPath;
 
 /// Draw with light: stylized shading as a graph, compiled to one readable WGSL shader.
 #[derive(Debug, Parser)]
-#[command(name = "chiaro", version, max_term_width = 100, after_help = EXAMPLES, args_conflicts_with_subcommands = true)]
+#[command(
+    name = "chiaro", version, max_term_width = 100, after_help = EXAMPLES,
+    args_conflicts_with_subcommands = true
+)]
 struct Arguments {
     #[command(subcommand)]
     command: Option<Command>,

@@ -77,7 +77,9 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     };
     if arguments.json {
         let rows = wires.iter().map(|wire| {
-            json!({"node": wire.node.to_string(), "name": wire.name, "f32": wire.single, "f64": wire.double,
+            json!({
+                "node": wire.node.to_string(), "name": wire.name, "f32": wire.single,
+                "f64": wire.double,
                    "difference": wire.difference(), "finite": wire.is_finite()})
         });
         output.json(&rows.collect());

@@ -173,8 +173,10 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let file = target.display().to_string();
     if arguments.json {
         output.json(&json!({
-            "file": file, "width": width, "height": height, "samples": arguments.samples, "time": arguments.time,
-            "adapter": adapter, "seconds": clock.seconds(), "passes": passes, "warnings": once(warnings),
+            "file": file, "width": width, "height": height, "samples": arguments.samples,
+            "time": arguments.time,
+            "adapter": adapter, "seconds": clock.seconds(), "passes": passes,
+            "warnings": once(warnings),
         }));
     } else {
         output.message(&format!("{file}: {width}x{height}, on {adapter}"));

@@ -417,10 +417,13 @@ mod tests {
     #[test]
     fn every_field_is_read() {
         let text = r##"[{
-            "normal": [1, 2, 3], "tangent": [1, 0, 0], "mirrored": true, "view": [0, 1, 0], "position": [4, 5, 6],
-            "camera": [[0, 0, -1], [0, 1, 0], [1, 0, 0]], "uv": [0.25, 0.75], "kappa": "-inf", "color": [1, 0, 0],
+            "normal": [1, 2, 3], "tangent": [1, 0, 0], "mirrored": true, "view": [0, 1, 0],
+            "position": [4, 5, 6],
+            "camera": [[0, 0, -1], [0, 1, 0], [1, 0, 0]], "uv": [0.25, 0.75], "kappa": "-inf",
+            "color": [1, 0, 0],
             "time": 2.5, "frame": [[0, 0, 1], [0, 1, 0], [-1, 0, 0]],
-            "lights": {"key": {"direction": [0, 2, 0], "color": [1, 1, 0], "intensity": 0.5}, "b": {"position": [1, 1, 1]}},
+            "lights": {"key": {"direction": [0, 2, 0], "color": [1, 1, 0], "intensity": 0.5},
+            "b": {"position": [1, 1, 1]}},
             "values": {"width": 1, "tint": "#ff0000", "list": [1, 2], "on": true}
         }, {}]"##;
         let samples = parse(text, "s.json").unwrap();
@@ -449,8 +452,10 @@ mod tests {
     #[test]
     fn every_problem_is_told_with_its_place() {
         let found = problems(
-            r#"[{"normal": [0, 1]}, {}, {"nromal": [0, 0, 1], "lights": {"key": {"direction": "up", "colr": [1, 1, 1]}}},
-                3, {"kappa": "much", "frame": [[1, 0, 0], [0, 1, 0], [0, 0, -1]], "camera": [[1, 0, 0], [0, 1], [0, 0, 1]]}]"#,
+            r#"[{"normal": [0, 1]}, {}, {"nromal": [0, 0, 1], "lights": {"key": {"direction": "up",
+                "colr": [1, 1, 1]}}},
+                3, {"kappa": "much", "frame": [[1, 0, 0], [0, 1, 0], [0, 0, -1]],
+                "camera": [[1, 0, 0], [0, 1], [0, 0, 1]]}]"#,
         );
         let paths: Vec<&str> =
             found.iter().filter_map(|problem| problem.place.json_path.as_deref()).collect();

@@ -63,7 +63,9 @@ pub(super) struct Arguments {
     #[arg(long, default_value_t = 160, value_parser = clap::value_parser!(u32).range(16..=4096))]
     error_size: u32,
     /// How often each variant is drawn, from 3 to 10000
-    #[arg(short, long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(3..=10_000))]
+    #[arg(
+        short, long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(3..=10_000)
+    )]
     rounds: u32,
     /// Where the tuned look goes, in place of the look itself
     #[arg(short, long)]

@@ -112,7 +112,8 @@ fn a_look_with_many_values_keeps_its_uniform_small() {
         from = format!("mix{i}");
     }
     json += &format!(
-        r#", {{"id": "output", "kind": "output"}}], "wires": [{wires}{{"from": "{from}", "to": "output.color"}}]}}"#
+        r#", {{"id": "output", "kind": "output"}}], "wires": [{wires}{{"from": "{from}",
+            "to": "output.color"}}]}}"#
     );
     look.clone_from(Look::read(&json, "long.json").value.as_ref().unwrap());
     let shader = compiled(&look, &Options { live: Live::All, ..Options::default() });
@@ -125,7 +126,8 @@ fn with_broken_node(is_wired: bool) -> Look {
     let from = if is_wired { "broken" } else { "base" };
     let json = format!(
         r#"{{"nodes": [{{"id": "base", "kind": "base"}},
-            {{"id": "broken", "kind": "wgsl", "values": {{"code": "fn f() -> Color {{ return vec3f(1.0); }}"}}}},
+            {{"id": "broken", "kind": "wgsl",
+            "values": {{"code": "fn f() -> Color {{ return vec3f(1.0); }}"}}}},
             {{"id": "odd", "kind": "nonsense"}}, {{"id": "output", "kind": "output"}}],
             "wires": [{{"from": "{from}", "to": "output.color"}}]}}"#
     );
@@ -157,7 +159,8 @@ fn every_problem_is_told_at_once() {
         {"id": "a", "kind": "add"}, {"id": "b", "kind": "multiply"},
         {"id": "p", "kind": "profile", "values": {"offset": "wide", "ofset": 1}},
         {"id": "x", "kind": "profil"}, {"id": "output", "kind": "output"}],
-        "wires": [{"from": "a", "to": "b.a"}, {"from": "b", "to": "a.a"}, {"from": "a", "to": "output.color"}]}"#;
+        "wires": [{"from": "a", "to": "b.a"}, {"from": "b", "to": "a.a"},
+        {"from": "a", "to": "output.color"}]}"#;
     let look = Look::read(json, "wrong.json").value.unwrap();
     let problems = compile(&look, Library::built_in(), &Options::default()).unwrap_err();
     let codes: Vec<&str> = problems.iter().map(|problem| problem.code).collect();

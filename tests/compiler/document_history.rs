@@ -5,12 +5,15 @@ use chiaro_compiler::document::{Edit, Endpoint, GraphId, History, Look, Value, W
 fn history() -> History<Look> {
     let text = r#"{
         "lights": { "key": {}, "fill": {} },
-        "nodes": [{ "kind": "base" }, { "id": "g", "kind": "group" }, { "id": "rim", "kind": "layer" }, { "kind": "output" }],
+        "nodes": [{ "kind": "base" }, { "id": "g", "kind": "group" },
+        { "id": "rim", "kind": "layer" }, { "kind": "output" }],
         "wires": [{ "from": "base", "to": "rim.below" }, { "from": "rim", "to": "output.color" }],
         "frames": { "f": { "title": "warm", "nodes": ["rim", "base"] } },
         "definitions": { "group": { "nodes": [{ "kind": "inner" }], "inputs": [{ "name": "x" }] } },
-        "exposed": [{ "name": "a", "target": "base.color" }, { "name": "b", "target": "rim.offset" }, { "name": "c", "target": "g/inner.x" }],
-        "direction_keys": [{ "by": { "light": "key" }, "keys": [{ "direction": [0, 0, 1], "values": { "rim.offset": 1, "base.color": 2 } }] }],
+        "exposed": [{ "name": "a", "target": "base.color" },
+        { "name": "b", "target": "rim.offset" }, { "name": "c", "target": "g/inner.x" }],
+        "direction_keys": [{ "by": { "light": "key" }, "keys": [{ "direction": [0, 0, 1],
+        "values": { "rim.offset": 1, "base.color": 2 } }] }],
         "time_keys": [{ "target": "lights.fill.color" }, { "target": "rim.offset" }]
     }"#;
     let loaded = Look::read(text, "");
@@ -175,7 +178,8 @@ fn impossible_edits_are_refused() {
 
 #[test]
 fn a_broken_document_can_be_mended_and_broken_again() {
-    let text = r#"{ "nodes": [{ "kind": "a" }], "wires": [{ "from": "a", "to": "a.x" }, { "from": "gone", "to": "a.x" }],
+    let text = r#"{ "nodes": [{ "kind": "a" }], "wires": [{ "from": "a", "to": "a.x" },
+        { "from": "gone", "to": "a.x" }],
         "exposed": [{ "name": "e", "target": "gone.x" }] }"#;
     let look = Look::read(text, "").value.unwrap();
     let mut history = History::new(look.clone());

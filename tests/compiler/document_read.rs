@@ -71,7 +71,8 @@ fn the_canonical_form_has_one_thing_on_each_line() {
 #[test]
 fn unknown_fields_are_kept() {
     let text = r#"{ "nmae": [1, 2.50], "lights": { "key": { "colour": "red", "x": null } },
-        "wires": [{ "from": "a", "to": "a.b", "bend": 2 }], "nodes": [{ "kind": "a", "values": { "r": { "points": [[0, 0]], "y": 1 } } }] }"#;
+        "wires": [{ "from": "a", "to": "a.b", "bend": 2 }], "nodes": [{ "kind": "a",
+        "values": { "r": { "points": [[0, 0]], "y": 1 } } }] }"#;
     let mut look = Look::read(text, "").value.unwrap();
     look.name = "changed".to_owned();
     let written = look.to_text();
@@ -95,8 +96,10 @@ fn unknown_fields_are_kept() {
 
 #[test]
 fn short_forms_of_a_scene_are_read() {
-    let text = r##"{ "illumination": { "axis": [0, 2, 0], "angle": 3.141592653589793 }, "backdrop": "#ff000080",
-        "objects": [{ "mesh": "meshes/Big Rock.v2.obj", "looks": { "*": "a.json", "skin 2": "b.json" } }, { "looks": "c.json" }] }"##;
+    let text = r##"{ "illumination": { "axis": [0, 2, 0], "angle": 3.141592653589793 },
+        "backdrop": "#ff000080",
+        "objects": [{ "mesh": "meshes/Big Rock.v2.obj", "looks": { "*": "a.json",
+        "skin 2": "b.json" } }, { "looks": "c.json" }] }"##;
     let scene = Scene::read(text, "").value.unwrap();
     let expected = [0.0, 1.0, 0.0, 0.0];
     assert!(

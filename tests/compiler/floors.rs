@@ -184,7 +184,9 @@ fn check_strangers(krate: &str, room: &str, path: &Path, text: &str) -> Vec<Stri
         .flat_map(|stranger| {
             let of_package = scan::crate_paths(text, stranger).into_iter();
             let of_crate = scan::crate_paths(text, "crate").into_iter().filter(
-                move |found| matches!(&found.reference, Reference::Module(name) if name == stranger),
+                move |found| {
+                    matches!(&found.reference, Reference::Module(name) if name == stranger)
+                },
             );
             of_package.chain(of_crate).map(move |found| {
                 let (line, path) = (found.line, path.display());
@@ -199,8 +201,14 @@ fn check_strangers(krate: &str, room: &str, path: &Path, text: &str) -> Vec<Stri
 fn check_main(text: &str) -> Vec<String> {
     scan::crate_paths(text, "chiaro")
         .into_iter()
-        .filter(|found| !matches!(&found.reference, Reference::Module(name) if name == "cli" || name == "editor"))
-        .map(|found| format!("src/main.rs:{}: `{}`: main hands over to cli or editor only", found.line, found.path))
+        .filter(|found| {
+            let Reference::Module(name) = &found.reference else { return true };
+            name != "cli" && name != "editor"
+        })
+        .map(|found| {
+            let (line, path) = (found.line, found.path);
+            format!("src/main.rs:{line}: `{path}`: main hands over to cli or editor only")
+        })
         .collect()
 }
 
@@ -363,7 +371,8 @@ mod rules {
 
     #[test]
     fn down_is_fine() {
-        let text = "use crate::{document::Look, ids::{self, NodePath}};\nuse crate::compile::emit::Map;\nuse wgpu::Device;";
+        let text = "use crate::{document::Look, ids::{self, NodePath}};\n\
+                    use crate::compile::emit::Map;\nuse wgpu::Device;";
         assert_eq!(check("compiler/compile/mod.rs", text), [""; 0]);
         assert_eq!(check("render/passes/mod.rs", text), [""; 0]);
         assert_eq!(check("lib.rs", "pub use crate::editor::run;"), [""; 0]);

@@ -39,7 +39,10 @@ pub fn idle_stack(random: &mut Random) -> SetupLook {
     }
     nodes.push(json!({"id": "output", "kind": "output"}));
     wires.push(json!({"from": format!("{below}.below"), "to": "output.color"}));
-    let lights = json!({"key": {"direction": [1, 2, 3]}, "back": {"direction": [-1, 0.5, -1], "intensity": *random.pick(&[0.0, 0.5, 2.0])}});
+    let lights = json!({
+        "key": {"direction": [1, 2, 3]},
+        "back": {"direction": [-1, 0.5, -1], "intensity": *random.pick(&[0.0, 0.5, 2.0])}
+    });
     let json = json!({"lights": lights, "nodes": nodes, "wires": wires});
     let loaded = Look::read(&json.to_string(), "stack.json");
     SetupLook {

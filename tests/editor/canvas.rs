@@ -575,7 +575,8 @@ fn what_adds_nothing_is_dimmed_and_told() {
 #[test]
 fn a_problem_on_a_node_has_a_fix() {
     let mut hand = open(&json!({"nodes": [
-        {"id": "base", "kind": "bass", "at": [0, 0]}, {"id": "output", "kind": "output", "at": [300, 0]}
+        {"id": "base", "kind": "bass", "at": [0, 0]},
+        {"id": "output", "kind": "output", "at": [300, 0]}
     ], "wires": [{"from": "base", "to": "output.color"}]}));
     assert!(hand.app().canvas().has_error("base"));
     let at = node_center(&hand, "base");

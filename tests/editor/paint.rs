@@ -365,7 +365,8 @@ fn look_with_example(folder: &Path) -> PathBuf {
         {"id": "two", "kind": "hcbtf_lookup", "values": {"sheet": "example:hcbtf/halftone.hcbtf"}},
         {"id": "over", "kind": "blend"},
         {"id": "output", "kind": "output"}],
-        "wires": [{"from": "light", "to": "one.light"}, {"from": "light", "to": "two.light"}, {"from": "one", "to": "over.below"},
+        "wires": [{"from": "light", "to": "one.light"}, {"from": "light", "to": "two.light"},
+        {"from": "one", "to": "over.below"},
         {"from": "two", "to": "over.color"}, {"from": "over", "to": "output.color"}]}"#;
     fs::write(&path, text).unwrap();
     path
@@ -677,7 +678,8 @@ fn the_inspector_paints_what_a_node_shows() {
         {"id": "light", "kind": "light", "values": {"light": "key"}},
         {"id": "paint", "kind": "hcbtf_lookup", "values": {"sheet": "surface.hcbtf"}},
         {"id": "output", "kind": "output"}],
-        "wires": [{"from": "light", "to": "paint.light"}, {"from": "paint", "to": "output.color"}]}"#;
+        "wires": [{"from": "light", "to": "paint.light"},
+        {"from": "paint", "to": "output.color"}]}"#;
     fs::write(&look, text).unwrap();
     let mut hand = opened(&look);
     hand.app_mut().session_mut().select(vec!["paint".into()]);

@@ -190,11 +190,13 @@ fn patches_that_do_not_fit_are_told_of_and_laying_is_stopped() {
 /// A look whose light is seen, in a file.
 fn look(folder: &Path) -> PathBuf {
     let path = folder.join("look.json");
-    let text = r#"{"chiaro": "look", "lights": {"key": {"direction": [0, 0, 1]}, "low": {"direction": [1, 0, 0.2]}}, "nodes": [
+    let text = r#"{"chiaro": "look", "lights": {"key": {"direction": [0, 0, 1]},
+        "low": {"direction": [1, 0, 0.2]}}, "nodes": [
         {"id": "base", "kind": "base", "values": {"color": [0.1, 0.1, 0.2]}},
         {"id": "layer", "kind": "light_layer", "values": {"light": "key", "convex": [1, 0.5, 0.2]}},
         {"id": "output", "kind": "output"}],
-        "wires": [{"from": "base", "to": "layer.below"}, {"from": "layer", "to": "output.color"}]}"#;
+        "wires": [{"from": "base", "to": "layer.below"},
+        {"from": "layer", "to": "output.color"}]}"#;
     fs::write(&path, text).unwrap();
     path
 }
@@ -293,7 +295,8 @@ fn what_will_be_baked_is_seen_and_counted_before() {
     // A look that cannot be baked says why before.
     let broken = folder.path().join("broken.json");
     let text = r#"{"chiaro": "look", "lights": {"key": {"direction": [0, 0, 1]}}, "nodes": [
-        {"id": "picture", "kind": "image", "values": {"image": "nowhere.png"}}, {"id": "output", "kind": "output"}],
+        {"id": "picture", "kind": "image", "values": {"image": "nowhere.png"}},
+        {"id": "output", "kind": "output"}],
         "wires": [{"from": "picture", "to": "output.color"}]}"#;
     fs::write(&broken, text).unwrap();
     hand.app_mut().open(&broken);
@@ -350,7 +353,8 @@ fn baking_is_stopped_and_a_look_without_a_light_is_told_of() {
     hand.settle();
     assert!(!to.exists() && !hand.says("Baking baked.hcbtf"));
     let dark = folder.path().join("dark.json");
-    let text = r#"{"chiaro": "look", "nodes": [{"id": "base", "kind": "base"}, {"id": "output", "kind": "output"}],
+    let text = r#"{"chiaro": "look", "nodes": [{"id": "base", "kind": "base"},
+        {"id": "output", "kind": "output"}],
         "wires": [{"from": "base", "to": "output.color"}]}"#;
     fs::write(&dark, text).unwrap();
     hand.app_mut().open(&dark);

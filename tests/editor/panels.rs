@@ -23,7 +23,8 @@ const BROKEN: &str = r##"{"nodes": [
      "values": {"code": "fn after(value: f32) -> f32 { return value * 2.0; }"}},
     {"id": "output", "kind": "output", "at": [720, 0]}
   ], "wires": [
-    {"from": "fine", "to": "broken.value"}, {"from": "broken", "to": "after.value"}, {"from": "after", "to": "output.color"}
+    {"from": "fine", "to": "broken.value"}, {"from": "broken", "to": "after.value"},
+    {"from": "after", "to": "output.color"}
   ]}"##;
 
 fn open(hand: &mut Hand, text: &str) -> tempfile::TempDir {

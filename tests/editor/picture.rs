@@ -141,7 +141,8 @@ fn the_look_is_seen_on_another_mesh_and_on_one_from_a_file() {
 const LITSPHERE: &str = r##"{
   "name": "Ball",
   "nodes": [
-    {"id": "ball", "kind": "litsphere", "at": [0, 0], "values": {"image": "ball.png", "lookup": "camera"}},
+    {"id": "ball", "kind": "litsphere", "at": [0, 0], "values": {"image": "ball.png",
+    "lookup": "camera"}},
     {"id": "output", "kind": "output", "at": [260, 0]}
   ],
   "wires": [{"from": "ball", "to": "output.color"}]

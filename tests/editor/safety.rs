@@ -459,7 +459,8 @@ fn node_files_are_loaded_again_and_a_broken_one_keeps_the_picture() {
     fs::create_dir(home.file("nodes")).unwrap();
     let node = home.file("nodes/twice.wgsl");
     fs::write(&node, NODE).unwrap();
-    let text = r#"{"nodes": [{"id": "mine", "kind": "twice", "values": {"value": 0.25}}, {"id": "output", "kind": "output"}],
+    let text = r#"{"nodes": [{"id": "mine", "kind": "twice", "values": {"value": 0.25}},
+        {"id": "output", "kind": "output"}],
         "wires": [{"from": "mine", "to": "output.color"}]}"#;
     fs::write(&path, text).unwrap();
     let mut hand = home.window(Some(&path));
@@ -536,7 +537,8 @@ fn meshes_and_images_are_loaded_again() {
         image::RgbaImage::from_pixel(2, 2, image::Rgba([value, 0, 0, 255])).save(&image).unwrap();
     };
     paint(10);
-    let text = r#"{"nodes": [{"id": "skin", "kind": "image", "values": {"image": "skin.png"}}, {"id": "output", "kind": "output"}],
+    let text = r#"{"nodes": [{"id": "skin", "kind": "image", "values": {"image": "skin.png"}},
+        {"id": "output", "kind": "output"}],
         "wires": [{"from": "skin", "to": "output.color"}]}"#;
     fs::write(&path, text).unwrap();
     let mut hand = home.window(Some(&path));

@@ -71,8 +71,10 @@ impl Home {
 const TWO: &str = r#"{
  "chiaro": "scene",
  "objects": [
-  {"id": "ring", "mesh": "shape:torus", "transform": {"translate": [-1.2, 0, 0]}, "looks": "looks/figure4-color.json"},
-  {"id": "ball", "mesh": "shape:sphere", "transform": {"translate": [1.2, 0, 0]}, "looks": "looks/figure6-minimal.json"}
+  {"id": "ring", "mesh": "shape:torus", "transform": {"translate": [-1.2, 0, 0]},
+  "looks": "looks/figure4-color.json"},
+  {"id": "ball", "mesh": "shape:sphere", "transform": {"translate": [1.2, 0, 0]},
+  "looks": "looks/figure6-minimal.json"}
  ],
  "camera": {"eye": [0, 0, 9]}
 }

@@ -39,8 +39,10 @@ const DECAL: &str = r#"{"chiaro": "look", "name": "Decal",
 const TWO: &str = r#"{
  "chiaro": "scene",
  "objects": [
-  {"id": "ring", "mesh": "shape:sphere", "transform": {"translate": [-1.2, 0, 0]}, "looks": "looks/paint.json"},
-  {"id": "ball", "mesh": "shape:sphere", "transform": {"translate": [1.2, 0, 0]}, "looks": "looks/decal.json"}
+  {"id": "ring", "mesh": "shape:sphere", "transform": {"translate": [-1.2, 0, 0]},
+  "looks": "looks/paint.json"},
+  {"id": "ball", "mesh": "shape:sphere", "transform": {"translate": [1.2, 0, 0]},
+  "looks": "looks/decal.json"}
  ],
  "lights": {"key": {"direction": [0.6, 0, 0.8], "color": [0, 1, 0]}},
  "camera": {"eye": [0, 0, 9], "projection": "orthographic", "height": 4.8}
@@ -482,7 +484,8 @@ fn nodes_beside_the_scene_are_read_again() {
         fs::write(home.file("nodes/tint.wgsl"), text).unwrap();
     };
     node("0.0");
-    let look = r#"{"chiaro": "look", "nodes": [{"id": "tint", "kind": "tint", "values": {"color": [1, 1, 1, 1]}},
+    let look = r#"{"chiaro": "look", "nodes": [{"id": "tint", "kind": "tint",
+        "values": {"color": [1, 1, 1, 1]}},
       {"id": "output", "kind": "output"}], "wires": [{"from": "tint", "to": "output.color"}]}"#;
     fs::write(home.file("looks/decal.json"), look).unwrap();
     let mut hand = home.drawing();

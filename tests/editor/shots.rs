@@ -154,7 +154,8 @@ fn shots_of_truth() {
         {"id": "facing", "kind": "facing", "at": [0, 0]},
         {"id": "broken", "kind": "wgsl", "at": [240, 0], "name": "Reciprocal",
          "values": {"code": "fn broken(value: f32) -> f32 { return 1.0 / (value - value); }"}},
-        {"id": "mix", "kind": "mix_values", "at": [480, 0], "values": {"a": [0.2, 0.3, 0.5, 1], "b": [1, 0.8, 0.4, 1]}},
+        {"id": "mix", "kind": "mix_values", "at": [480, 0], "values": {"a": [0.2, 0.3, 0.5, 1],
+        "b": [1, 0.8, 0.4, 1]}},
         {"id": "output", "kind": "output", "at": [720, 0]}],
         "wires": [{"from": "facing", "to": "broken.value"}, {"from": "broken", "to": "mix.factor"},
                   {"from": "mix", "to": "output.color"}]}"##;
@@ -578,10 +579,13 @@ fn shots_of_a_scenes_parts() {
     std::fs::write(home.path().join("directional.json"), look).unwrap();
     std::fs::write(home.path().join("comics.json"), example("figure6-comics")).unwrap();
     let scene = r##"{"chiaro": "scene", "name": "Two", "objects": [
-      {"id": "knot", "mesh": "shape:knot", "transform": {"translate": [-1.1, 0, 0]}, "looks": "directional.json",
+      {"id": "knot", "mesh": "shape:knot", "transform": {"translate": [-1.1, 0, 0]},
+      "looks": "directional.json",
        "values": {"glow": 0.4, "warm_side": "#5fb0e0"}},
-      {"id": "creature", "mesh": "shape:creature", "transform": {"translate": [1.1, 0, 0]}, "looks": "comics.json"}],
-      "lights": {"key": {"name": "Evening sun", "direction": [-0.8, 0.4, 0.5], "color": [1, 0.8, 0.55]}},
+      {"id": "creature", "mesh": "shape:creature", "transform": {"translate": [1.1, 0, 0]},
+      "looks": "comics.json"}],
+      "lights": {"key": {"name": "Evening sun", "direction": [-0.8, 0.4, 0.5],
+      "color": [1, 0.8, 0.55]}},
       "camera": {"eye": [0, 0.6, 9]}, "backdrop": [0.09, 0.08, 0.12, 1]}"##;
     std::fs::write(home.path().join("two.json"), scene).unwrap();
     let folder = home.path().to_owned();

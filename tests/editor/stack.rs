@@ -245,12 +245,14 @@ fn blending_and_opacity_are_set_in_the_row() {
 
 /// Two direction keys over an opacity and an intensity, of which the second is far away.
 const KEYED: &str = r#"{"lights": {"key": {"direction": [0, 0, 1]}},
-    "nodes": [{"id": "base", "kind": "base"}, {"id": "diffuse", "kind": "light_layer", "name": "Diffuse", "values": {"light": "key"}},
+    "nodes": [{"id": "base", "kind": "base"},
+    {"id": "diffuse", "kind": "light_layer", "name": "Diffuse", "values": {"light": "key"}},
         {"id": "output", "kind": "output"}],
     "wires": [{"from": "base", "to": "diffuse.below"}, {"from": "diffuse", "to": "output.color"}],
     "direction_keys": [{"by": {"light": "key"}, "keys": [
         {"direction": [0, 0, 1], "values": {"diffuse.opacity": 0.5, "lights.key.intensity": 0.5}},
-        {"direction": [0, 0, -1], "values": {"diffuse.opacity": 0.1, "lights.key.intensity": 2}}]}]}"#;
+        {"direction": [0, 0, -1], "values": {"diffuse.opacity": 0.1,
+        "lights.key.intensity": 2}}]}]}"#;
 
 #[test]
 fn rows_set_keyed_values_at_their_key() {
@@ -296,7 +298,8 @@ fn what_is_no_stack_is_a_branch() {
     let mut hand = Hand::new();
     let _folder = open(
         &mut hand,
-        r#"{"nodes": [{"id": "mix", "kind": "mix_colors"}, {"id": "output", "kind": "output", "at": [300, 0]}],
+        r#"{"nodes": [{"id": "mix", "kind": "mix_colors"},
+            {"id": "output", "kind": "output", "at": [300, 0]}],
             "wires": [{"from": "mix", "to": "output.color"}]}"#,
     );
     assert_eq!(rows(&hand), ["Branch Mix colors"]);
@@ -349,11 +352,13 @@ fn lights_are_muted_in_the_window_and_edited_in_the_look() {
 /// A look with something wrong of many kinds.
 const BROKEN: &str = r##"{"lights": {"key": {"direction": [-0.5, 0.7, 0.6]}}, "nodes": [
     {"id": "base", "kind": "base", "values": {"colour": [0.2, 0.2, 0.3]}},
-    {"id": "diffuse", "kind": "light_layer", "at": [260, 0], "values": {"light": "kay", "opacity": 1.8, "blend": "ad"}},
+    {"id": "diffuse", "kind": "light_layer", "at": [260, 0], "values": {"light": "kay",
+    "opacity": 1.8, "blend": "ad"}},
     {"id": "rim", "kind": "ligth_layer", "at": [520, 0]},
     {"id": "tone", "kind": "profile", "at": [300, 300]},
     {"id": "output", "kind": "output", "at": [780, 0]}
-  ], "wires": [{"from": "base", "to": "diffuse.below"}, {"from": "diffuse.stack", "to": "rim.below"},
+  ], "wires": [{"from": "base", "to": "diffuse.below"},
+  {"from": "diffuse.stack", "to": "rim.below"},
     {"from": "rim", "to": "output.color"}, {"from": "tone", "to": "rim.opacity"}]}"##;
 
 #[test]

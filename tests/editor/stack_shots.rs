@@ -48,12 +48,15 @@ fn press(hand: &mut Hand, label: &str) {
 }
 
 /// A look with something wrong of every kind.
-const BROKEN: &str = r##"{"name": "Broken", "lights": {"key": {"direction": [-0.5, 0.7, 0.6]}}, "nodes": [
+const BROKEN: &str = r##"{"name": "Broken", "lights": {"key": {"direction": [-0.5, 0.7, 0.6]}},
+    "nodes": [
     {"id": "base", "kind": "base", "values": {"colour": [0.2, 0.2, 0.3]}},
-    {"id": "diffuse", "kind": "light_layer", "at": [260, 0], "values": {"light": "kay", "opacity": 1.8, "blend": "ad"}},
+    {"id": "diffuse", "kind": "light_layer", "at": [260, 0], "values": {"light": "kay",
+    "opacity": 1.8, "blend": "ad"}},
     {"id": "rim", "kind": "ligth_layer", "at": [520, 0]},
     {"id": "output", "kind": "output", "at": [780, 0]}
-  ], "wires": [{"from": "base", "to": "diffuse.below"}, {"from": "diffuse", "to": "rim.below"}, {"from": "rim", "to": "output.color"}]}"##;
+  ], "wires": [{"from": "base", "to": "diffuse.below"}, {"from": "diffuse", "to": "rim.below"},
+  {"from": "rim", "to": "output.color"}]}"##;
 
 #[test]
 #[ignore = "writes pictures to be looked at"]

@@ -790,9 +790,17 @@ fn killed_window() {
 
 /// A chain of so many additions.
 fn chain(length: usize) -> String {
-    let node = |index: usize| serde_json::json!({"id": format!("n{index}"), "kind": "add", "values": {"b": 0.001}});
+    let node = |index: usize| {
+        serde_json::json!({
+            "id": format!("n{index}"), "kind": "add", "values": {"b": 0.001}
+        })
+    };
     let mut nodes: Vec<_> = (0..length).map(node).collect();
-    let wire = |index: usize| serde_json::json!({"from": format!("n{}", index - 1), "to": format!("n{index}.a")});
+    let wire = |index: usize| {
+        serde_json::json!({
+            "from": format!("n{}", index - 1), "to": format!("n{index}.a")
+        })
+    };
     let mut wires: Vec<_> = (1..length).map(wire).collect();
     nodes.push(serde_json::json!({"id": "output", "kind": "output"}));
     wires.push(serde_json::json!({"from": format!("n{}", length - 1), "to": "output.color"}));

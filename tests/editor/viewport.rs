@@ -118,10 +118,13 @@ fn a_line_of_a_keyed_value_sets_its_key() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("look.json");
     let look = r#"{"lights": {"key": {"direction": [-0.5, 0.7, 0.6]}},
-        "nodes": [{"id": "base", "kind": "base"}, {"id": "diffuse", "kind": "light_layer", "values": {"light": "key"}},
+        "nodes": [{"id": "base", "kind": "base"},
+        {"id": "diffuse", "kind": "light_layer", "values": {"light": "key"}},
             {"id": "output", "kind": "output"}],
-        "wires": [{"from": "base", "to": "diffuse.below"}, {"from": "diffuse", "to": "output.color"}],
-        "direction_keys": [{"by": {"light": "key"}, "keys": [{"direction": [-0.5, 0.7, 0.6], "values": {"diffuse.cutoff": 1.2, "diffuse.falloff": 1.2}}]}]}"#;
+        "wires": [{"from": "base", "to": "diffuse.below"},
+        {"from": "diffuse", "to": "output.color"}],
+        "direction_keys": [{"by": {"light": "key"}, "keys": [{"direction": [-0.5, 0.7, 0.6],
+        "values": {"diffuse.cutoff": 1.2, "diffuse.falloff": 1.2}}]}]}"#;
     std::fs::write(&path, look).unwrap();
     hand.app_mut().open(&path);
     hand.settle();

@@ -431,18 +431,27 @@ const MIXED: &str = r##"{"lights": {
     "spot": {"type": "spot", "inner": 0.3512345, "outer": 0.5123456}
   }, "nodes": [
     {"id": "light", "kind": "light", "values": {"light": "spot"}},
-    {"id": "angle", "kind": "parametrization", "at": [240, 0], "values": {"normal": [0.123456, 0.5, 1]}},
-    {"id": "tone", "kind": "profile", "at": [480, 0], "values": {"offset": 0.123456789, "cutoff": 1.23456789}},
+    {"id": "angle", "kind": "parametrization", "at": [240, 0],
+    "values": {"normal": [0.123456, 0.5, 1]}},
+    {"id": "tone", "kind": "profile", "at": [480, 0], "values": {"offset": 0.123456789,
+    "cutoff": 1.23456789}},
     {"id": "bands", "kind": "bands", "at": [720, 0], "values": {"count": 5, "softness": 0.333333}},
-    {"id": "curve", "kind": "curve", "at": [0, 200], "values": {"curve": {"points": [[0, 0.12345], [0.4, 0.7], [2, 1]]}}},
-    {"id": "ramp", "kind": "ramp", "at": [960, 0], "values": {"ramp": {"stops": [{"at": 0.12345, "color": [0.1, 0.12345, 0.3]}]}}},
-    {"id": "mine", "kind": "wgsl", "at": [0, 400], "values": {"code": "fn mine(a: f32) -> f32 { return a; }"}},
-    {"id": "layer", "kind": "light_layer", "at": [240, 300], "values": {"light": "key", "convex": "#336699", "opacity": 0.123456}},
-    {"id": "base", "kind": "base", "at": [480, 300], "values": {"color": [1.5, 0.123456, 0.3, 0.55555]}},
+    {"id": "curve", "kind": "curve", "at": [0, 200], "values": {"curve": {"points": [[0, 0.12345],
+    [0.4, 0.7], [2, 1]]}}},
+    {"id": "ramp", "kind": "ramp", "at": [960, 0], "values": {"ramp": {"stops": [{"at": 0.12345,
+    "color": [0.1, 0.12345, 0.3]}]}}},
+    {"id": "mine", "kind": "wgsl", "at": [0, 400],
+    "values": {"code": "fn mine(a: f32) -> f32 { return a; }"}},
+    {"id": "layer", "kind": "light_layer", "at": [240, 300], "values": {"light": "key",
+    "convex": "#336699", "opacity": 0.123456}},
+    {"id": "base", "kind": "base", "at": [480, 300],
+    "values": {"color": [1.5, 0.123456, 0.3, 0.55555]}},
     {"id": "output", "kind": "output", "at": [1200, 0]}
   ], "wires": [
-    {"from": "light", "to": "angle.light"}, {"from": "angle", "to": "tone.angle"}, {"from": "tone", "to": "bands.value"},
-    {"from": "bands", "to": "ramp.value"}, {"from": "ramp", "to": "output.color"}, {"from": "base", "to": "layer.below"}
+    {"from": "light", "to": "angle.light"}, {"from": "angle", "to": "tone.angle"},
+    {"from": "tone", "to": "bands.value"},
+    {"from": "bands", "to": "ramp.value"}, {"from": "ramp", "to": "output.color"},
+    {"from": "base", "to": "layer.below"}
   ]}"##;
 
 #[test]

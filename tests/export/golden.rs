@@ -235,21 +235,31 @@ fn images_and_hcbtfs_are_carried_along() {
     fs::write(folder.path().join("moss.hcbtf"), hcbtf::write(&painting).expect("it fits"))
         .expect("a temporary file");
     fs::write(folder.path().join("moss.png"), b"not looked at").expect("a temporary file");
-    let lookup = |id: &str, lookup: &str, tier: &str| json!({"id": id, "kind": "hcbtf_lookup", "tier": tier, "values": {"sheet": "moss.hcbtf", "lookup": lookup}});
+    let lookup = |id: &str, lookup: &str, tier: &str| {
+        json!({
+            "id": id, "kind": "hcbtf_lookup", "tier": tier,
+            "values": {"sheet": "moss.hcbtf", "lookup": lookup}
+        })
+    };
     let look = json!({
         "lights": {"key": {"direction": [0, 0, 1]}},
         "nodes": [
             {"id": "light", "kind": "light", "values": {"light": "key"}},
-            lookup("a", "smooth", "exact"), lookup("b", "smooth", "balanced"), lookup("c", "texels", "fast"),
-            {"id": "ab", "kind": "mix_colors"}, {"id": "abc", "kind": "mix_colors"}, {"id": "all", "kind": "mix_colors"},
+            lookup("a", "smooth", "exact"), lookup("b", "smooth", "balanced"),
+            lookup("c", "texels", "fast"),
+            {"id": "ab", "kind": "mix_colors"}, {"id": "abc", "kind": "mix_colors"},
+            {"id": "all", "kind": "mix_colors"},
             {"id": "image", "kind": "image", "values": {"image": "moss.png"}},
             {"id": "gone", "kind": "image", "values": {"image": "gone.png"}},
             {"id": "output", "kind": "output"}
         ],
         "wires": [
-            {"from": "light", "to": "a.light"}, {"from": "light", "to": "b.light"}, {"from": "light", "to": "c.light"},
-            {"from": "a", "to": "ab.a"}, {"from": "b", "to": "ab.b"}, {"from": "ab", "to": "abc.a"}, {"from": "c", "to": "abc.b"},
-            {"from": "abc", "to": "all.a"}, {"from": "image.color", "to": "all.b"}, {"from": "gone.alpha", "to": "all.factor"},
+            {"from": "light", "to": "a.light"}, {"from": "light", "to": "b.light"},
+            {"from": "light", "to": "c.light"},
+            {"from": "a", "to": "ab.a"}, {"from": "b", "to": "ab.b"}, {"from": "ab", "to": "abc.a"},
+            {"from": "c", "to": "abc.b"},
+            {"from": "abc", "to": "all.a"}, {"from": "image.color", "to": "all.b"},
+            {"from": "gone.alpha", "to": "all.factor"},
             {"from": "all", "to": "output.color"}
         ]
     });

@@ -20,9 +20,15 @@ fn setup() -> Setup {
         "lights": {"key": {"direction": [0.4, 0.5, 0.8]}},
         "nodes": [
             {"id": "base", "kind": "base", "values": {"color": [0.1, 0.1, 0.2]}},
-            {"id": "first", "kind": "light_layer", "values": {"light": "key", "convex": [0.6, 0.5, 0.3], "cutoff": 1.9}},
+            {
+                "id": "first", "kind": "light_layer",
+                "values": {"light": "key", "convex": [0.6, 0.5, 0.3], "cutoff": 1.9}
+            },
             {"id": "second", "kind": "light_layer", "name": "Shine",
-             "values": {"light": "key", "type": "specular", "convex": [0.3, 0.3, 0.3], "falloff": 0.2, "cutoff": 0.5}},
+             "values": {
+                 "light": "key", "type": "specular", "convex": [0.3, 0.3, 0.3], "falloff": 0.2,
+                 "cutoff": 0.5
+             }},
             {"id": "output", "kind": "output"}
         ],
         "wires": [
@@ -51,7 +57,12 @@ fn a_report_has_the_look_and_its_nodes_in_each_tier_with_errors_and_sizes() {
         report.rows.iter().filter(|row| row.tier == Some(tier) && is(&row.subject)).collect()
     };
     let whole = |subject: &Subject| *subject == Subject::Whole;
-    let named = |wanted: &'static str| move |subject: &Subject| matches!(subject, Subject::Node { name, .. } if name == wanted);
+    let named = |wanted: &'static str| {
+        move |subject: &Subject| {
+            let Subject::Node { name, .. } = subject else { return false };
+            name == wanted
+        }
+    };
     for tier in [Tier::Exact, Tier::Balanced, Tier::Fast] {
         for row in
             [rows(tier, &whole), rows(tier, &named("Shine")), rows(tier, &named("first"))].concat()

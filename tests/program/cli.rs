@@ -97,12 +97,14 @@ const LOOK: &str = r#"{
   "lights": {"key": {"direction": [0, 0, 1]}},
   "nodes": [
     {"id": "paper", "kind": "base", "values": {"color": [0.25, 0.5, 0.75]}},
-    {"id": "layer", "kind": "light_layer", "values": {"light": "key", "offset": 1, "falloff": 1, "cutoff": 1,
+    {"id": "layer", "kind": "light_layer", "values": {"light": "key", "offset": 1, "falloff": 1,
+    "cutoff": 1,
       "convex": [1, 0, 0], "concave": [1, 0, 0], "blend": "alpha"}},
     {"kind": "output"}
   ],
   "wires": [{"from": "paper", "to": "layer.below"}, {"from": "layer.below", "to": "output.color"}],
-  "exposed": [{"name": "paint", "target": "layer.convex"}, {"name": "cover", "target": "layer.opacity"},
+  "exposed": [{"name": "paint", "target": "layer.convex"},
+  {"name": "cover", "target": "layer.opacity"},
               {"name": "how", "target": "layer.blend"}]
 }"#;
 
@@ -154,11 +156,13 @@ fn lit_look(color: &str) -> String {
     let values =
         r#""light": "key", "blend": "alpha", "offset": 0.3, "falloff": 0.8, "cutoff": 1.2"#;
     format!(
-        r##"{{"chiaro": "look", "version": 1, "lights": {{"key": {{"direction": [-0.4, 0.5, 0.7]}}}},
+        r##"{{"chiaro": "look", "version": 1,
+            "lights": {{"key": {{"direction": [-0.4, 0.5, 0.7]}}}},
             "nodes": [{{"id": "base", "kind": "base", "values": {{"color": "#202030"}}}},
             {{"id": "lit", "kind": "light_layer", "values": {{{values}, "convex": "{color}"}}}},
             {{"id": "output", "kind": "output"}}],
-            "wires": [{{"from": "base", "to": "lit.below"}}, {{"from": "lit.below", "to": "output.color"}}]}}"##
+            "wires": [{{"from": "base", "to": "lit.below"}}, {{"from": "lit.below",
+            "to": "output.color"}}]}}"##
     )
 }
 
@@ -516,7 +520,8 @@ fn a_mesh_without_uvs_is_told_of_where_a_look_reads_them() {
     shop.write("mapped.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
     let look = |wired: &str| {
         format!(
-            r#"{{"nodes": [{{"id": "paper", "kind": "base"}}, {{"id": "squares", "kind": "checker"}}, {{"kind": "output"}}],
+            r#"{{"nodes": [{{"id": "paper", "kind": "base"}}, {{"id": "squares",
+                "kind": "checker"}}, {{"kind": "output"}}],
             "wires": [{{"from": "{wired}", "to": "output.color"}}]}}"#
         )
     };
@@ -559,9 +564,12 @@ fn tangents_of_a_mesh_without_uvs_are_noted() {
     shop.write("bare.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     let look = |model: &str| {
         format!(
-            r#"{{"lights": {{"key": {{}}}}, "nodes": [{{"id": "key", "kind": "light", "values": {{"light": "key"}}}},
-            {{"id": "shine", "kind": "reflectance", "values": {{"model": "{model}"}}}}, {{"kind": "output"}}],
-            "wires": [{{"from": "key.light", "to": "shine.light"}}, {{"from": "shine.tone", "to": "output.color"}}]}}"#
+            r#"{{"lights": {{"key": {{}}}}, "nodes": [{{"id": "key", "kind": "light",
+                "values": {{"light": "key"}}}},
+            {{"id": "shine", "kind": "reflectance", "values": {{"model": "{model}"}}}},
+            {{"kind": "output"}}],
+            "wires": [{{"from": "key.light", "to": "shine.light"}}, {{"from": "shine.tone",
+            "to": "output.color"}}]}}"#
         )
     };
     shop.write("brushed.json", &look("ward"));
@@ -644,7 +652,8 @@ fn check_looks_for_what_documents_name() {
     let shop = shop();
     let image = LOOK.replace(
         r#"{"kind": "output"}"#,
-        r#"{"id": "photo", "kind": "image", "values": {"image": "missing.png"}}, {"kind": "output"}"#,
+        r#"{"id": "photo", "kind": "image", "values": {"image": "missing.png"}},
+            {"kind": "output"}"#,
     );
     shop.write("looks/photo.json", &image);
     shop.write(
@@ -652,7 +661,8 @@ fn check_looks_for_what_documents_name() {
         r##"{"objects": [
           {"id": "a", "mesh": "gone.obj", "looks": "looks/photo.json"},
           {"id": "b", "mesh": "shape:sphere", "looks": "looks/none.json", "visible": false},
-          {"id": "c", "mesh": "shape:spere", "looks": "flat.json", "values": {"pant": 1, "cover": "wide"}}
+          {"id": "c", "mesh": "shape:spere", "looks": "flat.json", "values": {"pant": 1,
+          "cover": "wide"}}
         ]}"##,
     );
     let ran = shop.run(&["check", "scene.json", "--json"]).fails(1, &["1 document checked: "]);
@@ -695,7 +705,8 @@ fn wrong_code_of_a_node_is_told_in_the_look() {
             &format!(
                 "{{\"nodes\": [\n  {{\"id\": \"c\", \"kind\": \"wgsl\", \"values\": \
                  {{\"code\": \"{code}\"}}}},\n  \
-                 {{\"kind\": \"output\"}}],\n \"wires\": [{{\"from\": \"c\", \"to\": \"output.color\"}}]}}"
+                 {{\"kind\": \"output\"}}],\n \"wires\": [{{\"from\": \"c\", \"to\": \
+                 \"output.color\"}}]}}"
             ),
         );
         shop.run(&["check", "own.json"])
@@ -790,7 +801,8 @@ fn the_example_in_the_docs_is_a_node() {
         "custom.json",
         &format!(
             r#"{{"nodes": [{tint}, {{"id": "own", "kind": "warm_tint"}}, {{"kind": "output"}}],
-                "wires": [{{"from": "own", "to": "tint.color"}}, {{"from": "tint", "to": "output.color"}}]}}"#
+                "wires": [{{"from": "own", "to": "tint.color"}}, {{"from": "tint",
+                "to": "output.color"}}]}}"#
         ),
     );
     shop.run(&["check", "custom.json"]).ok();
@@ -805,13 +817,16 @@ fn what_drives_keys_is_explained_and_checked() {
         let text = format!(
             r##"{{
             "nodes": [
-                {{"kind": "time"}}, {{"id": "later", "kind": "add", "values": {{"b": 2.5}}}}, {{"kind": "facing"}},
+                {{"kind": "time"}}, {{"id": "later", "kind": "add", "values": {{"b": 2.5}}}},
+                {{"kind": "facing"}},
                 {{"id": "grey", "kind": "number"}}, {{"kind": "output"}}
             ],
-            "wires": [{{"from": "time", "to": "later.a"}}, {{"from": "grey", "to": "output.color"}}],
+            "wires": [{{"from": "time", "to": "later.a"}}, {{"from": "grey",
+            "to": "output.color"}}],
             "direction_keys": [
                 {{"name": "Mood", "by": {{"drivers": [{{"wire": "{wire}"}}, "distance"]}}, "keys": [
-                    {{"at": [2.5, 1], "values": {{"grey.value": 1}}}}, {{"at": [9, 1], "values": {{"grey.value": 0}}}}
+                    {{"at": [2.5, 1], "values": {{"grey.value": 1}}}}, {{"at": [9, 1],
+                    "values": {{"grey.value": 0}}}}
                 ]}}
             ]
             }}"##

@@ -19,7 +19,8 @@ use hidden::{Hidden, difference, hidden, painted, picture, setup_of};
 /// A look that knows nothing: a grey base.
 fn nothing() -> Look {
     let text = r#"{"chiaro": "look", "version": 1, "name": "From nothing",
-        "nodes": [{"id": "base", "kind": "base", "values": {"color": [0.5, 0.5, 0.5]}}, {"id": "output", "kind": "output"}],
+        "nodes": [{"id": "base", "kind": "base", "values": {"color": [0.5, 0.5, 0.5]}},
+        {"id": "output", "kind": "output"}],
         "wires": [{"from": "base.below", "to": "output.color"}]}"#;
     Look::read(text, "nothing.json").value.unwrap()
 }
@@ -209,12 +210,17 @@ fn two_layers(light: [f64; 3], ends: [f64; 3], color: &str) -> Look {
         "chiaro": "look", "version": 1, "lights": {"key": {"direction": light}},
         "nodes": [
             {"id": "base", "kind": "base", "values": {"color": "#332b40"}},
-            {"id": "body", "kind": "light_layer", "values": {"light": "key", "blend": "alpha", "convex": color,
+            {
+                "id": "body", "kind": "light_layer",
+                "values": {"light": "key", "blend": "alpha", "convex": color,
                 "offset": offset, "falloff": falloff, "cutoff": cutoff}},
-            {"id": "gleam", "kind": "light_layer", "values": {"light": "key", "type": "specular", "convex": "#7f7050",
+            {
+                "id": "gleam", "kind": "light_layer",
+                "values": {"light": "key", "type": "specular", "convex": "#7f7050",
                 "offset": 0.1, "falloff": 0.3, "cutoff": 0.5}},
             {"id": "output", "kind": "output"}],
-        "wires": [{"from": "base.below", "to": "body.below"}, {"from": "body.below", "to": "gleam.below"},
+        "wires": [
+            {"from": "base.below", "to": "body.below"}, {"from": "body.below", "to": "gleam.below"},
             {"from": "gleam.below", "to": "output.color"}]
     });
     Look::read(&text.to_string(), "two.json").value.unwrap()

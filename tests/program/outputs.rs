@@ -333,7 +333,8 @@ fn what_chiaro_made_is_replaced_unasked_until_somebody_changes_it() {
 fn what_documents_name_is_read_too() {
     let shop = Shop::new();
     let look = r#"{"chiaro": "look", "version": 1, "nodes": [
-        {"id": "image", "kind": "image", "values": {"image": "shown.png"}}, {"id": "output", "kind": "output"}],
+        {"id": "image", "kind": "image", "values": {"image": "shown.png"}},
+        {"id": "output", "kind": "output"}],
         "wires": [{"from": "image.color", "to": "output.color"}]}"#;
     fs::write(shop.path("shown.json"), look).unwrap();
     let render = |document, to| {

@@ -42,7 +42,10 @@ fn pixels(plan: &FramePlan) -> Vec<[u32; 4]> {
 fn plain(name: &str, color: [f64; 3]) -> SetupLook {
     look(&json!({"name": name, "nodes": [
         {"id": "facing", "kind": "facing"},
-        {"id": "mix", "kind": "mix_values", "values": {"a": [color[0], color[1], color[2], 1], "b": [1, 1, 1, 1]}},
+        {
+            "id": "mix", "kind": "mix_values",
+            "values": {"a": [color[0], color[1], color[2], 1], "b": [1, 1, 1, 1]}
+        },
         {"id": "output", "kind": "output"}
     ], "wires": [{"from": "facing", "to": "mix.factor"}, {"from": "mix", "to": "output.color"}]}))
 }
@@ -118,13 +121,26 @@ fn an_object_on_the_edge_of_the_picture_is_kept() {
 
 fn lit(light: &Json) -> SetupLook {
     look(&json!({"name": "lit", "lights": {"key": {"direction": [1, 2, 3]}, "other": light},
-        "nodes": [
-            {"id": "base", "kind": "base", "values": {"color": [0.2, 0.3, 0.4, 1]}},
-            {"id": "one", "kind": "light_layer", "values": {"light": "key", "convex": [0.5, 0.4, 0.3, 1], "concave": [0.5, 0.4, 0.3, 1]}},
-            {"id": "two", "kind": "light_layer", "values": {"light": "other", "convex": [0.3, 0.4, 0.5, 1], "concave": [0.3, 0.4, 0.5, 1]}},
-            {"id": "output", "kind": "output"}
-        ],
-        "wires": [{"from": "base", "to": "one.below"}, {"from": "one.below", "to": "two.below"}, {"from": "two.below", "to": "output.color"}]}))
+    "nodes": [
+        {"id": "base", "kind": "base", "values": {"color": [0.2, 0.3, 0.4, 1]}},
+        {
+            "id": "one", "kind": "light_layer",
+            "values": {
+                "light": "key", "convex": [0.5, 0.4, 0.3, 1], "concave": [0.5, 0.4, 0.3, 1]
+            }
+        },
+        {
+            "id": "two", "kind": "light_layer",
+            "values": {
+                "light": "other", "convex": [0.3, 0.4, 0.5, 1], "concave": [0.3, 0.4, 0.5, 1]
+            }
+        },
+        {"id": "output", "kind": "output"}
+    ],
+    "wires": [
+        {"from": "base", "to": "one.below"}, {"from": "one.below", "to": "two.below"},
+        {"from": "two.below", "to": "output.color"}
+    ]}))
 }
 
 #[test]
@@ -162,8 +178,12 @@ fn lights_that_reach_nothing_change_no_pixel_and_cost_nothing() {
     }
     let near = [
         json!({"type": "point", "position": [0, 5, 0], "range": 4.1}),
-        json!({"type": "spot", "position": [0, 0, 4], "aim": [0, 0.3, -1], "inner": 0.1, "outer": 0.2}),
-        json!({"type": "spot", "position": [0, 0, 0.5], "aim": [0, 0, 1], "inner": 0.1, "outer": 0.2}),
+        json!({
+            "type": "spot", "position": [0, 0, 4], "aim": [0, 0.3, -1], "inner": 0.1, "outer": 0.2
+        }),
+        json!({
+            "type": "spot", "position": [0, 0, 0.5], "aim": [0, 0, 1], "inner": 0.1, "outer": 0.2
+        }),
     ];
     for light in &near {
         let culled =
@@ -185,7 +205,8 @@ fn a_light_of_the_scene_decides_and_one_that_is_keyed_is_never_dark() {
     let text = keyed.look.to_text().replacen(
         "\"nodes\"",
         "\"time_keys\": \
-         [{\"target\": \"lights.other.intensity\", \"keys\": [{\"time\": 0, \"value\": 0}, {\"time\": 1, \"value\": 1}]}],\n\"nodes\"",
+         [{\"target\": \"lights.other.intensity\", \"keys\": [{\"time\": 0, \"value\": 0}, \
+         {\"time\": 1, \"value\": 1}]}],\n\"nodes\"",
         1,
     );
     keyed = look(&serde_json::from_str(&text).expect("JSON"));
@@ -243,54 +264,100 @@ fn removable() -> Vec<(Proof, &'static str, Json, Json)> {
             Proof::ZeroWeight,
             "mix",
             json!([facing, noise, {"id": "mix", "kind": "mix_values", "values": {"factor": 0}}]),
-            json!([{"from": "facing", "to": "mix.a"}, {"from": "noise", "to": "mix.b"}, {"from": "mix", "to": "output.color"}]),
+            json!([
+                {"from": "facing", "to": "mix.a"}, {"from": "noise", "to": "mix.b"},
+                {"from": "mix", "to": "output.color"}
+            ]),
         ),
         (
             Proof::NoEffect,
             "power",
             json!([facing, {"id": "power", "kind": "power", "values": {"exponent": 1}}]),
-            json!([{"from": "facing", "to": "power.base"}, {"from": "power", "to": "output.color"}]),
+            json!([
+                {"from": "facing", "to": "power.base"}, {"from": "power", "to": "output.color"}
+            ]),
         ),
         (
             Proof::Constant,
             "noise",
-            json!([facing, {"id": "noise", "kind": "noise", "values": {"position": [0.3, 0.2, 0.1]}}, {"id": "sum", "kind": "add"}]),
-            json!([{"from": "facing", "to": "sum.a"}, {"from": "noise", "to": "sum.b"}, {"from": "sum", "to": "output.color"}]),
+            json!([
+                facing, {"id": "noise", "kind": "noise", "values": {"position": [0.3, 0.2, 0.1]}},
+                {"id": "sum", "kind": "add"}
+            ]),
+            json!([
+                {"from": "facing", "to": "sum.a"}, {"from": "noise", "to": "sum.b"},
+                {"from": "sum", "to": "output.color"}
+            ]),
         ),
         (
             Proof::Equal,
             "twin",
-            json!([facing, noise, {"id": "twin", "kind": "noise", "values": {"octaves": 3}}, {"id": "sum", "kind": "add"}, {"id": "all", "kind": "multiply"}]),
-            json!([{"from": "noise", "to": "sum.a"}, {"from": "twin", "to": "sum.b"}, {"from": "sum", "to": "all.a"}, {"from": "facing", "to": "all.b"}, {"from": "all", "to": "output.color"}]),
+            json!([
+                facing, noise, {"id": "twin", "kind": "noise", "values": {"octaves": 3}},
+                {"id": "sum", "kind": "add"}, {"id": "all", "kind": "multiply"}
+            ]),
+            json!([
+                {"from": "noise", "to": "sum.a"}, {"from": "twin", "to": "sum.b"},
+                {"from": "sum", "to": "all.a"}, {"from": "facing", "to": "all.b"},
+                {"from": "all", "to": "output.color"}
+            ]),
         ),
         // 2 and more is above the edge however wide the pixel is: the mask is 1, and the mix is its
         // B.
         (
             Proof::Ranges,
             "mask",
-            json!([facing, noise, {"id": "more", "kind": "add", "values": {"b": 2}}, {"id": "mask", "kind": "threshold", "values": {"edge": 0.5}}, {"id": "mix", "kind": "mix_values"}]),
-            json!([{"from": "facing", "to": "more.a"}, {"from": "more", "to": "mask.value"}, {"from": "mask", "to": "mix.factor"}, {"from": "noise", "to": "mix.a"}, {"from": "facing", "to": "mix.b"}, {"from": "mix", "to": "output.color"}]),
+            json!([
+                facing, noise, {"id": "more", "kind": "add", "values": {"b": 2}},
+                {"id": "mask", "kind": "threshold", "values": {"edge": 0.5}},
+                {"id": "mix", "kind": "mix_values"}
+            ]),
+            json!([
+                {"from": "facing", "to": "more.a"}, {"from": "more", "to": "mask.value"},
+                {"from": "mask", "to": "mix.factor"}, {"from": "noise", "to": "mix.a"},
+                {"from": "facing", "to": "mix.b"}, {"from": "mix", "to": "output.color"}
+            ]),
         ),
         // The same for a profile that is ambient, whose angle is then of no account.
         (
             Proof::Ranges,
             "profile",
-            json!([facing, {"id": "profile", "kind": "profile", "values": {"offset": std::f64::consts::PI}}, {"id": "all", "kind": "multiply"}]),
-            json!([{"from": "facing", "to": "profile.angle"}, {"from": "profile", "to": "all.a"}, {"from": "facing", "to": "all.b"}, {"from": "all", "to": "output.color"}]),
+            json!([
+                facing,
+                {"id": "profile", "kind": "profile", "values": {"offset": std::f64::consts::PI}},
+                {"id": "all", "kind": "multiply"}
+            ]),
+            json!([
+                {"from": "facing", "to": "profile.angle"}, {"from": "profile", "to": "all.a"},
+                {"from": "facing", "to": "all.b"}, {"from": "all", "to": "output.color"}
+            ]),
         ),
         // A clamp that cannot clamp: noise lies in [0, 1], and half of it more so.
         (
             Proof::Ranges,
             "clamp",
-            json!([noise, {"id": "half", "kind": "multiply", "values": {"b": 0.5}}, {"id": "clamp", "kind": "clamp_range", "values": {"low": -0.5, "high": 0.75}}]),
-            json!([{"from": "noise", "to": "half.a"}, {"from": "half", "to": "clamp.value"}, {"from": "clamp", "to": "output.color"}]),
+            json!([
+                noise, {"id": "half", "kind": "multiply", "values": {"b": 0.5}},
+                {"id": "clamp", "kind": "clamp_range", "values": {"low": -0.5, "high": 0.75}}
+            ]),
+            json!([
+                {"from": "noise", "to": "half.a"}, {"from": "half", "to": "clamp.value"},
+                {"from": "clamp", "to": "output.color"}
+            ]),
         ),
         // A factor that never exceeds 0.
         (
             Proof::Ranges,
             "mix",
-            json!([facing, noise, {"id": "less", "kind": "subtract", "values": {"b": 1}}, {"id": "mix", "kind": "mix_values"}]),
-            json!([{"from": "noise", "to": "less.a"}, {"from": "less", "to": "mix.factor"}, {"from": "facing", "to": "mix.a"}, {"from": "noise", "to": "mix.b"}, {"from": "mix", "to": "output.color"}]),
+            json!([
+                facing, noise, {"id": "less", "kind": "subtract", "values": {"b": 1}},
+                {"id": "mix", "kind": "mix_values"}
+            ]),
+            json!([
+                {"from": "noise", "to": "less.a"}, {"from": "less", "to": "mix.factor"},
+                {"from": "facing", "to": "mix.a"}, {"from": "noise", "to": "mix.b"},
+                {"from": "mix", "to": "output.color"}
+            ]),
         ),
         // An opaque look is never cut.
         (
@@ -426,8 +493,8 @@ fn effect<'e>(effects: &'e [Effect], what: &str) -> &'e Effect {
 fn attributes_textures_lights_and_passes_exist_only_while_something_needs_them() {
     let (mesh, fitted) = shape("creature");
     let with_factor = |factor: f64| {
-        let look = look(
-            &json!({"name": "one", "lights": {"key": {"direction": [1, 1, 1]}}, "nodes": [
+        let look =
+            look(&json!({"name": "one", "lights": {"key": {"direction": [1, 1, 1]}}, "nodes": [
                 {"id": "facing", "kind": "facing"},
                 // A picture that does not exist: loading it would be an error.
                 {"id": "image", "kind": "image", "values": {"image": "nowhere.png"}},
@@ -437,9 +504,9 @@ fn attributes_textures_lights_and_passes_exist_only_while_something_needs_them()
                 {"id": "output", "kind": "output"}
             ], "wires": [
                 {"from": "image.alpha", "to": "tinted.a"}, {"from": "kappa", "to": "tinted.b"},
-                {"from": "facing", "to": "mix.a"}, {"from": "tinted", "to": "mix.b"}, {"from": "mix", "to": "output.color"}
-            ]}),
-        );
+                {"from": "facing", "to": "mix.a"}, {"from": "tinted", "to": "mix.b"},
+                {"from": "mix", "to": "output.color"}
+            ]}));
         scene_of(vec![(look, mesh.clone(), fitted)], Scene::default())
     };
     let options = PlanOptions { size: SIZE, samples: 1, time: 0.0 };
@@ -488,11 +555,15 @@ fn bumpy(folder: &Path, color: [f64; 3]) -> SetupLook {
         {"id": "fine", "kind": "kappa", "values": {"source": "detail"}},
         {"id": "sum", "kind": "add"},
         {"id": "convexity", "kind": "transition", "values": {"slope": 0.3}},
-        {"id": "color", "kind": "curvature_color", "values": {"convex": [color[0], color[1], color[2], 1], "concave": [0, 0, 0, 1]}},
+        {
+            "id": "color", "kind": "curvature_color",
+            "values": {"convex": [color[0], color[1], color[2], 1], "concave": [0, 0, 0, 1]}
+        },
         {"id": "output", "kind": "output"}
     ], "wires": [
         {"from": "image.color", "to": "bump.height"}, {"from": "bump", "to": "output.normal"},
-        {"from": "coarse", "to": "sum.a"}, {"from": "fine", "to": "sum.b"}, {"from": "sum", "to": "convexity.kappa"},
+        {"from": "coarse", "to": "sum.a"}, {"from": "fine", "to": "sum.b"},
+        {"from": "sum", "to": "convexity.kappa"},
         {"from": "convexity", "to": "color.convexity"}, {"from": "color", "to": "output.color"}
     ]}));
     bumpy.folder = folder.to_path_buf();
@@ -662,16 +733,19 @@ fn pictures_that_only_the_detail_normals_read_are_read() {
 #[test]
 fn every_effect_has_its_cost() {
     let (mesh, fitted) = shape("sphere");
-    let stack = look(
-        &json!({"name": "stack", "lights": {"key": {}, "out": {"intensity": 0}}, "nodes": [
+    let stack =
+        look(&json!({"name": "stack", "lights": {"key": {}, "out": {"intensity": 0}}, "nodes": [
             {"id": "base", "kind": "base"},
-            {"id": "one", "kind": "light_layer", "values": {"light": "key", "slope": 0.4, "amount": 0.5, "falloff": 0.6}},
+            {
+                "id": "one", "kind": "light_layer",
+                "values": {"light": "key", "slope": 0.4, "amount": 0.5, "falloff": 0.6}
+            },
             {"id": "idle", "kind": "light_layer", "values": {"light": "key", "opacity": 0}},
             {"id": "output", "kind": "output"}
         ], "wires": [
-            {"from": "base", "to": "one.below"}, {"from": "one", "to": "idle.below"}, {"from": "idle", "to": "output.color"}
-        ]}),
-    );
+            {"from": "base", "to": "one.below"}, {"from": "one", "to": "idle.below"},
+            {"from": "idle", "to": "output.color"}
+        ]}));
     let setup = scene_of(vec![(stack, mesh.clone(), fitted)], Scene::default());
     let plan = plan(&setup, Cull::All);
     let mut effects = effects(&plan, &HashMap::new());

@@ -142,8 +142,12 @@ fn keyed() -> Look {
         ],
         "wires": [{"from": "base", "to": "layer.below"}, {"from": "layer", "to": "output.color"}],
         "exposed": [{"name": "size", "target": "layer.offset"}],
-        "time_keys": [{"target": "layer.cutoff", "keys": [{"time": 0, "value": 1.0}, {"time": 1, "value": 2.0}]}],
-        "direction_keys": [{"by": "view", "keys": [{"direction": [0, 0, 1], "values": {"layer.slope": 0.5}}]}]
+        "time_keys": [{
+            "target": "layer.cutoff", "keys": [{"time": 0, "value": 1.0}, {"time": 1, "value": 2.0}]
+        }],
+        "direction_keys": [{
+            "by": "view", "keys": [{"direction": [0, 0, 1], "values": {"layer.slope": 0.5}}]
+        }]
     });
     let loaded = Look::read(&json.to_string(), "keyed.json");
     assert!(loaded.diagnostics.is_empty(), "{:?}", loaded.diagnostics);

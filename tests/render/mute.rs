@@ -13,8 +13,14 @@ fn stack() -> Json {
         "lights": {"key": {"direction": [0, 0, 1]}},
         "nodes": [
             {"id": "base", "kind": "base", "values": {"color": [0.1, 0.2, 0.3]}},
-            {"id": "first", "kind": "light_layer", "values": {"light": "key", "convex": [0.5, 0.5, 0.5], "blend": "alpha", "offset": 4}},
-            {"id": "second", "kind": "light_layer", "values": {"light": "key", "convex": [0.9, 0.1, 0.1], "blend": "add", "offset": 4}},
+            {
+                "id": "first", "kind": "light_layer",
+                "values": {"light": "key", "convex": [0.5, 0.5, 0.5], "blend": "alpha", "offset": 4}
+            },
+            {
+                "id": "second", "kind": "light_layer",
+                "values": {"light": "key", "convex": [0.9, 0.1, 0.1], "blend": "add", "offset": 4}
+            },
             {"id": "output", "kind": "output"}
         ],
         "wires": [

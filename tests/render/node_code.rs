@@ -106,7 +106,8 @@ fn small_arrays_and_private_variables_are_allowed() {
 }
 
 const UNSEEN: &str = "fn f(x: f32) -> f32 \
-                      {\n    var y = 0.0;\n    while (y < x) {\n        y += 1.0;\n    }\n    return y;\n}";
+                      {\n    var y = 0.0;\n    while (y < x) {\n        y += 1.0;\n    }\n    \
+                      return y;\n}";
 
 #[test]
 fn a_loop_without_an_end_to_be_seen_is_counted_in_the_shader_and_in_every_export() {

@@ -45,7 +45,10 @@ fn lit() -> Json {
         "nodes": [
             {"id": "base", "kind": "base", "values": {"color": [0.1, 0.2, 0.3]}},
             {"id": "rim", "kind": "light_layer",
-             "values": {"light": "key", "convex": [0.9, 0.7, 0.5], "cutoff": 2.0, "slope": 0.3, "amount": 0.2}},
+             "values": {
+                 "light": "key", "convex": [0.9, 0.7, 0.5], "cutoff": 2.0, "slope": 0.3,
+                 "amount": 0.2
+             }},
             {"id": "output", "kind": "output"}
         ],
         "wires": [{"from": "base", "to": "rim.below"}, {"from": "rim", "to": "output.color"}]
@@ -87,7 +90,10 @@ fn the_first_broken_wire_is_found() {
         "nodes": [
             {"id": "facing", "kind": "facing"},
             {"id": "broken", "kind": "wgsl", "values": {"code": code}},
-            {"id": "sum", "kind": "wgsl", "values": {"code": "fn more(tone: f32) -> f32 { return tone + 1.0; }"}},
+            {
+                "id": "sum", "kind": "wgsl",
+                "values": {"code": "fn more(tone: f32) -> f32 { return tone + 1.0; }"}
+            },
             {"id": "output", "kind": "output"}
         ],
         "wires": [

@@ -59,10 +59,16 @@ fn value_for(input: &Input, random: &mut Random) -> Option<Json> {
         }
         Type::LightName => json!(*random.pick(&["key", "lamp", "torch"])),
         Type::Curve => {
-            json!({"points": [[0, x()], [0.5, x()], [1, x()]], "interpolation": *random.pick(&["linear", "smooth", "stepped"])})
+            json!({
+                "points": [[0, x()], [0.5, x()], [1, x()]],
+                "interpolation": *random.pick(&["linear", "smooth", "stepped"])
+            })
         }
         Type::Ramp => {
-            json!({"stops": [{"at": 0, "color": [1, 0, 0]}, {"at": 1, "color": "#00ff7f80"}], "interpolation": *random.pick(&["linear", "smooth", "stepped"])})
+            json!({
+                "stops": [{"at": 0, "color": [1, 0, 0]}, {"at": 1, "color": "#00ff7f80"}],
+                "interpolation": *random.pick(&["linear", "smooth", "stepped"])
+            })
         }
         _ => return None,
     })
@@ -70,7 +76,10 @@ fn value_for(input: &Input, random: &mut Random) -> Option<Json> {
 
 /// Whether a function for a wider type takes this number as that type.
 fn is_widened(def: &NodeDef, port: &PortName) -> bool {
-    let is_wide = |parameter: &Parameter| matches!(parameter, Parameter::Input(index, ty) if def.inputs[*index].name == *port && *ty != Type::Float);
+    let is_wide = |parameter: &Parameter| {
+        let Parameter::Input(index, ty) = parameter else { return false };
+        def.inputs[*index].name == *port && *ty != Type::Float
+    };
     def.variants.iter().any(|variant| variant.parameters.iter().any(is_wide))
 }
 
@@ -150,7 +159,10 @@ impl Growing {
         };
         let id = format!("n{}", self.nodes.len());
         let mut x = || random.between(-0.5, 3.6);
-        let values = json!({"light": "key", "offset": x(), "falloff": x(), "cutoff": x(), "slope": x(), "amount": x()});
+        let values = json!({
+            "light": "key", "offset": x(), "falloff": x(), "cutoff": x(), "slope": x(),
+            "amount": x()
+        });
         self.nodes.push(json!({"id": id, "kind": "light_layer", "values": values}));
         self.wires.push(json!({"from": below, "to": format!("{id}.below")}));
         for (output, ty) in [("below", Type::Composite), ("tone", Type::Float)] {
@@ -214,8 +226,14 @@ fn random_look(seed: u64, count: usize) -> Json {
         "color_space": *random.pick(&["display", "linear"]),
         "lights": {
             "key": {"direction": [number(random), number(random), 1.5]},
-            "lamp": {"type": "point", "position": [0, 2, 1], "half_distance": random.between(0.0, 3.0), "range": random.between(0.0, 9.0)},
-            "torch": {"type": "spot", "position": [1, 1, 2], "aim": [-1, -1, -2], "inner": 0.2, "outer": 0.5, "space": "camera"}
+            "lamp": {
+                "type": "point", "position": [0, 2, 1], "half_distance": random.between(0.0, 3.0),
+                "range": random.between(0.0, 9.0)
+            },
+            "torch": {
+                "type": "spot", "position": [1, 1, 2], "aim": [-1, -1, -2], "inner": 0.2,
+                "outer": 0.5, "space": "camera"
+            }
         },
         "definitions": {"tint": {
             "inputs": [{"name": "amount"}], "outputs": [{"name": "color"}],

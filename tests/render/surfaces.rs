@@ -157,8 +157,13 @@ fn write_square(folder: &Folder, name: &str, material: &Json) {
     folder.json(
         name,
         &json!({
-            "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
-            "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]}],
+            "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+            "nodes": [{"mesh": 0}],
+            "meshes": [{
+                "primitives": [{
+                    "attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0
+                }]
+            }],
             "materials": [material],
             "accessors": [
                 {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
@@ -187,7 +192,10 @@ fn image_look(image: &str, output: &Json) -> Json {
 
 fn flat_look(color: [f32; 4]) -> Json {
     json!({
-        "nodes": [{"id": "paint", "kind": "base", "values": {"color": color}}, {"id": "output", "kind": "output"}],
+        "nodes": [
+            {"id": "paint", "kind": "base", "values": {"color": color}},
+            {"id": "output", "kind": "output"}
+        ],
         "wires": [{"from": "paint", "to": "output.color"}]
     })
 }
@@ -235,7 +243,8 @@ fn assert_cut(picture: &Picture, wall: [f32; 4]) {
 fn a_material_with_a_mask_is_cut_out() {
     let folder = leaf_folder();
     folder.json("leaf.json", &image_look("leaf.png", &json!({})));
-    let masked = json!({"name": "leaf", "alphaMode": "MASK", "alphaCutoff": 0.5, "doubleSided": true,
+    let masked = json!({
+        "name": "leaf", "alphaMode": "MASK", "alphaCutoff": 0.5, "doubleSided": true,
         "pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, 1]}});
     write_square(&folder, "leaf.gltf", &masked);
     let paint = [0.0, 0.25, 1.0, 1.0];
@@ -275,7 +284,11 @@ fn an_output_with_a_cutoff_is_cut_out() {
 fn the_greater_of_both_cutoffs_counts_and_alpha_equal_to_it_is_drawn() {
     let folder = Folder::new();
     let above_half = f64::from(0.5f32.next_up());
-    let mask = |cutoff: f64| json!({"name": "leaf", "alphaMode": "MASK", "alphaCutoff": cutoff, "doubleSided": true});
+    let mask = |cutoff: f64| {
+        json!({
+            "name": "leaf", "alphaMode": "MASK", "alphaCutoff": cutoff, "doubleSided": true
+        })
+    };
     let cases = [
         // The look's cutoff, the material's, whether an alpha of 0.5 is drawn.
         (0.5, None, true),
@@ -334,7 +347,9 @@ fn what_is_seen_through_a_hole_has_its_own_curvature() {
         &json!({
             "nodes": [image("tint"), image("mask"), {"id": "leaf", "kind": "set_alpha"},
                 {"id": "output", "kind": "output"}],
-            "wires": [{"from": "tint.color", "to": "leaf.color"}, {"from": "mask.alpha", "to": "leaf.alpha"},
+            "wires": [
+                {"from": "tint.color", "to": "leaf.color"},
+                {"from": "mask.alpha", "to": "leaf.alpha"},
                 {"from": "leaf", "to": "output.color"}]
         }),
     );
@@ -419,16 +434,27 @@ fn light_adds_up_in_linear_light_and_is_encoded_once() {
     let look = |space: &str| {
         json!({
             "color_space": space,
-            "lights": {"key": {"space": "world", "direction": [1, 0, 2], "color": "#80c0ff", "intensity": 0.8}},
+            "lights": {
+                "key": {
+                    "space": "world", "direction": [1, 0, 2], "color": "#80c0ff", "intensity": 0.8
+                }
+            },
             "nodes": [
-                {"id": "image", "kind": "image", "values": {"image": "bytes.png", "filter": "nearest"}},
+                {
+                    "id": "image", "kind": "image",
+                    "values": {"image": "bytes.png", "filter": "nearest"}
+                },
                 {"id": "lit", "kind": "light_layer", "values": {"light": "key", "blend": "add",
                     "convex": [1, 0.5, 0.25], "concave": [1, 0.5, 0.25]}},
-                {"id": "glaze", "kind": "light_layer", "values": {"light": "key", "blend": "alpha", "opacity": 0.5,
-                    "offset": std::f64::consts::PI, "convex": [0.25, 0.5, 0.125], "concave": [0.25, 0.5, 0.125]}},
+                {
+                    "id": "glaze", "kind": "light_layer",
+                    "values": {"light": "key", "blend": "alpha", "opacity": 0.5,
+                    "offset": std::f64::consts::PI, "convex": [0.25, 0.5, 0.125],
+                    "concave": [0.25, 0.5, 0.125]}},
                 {"id": "output", "kind": "output"}
             ],
-            "wires": [{"from": "image.color", "to": "lit.below"}, {"from": "lit", "to": "glaze.below"},
+            "wires": [
+                {"from": "image.color", "to": "lit.below"}, {"from": "lit", "to": "glaze.below"},
                 {"from": "glaze", "to": "output.color"}]
         })
     };
@@ -551,13 +577,18 @@ fn lit_look() -> Json {
         "lights": {"key": {"space": "world", "direction": [0.5, 0.8, 1]}},
         "nodes": [
             {"id": "paper", "kind": "image", "values": {"image": "paper.png"}},
-            {"id": "body", "kind": "light_layer", "values": {"light": "key", "blend": "shade", "cutoff": 2.5,
+            {
+                "id": "body", "kind": "light_layer",
+                "values": {"light": "key", "blend": "shade", "cutoff": 2.5,
                 "convex": [1, 0.8, 0.4], "concave": [0.2, 0.4, 1], "slope": 0.02, "amount": 0.3}},
-            {"id": "gleam", "kind": "light_layer", "values": {"light": "key", "type": "specular", "falloff": 0.5,
+            {
+                "id": "gleam", "kind": "light_layer",
+                "values": {"light": "key", "type": "specular", "falloff": 0.5,
                 "convex": [0.4, 0.4, 0.2], "concave": [0.4, 0.4, 0.2]}},
             {"id": "output", "kind": "output"}
         ],
-        "wires": [{"from": "paper.color", "to": "body.below"}, {"from": "body", "to": "gleam.below"},
+        "wires": [
+            {"from": "paper.color", "to": "body.below"}, {"from": "body", "to": "gleam.below"},
             {"from": "gleam", "to": "output.color"}]
     })
 }
@@ -709,11 +740,15 @@ fn shaded_look(light: &Json) -> Json {
         "lights": {"key": light},
         "nodes": [
             {"id": "base", "kind": "base", "values": {"color": [0.2, 0.1, 0.3, 1]}},
-            {"id": "body", "kind": "light_layer", "values": {"light": "key", "falloff": 1.2, "cutoff": 2.4,
+            {
+                "id": "body", "kind": "light_layer",
+                "values": {"light": "key", "falloff": 1.2, "cutoff": 2.4,
                 "convex": [1, 0.8, 0.4], "concave": [1, 0.8, 0.4]}},
             {"id": "output", "kind": "output"}
         ],
-        "wires": [{"from": "base.below", "to": "body.below"}, {"from": "body", "to": "output.color"}]
+        "wires": [
+            {"from": "base.below", "to": "body.below"}, {"from": "body", "to": "output.color"}
+        ]
     })
 }
 
@@ -763,7 +798,8 @@ fn a_cutoff_of_nothing_shows_no_other_side() {
         let mut card = object("card.gltf", "paint.json");
         card["transform"]["rotate"] = json!({"axis": [0, 1, 0], "angle": std::f64::consts::PI});
         let pictures = folder.draw_everywhere(&json!({
-            "objects": [card], "backdrop": BACKDROP, "camera": {"projection": "orthographic", "height": 2}
+            "objects": [card], "backdrop": BACKDROP,
+            "camera": {"projection": "orthographic", "height": 2}
         }));
         let expected = if is_seen { [1.0, 0.0, 0.5, 1.0] } else { BACKDROP };
         for (x, y, found) in pictures.iter().flat_map(pixels) {

@@ -93,13 +93,14 @@ fn ranks() -> Vec<usize> {
 }
 
 fn source(ranks: &[usize]) -> String {
-    let mut text = "// Made by tests/surfaces/blue_noise.rs: the turns of 32 by 32 cells, by void \
-                    and cluster (Ulichney 1993). Whatever share of \
-                    them has\n// had its turn lies evenly, without a pattern and without clumps. \
-                    Four turns of 0 to 255 to a \
-                    number, the first lowest.\nconst BLUE_TILE = array<u32, 256>(\n"
-        .to_owned();
-    for row in ranks.chunks(SIDE) {
+    let mut text = "\
+// Made by tests/surfaces/blue_noise.rs: ranks of 32 by 32 cells by void and cluster (Ulichney
+// 1993). The cells below any rank lie evenly, without a pattern and without clumps. A number holds
+// the ranks of four cells, 0 to 255 each, the first in the lowest byte.
+const BLUE_TILE = array<u32, 256>(
+"
+    .to_owned();
+    for row in ranks.chunks(SIDE / 2) {
         let numbers = row.chunks(4).map(|four| {
             let number =
                 four.iter().enumerate().fold(0, |sum, (i, rank)| sum | (rank / 4) << (8 * i));
@@ -107,19 +108,26 @@ fn source(ranks: &[usize]) -> String {
         });
         let _ = writeln!(text, "    {},", numbers.collect::<Vec<_>>().join(", "));
     }
-    text += ");\n\n/// The number of the tile, which repeats, that holds a cell's turn.\n\
-             fn blue_index(cell: vec2i) -> u32 \
-             {\n    let at = bitcast<vec2u>(cell) & vec2u(31u);\n    \
-             return 8u * at.y + (at.x >> 2u);\n}\n\n\
-             /// The threshold of a cell in such a number, between 0 and 1.\n\
-             fn blue_part(four: u32, cell: vec2i) -> f32 {\n    \
-             return (f32((four >> (8u * (bitcast<u32>(cell.x) & 3u))) & 0xffu) + 0.5) * \
-             0.00390625;\n}\n\n\
-             /// The threshold of a cell: blue noise. What asks for several keeps a copy of the \
-             tile of its own, because\n\
-             /// compilers make one at every place that asks.\n\
-             fn blue_threshold(cell: vec2i) -> f32 \
-             {\n    return blue_part(BLUE_TILE[blue_index(cell)], cell);\n}\n";
+    text += "\
+);
+
+/// Index of the number of the repeating tile that holds a cell's rank.
+fn blue_index(cell: vec2i) -> u32 {
+    let at = bitcast<vec2u>(cell) & vec2u(31u);
+    return 8u * at.y + (at.x >> 2u);
+}
+
+/// Threshold of a cell within its number of the tile, between 0 and 1.
+fn blue_part(four: u32, cell: vec2i) -> f32 {
+    return (f32((four >> (8u * (bitcast<u32>(cell.x) & 3u))) & 0xffu) + 0.5) * 0.00390625;
+}
+
+/// Threshold of a cell, between 0 and 1: blue noise. Callers that ask for several keep a copy of
+/// the tile of their own, because compilers make one at every call.
+fn blue_threshold(cell: vec2i) -> f32 {
+    return blue_part(BLUE_TILE[blue_index(cell)], cell);
+}
+";
     text
 }
 

@@ -326,7 +326,8 @@ proptest! {
     ) {
         for scheme in CLOSED {
             let (keys, problems) = KeyWeights::new(&directions, scheme).into_parts();
-            prop_assert!(problems.iter().all(|d| d.code == "close-keys" || d.code == "merged-keys"));
+            let is_of_places = |d: &Diagnostic| d.code == "close-keys" || d.code == "merged-keys";
+            prop_assert!(problems.iter().all(is_of_places));
             for &query in queries.iter().chain(&directions) {
                 let weights = keys.weights(query);
                 prop_assert!(weights.iter().all(|weight| (0.0..=1.0).contains(weight)));
@@ -370,7 +371,9 @@ proptest! {
             let (keys, problems) = KeyWeights::new(&directions, scheme).into_parts();
             prop_assume!(problems.is_empty());
             let others = KeyWeights::new(&reversed, scheme).value;
-            for (a, b) in keys.weights(query).into_iter().zip(others.weights(query).into_iter().rev()) {
+            for (
+                a, b
+            ) in keys.weights(query).into_iter().zip(others.weights(query).into_iter().rev()) {
                 prop_assert!((a - b).abs() < 1e-10, "{a} {b}");
             }
         }
@@ -399,7 +402,9 @@ proptest! {
         queries in prop::collection::vec(any_direction(), 64),
         area_weighted: bool,
     ) {
-        let (keys, problems) = KeyWeights::tessellated(&directions, Tessellation { level: 2, area_weighted }).into_parts();
+        let (keys, problems) = KeyWeights::tessellated(
+            &directions, Tessellation { level: 2, area_weighted }
+        ).into_parts();
         prop_assert!(!has_errors(&problems));
         for &query in queries.iter().chain(&directions) {
             let weights = keys.weights(query);

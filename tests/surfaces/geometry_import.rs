@@ -379,17 +379,21 @@ fn gltf_json(buffer: &str) -> String {
         r#"{{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [0]}}],
  "nodes": [{{"translation": [10, 0, 0], "children": [1, 2]}},
            {{"mesh": 0, "scale": [2, 2, 2]}},
-           {{"mesh": 0, "scale": [-1, 1, 1], "rotation": [0, 0.7071067811865476, 0, 0.7071067811865476]}}],
+           {{"mesh": 0, "scale": [-1, 1, 1],
+           "rotation": [0, 0.7071067811865476, 0, 0.7071067811865476]}}],
  "meshes": [{{"name": "card", "primitives": [
-   {{"attributes": {{"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2, "COLOR_0": 3}}, "indices": 4, "material": 0}}]}}],
+   {{"attributes": {{"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2, "COLOR_0": 3}}, "indices": 4,
+   "material": 0}}]}}],
  "materials": [{{"name": "leaf", "doubleSided": true, "alphaMode": "MASK", "alphaCutoff": 0.25}}],
  "accessors": [
-  {{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0,0,0], "max": [1,1,0]}},
+  {{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0,0,0],
+  "max": [1,1,0]}},
   {{"bufferView": 0, "byteOffset": 48, "componentType": 5126, "count": 4, "type": "VEC3"}},
   {{"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC2"}},
   {{"bufferView": 2, "componentType": 5121, "normalized": true, "count": 4, "type": "VEC3"}},
   {{"bufferView": 3, "componentType": 5123, "count": 6, "type": "SCALAR"}}],
- "bufferViews": [{{"buffer": 0, "byteLength": 96}}, {{"buffer": 0, "byteOffset": 96, "byteLength": 32}},
+ "bufferViews": [{{"buffer": 0, "byteLength": 96}}, {{"buffer": 0, "byteOffset": 96,
+ "byteLength": 32}},
   {{"buffer": 0, "byteOffset": 128, "byteLength": 16, "byteStride": 4}},
   {{"buffer": 0, "byteOffset": 144, "byteLength": 12}}],
  "buffers": [{{"byteLength": 156{buffer}}}]}}"#
@@ -487,11 +491,15 @@ fn gltf_tangents_strips_and_sparse() {
         .for_each(|c| bytes.extend(c.to_le_bytes()));
     (0..4).for_each(|_| [0f32, 1., 0., -1.].iter().for_each(|c| bytes.extend(c.to_le_bytes())));
     let json = r#"{"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}], "meshes": [{"primitives": [
-      {"mode": 5, "attributes": {"POSITION": 0, "TANGENT": 1}}, {"mode": 0, "attributes": {"POSITION": 0}}]}],
-     "accessors": [{"componentType": 5126, "count": 4, "type": "VEC3", "min": [0,0,0], "max": [1,1,0],
-       "sparse": {"count": 3, "indices": {"bufferView": 0, "componentType": 5123}, "values": {"bufferView": 1}}},
+      {"mode": 5, "attributes": {"POSITION": 0, "TANGENT": 1}},
+      {"mode": 0, "attributes": {"POSITION": 0}}]}],
+     "accessors": [{"componentType": 5126, "count": 4, "type": "VEC3", "min": [0,0,0],
+     "max": [1,1,0],
+       "sparse": {"count": 3, "indices": {"bufferView": 0, "componentType": 5123},
+       "values": {"bufferView": 1}}},
       {"bufferView": 2, "componentType": 5126, "count": 4, "type": "VEC4"}],
-     "bufferViews": [{"buffer": 0, "byteLength": 6}, {"buffer": 0, "byteOffset": 8, "byteLength": 36},
+     "bufferViews": [{"buffer": 0, "byteLength": 6},
+     {"buffer": 0, "byteOffset": 8, "byteLength": 36},
       {"buffer": 0, "byteOffset": 44, "byteLength": 64}],
      "buffers": [{"byteLength": 108}]}"#;
     let Warned { value: mesh, warnings: notes } = read("x.glb", glb(json, &bytes));
@@ -539,7 +547,8 @@ fn triangle_gltf(root: &str, node: &str, primitive: &str, attributes: &str) -> S
           {{"componentType": 5126, "count": 3, "type": "VEC4",
             "sparse": {{"count": 1, "indices": {{"bufferView": 2, "componentType": 5121}},
               "values": {{"bufferView": 0}}}}}}],
-         "bufferViews": [{{"buffer": 0, "byteLength": 36}}, {{"buffer": 0, "byteOffset": 36, "byteLength": 36}},
+         "bufferViews": [{{"buffer": 0, "byteLength": 36}}, {{"buffer": 0, "byteOffset": 36,
+         "byteLength": 36}},
           {{"buffer": 0, "byteLength": 1}}],
          "buffers": [{{"byteLength": 72, "uri": "data:;base64,{data}"}}]{root}}}"#
     )
@@ -551,7 +560,8 @@ fn gltf_takes_all_that_2_0_allows() {
     assert_eq!(plain.triangle_count(), 1);
     // Attributes of the maker's own, of whatever count; extras of any kind; channels without a
     // node; what is to come.
-    let channel = r#", "animations": [{"channels": [{"sampler": 0, "target": {"path": "pointer"}}], "samplers": []}],
+    let channel = r#", "animations": [{"channels": [{"sampler": 0, "target": {"path": "pointer"}}],
+        "samplers": []}],
         "cameras": [{}], "textures": 7, "extras": "made by hand", "future": {"a": [1]}"#;
     for json in [
         triangle_gltf("", "", "", r#", "_FEATURE_ID_0": 2, "_X": 99"#),
@@ -663,9 +673,12 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(512))]
 
     #[test]
-    fn random_bytes_never_panic(kind in 0usize..8, bytes in prop::collection::vec(any::<u8>(), 0..600)) {
+    fn random_bytes_never_panic(
+        kind in 0usize..8, bytes in prop::collection::vec(any::<u8>(), 0..600)
+    ) {
         let start: [(&str, &[u8]); 8] = [
-            ("x.obj", b""), ("x.ply", b""), ("x.stl", b""), ("x.glb", b"glTF"), ("x.gltf", b"{"), ("x.stl", b"solid"), ("x", b""),
+            ("x.obj", b""), ("x.ply", b""), ("x.stl", b""), ("x.glb", b"glTF"), ("x.gltf", b"{"),
+            ("x.stl", b"solid"), ("x", b""),
             ("x.ply", b"ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float \
                         x\nproperty float y\n\
               property float z\nelement face 2\nproperty list uchar uchar \

@@ -317,7 +317,10 @@ fn a_baked_normal_map_brings_its_normals_back() {
 
     let mut mapped = look(&json!({
         "nodes": [
-            {"id": "image", "kind": "image", "values": {"image": "map.png", "encoding": "data", "wrap": "clamp"}},
+            {
+                "id": "image", "kind": "image",
+                "values": {"image": "map.png", "encoding": "data", "wrap": "clamp"}
+            },
             {"id": "map", "kind": "normal_map"},
             {"id": "shown", "kind": "map_range", "values": {"from_low": -1}},
             {"id": "output", "kind": "output"}

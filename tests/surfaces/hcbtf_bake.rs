@@ -37,7 +37,10 @@ fn showing(path: &Path) -> SetupLook {
         "lights": {"key": {"direction": [0, 0, 1]}},
         "nodes": [
             {"id": "light", "kind": "light", "values": {"light": "key"}},
-            {"id": "paint", "kind": "hcbtf_lookup", "values": {"sheet": path.display().to_string(), "lookup": "texels"}},
+            {
+                "id": "paint", "kind": "hcbtf_lookup",
+                "values": {"sheet": path.display().to_string(), "lookup": "texels"}
+            },
             {"id": "output", "kind": "output"}
         ],
         "wires": [{"from": "light", "to": "paint.light"}, {"from": "paint", "to": "output.color"}]

@@ -218,7 +218,8 @@ proptest! {
                 journal.append::<HcbtfEdit>(&[Op::Undo]).unwrap();
             }
         }
-        let found = recover::<Hcbtf>(slot.path()).map_err(|problem| TestCaseError::fail(problem.to_string()))?;
+        let found = recover::<Hcbtf>(slot.path())
+            .map_err(|problem| TestCaseError::fail(problem.to_string()))?;
         prop_assert!(found.damage.is_empty(), "{:?}", found.damage);
         prop_assert_eq!(all_of(found.history), all_of(history));
         prop_assert!(matches!(recover_any(slot.path()), Ok(Found::Hcbtf(_))));
@@ -240,7 +241,10 @@ fn edits_are_written_as_json() {
     let edit = HcbtfEdit::CopyTile { from: Address::default(), to: Address::new([1, 2], [0, 0]) };
     assert_eq!(
         serde_json::to_string(&edit).unwrap(),
-        r#"{"edit":"copy_tile","from":{"light":[0,0],"view":[0,0]},"to":{"light":[1,2],"view":[0,0]}}"#
+        concat!(
+            r#"{"edit":"copy_tile","from":{"light":[0,0],"view":[0,0]},"#,
+            r#""to":{"light":[1,2],"view":[0,0]}}"#
+        )
     );
 }
 

@@ -434,7 +434,9 @@ fn the_nodes_beside_it_do_what_they_say() {
     let samples = at_random(&hcbtf, 600);
     let of = |kind: &str, values: &serde_json::Value, output: &str| {
         let look = look(&json!({
-            "lights": {"key": {"direction": [0, 0, 1]}, "fill": {"direction": [0, 1, 0], "intensity": 0.6}},
+            "lights": {
+                "key": {"direction": [0, 0, 1]}, "fill": {"direction": [0, 1, 0], "intensity": 0.6}
+            },
             "nodes": [
                 {"id": "light", "kind": "light", "values": {"light": "key"}},
                 {"id": "fill", "kind": "light", "values": {"light": "fill"}},
@@ -443,9 +445,16 @@ fn the_nodes_beside_it_do_what_they_say() {
                 {"id": "output", "kind": "output"}
             ],
             "wires": match kind {
-                "hcbtf_directions" => json!([{"from": "light", "to": "node.light"}, {"from": "node", "to": "output.color"}]),
-                "dominant_light" => json!([{"from": "light", "to": "node.a"}, {"from": "fill", "to": "node.b"}, {"from": "node", "to": "parts.light"}]),
-                _ => json!([{"from": "light", "to": "node.light"}, {"from": "node", "to": "parts.light"}]),
+                "hcbtf_directions" => json!([
+                    {"from": "light", "to": "node.light"}, {"from": "node", "to": "output.color"}
+                ]),
+                "dominant_light" => json!([
+                    {"from": "light", "to": "node.a"}, {"from": "fill", "to": "node.b"},
+                    {"from": "node", "to": "parts.light"}
+                ]),
+                _ => json!([
+                    {"from": "light", "to": "node.light"}, {"from": "node", "to": "parts.light"}
+                ]),
             }
         }));
         eval_with(&look, Library::built_in(), &options(output), &samples)

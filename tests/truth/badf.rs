@@ -522,7 +522,10 @@ fn an_unset_concave_color_is_the_convex_one() {
             {"id": "base", "kind": "base", "values": {"color": [0, 0, 0]}},
             {"id": "tint", "kind": "combine_vector", "values": {"x": 0.2, "y": 0.6, "z": 0.4}},
             {"id": "layer", "kind": "light_layer",
-             "values": {"light": "key", "convex": [0.2, 0.6, 0.4], "offset": 3.2, "slope": 1, "blend": "alpha"}},
+             "values": {
+                 "light": "key", "convex": [0.2, 0.6, 0.4], "offset": 3.2, "slope": 1,
+                 "blend": "alpha"
+             }},
             {"id": "output", "kind": "output"}
         ],
         "wires": [{"from": "base", "to": "layer.below"}, {"from": "layer", "to": "output.color"}]
@@ -577,10 +580,15 @@ fn the_blends() {
                 ],
                 "nodes": [
                     {"id": "base", "kind": "base"},
-                    {"id": "blend", "kind": "blend", "values": {"mode": mode.word(), "clamped": clamped}},
+                    {
+                        "id": "blend", "kind": "blend",
+                        "values": {"mode": mode.word(), "clamped": clamped}
+                    },
                     {"id": "output", "kind": "output"}
                 ],
-                "wires": [{"from": "base", "to": "blend.below"}, {"from": "blend", "to": "output.color"}]
+                "wires": [
+                    {"from": "base", "to": "blend.below"}, {"from": "blend", "to": "output.color"}
+                ]
             }));
             let mut random = Random::new(20);
             let number = |random: &mut Random| match random.index(6) {
@@ -734,7 +742,10 @@ fn shares_of_bases_and_of_curvature_count_from_0_to_1() {
             {"id": "share", "kind": "number"},
             {"id": "color", "kind": "set_alpha", "values": {"color": [0.2, 0.4, 0.6, 1]}},
             {"id": "base", "kind": "base"},
-            {"id": "tint", "kind": "curvature_color", "values": {"convex": [0.2, 0.4, 0.6], "concave": [0.9, 0.5, 0.1]}},
+            {
+                "id": "tint", "kind": "curvature_color",
+                "values": {"convex": [0.2, 0.4, 0.6], "concave": [0.9, 0.5, 0.1]}
+            },
             {"id": "blend", "kind": "blend"},
             {"id": "output", "kind": "output"}
         ],
@@ -784,11 +795,17 @@ fn bounds_that_change_nothing_are_left_out() {
     assert!(!text(&look_of_shares(Mode::Alpha, false)).contains("unit_"), "exposed");
     // Colors that are set from outside are bounded there, and stay so where curvature mixes them.
     let exposed = look(&json!({
-        "exposed": [{"name": "convex", "target": "layer.convex"}, {"name": "concave", "target": "layer.concave"}],
+        "exposed": [
+            {"name": "convex", "target": "layer.convex"},
+            {"name": "concave", "target": "layer.concave"}
+        ],
         "lights": {"key": {"direction": [0, 0, 1]}},
         "nodes": [
             {"id": "base", "kind": "base"},
-            {"id": "layer", "kind": "light_layer", "values": {"light": "key", "blend": "alpha", "slope": 0.1}},
+            {
+                "id": "layer", "kind": "light_layer",
+                "values": {"light": "key", "blend": "alpha", "slope": 0.1}
+            },
             {"id": "output", "kind": "output"}
         ],
         "wires": [{"from": "base", "to": "layer.below"}, {"from": "layer", "to": "output.color"}]
@@ -806,12 +823,17 @@ fn bounds_that_change_nothing_are_left_out() {
                 "lights": {"key": {"type": kind, "direction": [0, 0, 1]}},
                 "nodes": [
                     {"id": "base", "kind": "base"},
-                    {"id": "layer", "kind": "light_layer", "values": {"light": "key", "blend": mode.word(),
-                        "slope": 0.1, "amount": 0.3, "convex": [0.2, 0.4, 0.6, 0.5], "concave": [0.9, 0.5, 0.1],
+                    {
+                        "id": "layer", "kind": "light_layer",
+                        "values": {"light": "key", "blend": mode.word(),
+                        "slope": 0.1, "amount": 0.3, "convex": [0.2, 0.4, 0.6, 0.5],
+                        "concave": [0.9, 0.5, 0.1],
                         "opacity": 0.75, "falloff": 0.5}},
                     {"id": "output", "kind": "output"}
                 ],
-                "wires": [{"from": "base", "to": "layer.below"}, {"from": "layer", "to": "output.color"}]
+                "wires": [
+                    {"from": "base", "to": "layer.below"}, {"from": "layer", "to": "output.color"}
+                ]
             }));
             let text = text(&layered);
             assert!(
@@ -895,8 +917,10 @@ impl Stack {
             .iter()
             .enumerate()
             .map(|(index, (direction, color, intensity))| {
-                let light =
-                    json!({"direction": direction.to_array(), "color": color.to_array(), "intensity": intensity});
+                let light = json!({
+                    "direction": direction.to_array(), "color": color.to_array(),
+                    "intensity": intensity
+                });
                 (format!("light_{index}"), light)
             })
             .collect();
@@ -967,8 +991,10 @@ fn faded(distance: f64, half: f64, range: f64) -> f64 {
 fn lamp(kind: &str, space: &str) -> SetupLook {
     look(&json!({
         "lights": {"key": {
-            "type": kind, "space": space, "position": [1.0, 2.0, 3.0], "aim": [-0.5, -0.6, -1.0], "direction": [1, 2, 3],
-            "inner": 0.3, "outer": 0.9, "intensity": 1.75, "color": [0.2, 0.5, 0.9], "half_distance": 2.5, "range": 9.0
+            "type": kind, "space": space, "position": [1.0, 2.0, 3.0], "aim": [-0.5, -0.6, -1.0],
+            "direction": [1, 2, 3],
+            "inner": 0.3, "outer": 0.9, "intensity": 1.75, "color": [0.2, 0.5, 0.9],
+            "half_distance": 2.5, "range": 9.0
         }},
         "nodes": [
             {"id": "light", "kind": "light", "values": {"light": "key"}},
@@ -1052,13 +1078,19 @@ fn lights_of_every_kind_in_every_space() {
 #[test]
 fn lights_without_fading_and_with_hard_cones() {
     let mut json = json!({
-        "lights": {"key": {"type": "spot", "position": [0, 0, 2], "aim": [0, 0, -3], "inner": 0.5, "outer": 0.5}},
+        "lights": {
+            "key": {
+                "type": "spot", "position": [0, 0, 2], "aim": [0, 0, -3], "inner": 0.5, "outer": 0.5
+            }
+        },
         "nodes": [
             {"id": "light", "kind": "light", "values": {"light": "key"}},
             {"id": "parts", "kind": "light_parts"},
             {"id": "output", "kind": "output"}
         ],
-        "wires": [{"from": "light", "to": "parts.light"}, {"from": "parts.color", "to": "output.color"}]
+        "wires": [
+            {"from": "light", "to": "parts.light"}, {"from": "parts.color", "to": "output.color"}
+        ]
     });
     let at = |x: f64| EvalSample { position: DVec3::new(x, 0.0, 0.0), ..EvalSample::default() };
     let edge = 2.0 * 0.5_f64.tan();
@@ -1086,7 +1118,10 @@ fn intensity_fades_or_brightens() {
         "lights": {"key": {"direction": [0, 0, 1], "color": [1.0, 0.5, 0.25]}},
         "nodes": [
             {"id": "light", "kind": "light", "values": {"light": "key"}},
-            {"id": "lit", "kind": "light_apply", "values": {"color": [0.2, 0.4, 0.8, 0.6], "tone": 0.5}},
+            {
+                "id": "lit", "kind": "light_apply",
+                "values": {"color": [0.2, 0.4, 0.8, 0.6], "tone": 0.5}
+            },
             {"id": "base", "kind": "base"},
             {"id": "blend", "kind": "blend", "values": {"mode": "alpha"}},
             {"id": "output", "kind": "output"}

@@ -721,7 +721,10 @@ fn local_lights_change_around_their_place() {
         "nodes": [
             {"id": "light", "kind": "light", "values": {"light": "key"}},
             {"id": "local", "kind": "local_light", "values":
-                {"bend": [1, -0.5, 0], "strength": 3, "center": [0.2, 0, 0], "radius": 0.8, "hardness": 0.25}},
+                {
+                    "bend": [1, -0.5, 0], "strength": 3, "center": [0.2, 0, 0], "radius": 0.8,
+                    "hardness": 0.25
+                }},
             {"id": "parts", "kind": "light_parts"},
             {"id": "output", "kind": "output"}
         ],
@@ -777,8 +780,11 @@ fn ramps_go_through_their_space() {
         (0..200).map(|k| chiaro::document::Value::Number(f64::from(k) / 160.0 - 0.1)).collect();
     for space in ["oklab", "light", "hue", "hsv"] {
         let ramp = serde_json::json!({"stops": [
-            {"at": 0.0, "color": stops[0]}, {"at": 0.25, "color": stops[1]}, {"at": 1.0, "color": stops[2]}]});
-        let node = serde_json::json!({"id": "node", "kind": "ramp", "values": {"space": space, "ramp": ramp}});
+            {"at": 0.0, "color": stops[0]}, {"at": 0.25, "color": stops[1]},
+            {"at": 1.0, "color": stops[2]}]});
+        let node = serde_json::json!({
+            "id": "node", "kind": "ramp", "values": {"space": space, "ramp": ramp}
+        });
         let mut errors = Errors::new(format!("ramp {space}"), 3e-5);
         for (got, value) in over(&node, "value", &values).iter().zip(&values) {
             let chiaro::document::Value::Number(x) = value else { continue };

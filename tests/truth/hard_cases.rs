@@ -561,7 +561,9 @@ fn convexity_look(slope: f64, tier: Tier) -> SetupLook {
             {"id": "convexity", "kind": "transition", "values": {"slope": slope}},
             {"id": "output", "kind": "output"}
         ],
-        "wires": [{"from": "kappa", "to": "convexity.kappa"}, {"from": "convexity", "to": "output.color"}]
+        "wires": [
+            {"from": "kappa", "to": "convexity.kappa"}, {"from": "convexity", "to": "output.color"}
+        ]
     }));
     convexity.look.graph.nodes["kappa"].tier = Some(tier);
     convexity
@@ -772,7 +774,10 @@ fn cartoon_edges(tier: Tier, most: f64, most_mean: f64) {
                 "nodes": [
                     {"id": "light", "kind": "light", "values": {"light": "key"}},
                     {"id": "angle", "kind": "parametrization"},
-                    {"id": "tone", "kind": "profile", "values": {"offset": edge, "falloff": edge, "cutoff": edge}},
+                    {
+                        "id": "tone", "kind": "profile",
+                        "values": {"offset": edge, "falloff": edge, "cutoff": edge}
+                    },
                     {"id": "output", "kind": "output"}
                 ],
                 "wires": [
@@ -926,7 +931,11 @@ fn case_20_every_layer_is_clamped() {
 #[test]
 fn case_21_no_layer_poisons_the_stack() {
     let layers = |profile: Json, kind: &str| {
-        let plain = |convex: [f64; 4], blend: &str| json!({"light": "key", "convex": convex, "concave": convex, "blend": blend});
+        let plain = |convex: [f64; 4], blend: &str| {
+            json!({
+                "light": "key", "convex": convex, "concave": convex, "blend": blend
+            })
+        };
         let mut odd = plain([0.1, 0.2, 0.3, 1.0], "add");
         let merged = odd.as_object_mut().expect("an object");
         merged.extend(profile.as_object().expect("an object").clone());
@@ -955,15 +964,17 @@ fn case_21_no_layer_poisons_the_stack() {
             let mut wires = Vec::new();
             let mut below = "base.below".to_owned();
             for (index, values) in layers(profile.clone(), kind).iter().enumerate() {
-                nodes.push(json!({"id": format!("layer_{index}"), "kind": "light_layer", "values": values}));
+                nodes.push(
+                    json!({"id": format!("layer_{index}"), "kind": "light_layer", "values": values})
+                );
                 wires.push(json!({"from": below, "to": format!("layer_{index}.below")}));
                 below = format!("layer_{index}.below");
             }
             nodes.push(json!({"id": "output", "kind": "output"}));
             wires.push(json!({"from": below, "to": "output.color"}));
-            let look = look(
-                &json!({"lights": {"key": {"direction": [0, 0, 1]}}, "nodes": nodes, "wires": wires}),
-            );
+            let look = look(&json!({
+                "lights": {"key": {"direction": [0, 0, 1]}}, "nodes": nodes, "wires": wires
+            }));
             let places = [
                 DVec3::Z,
                 -DVec3::Z,
@@ -1131,7 +1142,9 @@ fn case_23_light_directions_never_average_to_nothing() {
             {"id": "parts", "kind": "light_parts"},
             {"id": "output", "kind": "output"}
         ],
-        "wires": [{"from": "light", "to": "parts.light"}, {"from": "parts.color", "to": "output.color"}],
+        "wires": [
+            {"from": "light", "to": "parts.light"}, {"from": "parts.color", "to": "output.color"}
+        ],
         "lights": {"key": {"direction": [0, 0, 1]}},
         "direction_keys": [{"name": "Turn", "by": "view", "keys": [
             {"direction": [1, 0, 0], "values": {"lights.key.direction": [0, 1, 0]}},

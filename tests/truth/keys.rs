@@ -73,7 +73,12 @@ fn keys_hold_their_values_and_blend_by_weight() {
             let colors: Vec<DVec3> =
                 (0..5).map(|_| DVec3::from_array([(); 3].map(|()| random.unit()))).collect();
             let keys: Vec<Json> = (0..5)
-                .map(|k| json!({"direction": places[k].to_array(), "values": {"number.value": numbers[k], "paint.color": colors[k].to_array()}}))
+                .map(|k| {
+                    json!({
+                        "direction": places[k].to_array(),
+                        "values": {"number.value": numbers[k], "paint.color": colors[k].to_array()}
+                    })
+                })
                 .collect();
             let by = if by_view { json!("view") } else { json!({"light": "key"}) };
             let look = keyed(&by, word, &keys);
@@ -142,7 +147,10 @@ fn blended_profiles_stay_in_order() {
         .iter()
         .zip(&triples)
         .map(|(place, [offset, falloff, cutoff])| {
-            json!({"direction": place.to_array(), "values": {"tone.offset": offset, "tone.falloff": falloff, "tone.cutoff": cutoff}})
+            json!({
+                "direction": place.to_array(),
+                "values": {"tone.offset": offset, "tone.falloff": falloff, "tone.cutoff": cutoff}
+            })
         })
         .collect();
     let look = look(&json!({
@@ -197,7 +205,15 @@ fn keyed_light_directions_are_unit_sums() {
     let keys: Vec<Json> = places
         .iter()
         .zip(&targets)
-        .map(|(place, target)| json!({"direction": place.to_array(), "values": {"lights.key.direction": target.to_array(), "lights.key.intensity": target.length()}}))
+        .map(|(place, target)| {
+            json!({
+                "direction": place.to_array(),
+                "values": {
+                    "lights.key.direction": target.to_array(),
+                    "lights.key.intensity": target.length()
+                }
+            })
+        })
         .collect();
     let look = keyed(&json!("view"), "biharmonic", &keys);
     let weights = KeyWeights::new(&places, KeyScheme::Biharmonic).value;
@@ -272,7 +288,10 @@ fn keys_over_time() {
 fn words_step_in_time() {
     let look = timed(
         "blend.mode",
-        &json!([{"time": 0, "value": "add"}, {"time": 1, "value": "multiply"}, {"time": 2, "value": "subtract"}]),
+        &json!([
+            {"time": 0, "value": "add"}, {"time": 1, "value": "multiply"},
+            {"time": 2, "value": "subtract"}
+        ]),
     );
     let values = at_times(&look, "", &[-1.0, 0.0, 0.999, 1.0, 1.5, 2.0, 99.0]);
     let wanted = [0.5, 0.5, 0.5, 0.0625, 0.0625, 0.0, 0.0];
@@ -284,7 +303,9 @@ fn words_step_in_time() {
 #[test]
 fn exposed_values_are_heard() {
     let look_json = json!({
-        "exposed": [{"name": "amount", "target": "blend.tone"}, {"name": "mode", "target": "blend.mode"}],
+        "exposed": [
+            {"name": "amount", "target": "blend.tone"}, {"name": "mode", "target": "blend.mode"}
+        ],
         "nodes": [
             {"id": "base", "kind": "base", "values": {"color": [0.25, 0.25, 0.25, 1]}},
             {"id": "blend", "kind": "blend", "values": {"color": [0.5, 0.5, 0.5, 1], "tone": 0.5}},
@@ -295,7 +316,10 @@ fn exposed_values_are_heard() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("look.json");
     std::fs::write(&path, look_json.to_string()).expect("written");
-    let samples = json!([{}, {"values": {"amount": 1.0}}, {"values": {"amount": 1.0, "mode": "multiply"}}, {"values": {"mode": "subtract"}}]);
+    let samples = json!([
+        {}, {"values": {"amount": 1.0}}, {"values": {"amount": 1.0, "mode": "multiply"}},
+        {"values": {"mode": "subtract"}}
+    ]);
     let mut child = Command::new(env!("CARGO_BIN_EXE_chiaro"))
         .args(["eval", path.to_str().expect("a path"), "--at", "-"])
         .stdin(Stdio::piped())
@@ -510,8 +534,10 @@ fn drivers_are_read_written_and_checked() {
     use chiaro::document::Look;
     let text = |by: &str, key: &str| {
         format!(
-            r#"{{"chiaro": "look", "version": 1, "lights": {{"key": {{}}}}, "nodes": [{{"id": "number", "kind": "number"}}],
-            "direction_keys": [{{"by": {by}, "keys": [{{{key}, "values": {{"number.value": 1}}}}]}}]}}"#
+            r#"{{"chiaro": "look", "version": 1, "lights": {{"key": {{}}}},
+                "nodes": [{{"id": "number", "kind": "number"}}],
+            "direction_keys": [{{"by": {by}, "keys": [{{{key},
+            "values": {{"number.value": 1}}}}]}}]}}"#
         )
     };
     let json = |text: &str| serde_json::from_str::<Json>(text).expect("JSON");

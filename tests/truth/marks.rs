@@ -751,7 +751,9 @@ fn picture(
         "chiaro": "scene", "version": 1, "backdrop": [0, 0, 0, 0],
         "objects": [{"id": "square", "mesh": "square.obj", "looks": "look.json",
             "transform": {"fit": false, "translate": middle}}],
-        "camera": {"projection": projection, "height": 2, "fov": 0.7, "eye": [0, 0, 4], "target": [0, 0, 0]}
+        "camera": {
+            "projection": projection, "height": 2, "fov": 0.7, "eye": [0, 0, 4], "target": [0, 0, 0]
+        }
     });
     write("scene.json", scene.to_string());
     let mut assets = Assets::default();
@@ -861,7 +863,8 @@ fn bristles_lie_in_their_cells() {
             {"id": "tone", "kind": "number"},
             {"id": "uv", "kind": "uv"},
             {"id": "node", "kind": "brush_strokes", "values": {
-                "mask": "bristles", "aspect": aspect, "size": size, "scatter": scatter, "turn": turn, "count": count,
+                "mask": "bristles", "aspect": aspect, "size": size, "scatter": scatter,
+                "turn": turn, "count": count,
                 "seed": seed
             }},
             {"id": "output", "kind": "output"}
@@ -949,7 +952,8 @@ fn brush_strokes_lie_in_their_cells() {
             {"id": "tone", "kind": "number"},
             {"id": "uv", "kind": "uv"},
             {"id": "node", "kind": "brush_strokes", "values": {
-                "image": "stroke.png", "encoding": "data", "filter": "nearest", "aspect": aspect, "size": size,
+                "image": "stroke.png", "encoding": "data", "filter": "nearest", "aspect": aspect,
+                "size": size,
                 "scatter": scatter, "turn": turn, "count": count, "seed": seed
             }},
             {"id": "output", "kind": "output"}

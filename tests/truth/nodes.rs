@@ -681,7 +681,10 @@ fn the_surface_and_the_clock() {
             }
             let values = if word.is_empty() { json!({}) } else { json!({port: word}) };
             let look = look(&json!({
-                "nodes": [{"id": "node", "kind": def.kind, "values": values}, {"id": "output", "kind": "output"}],
+                "nodes": [
+                    {"id": "node", "kind": def.kind, "values": values},
+                    {"id": "output", "kind": "output"}
+                ],
                 "wires": [{"from": "node", "to": "output.color"}]
             }));
             let mut all = vec![Vec::new(); samples.len()];
@@ -792,8 +795,14 @@ fn curves_and_ramps() {
         let look = look(&json!({
             "nodes": [
                 {"id": "place", "kind": "kappa"},
-                {"id": "curve", "kind": "curve", "values": {"curve": {"points": points, "interpolation": word}}},
-                {"id": "ramp", "kind": "ramp", "values": {"ramp": {"stops": stops, "interpolation": word}}},
+                {
+                    "id": "curve", "kind": "curve",
+                    "values": {"curve": {"points": points, "interpolation": word}}
+                },
+                {
+                    "id": "ramp", "kind": "ramp",
+                    "values": {"ramp": {"stops": stops, "interpolation": word}}
+                },
                 {"id": "product", "kind": "multiply"},
                 {"id": "output", "kind": "output"}
             ],
@@ -883,7 +892,13 @@ fn noises_are_their_lattices() {
         for (octaves, seed) in [(1, 0), (1, 77), (3, 5)] {
             let look = look(&json!({
                 "nodes": [
-                    {"id": "node", "kind": "noise", "values": {"kind": kind, "scale": 2, "octaves": octaves, "roughness": 0.5, "seed": seed}},
+                    {
+                        "id": "node", "kind": "noise",
+                        "values": {
+                            "kind": kind, "scale": 2, "octaves": octaves, "roughness": 0.5,
+                            "seed": seed
+                        }
+                    },
                     {"id": "output", "kind": "output"}
                 ],
                 "wires": [{"from": "node", "to": "output.color"}]
@@ -1004,7 +1019,12 @@ fn images_by_texel() {
         for filter in ["nearest", "linear"] {
             let look = look(&json!({
                 "nodes": [
-                    {"id": "node", "kind": "image", "values": {"image": "four.png", "wrap": wrap, "filter": filter, "encoding": "data"}},
+                    {
+                        "id": "node", "kind": "image",
+                        "values": {
+                            "image": "four.png", "wrap": wrap, "filter": filter, "encoding": "data"
+                        }
+                    },
                     {"id": "output", "kind": "output"}
                 ],
                 "wires": [{"from": "node", "to": "output.color"}]
@@ -1051,7 +1071,10 @@ fn a_tone_map_is_read_from_left_to_right_and_up() {
         "nodes": [
             {"id": "place", "kind": "position"},
             {"id": "parts", "kind": "separate_vector"},
-            {"id": "node", "kind": "tone_map", "values": {"image": "four.png", "filter": "nearest", "encoding": "data"}},
+            {
+                "id": "node", "kind": "tone_map",
+                "values": {"image": "four.png", "filter": "nearest", "encoding": "data"}
+            },
             {"id": "output", "kind": "output"}
         ],
         "wires": [
@@ -1118,7 +1141,9 @@ fn a_pair_of_litspheres_is_mixed_by_curvature() {
     let look = look(&json!({
         "nodes": [
             {"id": "node", "kind": "litsphere_pair",
-                "values": {"convex": "ball.png", "concave": "turned.png", "slope": 0.03, "radius": 0.45}},
+                "values": {
+                    "convex": "ball.png", "concave": "turned.png", "slope": 0.03, "radius": 0.45
+                }},
             {"id": "output", "kind": "output"}
         ],
         "wires": [{"from": "node", "to": "output.color"}]
@@ -1157,7 +1182,12 @@ fn litspheres_by_normal() {
     for lookup in ["camera", "perspective"] {
         let look = look(&json!({
             "nodes": [
-                {"id": "node", "kind": "litsphere", "values": {"image": "ball.png", "lookup": lookup, "radius": 0.45, "encoding": "data"}},
+                {
+                    "id": "node", "kind": "litsphere",
+                    "values": {
+                        "image": "ball.png", "lookup": lookup, "radius": 0.45, "encoding": "data"
+                    }
+                },
                 {"id": "output", "kind": "output"}
             ],
             "wires": [{"from": "node", "to": "output.color"}]

@@ -259,7 +259,9 @@ fn contours_are_as_wide_as_asked() {
 fn suggestive_contours_lie_on_inflections_that_turn_to_the_eye() {
     let line = || {
         showing(
-            &json!([{"id": "line", "kind": "inner_contour", "values": {"width": 40.0, "limit": 0.2}}]),
+            &json!([{
+                "id": "line", "kind": "inner_contour", "values": {"width": 40.0, "limit": 0.2}
+            }]),
             &json!([{"from": "line", "to": "output.color"}]),
         )
     };
@@ -342,7 +344,8 @@ fn bumps_lean_the_normal_by_their_slope() {
                         {"id": "part", "kind": "dot_product", "values": {"b": axis.to_array()}}
                     ]),
                     &json!([
-                        {"from": "place", "to": "height.a"}, {"from": "height", "to": "bump.height"},
+                        {"from": "place", "to": "height.a"},
+                        {"from": "height", "to": "bump.height"},
                         {"from": "bump", "to": "part.a"}, {"from": "part", "to": "output.color"}
                     ]),
                 );

@@ -252,7 +252,10 @@ fn looks_of_plain_arithmetic_are_equal_bit_for_bit() {
     picture.save(folder.path().join("picture.png")).expect("it is written");
     let mut image = support::eval::look(&json!({
         "nodes": [
-            {"id": "image", "kind": "image", "values": {"image": "picture.png", "filter": "nearest"}},
+            {
+                "id": "image", "kind": "image",
+                "values": {"image": "picture.png", "filter": "nearest"}
+            },
             {"id": "output", "kind": "output"}
         ],
         "wires": [{"from": "image", "to": "output.color"}]

@@ -326,7 +326,9 @@ fn transitions_in_every_tier() {
         let of_tier = look(&json!({
             "tier": word,
             "exposed": [{"name": "slope", "target": "convexity.slope"}],
-            "nodes": [{"id": "convexity", "kind": "transition"}, {"id": "output", "kind": "output"}],
+            "nodes": [
+                {"id": "convexity", "kind": "transition"}, {"id": "output", "kind": "output"}
+            ],
             "wires": [{"from": "convexity", "to": "output.color"}]
         }));
         let at = |&(kappa, slope): &(f64, f64)| EvalSample {
@@ -368,7 +370,8 @@ fn fast_curvature_needs_no_pass() {
                 {"id": "output", "kind": "output"}
             ],
             "wires": [
-                {"from": "first", "to": "sum.a"}, {"from": "second", "to": "sum.b"}, {"from": "sum", "to": "output.color"}
+                {"from": "first", "to": "sum.a"}, {"from": "second", "to": "sum.b"},
+                {"from": "sum", "to": "output.color"}
             ]
         });
         let setup = scene_of(vec![(look(&json), mesh.clone(), matrix)], Scene::default());
@@ -405,15 +408,25 @@ fn thresholds_are_the_same_without_a_screen() {
         for softness in [0.0, 0.1, 1.0, 3e38] {
             let cut = look(&json!({
                 "tier": word,
-                "exposed": [{"name": "value", "target": "cut.value"}, {"name": "tone", "target": "cel.value"}],
+                "exposed": [
+                    {"name": "value", "target": "cut.value"},
+                    {"name": "tone", "target": "cel.value"}
+                ],
                 "nodes": [
-                    {"id": "cut", "kind": "threshold", "values": {"edge": 0.25, "softness": softness}},
-                    {"id": "cel", "kind": "bands", "values": {"count": 4, "softness": f64::min(softness, 1.0)}},
+                    {
+                        "id": "cut", "kind": "threshold",
+                        "values": {"edge": 0.25, "softness": softness}
+                    },
+                    {
+                        "id": "cel", "kind": "bands",
+                        "values": {"count": 4, "softness": f64::min(softness, 1.0)}
+                    },
                     {"id": "sum", "kind": "add"},
                     {"id": "output", "kind": "output"}
                 ],
                 "wires": [
-                    {"from": "cut", "to": "sum.a"}, {"from": "cel", "to": "sum.b"}, {"from": "sum", "to": "output.color"}
+                    {"from": "cut", "to": "sum.a"}, {"from": "cel", "to": "sum.b"},
+                    {"from": "sum", "to": "output.color"}
                 ]
             }));
             let at = |&x: &f64| EvalSample {
@@ -457,9 +470,12 @@ fn vectors_in_every_tier() {
                 "tier": word,
                 "exposed": [{"name": "vector", "target": "wired.vector"}],
                 "nodes": [
-                    {"id": "wired", "kind": "vector_value"}, {"id": "node", "kind": kind}, {"id": "output", "kind": "output"}
+                    {"id": "wired", "kind": "vector_value"}, {"id": "node", "kind": kind},
+                    {"id": "output", "kind": "output"}
                 ],
-                "wires": [{"from": "wired", "to": "node.normal"}, {"from": "node", "to": "output.color"}]
+                "wires": [
+                    {"from": "wired", "to": "node.normal"}, {"from": "node", "to": "output.color"}
+                ]
             });
             (kind, look(&json))
         });
@@ -514,7 +530,9 @@ fn noises_in_every_tier() {
                     "tier": "fast",
                     "nodes": [
                         {"id": "node", "kind": "noise",
-                         "values": {"kind": kind, "scale": 2, "octaves": octaves, "roughness": roughness}},
+                         "values": {
+                             "kind": kind, "scale": 2, "octaves": octaves, "roughness": roughness
+                         }},
                         {"id": "output", "kind": "output"}
                     ],
                     "wires": [{"from": "node", "to": "output.color"}]

@@ -219,7 +219,12 @@ fn what_cannot_drive_is_refused() {
         problems.retain(Diagnostic::is_error);
         problems
     };
-    let other = |wire: &str, target: &str| json!({"name": "Other", "by": {"drivers": [{"wire": wire}]}, "keys": [{"at": [0], "values": {target: 1}}]});
+    let other = |wire: &str, target: &str| {
+        json!({
+            "name": "Other", "by": {"drivers": [{"wire": wire}]},
+            "keys": [{"at": [0], "values": {target: 1}}]
+        })
+    };
     for (wire, target, more, code, place) in [
         ("nobody", "number.value", None, "unknown-node", None),
         ("c.w", "number.value", None, "unknown-port", Some("c")),

@@ -138,10 +138,17 @@ async fn as_json(hcbtf: &Hcbtf, filled: &FilledSamples) -> Json {
         let (light, view) = (address.light, address.view);
         let tile = filled.tile_index(address);
         match provenance {
-            Provenance::Painted => json!({ "light": light, "view": view, "from": "painted", "tile": tile }),
-            Provenance::Empty => json!({ "light": light, "view": view, "from": "empty", "tile": tile }),
+            Provenance::Painted => json!({
+                "light": light, "view": view, "from": "painted", "tile": tile
+            }),
+            Provenance::Empty => json!({
+                "light": light, "view": view, "from": "empty", "tile": tile
+            }),
             Provenance::Filled { by, changed_by } => {
-                json!({ "light": light, "view": view, "from": "rule", "rule": by, "changed_by": changed_by, "tile": tile })
+                json!({
+                    "light": light, "view": view, "from": "rule", "rule": by,
+                    "changed_by": changed_by, "tile": tile
+                })
             }
         }
     });
@@ -162,7 +169,10 @@ async fn as_json(hcbtf: &Hcbtf, filled: &FilledSamples) -> Json {
         })
     });
     json!({
-        "device": { "name": device.name, "side": device.limits.side, "layers": device.limits.layers, "blocks": device.limits.has_blocks },
+        "device": {
+            "name": device.name, "side": device.limits.side, "layers": device.limits.layers,
+            "blocks": device.limits.has_blocks
+        },
         "textures": stored.collect::<Vec<_>>(),
         "grid": hcbtf.grid,
         "tiling": hcbtf.is_tiling,

@@ -11,7 +11,10 @@ pub(super) fn pretty(value: &Json) -> String {
 
 pub(super) fn entry(entry: &Entry) -> Json {
     let outputs = entry.outputs.iter().map(|output| {
-        json!({"name": output.name, "label": output.label, "type": output.ty.to_string(), "help": output.help})
+        json!({
+            "name": output.name, "label": output.label, "type": output.ty.to_string(),
+            "help": output.help
+        })
     });
     let presets = entry.presets.iter().map(|preset| {
         let values: serde_json::Map<String, Json> =
@@ -40,7 +43,9 @@ pub(super) fn entry(entry: &Entry) -> Json {
 
 /// An input; what it has not is left out.
 fn input(input: &Input) -> Json {
-    let mut told = json!({"name": input.name, "label": input.label, "type": input.ty.to_string(), "help": input.help});
+    let mut told = json!({
+        "name": input.name, "label": input.label, "type": input.ty.to_string(), "help": input.help
+    });
     match &input.fallback {
         Fallback::Value(value) => told["default"] = json!(value),
         Fallback::Context(context) => told["from"] = json!(context.word()),

@@ -699,7 +699,10 @@ impl<'a> Builder<'a> {
         };
         let color = self.outputs[node][output];
         let root = root.unwrap_or(color);
-        let zero = |value: &Computed| matches!(&value.operation, Operation::Constant(v) if v.as_f64() <= Some(0.0));
+        let zero = |value: &Computed| {
+            let Operation::Constant(constant) = &value.operation else { return false };
+            constant.as_f64() <= Some(0.0)
+        };
         let cutout = self.options.cutout;
         let cutoff =
             self.extra_roots.get("cutoff").copied().filter(|&id| cutout || !zero(&self.values[id]));

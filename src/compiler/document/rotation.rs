@@ -95,7 +95,9 @@ mod tests {
         ) {
             let q = from_axis_angle(axis, angle);
             // Columns are what the axes become.
-            let columns = [turn(q, [1.0, 0.0, 0.0]), turn(q, [0.0, 1.0, 0.0]), turn(q, [0.0, 0.0, 1.0])];
+            let columns = [
+                turn(q, [1.0, 0.0, 0.0]), turn(q, [0.0, 1.0, 0.0]), turn(q, [0.0, 0.0, 1.0])
+            ];
             let rows = [0, 1, 2].map(|i| [0, 1, 2].map(|j| columns[j][i]));
             let back = from_matrix(rows).unwrap();
             let same: f64 = (0..4).map(|i| q[i] * back[i]).sum();

@@ -554,7 +554,8 @@ mod tests {
     #[test]
     fn what_drives_keys_is_used() {
         let (look, mut table) = table(
-            r#"{"nodes": [{"id": "mood", "kind": "number", "at": [0, 0]}, {"id": "end", "kind": "output", "at": [400, 0]}]}"#,
+            r#"{"nodes": [{"id": "mood", "kind": "number", "at": [0, 0]},
+                {"id": "end", "kind": "output", "at": [400, 0]}]}"#,
         );
         assert!(table.nodes[0].is_unused && !table.nodes[1].is_unused);
         let mut catalog = Catalog::new(Library::built_in());
@@ -569,7 +570,8 @@ mod tests {
     #[test]
     fn sockets_nodes_and_wires_are_hit() {
         let (_, table) = table(
-            r#"{"nodes": [{"id": "a", "kind": "base", "at": [0, 0]}, {"id": "b", "kind": "output", "at": [400, 0]}],
+            r#"{"nodes": [{"id": "a", "kind": "base", "at": [0, 0]},
+                {"id": "b", "kind": "output", "at": [400, 0]}],
                 "wires": [{"from": "a.below", "to": "b.color"}]}"#,
         );
         let wire = &table.wires[0];
@@ -583,7 +585,8 @@ mod tests {
     #[test]
     fn an_unknown_kind_keeps_its_wires() {
         let (_, table) = table(
-            r#"{"nodes": [{"id": "a", "kind": "nothing_such"}, {"id": "b", "kind": "output", "at": [400, 0]}],
+            r#"{"nodes": [{"id": "a", "kind": "nothing_such"},
+                {"id": "b", "kind": "output", "at": [400, 0]}],
                 "wires": [{"from": "a.out", "to": "b.color"}]}"#,
         );
         assert!(table.nodes[0].kind.is_missing);
@@ -593,7 +596,8 @@ mod tests {
     #[test]
     fn a_reroute_has_the_type_of_what_it_is_given() {
         let (_, table) = table(
-            r#"{"nodes": [{"id": "a", "kind": "base"}, {"id": "r", "kind": "reroute"}, {"id": "b", "kind": "output"}],
+            r#"{"nodes": [{"id": "a", "kind": "base"}, {"id": "r", "kind": "reroute"},
+                {"id": "b", "kind": "output"}],
                 "wires": [{"from": "r", "to": "b.color"}, {"from": "a", "to": "r.value"}]}"#,
         );
         assert_eq!(table.wires[0].ty, Type::Composite);

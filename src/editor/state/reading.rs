@@ -174,7 +174,8 @@ mod tests {
         {"id": "rim", "kind": "light_layer", "name": "Rim", "values": {"light": "key"}},
         {"id": "output", "kind": "output"}],
       "wires": [{"from": "base", "to": "rim.below"}, {"from": "rim", "to": "output.color"}],
-      "exposed": [{"name": "rim_cutoff", "target": "rim.cutoff"}, {"name": "by", "target": "rim.light"},
+      "exposed": [{"name": "rim_cutoff", "target": "rim.cutoff"},
+      {"name": "by", "target": "rim.light"},
         {"name": "sun", "target": "lights.key.intensity", "label": "The sun"}],
       "time_keys": [{"target": "lights.key.intensity", "keys": [{"time": 0, "value": 1}]}]}"#;
 

@@ -82,7 +82,10 @@ impl Solo {
         }
         let look = look.to_mut();
         // A key would light it again.
-        let is_dark = |target: &Target| matches!(target, Target::Light { light, field } if field == "intensity" && dark.contains(light));
+        let is_dark = |target: &Target| {
+            let Target::Light { light, field } = target else { return false };
+            field == "intensity" && dark.contains(light)
+        };
         look.time_keys.retain(|keys| !is_dark(&keys.target));
         let keys = look.direction_keys.iter_mut().flat_map(|keys| &mut keys.keys);
         keys.for_each(|key| key.values.retain(|target, _| !is_dark(target)));
@@ -179,7 +182,8 @@ mod tests {
     const LOOK: &str = r#"{"lights": {"key": {"intensity": 2}, "back": {}},
       "nodes": [{"id": "base", "kind": "base"}, {"id": "a", "kind": "light_layer"},
         {"id": "b", "kind": "light_layer", "muted": true}, {"id": "output", "kind": "output"}],
-      "wires": [{"from": "base", "to": "a.below"}, {"from": "a", "to": "b.below"}, {"from": "b", "to": "output.color"}],
+      "wires": [{"from": "base", "to": "a.below"}, {"from": "a", "to": "b.below"},
+      {"from": "b", "to": "output.color"}],
       "time_keys": [{"target": "lights.key.intensity", "keys": [{"time": 0, "value": 1}]},
         {"target": "lights.key.color", "keys": [{"time": 0, "value": [1, 0, 0]}]}]}"#;
 

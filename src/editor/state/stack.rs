@@ -301,8 +301,10 @@ mod tests {
         {"id": "b", "kind": "light_layer", "at": [520, 40]},
         {"id": "c", "kind": "blend", "at": [780, 0]},
         {"id": "output", "kind": "output", "at": [1040, 0]}
-      ], "wires": [{"from": "base", "to": "a.below"}, {"from": "a.below", "to": "dot.value"}, {"from": "dot", "to": "b.below"},
-        {"from": "tint", "to": "b.convex"}, {"from": "b", "to": "c.below"}, {"from": "c", "to": "output.color"}]}"#;
+      ], "wires": [{"from": "base", "to": "a.below"}, {"from": "a.below", "to": "dot.value"},
+      {"from": "dot", "to": "b.below"},
+        {"from": "tint", "to": "b.convex"}, {"from": "b", "to": "c.below"},
+        {"from": "c", "to": "output.color"}]}"#;
 
     fn setup(text: &str) -> (Look, Catalog) {
         let look = Look::read(text, "test").value.unwrap();

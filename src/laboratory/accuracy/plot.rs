@@ -96,10 +96,11 @@ pub fn svg(
 fn frame(svg: &mut String, (x, y): (&Axis, &Axis), title: &str, report: &Report, measure: Measure) {
     let _ = writeln!(
         svg,
-        r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" font-size="13" fill="#2b3440">
-<rect width="{WIDTH}" height="{HEIGHT}" fill="#fbfaf8"/>
-<text x="{LEFT}" y="26" font-size="17" font-weight="600">{}</text>
-<text x="{LEFT}" y="44" fill="#6b7683">{}x{} on {}{}</text>"##,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" \
+         font-family=\"sans-serif\" font-size=\"13\" fill=\"#2b3440\">\n\
+         <rect width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"#fbfaf8\"/>\n\
+         <text x=\"{LEFT}\" y=\"26\" font-size=\"17\" font-weight=\"600\">{}</text>\n\
+         <text x=\"{LEFT}\" y=\"44\" fill=\"#6b7683\">{}x{} on {}{}</text>",
         escaped(title),
         report.size[0],
         report.size[1],
@@ -110,7 +111,8 @@ fn frame(svg: &mut String, (x, y): (&Axis, &Axis), title: &str, report: &Report,
         let at = x.at(tick);
         let _ = writeln!(
             svg,
-            r##"<path d="M{at:.1} {TOP}V{:.1}" stroke="#e4e1da"/><text x="{at:.1}" y="{:.1}" text-anchor="middle">{}</text>"##,
+            "<path d=\"M{at:.1} {TOP}V{:.1}\" stroke=\"#e4e1da\"/><text x=\"{at:.1}\" y=\"{:.1}\" \
+             text-anchor=\"middle\">{}</text>",
             HEIGHT - BOTTOM,
             HEIGHT - BOTTOM + 20.0,
             number(tick),
@@ -120,7 +122,8 @@ fn frame(svg: &mut String, (x, y): (&Axis, &Axis), title: &str, report: &Report,
         let at = y.at(tick);
         let _ = writeln!(
             svg,
-            r##"<path d="M{LEFT} {at:.1}H{:.1}" stroke="#e4e1da"/><text x="{:.1}" y="{:.1}" text-anchor="end">{}</text>"##,
+            "<path d=\"M{LEFT} {at:.1}H{:.1}\" stroke=\"#e4e1da\"/><text x=\"{:.1}\" y=\"{:.1}\" \
+             text-anchor=\"end\">{}</text>",
             WIDTH - RIGHT,
             LEFT - 8.0,
             at + 4.5,
@@ -131,9 +134,9 @@ fn frame(svg: &mut String, (x, y): (&Axis, &Axis), title: &str, report: &Report,
     let _ = writeln!(
         svg,
         r##"<path d="M{LEFT} {visible:.1}H{:.1}" stroke="#c07a4b" stroke-dasharray="5 4"/>
-<text x="{:.1}" y="{:.1}" text-anchor="end" fill="#a05f34">1/255, what 8 bits show</text>
-<text x="{:.1}" y="{:.1}" text-anchor="middle">milliseconds</text>
-<text transform="translate(20 {:.1}) rotate(-90)" text-anchor="middle">{}</text>"##,
+         <text x="{:.1}" y="{:.1}" text-anchor="end" fill="#a05f34">1/255, what 8 bits show</text>
+         <text x="{:.1}" y="{:.1}" text-anchor="middle">milliseconds</text>
+         <text transform="translate(20 {:.1}) rotate(-90)" text-anchor="middle">{}</text>"##,
         WIDTH - RIGHT,
         WIDTH - RIGHT - 4.0,
         visible - 6.0,
@@ -160,8 +163,9 @@ fn point(
     let (low, high) = (x.at(row.time.low.max(1e-6)), x.at(row.time.high.max(1e-6)));
     let _ = writeln!(
         svg,
-        r##"<path d="M{low:.1} {at_y:.1}H{high:.1}" stroke="{color}" stroke-opacity="0.5" stroke-width="3"/>
-<circle cx="{at_x:.1}" cy="{at_y:.1}" r="5.5" fill="{color}"/>"##,
+        "<path d=\"M{low:.1} {at_y:.1}H{high:.1}\" stroke=\"{color}\" stroke-opacity=\"0.5\" \
+         stroke-width=\"3\"/>\n\
+         <circle cx=\"{at_x:.1}\" cy=\"{at_y:.1}\" r=\"5.5\" fill=\"{color}\"/>",
     );
     let mut label_y = at_y - 11.0;
     while labels.iter().any(|(x, y)| (x - at_x).abs() < 90.0 && (y - label_y).abs() < 14.0) {

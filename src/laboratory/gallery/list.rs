@@ -222,12 +222,17 @@ fn parsed(text: &str, file: &Path, place: &dyn Fn(&Path) -> PathBuf) -> Result<L
     let list_file = file.display().to_string();
     let bad =
         |message: String| Diagnostic::error("bad-gallery", message).in_file(list_file.clone());
-    let list: ListText = serde_json::from_str(text).map_err(|error| {
-        bad(error.to_string())
-            .hint("write {\"title\", \"about\", \"sections\": [{\"title\", \"about\", \"entries\": [\"look.json\"]}]}")
+    let list: ListText =
+        serde_json::from_str(text).map_err(|error| {
+            bad(error.to_string())
+            .hint(
+                "write {\"title\", \"about\", \"sections\": [{\"title\", \"about\", \"entries\": \
+                 [\"look.json\"]}]}"
+            )
             .hint("an entry may say more: \
-                   {\"file\", \"name\", \"mesh\", \"backdrop\", \"camera\", \"turn_lights\", \"time\"}")
-    })?;
+                   {\"file\", \"name\", \"mesh\", \"backdrop\", \"camera\", \"turn_lights\", \
+                   \"time\"}")
+        })?;
     let color = |file: &Path, text: String| {
         let told = || bad(format!("the backdrop `{text}` of {} is no color", file.display()));
         parse_hex(&text).ok_or_else(|| told().hint("write it as #f2ead8"))
@@ -325,7 +330,8 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("a.json"), "{}").unwrap();
         let path = folder.path().join(LIST_FILE);
-        let text = r##"{"title": "T", "sections": [{"title": "S", "entries": ["a.json", {"file": "a.json", "mesh": "shape:knot", "backdrop": "#ffffff"}]}]}"##;
+        let text = r##"{"title": "T", "sections": [{"title": "S", "entries": ["a.json",
+            {"file": "a.json", "mesh": "shape:knot", "backdrop": "#ffffff"}]}]}"##;
         std::fs::write(&path, text).unwrap();
         let found = list(&[folder.path().to_path_buf()]).unwrap();
         let [plain, with] = found.sections[0].shown.as_slice() else { panic!("{found:?}") };
@@ -366,7 +372,8 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("a.json"), "{}").unwrap();
         let path = folder.path().join(LIST_FILE);
-        let text = r##"{"sections": [{"entries": [{"file": "a.json", "name": "Dusk", "camera": "orbit=60,10",
+        let text = r##"{"sections": [{"entries": [{"file": "a.json", "name": "Dusk",
+            "camera": "orbit=60,10",
             "turn_lights": "180", "time": 2.5}]}]}"##;
         std::fs::write(&path, text).unwrap();
         let found = list(&[folder.path().to_path_buf()]).unwrap();

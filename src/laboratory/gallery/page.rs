@@ -162,8 +162,8 @@ fn facts(entry: &Entry, options: &Options) -> String {
     let kinds: Vec<String> = entry.kinds.iter().map(kind).collect();
     let passes: Vec<&str> = entry.passes.iter().map(|pass| pass.id.label()).collect();
     format!(
-        "<dl>\n<dt>File</dt><dd>{}</dd>\n<dt>Passes</dt><dd>{}</dd>\n<dt>Triangles</dt><dd>{}</dd>\n<dt>Nodes</dt>\
-         <dd>{}</dd>\n</dl>\n",
+        "<dl>\n<dt>File</dt><dd>{}</dd>\n<dt>Passes</dt><dd>{}</dd>\n\
+         <dt>Triangles</dt><dd>{}</dd>\n<dt>Nodes</dt><dd>{}</dd>\n</dl>\n",
         escaped(&entry.file),
         passes.join(", "),
         entry.triangles,

@@ -88,7 +88,8 @@ impl<const W: usize> Unary<u64, u64> for Lanes1<'_, W> {
 /// Slots that hold what an instruction computed are read only by lanes that executed it, so those
 /// are written in all lanes. Locals, arguments, results and links keep their values while other
 /// lanes run; `Copy` and its like write them, and obey the mask.
-#[inline(always)] // The callers are the loops, and a second dispatch would cost as much as most instructions.
+// The callers are the loops, and a second dispatch would cost as much as most instructions.
+#[inline(always)]
 pub(super) fn step<R: Rounding, const W: usize>(
     instruction: Instruction,
     memory: &Memory<W>,

@@ -549,10 +549,12 @@ mod tests {
     #[test]
     fn nested_loops_share_a_counter_and_keep_their_lines() {
         let source = "fn f(x: f32) -> f32 \
-                      {\n    var rounds = x;\n    while (rounds > 0.5) {\n        loop { break; }\n    }\n    return rounds;\n}\n";
+                      {\n    var rounds = x;\n    while (rounds > 0.5) {\n        loop { break; \
+                      }\n    }\n    return rounds;\n}\n";
         let bounded = bound_loops(source);
         let expected = "fn f(x: f32) -> f32 \
-                        {\n    var rounds_2 = 0u;\n    var rounds = x;\n    while (rounds > 0.5) {\n        \
+                        {\n    var rounds_2 = 0u;\n    var rounds = x;\n    while (rounds > 0.5) \
+                        {\n        \
                         if rounds_2 == 4096u { break; } rounds_2 += 1u;\n        loop \
                         { if rounds_2 == 4096u { break; } rounds_2 += 1u; break; }\n    }\n    \
                         return rounds;\n}\n";
@@ -574,7 +576,8 @@ mod tests {
         let unseen = few.replace("for (var i = 0; i < 8; i++)", "while (y < 100.0)");
         assert_eq!(bound_loops(&unseen).beyond.len(), 1);
         let nested = "fn f(x: f32) -> f32 \
-                      { for (var i = 0; i < 2000; i++) { for (var j = 0; j < 2000; j++) { } } return x; }";
+                      { for (var i = 0; i < 2000; i++) { for (var j = 0; j < 2000; j++) { } } \
+                      return x; }";
         assert_eq!(bound_loops(nested).beyond.len(), 1);
     }
 

@@ -244,7 +244,8 @@ impl<'a> Drawing<'a> {
         let [left, top, wide, high] = [x, y, w, h].map(short);
         let _ = writeln!(
             body,
-            r#"<g{muted}><rect class="n" x="{left}" y="{top}" width="{wide}" height="{high}" rx="6"/>"#
+            "<g{muted}><rect class=\"n\" x=\"{left}\" y=\"{top}\" width=\"{wide}\" \
+             height=\"{high}\" rx=\"6\"/>"
         );
         // Round above, and below too where there is nothing but the title.
         let foot = if row.node.collapsed { 6.0 } else { 0.0 };
@@ -256,7 +257,8 @@ impl<'a> Drawing<'a> {
         let start = short(x + 6.0);
         let _ = writeln!(
             body,
-            r#"<path class="{class}" d="M{start} {top}h{level}a6 6 0 0 1 6 6v{down}{corner}h-{last}{other}v-{lower}a6 6 0 0 1 6 -6z"/>"#
+            "<path class=\"{class}\" d=\"M{start} {top}h{level}a6 6 0 0 1 6 \
+             6v{down}{corner}h-{last}{other}v-{lower}a6 6 0 0 1 6 -6z\"/>"
         );
         text(
             body,
@@ -426,7 +428,8 @@ fn category_class(category: &str) -> String {
 
 /// Both themes; the reader's screen chooses.
 fn style() -> String {
-    let plain = "text{stroke:none}.w{fill:none;stroke-width:2.4}.k{stroke-width:1.5}.n{stroke-width:1}\
+    let plain = "text{stroke:none}.w{fill:none;stroke-width:2.4}.k{stroke-width:1.5}\
+                 .n{stroke-width:1}\
                  .f{fill-opacity:.2;stroke-opacity:.6}.o{fill-opacity:.12;stroke-opacity:.45}\n";
     format!(
         "{plain}{}@media (prefers-color-scheme:light){{\n{}}}\n",
@@ -438,8 +441,10 @@ fn style() -> String {
 fn theme(palette: &Palette) -> String {
     let Palette { canvas, node, node_edge, swatch_edge, text, dim, frame, note, .. } = palette;
     let mut css = format!(
-        ".g{{fill:#{canvas:06x}}}.n{{fill:#{node:06x};stroke:#{node_edge:06x}}}.b{{fill:#{node:06x}}}\
-         .x{{fill:#{text:06x}}}.d{{fill:#{dim:06x}}}.s{{fill:#{dim:06x};fill-opacity:.7}}.c{{stroke:#{swatch_edge:06x}}}\
+        ".g{{fill:#{canvas:06x}}}.n{{fill:#{node:06x};stroke:#{node_edge:06x}}}\
+         .b{{fill:#{node:06x}}}\
+         .x{{fill:#{text:06x}}}.d{{fill:#{dim:06x}}}.s{{fill:#{dim:06x};fill-opacity:.7}}\
+         .c{{stroke:#{swatch_edge:06x}}}\
          .f{{fill:#{frame:06x};stroke:#{frame:06x}}}.o{{fill:#{note:06x};stroke:#{note:06x}}}\n"
     );
     for (ty, class) in &TYPES {
@@ -474,8 +479,10 @@ mod tests {
     #[test]
     fn nodes_wires_and_values_are_there() {
         let svg = drawn(
-            r#"{"nodes": [{"id": "a", "kind": "base", "name": "Skin <1>", "values": {"color": [1, 0.5, 0, 1]}},
-                {"id": "b", "kind": "output", "at": [400, 0]}], "wires": [{"from": "a", "to": "b.color"}]}"#,
+            r#"{"nodes": [{"id": "a", "kind": "base", "name": "Skin <1>",
+                "values": {"color": [1, 0.5, 0, 1]}},
+                {"id": "b", "kind": "output", "at": [400, 0]}], "wires": [{"from": "a",
+                "to": "b.color"}]}"#,
         );
         assert!(svg.contains("Skin &lt;1&gt;") && svg.contains("#ff8000"), "{svg}");
         assert_eq!(svg.matches("class=\"w tk\"").count(), 1, "one wire, of a composite: {svg}");
@@ -507,7 +514,8 @@ mod tests {
         // A row lower they touch, which is no overlap.
         let two = |y: f32| {
             let json = format!(
-                r#"{{"nodes": [{{"id": "a", "kind": "uv", "at": [0, 0]}}, {{"id": "b", "kind": "uv", "at": [100, {y}]}}]}}"#
+                r#"{{"nodes": [{{"id": "a", "kind": "uv", "at": [0, 0]}}, {{"id": "b", "kind": "uv",
+                    "at": [100, {y}]}}]}}"#
             );
             let look = Look::read(&json, "test").value.unwrap();
             overlapping(&look.graph, &Catalog::new(Library::built_in())).len()
@@ -519,7 +527,8 @@ mod tests {
     #[test]
     fn unknown_kinds_and_far_places_are_drawn() {
         let svg = drawn(
-            r#"{"nodes": [{"id": "a", "kind": "nothing_such", "at": [1e300, -1e300]}, {"id": "b", "kind": "output"}],
+            r#"{"nodes": [{"id": "a", "kind": "nothing_such", "at": [1e300, -1e300]},
+                {"id": "b", "kind": "output"}],
                 "wires": [{"from": "a.out", "to": "b.color"}]}"#,
         );
         assert!(

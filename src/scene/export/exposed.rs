@@ -140,7 +140,10 @@ fn input<'a>(look: &Look, library: &Library, typed: &'a TypedGraph, id: ParamId)
         Parameter { target: format!("{}.{}", param.path, param.port), ..Parameter::default() };
     let reads = |node: &'a TypedNode| {
         let found = node.inputs.iter().position(|input| {
-            matches!(input.as_ref().map(|input| &input.source), Some(TypedSource::Param(found, _)) if *found == id)
+            matches!(
+                input.as_ref().map(|input| &input.source),
+                Some(TypedSource::Param(found, _)) if *found == id
+            )
         });
         // Choices and other settings are no inputs any more.
         found

@@ -104,7 +104,8 @@ mod tests {
     #[test]
     fn nobodys_document_is_written_over() {
         let folder = tempfile::tempdir().unwrap();
-        let description = r#"{"look": "Rim", "chiaro": "1", "format": 1, "passes": [], "modules": [], "languages": {}}"#;
+        let description = r#"{"look": "Rim", "chiaro": "1", "format": 1, "passes": [],
+            "modules": [], "languages": {}}"#;
         let files = [
             File::text("rim.wgsl".into(), SHADER.into()),
             File::text("rim.json".into(), description.into()),
@@ -141,7 +142,8 @@ mod tests {
     #[test]
     fn a_shader_that_somebody_wrote_is_not_written_over() {
         let folder = tempfile::tempdir().unwrap();
-        let description = r#"{"chiaro": "1", "format": 1, "passes": [], "modules": [{"file": "rim.spv"}], "languages": {}}"#;
+        let description = r#"{"chiaro": "1", "format": 1, "passes": [],
+            "modules": [{"file": "rim.spv"}], "languages": {}}"#;
         let files = [
             File::text("rim.wgsl".into(), SHADER.into()),
             File { name: "rim.spv".into(), bytes: vec![3, 2, 35, 7] },

@@ -277,7 +277,10 @@ fn check_samples(setup: &SetupLook, samples: &[EvalSample]) -> Vec<Diagnostic> {
             .json_path(format!("[{index}].values.{name}"))
             .suggest(name.as_str(), exposed.iter().copied());
             problems.push(if exposed.is_empty() {
-                problem.hint(r#"expose it in the look: "exposed": [{"name": "width", "target": "rim.cutoff"}]"#)
+                problem.hint(
+                    "expose it in the look: \
+                     \"exposed\": [{\"name\": \"width\", \"target\": \"rim.cutoff\"}]",
+                )
             } else {
                 problem.hint(format!("it exposes {}", exposed.join(", ")))
             });

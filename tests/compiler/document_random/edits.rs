@@ -162,7 +162,8 @@ proptest! {
                 // Impossible edits and such as change nothing leave everything alone.
                 _ => prop_assert_eq!(&all_of(&history), &before, "{:?}", edit),
             }
-            let errors: Vec<_> = history.document().check().into_iter().filter(Diagnostic::is_error).collect();
+            let errors: Vec<_> =
+                history.document().check().into_iter().filter(Diagnostic::is_error).collect();
             prop_assert!(errors.is_empty(), "after {:?}: {:?}", edit, errors);
             let text = history.document().to_text();
             prop_assert_eq!(Look::read(&text, "").value.map(|look| look.to_text()), Some(text));
@@ -210,15 +211,23 @@ proptest! {
         for _ in 0..12 {
             let id = history.document().objects.keys().next().cloned().unwrap_or("none".into());
             let edit = match random.below(9) {
-                0 => SceneEdit::AddObject { id: random.slug().into(), object: random.object(), index: Some(0) },
+                0 => SceneEdit::AddObject {
+                    id: random.slug().into(), object: random.object(), index: Some(0)
+                },
                 1 => SceneEdit::RemoveObject { id },
                 2 => SceneEdit::SetObject { id, object: random.object() },
                 3 => SceneEdit::SetIllumination { rotation: random.rotation() },
                 4 => SceneEdit::SetCamera { camera: random.camera() },
                 5 => SceneEdit::SetBackdrop { color: None },
                 6 => SceneEdit::SetTime { time: random.time() },
-                7 => SceneEdit::AddLight { id: random.slug().into(), light: random.light(), index: None },
-                _ => SceneEdit::Group { edits: vec![SceneEdit::SetSceneName { name: "a".into() }, SceneEdit::RemoveObject { id }] },
+                7 => SceneEdit::AddLight {
+                    id: random.slug().into(), light: random.light(), index: None
+                },
+                _ => SceneEdit::Group {
+                    edits: vec![
+                        SceneEdit::SetSceneName { name: "a".into() }, SceneEdit::RemoveObject { id }
+                    ]
+                },
             };
             let text = serde_json::to_string(&edit).unwrap();
             prop_assert_eq!(&serde_json::from_str::<SceneEdit>(&text).unwrap(), &edit);

@@ -10,7 +10,9 @@ proptest! {
     #[test]
     fn looks_survive(seed: u64, size in 0..12usize) {
         let look = Random::new(seed, size).look();
-        prop_assert_eq!(look.check().iter().map(ToString::to_string).collect::<Vec<_>>(), Vec::<String>::new());
+        prop_assert_eq!(
+            look.check().iter().map(ToString::to_string).collect::<Vec<_>>(), Vec::<String>::new()
+        );
         let text = look.to_text();
         let loaded = Look::read(&text, "random.json");
         prop_assert!(!has_errors(&loaded.diagnostics), "{:?}\n{}", loaded.diagnostics, text);
@@ -40,7 +42,9 @@ proptest! {
     fn unchanged_texts_stay_as_they_are(seed: u64, size in 0..6usize) {
         let look = Random::new(seed, size).look();
         let json: serde_json::Value = serde_json::from_str(&look.to_text()).unwrap();
-        let text = format!("\u{feff}\r\n{}  ", serde_json::to_string_pretty(&json).unwrap().replace('\n', "\r\n\t"));
+        let text = format!(
+            "\u{feff}\r\n{}  ", serde_json::to_string_pretty(&json).unwrap().replace('\n', "\r\n\t")
+        );
         let loaded = Look::read(&text, "own.json");
         let read = loaded.value.unwrap();
         prop_assert_eq!(&read, &look);
@@ -60,7 +64,10 @@ proptest! {
             let validator = jsonschema::draft202012::new(&schema).unwrap();
             let json: serde_json::Value = serde_json::from_str(&text).unwrap();
             let errors: Vec<String> =
-                validator.iter_errors(&json).map(|e| format!("{}: {e}", e.instance_path())).collect();
+                validator
+                    .iter_errors(&json)
+                    .map(|e| format!("{}: {e}", e.instance_path()))
+                    .collect();
             prop_assert!(errors.is_empty(), "{:?}\n{}", errors, text);
         }
     }

@@ -79,7 +79,12 @@ proptest! {
     }
 
     #[test]
-    fn anything_that_looks_like_json(text in r#"(\{|\}|\[|\]|,|:|"|'|"a"|"id": |"nodes": |null|true|NaN|-?[0-9]{1,3}|1e999|0x1|//|/\*|\\|\\u|\n| |x){0,60}"#) {
+    fn anything_that_looks_like_json(
+        text in concat!(
+            r#"(\{|\}|\[|\]|,|:|"|'|"a"|"id": |"nodes": |null|true|NaN"#,
+            r#"|-?[0-9]{1,3}|1e999|0x1|//|/\*|\\|\\u|\n| |x){0,60}"#
+        )
+    ) {
         read_all(&text);
         let begun = "{".to_owned() + &text;
         read_all(&begun);
@@ -87,7 +92,10 @@ proptest! {
 
     /// A document with some characters changed, removed or put twice.
     #[test]
-    fn broken_documents(seed: u64, size in 0..5usize, hits in prop::collection::vec((any::<prop::sample::Index>(), 0..4u8, ".{0,3}"), 1..6)) {
+    fn broken_documents(
+        seed: u64, size in 0..5usize,
+        hits in prop::collection::vec((any::<prop::sample::Index>(), 0..4u8, ".{0,3}"), 1..6)
+    ) {
         let mut random = Random::new(seed, size);
         for text in [random.look().to_text(), random.scene().to_text()] {
             let mut chars: Vec<char> = text.chars().collect();
@@ -131,7 +139,9 @@ fn replace_one(random: &mut Random, json: &mut serde_json::Value) {
             _ => 0,
         };
         if count == 0 || random.chance(1) {
-            let others = serde_json::json!([null, true, -1, 1e40, 0, 1.5, "", "a.b", "#12", [], {}, [1, 2, 3], [[1]], {"a": 1}]);
+            let others = serde_json::json!([
+                null, true, -1, 1e40, 0, 1.5, "", "a.b", "#12", [], {}, [1, 2, 3], [[1]], {"a": 1}
+            ]);
             *at = others[random.below(14)].clone();
             return;
         }

@@ -25,7 +25,12 @@ fn look() -> String {
         2 => "Eye",
         _ => "",
     };
-    let sum = |index: usize| json!({"id": format!("n{index}"), "kind": "add", "at": at(index + 1), "name": name(index), "values": {"b": 0.00005}});
+    let sum = |index: usize| {
+        json!({
+            "id": format!("n{index}"), "kind": "add", "at": at(index + 1), "name": name(index),
+            "values": {"b": 0.00005}
+        })
+    };
     let ends = [
         json!({"id": "start", "kind": "facing", "at": at(0)}),
         json!({"id": "output", "kind": "output", "at": at(sums + 1)}),

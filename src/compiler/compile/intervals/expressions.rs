@@ -321,7 +321,8 @@ impl<'m> Machine<'m> {
         }
         let is_signed = matches!(
             self.inner(frame, left),
-            TypeInner::Scalar(scalar) | TypeInner::Vector { scalar, .. } if scalar.kind == ScalarKind::Sint
+            TypeInner::Scalar(scalar) | TypeInner::Vector { scalar, .. }
+                if scalar.kind == ScalarKind::Sint
         );
         if let Some(known) = related(frame, op, left, right, &a)? {
             return Ok(known);

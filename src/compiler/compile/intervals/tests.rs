@@ -283,7 +283,8 @@ fn loops_are_followed_and_endless_ones_are_not_believed() {
     // that it does not write stays known.
     let valid = module(
         "fn f(x: f32) -> f32 \
-         { var s = 0.0; var t = 3.0; loop { s += 1.0; if s > x { break; } } return t + 0.0 * min(max(s, 0.0), 1.0); }",
+         { var s = 0.0; var t = 3.0; loop { s += 1.0; if s > x { break; } } return t + 0.0 * \
+         min(max(s, 0.0), 1.0); }",
     );
     let bounds = bounds_of(&valid, &[float(0.0, 1e9)]);
     assert!(bounds.is_none_or(|[low, high]| low <= 3.0 && high >= 3.0), "{bounds:?}");

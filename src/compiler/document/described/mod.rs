@@ -205,7 +205,11 @@ macro_rules! described {
                 [$($help)+] [$(#[serde($($serde)*)])?] $field [$field $($file)?] [$ty]
                 [$default] [$default] [Some(&$default)] [$($codec)?]
             }]
-            [$($shape)* { [$($help)+] [$field $($file)?] [$kind] [default $ty, $default, $($codec)?] }]
+            [
+                $($shape)* {
+                    [$($help)+] [$field $($file)?] [$kind] [default $ty, $default, $($codec)?]
+                }
+            ]
             [] $($rest)*
         }
     };
@@ -222,7 +226,11 @@ macro_rules! described {
                 [$($help)+] [$(#[serde($($serde)*)])?] $field [$field $($file)?] [$ty]
                 [$default] [$default] [None] [$($codec)?]
             }]
-            [$($shape)* { [$($help)+] [$field $($file)?] [$kind] [default $ty, $default, $($codec)?] }]
+            [
+                $($shape)* {
+                    [$($help)+] [$field $($file)?] [$kind] [default $ty, $default, $($codec)?]
+                }
+            ]
             [] $($rest)*
         }
     };
@@ -465,7 +473,10 @@ macro_rules! described {
     (@told json $json:literal) => { crate::document::shape::Default::Json(|| $json.to_owned()) };
     (@told default $ty:ty, $default:expr, $($codec:ident)?) => {
         crate::document::shape::Default::Json(|| {
-            crate::document::described::default_json::<$ty, described!(@codec $($codec)?)>(&$default)
+            crate::document::described::default_json::<
+                $ty,
+                described!(@codec $($codec)?),
+            >(&$default)
         })
     };
 }

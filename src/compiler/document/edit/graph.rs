@@ -128,7 +128,10 @@ pub(super) fn set_kind(look: &mut Look, graph: GraphId, id: NodeId, kind: String
         let is_own = look.definitions.contains_key(kind.as_str());
         leads_into(look, node, &graph, &id) && (!is_own || look.find(node).is_none())
     };
-    let broken = |look: &Look, target: &Target| matches!(target, Target::Input { node, .. } if leads_nowhere(look, node));
+    let broken = |look: &Look, target: &Target| {
+        let Target::Input { node, .. } = target else { return false };
+        leads_nowhere(look, node)
+    };
     let mut edits = drop_targets(look, broken);
     edits.extend(drop_driven(look, |path| leads_nowhere(look, path)));
     if edits.is_empty() {

@@ -25,7 +25,11 @@ proptest! {
     /// serde_json is another reader of the same language.
     #[test]
     fn what_is_json_is_what_serde_json_takes(
-        text in r#"(\{|\}|\[|\]|,|:|"a"|"\\u00e9"|"\\ud83d\\ude00"|"\\ud83d"|"\\x"|"\t"|"é"|true|false|null|nul|0|-|-0|01|1\.|\.5|1e5|1E-2|2\.5e+3|1e400|12345678901234567890|-9007199254740993| |\n){0,12}"#
+        text in concat!(
+            r#"(\{|\}|\[|\]|,|:|"a"|"\\u00e9"|"\\ud83d\\ude00"|"\\ud83d"|"\\x"|"\t"|"é""#,
+            r#"|true|false|null|nul|0|-|-0|01|1\.|\.5|1e5|1E-2|2\.5e+3|1e400"#,
+            r#"|12345678901234567890|-9007199254740993| |\n){0,12}"#
+        )
     ) {
         let serde = serde_json::from_str::<serde_json::Value>(&text);
         let (tree, problems) = parsed(&text);
@@ -48,7 +52,9 @@ proptest! {
             prop_assert!(start <= end && end <= text.len());
             let mut last = start;
             for child in tree.children(at) {
-                prop_assert!(tree.key_start(child) >= last && tree.item(child).end as usize <= end, "{text}");
+                prop_assert!(
+                    tree.key_start(child) >= last && tree.item(child).end as usize <= end, "{text}"
+                );
                 last = tree.item(child).end as usize;
                 open.push(child);
             }

@@ -89,7 +89,8 @@ light_fields! {
     Direction direction: [f64; 3] = [0.0, 0.0, 1.0], Kind::Direction;
     {
         label: "Direction",
-        hint: "Toward the light. The middle is toward you, the inner ring sideways, the rim behind.",
+        hint: "Toward the light. The middle is toward you, the inner ring sideways, the rim \
+         behind.",
         quantity: Direction,
         kinds: &[Directional],
         shader: Some("unit, toward a directional light, world space"),

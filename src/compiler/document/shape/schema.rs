@@ -12,8 +12,14 @@ use crate::document::{Curve, Look, Ramp, Scene};
 const SLUG: &str = "^[A-Za-z_][A-Za-z0-9_-]{0,63}$";
 const INPUT: &str = r"^[A-Za-z_][A-Za-z0-9_-]{0,63}\.[A-Za-z_][A-Za-z0-9_-]{0,63}$";
 const OUTPUT: &str = r"^[A-Za-z_][A-Za-z0-9_-]{0,63}(\.[A-Za-z_][A-Za-z0-9_-]{0,63})?$";
-const OUTPUT_IN_GROUPS: &str = r"^[A-Za-z_][A-Za-z0-9_-]{0,63}(/[A-Za-z_][A-Za-z0-9_-]{0,63})*(\.[A-Za-z_][A-Za-z0-9_-]{0,63})?$";
-const TARGET: &str = r"^(lights\.[A-Za-z_][A-Za-z0-9_-]{0,63}\.[a-z_]+|[A-Za-z_][A-Za-z0-9_/-]*\.[A-Za-z_][A-Za-z0-9_-]{0,63})$";
+const OUTPUT_IN_GROUPS: &str = concat!(
+    r"^[A-Za-z_][A-Za-z0-9_-]{0,63}(/[A-Za-z_][A-Za-z0-9_-]{0,63})*",
+    r"(\.[A-Za-z_][A-Za-z0-9_-]{0,63})?$"
+);
+const TARGET: &str = concat!(
+    r"^(lights\.[A-Za-z_][A-Za-z0-9_-]{0,63}\.[a-z_]+",
+    r"|[A-Za-z_][A-Za-z0-9_/-]*\.[A-Za-z_][A-Za-z0-9_-]{0,63})$"
+);
 
 /// The JSON Schema of looks, as `docs/look.schema.json` has it.
 pub fn look_schema() -> Value {
@@ -118,7 +124,9 @@ fn kind(of: &Kind, definitions: &mut Definitions) -> Value {
             },
             {
                 "type": "object",
-                "properties": { "drivers": { "type": "array", "minItems": 1, "maxItems": 3, "items": driver() } },
+                "properties": {
+                    "drivers": { "type": "array", "minItems": 1, "maxItems": 3, "items": driver() }
+                },
                 "required": ["drivers"],
                 "additionalProperties": false
             }
@@ -222,5 +230,9 @@ fn driver() -> Value {
         "required": ["wire"],
         "additionalProperties": false
     });
-    json!({ "anyOf": [{ "const": "distance" }, { "const": "facing" }, named("height"), named("near"), wire] })
+    json!({
+        "anyOf": [
+            { "const": "distance" }, { "const": "facing" }, named("height"), named("near"), wire
+        ]
+    })
 }

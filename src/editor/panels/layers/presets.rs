@@ -225,9 +225,10 @@ mod tests {
     fn a_back_light_is_behind_what_is_seen_however_lights_and_camera_were_turned() {
         let mut session = Session::new(std::sync::Arc::new(Library::built_in().clone()), || {});
         let (_, edits) = back_light(&session);
-        assert!(
-            matches!(&edits[..], [Edit::AddLight { light, .. }] if light.direction == BACK.to_array())
-        );
+        assert!(matches!(
+            &edits[..],
+            [Edit::AddLight { light, .. }] if light.direction == BACK.to_array()
+        ));
         for (camera, lights) in [(0.0, 0.9), (0.7, 0.0), (-0.4, 0.5), (1.0, 1.0)] {
             session.view.orbit.orbit(camera, 0.3 * camera);
             session.view.orbit.turn_lights(lights, 0.5 * lights);

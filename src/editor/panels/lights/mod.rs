@@ -148,7 +148,9 @@ impl Lights {
         ui.painter().rect_filled(rect, 3.0, swatch(lamp.light, session.look().color_space));
         picture_frame(ui, rect);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let more = icon(ui, Icon::More, true, &format!("More of {title}"), "Rename, duplicate, remove");
+            let more = icon(
+                ui, Icon::More, true, &format!("More of {title}"), "Rename, duplicate, remove"
+            );
             Popup::menu(&more).show(|ui| self.menu(ui, session, lamp, out));
             let is_alone = solo.lights.contains(lamp.id);
             let help =
@@ -158,7 +160,8 @@ impl Lights {
                 let adds = ui.input(|input| input.modifiers.command || input.modifiers.shift);
                 out.push(Command::Solo(solo.toggle_light(lamp.id, adds)));
             }
-            let is_replaced = lamp.owner == Owner::Look && session.light_of_scene(lamp.id).is_some();
+            let is_replaced =
+                lamp.owner == Owner::Look && session.light_of_scene(lamp.id).is_some();
             self.users(ui, lamp, is_replaced);
             intensity(ui, session, lamp, out);
             ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {

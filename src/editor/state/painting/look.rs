@@ -29,8 +29,13 @@ pub(crate) fn default_look(sheet: &str, name: &str, size: [u32; 2]) -> String {
         "nodes": [
             {"id": "light", "kind": "light", "at": [0, 120], "values": {"light": "key"}},
             {"id": "painting", "kind": "hcbtf_lookup", "at": [260, 0], "name": "Painting",
-             "values": {"sheet": sheet, "lookup": "texels", "scale": scale, "unlit": [0.05, 0.05, 0.07, 1]}},
-            {"id": "base", "kind": "base", "at": [260, -140], "values": {"color": [0.36, 0.36, 0.38]}},
+             "values": {
+                 "sheet": sheet, "lookup": "texels", "scale": scale, "unlit": [0.05, 0.05, 0.07, 1]
+             }},
+            {
+                "id": "base", "kind": "base", "at": [260, -140],
+                "values": {"color": [0.36, 0.36, 0.38]}
+            },
             {"id": "over", "kind": "blend", "at": [520, 0], "values": {"mode": "alpha"}},
             {"id": "output", "kind": "output", "at": [780, 0]}
         ],

@@ -303,7 +303,10 @@ impl OpenScene {
             name: self.name(),
             path: self.document.path.as_deref().and_then(|path| text(absolute(path))),
             is_partial: self.document.is_partial,
-            window: json!({ "base": base, "look": self.open_file.as_deref().and_then(|path| text(absolute(path))) }),
+            window: json!({
+                "base": base,
+                "look": self.open_file.as_deref().and_then(|path| text(absolute(path)))
+            }),
         };
         let source = self.document.path.is_some().then(|| self.document.file.source.text().clone());
         self.document.begin_journal(about, source, slot);

@@ -516,7 +516,8 @@ const NEW_LOOK: &str = r##"{
   "lights": {"key": {"direction": [-0.5, 0.7, 0.6]}},
   "nodes": [
     {"id": "base", "kind": "base", "at": [0, 0], "values": {"color": [0.16, 0.15, 0.2]}},
-    {"id": "diffuse", "kind": "light_layer", "at": [260, 0], "name": "Diffuse", "values": {"light": "key", "convex": [0.85, 0.72, 0.6], "concave": [0.7, 0.45, 0.42]}},
+    {"id": "diffuse", "kind": "light_layer", "at": [260, 0], "name": "Diffuse",
+    "values": {"light": "key", "convex": [0.85, 0.72, 0.6], "concave": [0.7, 0.45, 0.42]}},
     {"id": "output", "kind": "output", "at": [520, 0]}
   ],
   "wires": [

@@ -42,7 +42,8 @@ impl Session {
 
     /// Whether the graph that is open is of the library, and so cannot be changed.
     pub fn is_read_only(&self) -> bool {
-        matches!(&self.selection.groups.graph, GraphId::Definition(id) if !self.look().definitions.contains_key(id))
+        let GraphId::Definition(id) = &self.selection.groups.graph else { return false };
+        !self.look().definitions.contains_key(id)
     }
 
     /// The nodes of groups that lead to the open graph, outermost first.

@@ -491,7 +491,10 @@ impl Builder<'_> {
         if self.def.special != Special::Output {
             wires.push(json!({"from": "shown", "to": "output.color"}));
         }
-        let light = json!({"type": self.light_word(), "space": "world", "inner": 0.35, "outer": 0.9, "half_distance": 1.5, "range": 40});
+        let light = json!({
+            "type": self.light_word(), "space": "world", "inner": 0.35, "outer": 0.9,
+            "half_distance": 1.5, "range": 40
+        });
         let json = json!({
             "chiaro": "look", "version": 1, "name": self.case.name(),
             "lights": {"key": light}, "nodes": nodes, "wires": wires, "exposed": self.exposed

@@ -35,9 +35,10 @@ pub fn svg(title: &str, axis: &str, rows: &[Row], legend: &[(&str, &str)]) -> St
     let mut svg = String::new();
     let _ = writeln!(
         svg,
-        r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}" font-family="sans-serif" font-size="12" fill="#2b3440">
-<rect width="{WIDTH}" height="{height}" fill="#fbfaf8"/>
-<text x="16" y="26" font-size="17" font-weight="600">{title}</text>"##
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" \
+         font-family=\"sans-serif\" font-size=\"12\" fill=\"#2b3440\">\n\
+         <rect width=\"{WIDTH}\" height=\"{height}\" fill=\"#fbfaf8\"/>\n\
+         <text x=\"16\" y=\"26\" font-size=\"17\" font-weight=\"600\">{title}</text>"
     );
     let mut x = 22.0;
     for (word, color) in legend.iter().chain(&[("bound", "")]) {
@@ -54,7 +55,8 @@ pub fn svg(title: &str, axis: &str, rows: &[Row], legend: &[(&str, &str)]) -> St
         let label = if decade == 0 { "1".to_owned() } else { format!("1e{decade}") };
         let _ = writeln!(
             svg,
-            r##"<path d="M{x:.1} {:.1}V{bottom:.1}" stroke="#e4e1da"/><text x="{x:.1}" y="{:.1}" text-anchor="middle" fill="#6b7683">{label}</text>"##,
+            "<path d=\"M{x:.1} {:.1}V{bottom:.1}\" stroke=\"#e4e1da\"/><text x=\"{x:.1}\" \
+             y=\"{:.1}\" text-anchor=\"middle\" fill=\"#6b7683\">{label}</text>",
             TOP - 6.0,
             bottom + 18.0
         );
@@ -64,7 +66,8 @@ pub fn svg(title: &str, axis: &str, rows: &[Row], legend: &[(&str, &str)]) -> St
         if index % 2 == 1 {
             let _ = writeln!(
                 svg,
-                r##"<rect x="8" y="{:.1}" width="{:.1}" height="{ROW}" fill="#2b3440" fill-opacity="0.035"/>"##,
+                "<rect x=\"8\" y=\"{:.1}\" width=\"{:.1}\" height=\"{ROW}\" fill=\"#2b3440\" \
+                 fill-opacity=\"0.035\"/>",
                 y - 0.5 * ROW,
                 WIDTH - 16.0
             );
@@ -98,7 +101,8 @@ pub fn svg(title: &str, axis: &str, rows: &[Row], legend: &[(&str, &str)]) -> St
     let middle = 0.5 * (LEFT + WIDTH - RIGHT);
     let _ = writeln!(
         svg,
-        r##"<text x="{middle:.1}" y="{:.1}" text-anchor="middle">{axis}; a ring is no error at all</text>"##,
+        "<text x=\"{middle:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{axis}; a ring is no error at \
+         all</text>",
         bottom + 36.0
     );
     svg.push_str("</svg>\n");

@@ -84,8 +84,10 @@ impl Globals {
                 GlobalPlace::Private(slot)
             }
             AddressSpace::Uniform | AddressSpace::Storage { .. } => {
-                if matches!(variable.space, AddressSpace::Storage { access } if access.contains(StorageAccess::STORE))
-                {
+                if matches!(
+                    variable.space,
+                    AddressSpace::Storage { access } if access.contains(StorageAccess::STORE)
+                ) {
                     return Err(Problem::Unsupported("a storage buffer that can be written"));
                 }
                 GlobalPlace::Buffer(self.resource(variable, buffer(module, layouts, variable.ty)?)?)

@@ -229,7 +229,8 @@ fn lanes_take_a_bounded_memory() {
 fn ports_of_stages_tell_what_they_are() {
     let source = "
         struct In \
-        { @builtin(position) at: vec4f, @location(2) @interpolate(flat) id: u32, @location(0) uv: vec2f }
+        { @builtin(position) at: vec4f, @location(2) @interpolate(flat) id: u32, @location(0) uv: \
+        vec2f }
         struct Out { @location(1) color: vec4f, @builtin(frag_depth) depth: f32 }
         @fragment fn f(in: In, @builtin(front_facing) front: bool) -> Out {
             return Out(vec4f(in.uv, f32(in.id), select(0.0, 1.0, front)), in.at.z);

@@ -145,18 +145,24 @@ fn statements() -> impl Strategy<Value = String> {
         prop_oneof![
             (condition(), block.clone(), block.clone())
                 .prop_map(|(c, yes, no)| format!("if {c} {{ {yes} }} else {{ {no} }}")),
-            (name(), block.clone(), exit, block.clone()).prop_map(|(x, first, (c, exit), then)| format!(
-                "for (var i = 0; i < ({x} & 7); i++) {{ {first} if {c} {{ {exit}; }} {then} }}"
-            )),
+            (name(), block.clone(), exit, block.clone()).prop_map(|(x, first, (c, exit), then)| {
+                format!(
+                    "for (var i = 0; i < ({x} & 7); i++) {{ {first} if {c} {{ {exit}; }} {then} }}"
+                )
+            }),
             (block.clone(), condition(), block.clone()).prop_map(|(body, c, next)| {
                 let next = next.replace("return a;", "a += 1;");
-                format!("{{ var k = 0; loop {{ {body} continuing {{ {next} k += 1; break if {c} || \
-                         k > 3; }} }} }}")
+                format!(
+                    "{{ var k = 0; loop {{ {body} continuing {{ {next} k += 1; break if {c} || \
+                         k > 3; }} }} }}"
+                )
             }),
-            (expression(), block.clone(), block.clone(), block).prop_map(|(x, one, two, rest)| format!(
-                "switch {x} % 3 {{ case 0: {{ {one} }} case 1, -1: {{ {two} break; }} default: {{ \
-                 {rest} }} }}"
-            )),
+            (expression(), block.clone(), block.clone(), block).prop_map(|(x, one, two, rest)| {
+                format!(
+                    "switch {x} % 3 {{ case 0: {{ {one} }} case 1, -1: {{ {two} break; }} \
+                     default: {{ {rest} }} }}"
+                )
+            }),
         ]
     })
 }
@@ -182,7 +188,10 @@ proptest! {
         let actual = program.call(&arguments, Precision::F32).unwrap().as_f64().unwrap();
         prop_assert!(same(actual, expected), "f32: {actual} is not {expected}");
         let [x, y, z] = leaves.map(|x| Value::from(f64::from(x)));
-        let turned = [vec![x.clone(), y.clone(), z.clone()], vec![z.clone(), x.clone(), y.clone()], vec![y, z, x]];
+        let turned = [
+            vec![x.clone(), y.clone(), z.clone()], vec![z.clone(), x.clone(), y.clone()],
+            vec![y, z, x]
+        ];
         for precision in [Precision::F64, Precision::F32] {
             lanes_agree(&source("f32; f32; f32 -> f32", &tree.wgsl()), precision, &turned)?;
         }
@@ -190,7 +199,10 @@ proptest! {
 
     #[test]
     fn integers_agree(
-        tree in trees(&["-", "~", "abs", "countOneBits"], &["+", "-", "*", "/", "%", "&", "|", "^", "min", "max"]),
+        tree in trees(
+            &["-", "~", "abs", "countOneBits"],
+            &["+", "-", "*", "/", "%", "&", "|", "^", "min", "max"]
+        ),
         leaves in prop::array::uniform3(prop_oneof![any::<i32>(), -3..4]),
     ) {
         let unary = |name: &str, x: i32| match name {
@@ -233,7 +245,11 @@ proptest! {
             body.join("\n")
         );
         let arguments: Vec<Vec<Value>> = (0..LANES as i32)
-            .map(|lane| [seeds[0] + lane, seeds[1] * lane, seeds[2] ^ (lane * seeds[3])].map(Value::I32).to_vec())
+            .map(|lane| {
+                [seeds[0] + lane, seeds[1] * lane, seeds[2] ^ (lane * seeds[3])]
+                    .map(Value::I32)
+                    .to_vec()
+            })
             .collect();
         lanes_agree(&source, Precision::F64, &arguments)?;
     }

@@ -104,7 +104,10 @@ pub enum NotFilled {
         samples: u64,
     },
     /// It would take more than [`MAX_FILLED_BYTES`].
-    #[error("the filled samples would take {} MiB; at most {} MiB can be", bytes >> 20, MAX_FILLED_BYTES >> 20)]
+    #[error(
+        "the filled samples would take {} MiB; at most {} MiB can be", bytes >> 20,
+        MAX_FILLED_BYTES >> 20
+    )]
     TooLarge {
         /// What they would take.
         bytes: u64,

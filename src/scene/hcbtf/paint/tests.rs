@@ -443,7 +443,8 @@ proptest! {
                 chopped.push((pair[0].0.lerp(pair[1].0, part), pressure));
             }
         }
-        let [whole, chopped] = [points, chopped].map(|points| stroke(&base, &brush, symmetry, wraps, &points));
+        let [whole, chopped] =
+            [points, chopped].map(|points| stroke(&base, &brush, symmetry, wraps, &points));
         prop_assert_eq!(whole.bytes(), chopped.bytes());
     }
 
@@ -464,8 +465,10 @@ proptest! {
         let path = path.map(|(at, pressure)| (at + 40.0, pressure));
         let flat = stroke(&plane, &brush, Symmetry::default(), false, &path);
         for (x, y) in (0..40).flat_map(|x| (0..40).map(move |y| (x, y))) {
-            let mut copies = (0..9).map(|copy| flat.texel(x + 40 * (copy % 3), y + 40 * (copy / 3)));
-            let folded = copies.find(|texel| *texel != base.texel(x, y)).unwrap_or(base.texel(x, y));
+            let mut copies =
+                (0..9).map(|copy| flat.texel(x + 40 * (copy % 3), y + 40 * (copy / 3)));
+            let folded =
+                copies.find(|texel| *texel != base.texel(x, y)).unwrap_or(base.texel(x, y));
             prop_assert_eq!(wrapped.texel(x, y), folded, "{} {}", x, y);
         }
     }
@@ -501,7 +504,9 @@ proptest! {
     #[test]
     fn nothing_changes_outside_what_is_told(
         brush in brushes(prop_oneof![4 => 0.01..90.0, 1 => -9.0..200.0, 1 => Just(f64::INFINITY)]),
-        points in prop::collection::vec((wild(), wild(), prop_oneof![4 => 0.0..=1.0, 1 => wild()]), 1..5),
+        points in prop::collection::vec(
+            (wild(), wild(), prop_oneof![4 => 0.0..=1.0, 1 => wild()]), 1..5
+        ),
         size in (1..70_u32, 1..70_u32),
         wraps: bool,
         flips: (bool, bool),
@@ -513,9 +518,12 @@ proptest! {
         let mut told = base.clone();
         for (x, y, pressure) in points {
             for [x, y, width, height] in stroke.to(at(x, y), pressure) {
-                prop_assert!(width > 0 && height > 0 && x + width <= size.0 && y + height <= size.1);
+                prop_assert!(
+                    width > 0 && height > 0 && x + width <= size.0 && y + height <= size.1
+                );
                 for row in y..y + height {
-                    let range = 4 * (row * size.0 + x) as usize..4 * (row * size.0 + x + width) as usize;
+                    let start = 4 * (row * size.0 + x) as usize;
+                    let range = start..start + 4 * width as usize;
                     told.bytes_mut()[range.clone()].copy_from_slice(&stroke.tile().bytes()[range]);
                 }
             }
@@ -533,7 +541,10 @@ proptest! {
         wraps: bool,
     ) {
         let colors = [[0, 0, 0, 255], [20, 20, 20, 255], [200, 20, 20, 0], [0, 0, 0, 0]];
-        let texels = bits.iter().flat_map(|bit| colors[usize::from(*bit)]).take(4 * (size.0 * size.1) as usize);
+        let texels = bits
+            .iter()
+            .flat_map(|bit| colors[usize::from(*bit)])
+            .take(4 * (size.0 * size.1) as usize);
         let tile = Tile::new(size.into(), texels.collect()).unwrap();
         let place = [place.0.index(size.0 as usize) as u32, place.1.index(size.1 as usize) as u32];
         let color = [7, 7, 7, 9];

@@ -173,18 +173,25 @@ impl Keys {
                 out.push(Command::Edit(add_here(shown)));
                 out.push(Command::SelectKey(Some((*set, keys.keys.len()))));
             }
-            if ui.add_enabled(can_edit, egui::Button::new("Copy key")).on_hover_text("Beside it (D)").clicked() {
+            if ui.add_enabled(
+                can_edit, egui::Button::new("Copy key")
+            ).on_hover_text("Beside it (D)").clicked() {
                 copy(shown, out);
             }
             let delete = ui.add_enabled(can_edit, egui::Button::new("Delete key"));
             if delete.on_hover_text("Takes this key and its values away (Delete)").clicked() {
                 remove(shown, out);
             }
-            let to = keys.keys.get(*key).and_then(|key| jump::to(session, &keys.by, key.direction.into()));
+            let to = keys
+                .keys
+                .get(*key)
+                .and_then(|key| jump::to(session, &keys.by, key.direction.into()));
             let help =
                 "Brings the light or the view to this key, to compare; Back returns. The document \
                  is not changed";
-            let go = ui.add_enabled(to.is_some(), egui::Button::new("Go to key")).on_hover_text(help);
+            let go = ui.add_enabled(
+                to.is_some(), egui::Button::new("Go to key")
+            ).on_hover_text(help);
             let help = "This light does not turn with the illumination frame: move it itself";
             if go.on_disabled_hover_text(help).clicked()
                 && let Some(view) = to
