@@ -37,7 +37,8 @@ const DIFFUSE_CONCAVE = vec3f(0.3608, 0.1216, 0.1725);
 const SLOPE = 0.3;
 const AMOUNT = 0.75;
 
-/// Offset 0.25, fall-off 1.2, cut-off 1.6: cosine and sine of half the offset, 1 / sin((cut-off - offset) / 2), gamma, and
+/// Offset 0.25, fall-off 1.2, cut-off 1.6: cosine and sine of half the offset, 1 / sin((cut-off -
+/// offset) / 2), gamma, and
 /// from which footprint on one point is not enough.
 const OFFSET = vec2f(0.9921977, 0.12467473);
 const SCALE = 1.6002629;
@@ -54,7 +55,8 @@ fn shifted(half: vec2f, shift: f32) -> vec2f {
     let s = sin(0.5 * shift);
     let c = cos(0.5 * shift);
     let turned = vec2f(half.x * c - half.y * s, half.y * c + half.x * s);
-    return select(select(turned, vec2f(1.0, 0.0), turned.y <= 0.0), vec2f(0.0, 1.0), turned.x <= 0.0);
+    return select(select(turned, vec2f(1.0, 0.0), turned.y <= 0.0), vec2f(0.0, 1.0),
+        turned.x <= 0.0);
 }
 
 /// Radians per pixel, at most 0.5.

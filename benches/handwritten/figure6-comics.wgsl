@@ -41,7 +41,8 @@ fn shifted(half: vec2f, shift: f32) -> vec2f {
     let s = sin(0.5 * shift);
     let c = cos(0.5 * shift);
     let turned = vec2f(half.x * c - half.y * s, half.y * c + half.x * s);
-    return select(select(turned, vec2f(1.0, 0.0), turned.y <= 0.0), vec2f(0.0, 1.0), turned.x <= 0.0);
+    return select(select(turned, vec2f(1.0, 0.0), turned.y <= 0.0), vec2f(0.0, 1.0),
+        turned.x <= 0.0);
 }
 
 /// Radians per pixel, at most 0.5.
@@ -100,11 +101,17 @@ fn fs_main(in: Varyings) -> @location(0) vec4f {
     let rim = cel(to_rim, 0.2 * slight, vec2f(0.9130889, 0.40776044));
     let highlight = cel(gleam, 0.1 * slight, vec2f(0.99280864, 0.119712204));
     var color = vec3f(0.8863, 0.6275, 0.4353);
-    color = laid(color, vec3f(0.7059, 0.3412, 0.2902), vec3f(0.2941, 0.1098, 0.2), wide, 1.0, lights.key);
-    color = laid(color, vec3f(0.9529, 0.6902, 0.4392), vec3f(0.7686, 0.3451, 0.2902), wide, key, lights.key);
-    color = laid(color, vec3f(0.8157, 0.4863, 0.3686), vec3f(0.549, 0.2275, 0.298), medium, bounce, lights.fill);
-    color = laid(color, vec3f(1.0, 0.851, 0.6275), vec3f(0.9412, 0.6431, 0.4078), medium, light, lights.key);
-    color = laid(color, vec3f(1.0, 0.9569, 0.8627), vec3f(0.949, 0.6588, 0.4196), slight, rim, lights.rim);
-    color = laid(color, vec3f(1.0, 0.9804, 0.9412), vec3f(1.0, 0.8863, 0.7216), slight, highlight, lights.key);
+    color = laid(color, vec3f(0.7059, 0.3412, 0.2902), vec3f(0.2941, 0.1098, 0.2), wide, 1.0,
+        lights.key);
+    color = laid(color, vec3f(0.9529, 0.6902, 0.4392), vec3f(0.7686, 0.3451, 0.2902), wide, key,
+        lights.key);
+    color = laid(color, vec3f(0.8157, 0.4863, 0.3686), vec3f(0.549, 0.2275, 0.298), medium, bounce,
+        lights.fill);
+    color = laid(color, vec3f(1.0, 0.851, 0.6275), vec3f(0.9412, 0.6431, 0.4078), medium, light,
+        lights.key);
+    color = laid(color, vec3f(1.0, 0.9569, 0.8627), vec3f(0.949, 0.6588, 0.4196), slight, rim,
+        lights.rim);
+    color = laid(color, vec3f(1.0, 0.9804, 0.9412), vec3f(1.0, 0.8863, 0.7216), slight, highlight,
+        lights.key);
     return vec4f(color, 1.0);
 }

@@ -32,7 +32,8 @@ struct Lights {
 const SLOPE = 0.35;
 const AMOUNT = 0.7;
 
-/// Offset 0.35, fall-off 0.62, cut-off 0.9: cosine and sine of half the offset, 1 / sin((cut-off - offset) / 2), gamma,
+/// Offset 0.35, fall-off 0.62, cut-off 0.9: cosine and sine of half the offset, 1 / sin((cut-off -
+/// offset) / 2), gamma,
 /// from which footprint on one point is not enough, and from which on a ramp stands for the edge.
 const OFFSET = vec2f(0.98472655, 0.17410813);
 const SCALE = 3.6826046;
@@ -53,7 +54,8 @@ fn shifted(half: vec2f, shift: f32) -> vec2f {
     let s = sin(0.5 * shift);
     let c = cos(0.5 * shift);
     let turned = vec2f(half.x * c - half.y * s, half.y * c + half.x * s);
-    return select(select(turned, vec2f(1.0, 0.0), turned.y <= 0.0), vec2f(0.0, 1.0), turned.x <= 0.0);
+    return select(select(turned, vec2f(1.0, 0.0), turned.y <= 0.0), vec2f(0.0, 1.0),
+        turned.x <= 0.0);
 }
 
 /// Radians per pixel, at most 0.5.
@@ -79,7 +81,8 @@ fn tone(half: vec2f, w: f32) -> f32 {
         return falling(place.x);
     }
     if w >= NARROW {
-        return saturate(0.5 + (MEAN - 2.0 * asin(clamp(place.x, -1.0, 1.0))) / sqrt(w * w + SPREAD));
+        return saturate(0.5 + (MEAN - 2.0 *
+            asin(clamp(place.x, -1.0, 1.0))) / sqrt(w * w + SPREAD));
     }
     let reach = 0.193649167 * w;
     let before = falling(place.x * cos(reach) - place.y * sin(reach));

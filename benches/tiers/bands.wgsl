@@ -17,7 +17,8 @@ fn width_by_sum(n: vec3f, l: vec3f, s: f32) -> f32 {
     let x = count * clamp(bounded(n.x), 0.0, 1.0);
     let w = min(abs(dpdx(x)) + abs(dpdy(x)), 1.0);
     let edge = clamp(round(x), 1.0, count - 1.0);
-    let step = select(clamp(0.5 + (x - edge) / max(w, 1e-30), 0.0, 1.0), select(0.0, 1.0, x >= edge), w < 1e-30);
+    let step = select(clamp(0.5 + (x - edge) / max(w, 1e-30), 0.0, 1.0),
+        select(0.0, 1.0, x >= edge), w < 1e-30);
     return (edge - 1.0 + step) / (count - 1.0);
 }
 
@@ -29,10 +30,12 @@ fn hard(n: vec3f, l: vec3f, s: f32) -> f32 {
 fn kept_balanced(n: vec3f, l: vec3f, s: f32) -> f32 {
     let count = 4.0 + f32(repeats.y);
     let tone = clamp(bounded(n.x), 0.0, 1.0);
-    return stairs_quick(count * tone, count, edge_width(count * footprint_by_sum(tone), 0.0)) / (count - 1.0);
+    return stairs_quick(count * tone, count,
+        edge_width(count * footprint_by_sum(tone), 0.0)) / (count - 1.0);
 }
 
 fn kept_fast(n: vec3f, l: vec3f, s: f32) -> f32 {
     let count = 4.0 + f32(repeats.y);
-    return stairs_quick(count * clamp(bounded(n.x), 0.0, 1.0), count, edge_width(0.0, 0.0)) / (count - 1.0);
+    return stairs_quick(count * clamp(bounded(n.x), 0.0, 1.0), count,
+        edge_width(0.0, 0.0)) / (count - 1.0);
 }

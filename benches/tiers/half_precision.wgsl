@@ -16,5 +16,6 @@ fn exact(n: vec3f, l: vec3f, s: f32) -> f32 {
 fn half_precision(n: vec3f, l: vec3f, s: f32) -> f32 {
     let a = f16(clamp(n.x * 3.0, -3.6467, 3.6467));
     let a2 = a * a;
-    return f32(clamp(a * (9.45h + a2 * (1.05h + a2 * 0.01h)) / (9.45h + a2 * (4.2h + a2 * 0.15h)), -1.0h, 1.0h));
+    return f32(clamp(a * (9.45h + a2 * (1.05h + a2 * 0.01h)) / (9.45h + a2 * (4.2h + a2 * 0.15h)),
+        -1.0h, 1.0h));
 }

@@ -53,7 +53,8 @@ fn small_perlin(p: vec3f, seed: u32) -> f32 {
     for (var i = 0; i < 8; i++) {
         let at = vec3i(i & 1, (i >> 1u) & 1, i >> 2u);
         let weight = select(1.0 - f, f, at == vec3i(1));
-        sum += weight.x * weight.y * weight.z * gradient_dot(small_hash(cell + at, seed), d - vec3f(at));
+        sum += weight.x * weight.y * weight.z *
+            gradient_dot(small_hash(cell + at, seed), d - vec3f(at));
     }
     return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
@@ -66,7 +67,8 @@ fn cheaper_hash(n: vec3f, l: vec3f, s: f32) -> f32 {
     var frequency = 1.0;
     for (var i = 0; i < 4 + i32(repeats.y); i++) {
         let visible = 1.0 - eased(w * frequency, 0.5, 1.0);
-        let at = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0), vec3f(4194304.0));
+        let at = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0),
+            vec3f(4194304.0));
         sum += strength * mix(0.5, small_perlin(at, 1u + u32(i)), visible);
         strength *= 0.5;
         frequency *= 2.0;

@@ -11,7 +11,8 @@ fn angle_here(n: vec3f) -> Angle {
 /// Tau 0.2, fall-off 0.9, cut-off 1.8; nothing of it known to the compiler.
 fn shape_here() -> ProfileShape {
     let zero = f32(repeats.y);
-    return ProfileShape(0.99500416 + zero, 0.0998334 + zero, 1.39466 + zero, 2.6 + zero, 0.2 + zero, 0.75, 0.31, repeats.y);
+    return ProfileShape(0.99500416 + zero, 0.0998334 + zero, 1.39466 + zero, 2.6 + zero, 0.2 + zero,
+        0.75, 0.31, repeats.y);
 }
 
 fn exact(n: vec3f, l: vec3f, s: f32) -> f32 {
@@ -20,7 +21,8 @@ fn exact(n: vec3f, l: vec3f, s: f32) -> f32 {
 }
 
 fn power_series(q: f32, exponent: f32) -> f32 {
-    return select(clamp(exp2(max(exponent * log2_one_minus(q * q), -126.0)), 0.0, 1.0), 0.0, q >= 1.0);
+    return select(clamp(exp2(max(exponent * log2_one_minus(q * q), -126.0)), 0.0, 1.0), 0.0,
+        q >= 1.0);
 }
 
 fn power_hardware(q: f32, exponent: f32) -> f32 {
@@ -129,10 +131,12 @@ fn short_shift(u: Angle, shift: f32) -> Angle {
     let h2 = h * h;
     let a = h * (1.0 + h2 * (-0.166666 + h2 * (0.00831 - h2 * 0.000184)));
     let b = 1.0 + h2 * (-0.49999 + h2 * (0.04158 - h2 * 0.0012706));
-    return Angle(clamp(u.half_sin * b - u.half_cos * a, 0.0, 1.0), clamp(u.half_cos * b + u.half_sin * a, 0.0, 1.0));
+    return Angle(clamp(u.half_sin * b - u.half_cos * a, 0.0, 1.0),
+        clamp(u.half_cos * b + u.half_sin * a, 0.0, 1.0));
 }
 
-/// All short forms, and a step filtered by a ramp in the half-sine alone: no inverse trigonometry anywhere.
+/// All short forms, and a step filtered by a ramp in the half-sine alone: no inverse trigonometry
+/// anywhere.
 fn short_forms(n: vec3f, l: vec3f, s: f32) -> f32 {
     let shape = shape_here();
     let u = short_shift(angle_here(n), s);
@@ -161,13 +165,18 @@ fn short_forms_pow(n: vec3f, l: vec3f, s: f32) -> f32 {
 }
 
 var<private> table: array<vec4f, 16> = array<vec4f, 16>(
-    vec4f(1.0, 0.99, 0.98, 0.97), vec4f(0.96, 0.95, 0.94, 0.93), vec4f(0.92, 0.91, 0.9, 0.89), vec4f(0.88, 0.87, 0.86, 0.85),
-    vec4f(0.84, 0.83, 0.82, 0.81), vec4f(0.8, 0.79, 0.78, 0.77), vec4f(0.76, 0.75, 0.74, 0.73), vec4f(0.72, 0.71, 0.7, 0.69),
-    vec4f(0.68, 0.67, 0.66, 0.65), vec4f(0.64, 0.63, 0.62, 0.61), vec4f(0.6, 0.59, 0.58, 0.57), vec4f(0.56, 0.55, 0.54, 0.53),
-    vec4f(0.5, 0.45, 0.4, 0.35), vec4f(0.3, 0.25, 0.2, 0.17), vec4f(0.15, 0.1, 0.08, 0.05), vec4f(0.04, 0.02, 0.01, 0.0),
+    vec4f(1.0, 0.99, 0.98, 0.97), vec4f(0.96, 0.95, 0.94, 0.93), vec4f(0.92, 0.91, 0.9, 0.89),
+        vec4f(0.88, 0.87, 0.86, 0.85),
+    vec4f(0.84, 0.83, 0.82, 0.81), vec4f(0.8, 0.79, 0.78, 0.77), vec4f(0.76, 0.75, 0.74, 0.73),
+        vec4f(0.72, 0.71, 0.7, 0.69),
+    vec4f(0.68, 0.67, 0.66, 0.65), vec4f(0.64, 0.63, 0.62, 0.61), vec4f(0.6, 0.59, 0.58, 0.57),
+        vec4f(0.56, 0.55, 0.54, 0.53),
+    vec4f(0.5, 0.45, 0.4, 0.35), vec4f(0.3, 0.25, 0.2, 0.17), vec4f(0.15, 0.1, 0.08, 0.05),
+        vec4f(0.04, 0.02, 0.01, 0.0),
 );
 
-/// 64 values of the profile, straight between them, looked up by the half-sine: a table in an array.
+/// 64 values of the profile, straight between them, looked up by the half-sine: a table in an
+/// array.
 fn table_of_64(n: vec3f, l: vec3f, s: f32) -> f32 {
     let shape = shape_here();
     let u = angle_shifted(angle_here(n), s);
@@ -184,5 +193,6 @@ fn kept_balanced(n: vec3f, l: vec3f, s: f32) -> f32 {
 }
 
 fn kept_fast(n: vec3f, l: vec3f, s: f32) -> f32 {
-    return profile_ramped(angle_turned(angle_here(n), sin_cos_short(0.5 * clamp(s, -PI, PI))), shape_here());
+    return profile_ramped(angle_turned(angle_here(n), sin_cos_short(0.5 * clamp(s, -PI, PI))),
+        shape_here());
 }

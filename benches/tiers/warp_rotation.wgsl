@@ -28,11 +28,13 @@ fn hardware_sin_cos(n: vec3f, l: vec3f, s: f32) -> f32 {
 fn short_polynomials(n: vec3f, l: vec3f, s: f32) -> f32 {
     let h = 0.5 * clamp(s * 1.5, -PI, PI);
     let h2 = h * h;
-    let t = vec2f(h * (1.0 + h2 * (-0.166666 + h2 * (0.00831 - h2 * 0.000184))), 1.0 + h2 * (-0.49999 + h2 * (0.04158 - h2 * 0.0012706)));
+    let t = vec2f(h * (1.0 + h2 * (-0.166666 + h2 * (0.00831 - h2 * 0.000184))),
+        1.0 + h2 * (-0.49999 + h2 * (0.04158 - h2 * 0.0012706)));
     return rotated(angle_here(n), t);
 }
 
-/// A rational rotation by the tangent of the quarter angle (no trigonometry at all): tan(h/2) as a polynomial.
+/// A rational rotation by the tangent of the quarter angle (no trigonometry at all): tan(h/2) as a
+/// polynomial.
 fn rational(n: vec3f, l: vec3f, s: f32) -> f32 {
     let h = 0.5 * clamp(s * 1.5, -PI, PI);
     let h2 = h * h;
