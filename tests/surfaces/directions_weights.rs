@@ -326,7 +326,7 @@ proptest! {
     ) {
         for scheme in CLOSED {
             let (keys, problems) = KeyWeights::new(&directions, scheme).into_parts();
-            let is_of_places = |d: &Diagnostic| d.code == "close-keys" || d.code == "merged-keys";
+            let is_of_places = |d: &chiaro::diag::Diagnostic| d.code == "close-keys" || d.code == "merged-keys";
             prop_assert!(problems.iter().all(is_of_places));
             for &query in queries.iter().chain(&directions) {
                 let weights = keys.weights(query);
