@@ -29,9 +29,9 @@ impl OpenPainting {
         work
     }
 
-    /// Keeps a journal in a folder from now on, in
-    /// `slot` if the painting was taken back from there. `wake` is called from another thread when
-    /// the journal cannot be written, or can again.
+    /// Keeps a journal in a folder from now on, in `slot` if the painting was taken back from
+    /// there. `wake` is called from another thread when the journal cannot be written, or can
+    /// again.
     pub(crate) fn keep_in(
         &mut self,
         folder: &Path,

@@ -273,7 +273,7 @@ impl OpenPainting {
         self.home.as_ref()
     }
 
-    /// The look of [`home`](Self::home), to rename HCBTFs in.
+    /// The look of `home`, to rename HCBTFs in.
     pub(crate) fn home_mut(&mut self) -> Option<&mut Home> {
         self.home.as_mut()
     }

@@ -70,7 +70,7 @@ impl OpenScene {
     pub(crate) fn path_of(&self, name: &str) -> PathBuf {
         let path = self.base.join(name);
         let cleaned = clean(&path);
-        // Where a folder is a link, `..` leads elsewhere than it reads.
+        // A link to a folder makes `..` lead elsewhere than it reads.
         if real(&cleaned) == real(&path) { cleaned } else { path }
     }
 

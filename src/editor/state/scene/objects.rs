@@ -50,7 +50,7 @@ pub(crate) fn to_degrees(rotation: [f64; 4]) -> [f64; 3] {
     [x, y, z].map(|angle| (angle.to_degrees() * 1e9).round() / 1e9 + 0.0)
 }
 
-/// Rotation of angles in degrees: the inverse of [`to_degrees`].
+/// Rotation of angles in degrees: the inverse of `to_degrees`.
 pub(crate) fn from_degrees([x, y, z]: [f64; 3]) -> [f64; 4] {
     DQuat::from_euler(EulerRot::YXZ, y.to_radians(), x.to_radians(), z.to_radians())
         .normalize()
