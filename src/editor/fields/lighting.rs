@@ -27,7 +27,7 @@ pub(crate) struct OwnedLight<'s> {
     pub(crate) light: &'s Light,
 }
 
-/// Light of an id in the looks of a scene.
+/// A light's id in the looks of a scene: how many have it, and with which light.
 pub(crate) struct SharedLight {
     /// Number of looks that have such a light.
     pub(crate) looks: usize,

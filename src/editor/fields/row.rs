@@ -248,8 +248,8 @@ fn default_button(ui: &mut Ui) -> bool {
 
 /// Shows a button that removes the node's own value.
 fn reset(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Vec<Command>) {
-    // An input that reads its surroundings has no widget of its own, so this button is the only way
-    // back.
+    // An input that reads its surroundings, or another input's value, has no widget for that, so
+    // this button is the only way back.
     let is_own = subject.node.values.contains_key(&port.name);
     let is_read = matches!(port.fallback, Fallback::Context(_) | Fallback::Same(_));
     if is_own && is_read && default_button(ui) {

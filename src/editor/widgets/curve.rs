@@ -1,5 +1,5 @@
-//! Editor of a free curve: drag its points, double-click to add one, double-click a point or drag
-//! it out to remove it.
+//! Editor of a free curve: drag its points, double-click to add one, double-click a point to remove
+//! it.
 
 use eframe::egui::epaint::PathShape;
 use eframe::egui::{ComboBox, Id, Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};

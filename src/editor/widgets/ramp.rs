@@ -64,7 +64,8 @@ pub(crate) fn show(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id,
     ui.data_mut(|data| data.insert_temp(selected_id, selected));
     paint(ui, rect, bar, &ramp, selected, &to_screen);
     ui.horizontal(|ui| {
-        // Ramps hold colors of the look's space; the common one is as shown.
+        // Ramps hold colors of the look's space; they are edited in the common one, which is as
+        // shown.
         if let Some((id, color)) =
             color::edit(ui, label, rgba(&ramp.stops[selected]), ColorSpace::Display, true)
         {

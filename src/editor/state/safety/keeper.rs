@@ -214,7 +214,7 @@ impl<D: Journaled> WaitingOps<D> {
     }
 }
 
-/// The journal's owner on the thread.
+/// The part of the writer that lives on the thread and owns the journal.
 struct Writer<D: Journaled> {
     folder: PathBuf,
     slot: Option<Slot>,

@@ -116,7 +116,8 @@ pub(crate) struct Journals {
 /// Revisions of parts of the session that others depend on.
 #[derive(Default)]
 pub(crate) struct Revisions {
-    /// Number of steps that were done, in the look, in the scene, in the painting or in the sketch.
+    /// Counter that grows with every step done, in the look, in the scene, in the painting or in
+    /// the sketch.
     pub(crate) step: u64,
     pub(crate) document: DocumentNumber,
     pub(crate) meaning: MeaningRevision,
