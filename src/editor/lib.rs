@@ -1,14 +1,14 @@
 //! The editor: node canvas, viewport, inspector, generated WGSL. The only egui code.
 //!
-//! `state` knows the open documents, each an `OpenDocument` with its past and its journal, and asks
-//! a thread for shaders; it knows no egui. `commands` is everything that the window can be asked
-//! for, with labels and keys. Panels, the canvas, the painter, the picture and its tools see the
+//! `state` holds the open documents, each an `OpenDocument` with its past and its journal, and asks
+//! a thread for shaders; `state` does not know egui. `commands` lists all commands of the window,
+//! with labels and keys. Panels, the canvas, the painter, the picture and its tools see the
 //! [`Session`] and return commands; [`App`] applies those in one place. Panels are rows of
 //! `panels::PANELS`, tools of the picture rows of `tools::TOOLS`. The canvas owns no graph: it
-//! reads the document and draws what is in view.
+//! reads the document and draws the part in view.
 //!
-//! Rooms stand on floors: `state`, `commands`, `widgets`, `fields`, `tools`, then `canvas`,
-//! `painter` and `viewport`, then `panels`, and `app` above all.
+//! Modules lie in layers, and each uses only lower ones: `state`, `commands`, `widgets`, `fields`,
+//! `tools`, then `canvas`, `painter` and `viewport`, then `panels`, and `app` above all.
 
 use chiaro_compiler::{catalog, compile, document, examples, library};
 use chiaro_files as files;
@@ -55,7 +55,7 @@ use crate::diag::Diagnostic;
 use crate::frame::{DEFAULT_MESH, SHAPE_PREFIX};
 use crate::library::Library;
 
-/// How the window is opened, and with which device.
+/// Options of the native window: size, icon, and the limits of the GPU device.
 pub fn options() -> eframe::NativeOptions {
     let viewport = egui::ViewportBuilder::default()
         .with_app_id("chiaro")
@@ -80,8 +80,9 @@ fn icon() -> egui::IconData {
     eframe::icon_data::from_png_bytes(include_bytes!("icon.png")).unwrap_or_default()
 }
 
-/// Begins what the first picture needs of the processor, beside the window's and the device's
-/// beginning: nodes are read, and an own shape is made, once for all who ask.
+/// Starts the processor's work for the first picture on threads, while the window and the device
+/// are created: the built-in nodes are read, and a built-in shape of `mesh` is made. Both results
+/// are cached for all later callers.
 fn warm_up(mesh: Option<&str>) {
     drop(state::worker::start("library", || {
         Library::built_in();
@@ -93,10 +94,10 @@ fn warm_up(mesh: Option<&str>) {
 }
 
 /// Opens the window with the first of `files`, or a new look, on `mesh` (a path, or `shape:` and a
-/// name), and returns when it is closed.
+/// name), and returns when the window is closed.
 ///
 /// # Errors
-/// Why there can be no window.
+/// The reason why no window can be opened.
 pub fn run(files: &[PathBuf], mesh: Option<&str>) -> Result<(), Box<Diagnostic>> {
     let file = files.first().cloned();
     let mesh = mesh.map(str::to_owned);

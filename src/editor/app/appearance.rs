@@ -1,4 +1,4 @@
-//! The theme and the scale of the window, as settings remember them.
+//! Theme and scale of the window, as settings remember them.
 
 use eframe::egui::{Context, ThemePreference};
 
@@ -14,7 +14,7 @@ pub(super) fn apply(settings: &Settings, ctx: &Context) {
     ctx.set_zoom_factor(settings.scale);
 }
 
-/// The theme and the scale that the window has now.
+/// Present theme and scale of the window.
 pub(super) fn current(ctx: &Context) -> (Theme, f32) {
     let theme = match ctx.options(|options| options.theme_preference) {
         ThemePreference::Dark => Theme::Dark,

@@ -1,4 +1,4 @@
-//! The one place that does what panels, keys and menus ask for.
+//! Application of commands: the one place that carries out what panels, keys and menus ask for.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
@@ -19,7 +19,7 @@ use crate::state::painting::look;
 use crate::state::scene::OpenScene;
 use crate::state::session::Session;
 
-/// Whether what was told last stays told while a command is carried out.
+/// True if the last message stays while a command is carried out.
 fn keeps_message(command: &Command) -> bool {
     use PaintCommand as P;
     match command {
@@ -52,7 +52,7 @@ fn keeps_message(command: &Command) -> bool {
 }
 
 impl App {
-    /// Does what is asked for, and lets go of what was told before.
+    /// Carries out a command, and drops the last message unless the command keeps it.
     pub(super) fn apply(&mut self, ui: &Ui, command: Command) {
         if !keeps_message(&command) {
             self.message = None;
@@ -60,7 +60,7 @@ impl App {
         self.carry_out(ui, command);
     }
 
-    /// Does what is asked for.
+    /// Carries out a command.
     pub(super) fn carry_out(&mut self, ui: &Ui, command: Command) {
         match command {
             Command::Edit(edit) => self.tell(|session| session.apply(edit, None)),
@@ -174,7 +174,8 @@ impl App {
         }
     }
 
-    /// Turns the probe on or off; painting light would be in its way.
+    /// Turns the probe on or off; light on the picture is no longer painted then, since both take
+    /// the pointer.
     fn turn_probe(&mut self, ui: &Ui, on: bool) {
         self.bench.tools.probe.turn(on);
         if on {
@@ -183,7 +184,7 @@ impl App {
         }
     }
 
-    /// Copies the picture: its panel takes what was drawn to the clipboard.
+    /// Copies the picture: its panel puts the drawn picture on the clipboard.
     fn copy_picture(&mut self, ui: &Ui) {
         self.start = None;
         self.dock.open(PanelId::PICTURE);
@@ -215,7 +216,7 @@ impl App {
         }
     }
 
-    /// What edits: a widget, for as long as it is held or has the keyboard.
+    /// Identity of the hand that edits: a widget, for as long as it is held or has the keyboard.
     pub(super) fn hand(&self, ui: &Ui, widget: egui::Id) -> u64 {
         let focus = ui.memory(egui::Memory::focused);
         let mut hasher = DefaultHasher::new();
@@ -253,8 +254,8 @@ impl App {
         self.message = Some(told.to_owned());
     }
 
-    /// Esc gives up a drag on the picture, before it does anything else: what was changed is as it
-    /// was.
+    /// Gives up a drag on the picture on Esc, before that key does anything else: the view and the
+    /// look are as they were.
     pub(super) fn give_up_drag(&mut self, ui: &Ui) {
         if self.bench.viewport.is_dragging()
             && keyboard::take(ui, (egui::Modifiers::NONE, egui::Key::Escape))
@@ -264,8 +265,8 @@ impl App {
         }
     }
 
-    /// Puts camera and lights back to where they were when the drag began. Returns whether the last
-    /// step of the look is the drag's, and is to be taken back too.
+    /// Puts camera and lights back to where they were when the drag began. Returns true if the last
+    /// step of the look is the drag's, and must be undone too.
     fn give_up_view(&mut self) -> bool {
         let Some((view, is_edited)) = self.bench.viewport.give_up(&self.session) else {
             return false;
@@ -274,14 +275,15 @@ impl App {
         is_edited
     }
 
+    /// Makes an edit, and shows the problem as a message where it is impossible.
     pub(super) fn tell(&mut self, edit: impl FnOnce(&mut Session) -> Result<(), Box<Diagnostic>>) {
         if let Err(problem) = edit(&mut self.session) {
             self.message = Some(problem.message);
         }
     }
 
-    /// Saves what has changed: the look, and the scene around it. Asks where what has no file is to
-    /// go.
+    /// Saves everything that changed: the painting, the look, and the scene around it. Asks for a
+    /// file where a document has none.
     pub(super) fn save(&mut self) {
         let Some(did_paint) = self.save_painting_first() else { return };
         let is_scene_dirty = self.session.stage().is_some_and(OpenScene::is_dirty);
@@ -294,7 +296,7 @@ impl App {
                 return;
             }
         }
-        // A scene that nobody has saved yet is only asked about where it is what is to be saved.
+        // A scene that nobody has saved yet is only asked about if it is the one to save.
         let has_file = self.session.stage().is_some_and(|stage| stage.path().is_some());
         let is_wanted = match self.pending {
             None => !saves_look,

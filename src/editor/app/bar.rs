@@ -1,4 +1,4 @@
-//! The bar above and the line of status below.
+//! Bar at the top of the window, and line of status at the bottom.
 
 use eframe::egui::{self, RichText, Role, Ui, ViewportCommand, WidgetInfo};
 
@@ -15,10 +15,10 @@ use crate::state::session::Session;
 use crate::widgets::spots::{self, Spot};
 use crate::widgets::theme;
 
-/// Below this width, in points, the name of what is open is not told in the bar: the window's title
-/// has it too.
+/// Smallest room for the names of the open documents in the bar, in points: a narrower bar leaves
+/// them out, as the window's title has them too.
 const LEAST_NAME: f32 = 60.0;
-/// Why what is about a painting cannot be done.
+/// Reason why commands about a painting are disabled.
 const NOTHING_PAINTED: &str = "Nothing is open to be painted: begin a new HCBTF above, or open one";
 
 impl App {
@@ -145,8 +145,8 @@ impl App {
         ui.horizontal(|ui| {
             let command = problems::status(ui, &self.session);
             if let Some(message) = &self.message {
-                // A long one is cut off, and whole under the pointer: it never pushes the window
-                // about.
+                // A long message is cut off, and shown whole under the pointer, so that it never
+                // pushes the window about.
                 let text = RichText::new(message).color(theme::of(ui).accent);
                 ui.add(egui::Label::new(text).truncate()).on_hover_text(message);
                 ui.separator();
@@ -157,15 +157,15 @@ impl App {
         .inner
     }
 
-    /// What is open: the look, the scene that it is in, and what is painted, each with what stands
-    /// before it and whether it has changes that no file holds.
+    /// Open documents: the look, the scene around it, and the painting, each with the words before
+    /// its name and true if it has changes that no file holds.
     fn documents(&self) -> Vec<(&'static str, String, bool)> {
         let session = &self.session;
         let stage = session.stage();
         let work = session.painting();
         let is_look_dirty = session.is_look_dirty();
         let mut all = Vec::new();
-        // The look that only shows what is painted goes without saying.
+        // A look that only shows the painting goes without saying.
         let is_bare =
             |work: &OpenPainting| session.path().is_none() && session.look().name == work.name();
         if is_look_dirty || stage.is_some() || !(work.is_some_and(is_bare) && self.keeps_look()) {
@@ -181,7 +181,7 @@ impl App {
         all
     }
 
-    /// The names of what is open, told which of it is changed.
+    /// Shows the names of the open documents, and which of them are changed.
     fn show_documents(&self, ui: &mut Ui) {
         let (colors, font) = (theme::of(ui), egui::TextStyle::Body.resolve(ui.style()));
         let mut job = egui::text::LayoutJob::default();
@@ -219,12 +219,12 @@ impl App {
     }
 }
 
-/// A menu of what the table of commands has for it, with its keys.
+/// Shows a menu of the rows that the table of commands has for it, with their keys.
 fn menu(ui: &mut Ui, named: (&str, &str), menu: Menu, commands: &mut Vec<Command>) {
     menu_with(ui, named, menu, |_| None, |_, _| (), commands);
 }
 
-/// The same after `first`, but for what `why` says why it cannot be done.
+/// Shows a menu, after the entries of `first`; rows for which `why` gives a reason are disabled.
 fn menu_with(
     ui: &mut Ui,
     (label, help): (&str, &str),
@@ -253,7 +253,7 @@ fn menu_with(
     menu.response.on_hover_text(help);
 }
 
-/// What the open look shows, to be painted.
+/// Entries for painting what the open look shows.
 fn paint_shown(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
     let all = shown(session);
     let mut entry = |ui: &mut Ui, label: &str, help: &str, command: Option<Command>| {

@@ -1,4 +1,4 @@
-//! The system's file dialogs, which wait on a thread of their own. Where the system has none to
+//! File dialogs of the system, which wait on a thread of their own. Where the system has none to
 //! show, the window asks for a path itself.
 
 use std::collections::VecDeque;
@@ -9,20 +9,20 @@ use crate::clock::Clock;
 use crate::commands::FilePurpose;
 use crate::state::worker::{start, wait};
 
-/// A dialog that is over before anybody could have seen it, in seconds, was none: there is no
-/// portal and no program that shows one.
+/// Time in which nobody can answer a dialog, in seconds: a dialog that ends sooner was never shown,
+/// since there is no portal and no program for it.
 const UNSEEN: f64 = 0.35;
 
-/// What became of a dialog.
+/// Result of a dialog.
 #[derive(Debug)]
 pub(crate) enum Answer {
-    /// This file was chosen.
+    /// The chosen file.
     File(FilePurpose, PathBuf),
-    /// There is no dialog; with the path that it would have begun at.
+    /// No dialog could be shown; with the path that it would have begun at.
     NoDialog(FilePurpose, PathBuf),
 }
 
-/// How files are asked for.
+/// Way of asking for files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum DialogKind {
     /// By the system's dialogs.
@@ -33,17 +33,17 @@ pub(crate) enum DialogKind {
     Silent,
 }
 
-/// Dialogs that are open, and what became of them.
+/// Open dialogs, and their results.
 pub(crate) struct Dialogs {
     answers: Arc<Mutex<Vec<Answer>>>,
     wake: Arc<dyn Fn() + Send + Sync>,
     pub(crate) way: DialogKind,
-    /// What is answered in place of whom the dialogs would ask, for programs that drive the window.
+    /// Answers to the next dialogs, for programs that drive the window.
     pub(crate) prepared: VecDeque<PathBuf>,
 }
 
 impl Dialogs {
-    /// `wake` is called from another thread when a file was chosen.
+    /// Creates the dialogs. `wake` is called from another thread when a file was chosen.
     pub(crate) fn new(wake: impl Fn() + Send + Sync + 'static) -> Self {
         Self {
             answers: Arc::default(),
@@ -72,7 +72,7 @@ impl Dialogs {
         if !purpose.is_folder() {
             dialog = dialog.add_filter(kind, endings);
         }
-        // A folder that is only suggested is not there yet: its own folder is.
+        // A suggested folder does not exist yet, but its parent does.
         if let Some(folder) =
             suggested.ancestors().skip(usize::from(!purpose.is_folder())).find(|path| path.is_dir())
         {
@@ -102,7 +102,7 @@ impl Dialogs {
         (self.wake)();
     }
 
-    /// What became of dialogs since the last call. Once there was none to show, the system is not
+    /// Results of dialogs since the last call. Once there was no dialog to show, the system is not
     /// asked again.
     pub(crate) fn answers(&mut self) -> Vec<Answer> {
         let answers =
@@ -116,8 +116,8 @@ impl Dialogs {
     }
 }
 
-/// Where a dialog begins: beside `near`, under its name where a file is written; at `near` where a
-/// folder is asked for.
+/// Path that a dialog begins at: beside `near`, with the name of `near` where a file is written;
+/// `near` itself where a folder is asked for.
 fn suggested(purpose: FilePurpose, near: Option<&Path>) -> PathBuf {
     if purpose.is_folder() {
         return near.and_then(|near| std::path::absolute(near).ok()).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Opening, saving and closing: nothing is lost on the way.
+//! Opening, saving and closing of files, without loss of work.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -19,7 +19,7 @@ use crate::state::safety::crashes::{CrashMark, DocumentOrigin, Step};
 use crate::state::scene::{LookToOpen, OpenScene};
 use crate::widgets::confirm;
 
-/// What would lose unsaved changes.
+/// Action that would lose unsaved changes.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Pending {
     New,
@@ -43,18 +43,18 @@ pub(super) enum Pending {
         path: PathBuf,
         import: PictureImport,
     },
-    /// Paints on what was made of other things.
+    /// Paints on an HCBTF that was made from another one.
     BeginPainting {
         hcbtf: Arc<Hcbtf>,
     },
     ClosePainting,
-    /// Shows what is painted in the look that it was painted in.
+    /// Shows the painting in the look that it was painted in.
     ShowPainting,
     Close,
 }
 
 impl App {
-    /// Opens a look, a scene or an HCBTF, and tells where that fails.
+    /// Opens a look, a scene or an HCBTF, and reports a failure.
     pub fn open(&mut self, path: &Path) {
         if is_painting(path) {
             return self.open_painting(path, false);
@@ -64,12 +64,12 @@ impl App {
         if self.session.stage().is_some_and(|stage| stage.path() == Some(path)) {
             self.lay_out();
             self.dock.open(PanelId::OBJECTS);
-            // The scene was asked for, and the look came with it.
+            // The scene was asked for, and the look came with it: the scene is the recent file.
             self.safety.opened(path);
         }
     }
 
-    /// Opens the look that a scene lacks which was just opened.
+    /// Opens the look that a newly opened scene lacks.
     pub(super) fn open_lacking_look(&mut self) {
         match self.session.look_to_open() {
             Some(LookToOpen::File(path)) => {
@@ -97,8 +97,8 @@ impl App {
         self.safety.look();
     }
 
-    /// Notes that a file is being read, until what is returned is dropped. `None` where the last
-    /// program ended over that, which is told.
+    /// Notes that a file is being read, until the returned mark is dropped. `None`, with a message,
+    /// where the last program ended over that file.
     pub(super) fn begin_to_read(&mut self, path: &Path) -> Option<CrashMark> {
         let crashes = self.session.journals.crashes.clone();
         if crashes.suspect_in(path).is_some_and(|suspect| suspect.step == Step::Read) {
@@ -108,13 +108,13 @@ impl App {
         Some(crashes.begin(Step::Read, || DocumentOrigin::of_file(path)))
     }
 
-    /// Saves to a file and tells where that fails.
+    /// Saves to a file, and reports a failure. Returns true if the file is written.
     pub fn save_as(&mut self, path: &Path) -> bool {
         let saved = self.session.save_as(path);
         self.tell_saved(path, saved)
     }
 
-    /// Tells what became of saving a document to a file. Returns whether it is there.
+    /// Reports the result of saving a document to a file. Returns true if the file is written.
     pub(super) fn tell_saved(&mut self, path: &Path, saved: Result<(), Box<Diagnostic>>) -> bool {
         match saved {
             Ok(()) => {
@@ -132,7 +132,7 @@ impl App {
         }
     }
 
-    /// Does what would lose changes, where there are none, or where the journal keeps them; else
+    /// Carries out an action if there are no changes to lose, or if the journal keeps them; else
     /// asks first.
     pub(super) fn do_or_ask(&mut self, pending: Pending) {
         self.pending = Some(pending);
@@ -142,8 +142,8 @@ impl App {
         }
     }
 
-    /// Of which documents what is to be done would lose changes, if nothing keeps them: the look's,
-    /// and the scene's.
+    /// Documents whose changes the pending action would lose, if nothing kept them: the look, and
+    /// the scene.
     fn at_risk(&self) -> (bool, bool) {
         let (look, scene) = match self.pending {
             Some(Pending::Switch(_)) => (true, false),
@@ -168,13 +168,13 @@ impl App {
         self.at_risk() != (false, false) || self.is_painting_at_risk()
     }
 
-    /// Whether the journals keep what is at risk.
+    /// True if the journals keep the changes at risk.
     fn keeps_all(&mut self) -> bool {
         (!self.is_painting_at_risk() || self.session.keeps_painting())
             && (self.at_risk() == (false, false) || self.session.keeps_work())
     }
 
-    /// Whether what is to be done is about what is painted, and that is not saved.
+    /// True if the pending action is about the painting, and that is not saved.
     fn is_painting_at_risk(&self) -> bool {
         let is_about = matches!(
             self.pending,
@@ -190,9 +190,10 @@ impl App {
         is_about && self.session.is_painting_dirty()
     }
 
-    /// Whether Save is to save what is painted: where that is asked about, or nothing is.
+    /// True if Save is to save the painting: where the painting is asked about, or nothing is.
     pub(super) fn saves_painting(&self) -> bool {
-        // A look that names what has no file is saved after that: it would name nothing else.
+        // A look that names a painting without a file is saved after it: the look would name a file
+        // that does not exist.
         let is_look_saved = self.pending.is_none() || self.at_risk().0;
         if is_look_saved
             && self.session.painting().is_some_and(|work| work.path().is_none())
@@ -200,7 +201,8 @@ impl App {
         {
             return true;
         }
-        // One without a file that the open look does not show would be asked about out of the blue.
+        // A question about a painting without a file that the open look does not show would come
+        // out of the blue.
         let has_place = self.session.painting().is_some_and(|work| work.path().is_some());
         let is_meant = self.pending.is_none() && (has_place || look::shows(&self.session));
         self.session.is_painting_dirty() && (is_meant || self.is_painting_at_risk())
@@ -210,7 +212,7 @@ impl App {
         self.session.shows_painting(Path::new(UNSAVED_HCBTF))
     }
 
-    /// After a save: does what waited for it, if nothing else is to be saved.
+    /// Carries out the action that waited for a save, if nothing else is to be saved.
     pub(super) fn go_on_if_safe(&mut self) {
         if !self.is_at_risk() {
             self.go_on();
@@ -316,7 +318,7 @@ impl App {
     }
 }
 
-/// Whether a file is an HCBTF, by its name.
+/// True if a file is an HCBTF, by its name.
 pub(super) fn is_painting(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(PAINTING))
 }

@@ -1,4 +1,4 @@
-//! What is asked for of painting light on the picture.
+//! Commands about painting light on the picture.
 
 use eframe::egui::Ui;
 
@@ -32,7 +32,7 @@ impl App {
         commands.into_iter().for_each(|command| self.carry_out(ui, command));
     }
 
-    /// Takes on what was fitted, as one step.
+    /// Takes on the fitted look, as one step.
     fn apply_fit(&mut self) {
         let Some(edit) = self.bench.tools.fitting.take_on(&self.session) else { return };
         self.session.set_preview(None);
@@ -40,8 +40,8 @@ impl App {
         self.bench.tools.fitting.is_taken_on(&self.session);
     }
 
-    /// Begins or ends painting on the picture, which a probe and a turntable would be in the way
-    /// of.
+    /// Begins or ends painting on the picture. The probe and the turntable are turned off, since
+    /// they would be in the way.
     pub(super) fn turn_fitting(&mut self, ui: &Ui, on: bool) {
         let commands = self.bench.tools.fitting.turn(on, &self.session);
         commands.into_iter().for_each(|command| self.carry_out(ui, command));

@@ -1,6 +1,5 @@
-//! The look as shaders that leave the window, for every language that `chiaro export` writes, by
-//! the same code. Compiling for seven languages takes a moment, so a thread does it and no hand
-//! waits.
+//! Export of the look as shaders, for every language that `chiaro export` writes, by the same code.
+//! Compiling for seven languages takes a moment, so a thread does it and no hand waits.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -13,7 +12,7 @@ use crate::library::Library;
 use crate::state::session::Session;
 use crate::state::worker::Worker;
 
-/// What leaves, and where to.
+/// Destination of an export.
 enum Destination {
     /// All files, into this folder.
     Folder(PathBuf),
@@ -21,36 +20,36 @@ enum Destination {
     Clipboard(&'static str),
 }
 
-/// A look as it was when it was asked for.
+/// A look at the time of the request, with everything for its export.
 struct LookExportRequest {
     look: Look,
     library: Arc<Library>,
     stem: String,
-    /// Where paths of images begin.
+    /// Folder that paths of images are relative to.
     folder: PathBuf,
-    /// The look's own file, which nothing may write over.
+    /// File of the look, which nothing may write over.
     path: Option<PathBuf>,
     language: &'static str,
     to: Destination,
 }
 
-/// What became of it.
+/// Result of an export.
 #[derive(Debug, PartialEq)]
 pub(crate) enum LookExportResult {
-    /// What to tell.
+    /// A message.
     Told(String),
-    /// What to copy, and what to tell.
+    /// Text to copy, and a message.
     Copied(String, String),
 }
 
-/// The thread that does it, and where the last export went.
+/// The exporting thread, and the folder of the last export.
 pub(crate) struct LookExports {
     worker: Worker<Vec<LookExportRequest>, Vec<LookExportResult>>,
     folder: Option<PathBuf>,
 }
 
 impl LookExports {
-    /// `wake` is called from another thread when something is done.
+    /// Starts the thread. `wake` is called from another thread when an export is done.
     pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
         let work = |jobs: Vec<LookExportRequest>| jobs.iter().map(run).collect();
         Self { worker: Worker::new("export look", wake, work), folder: None }
@@ -62,18 +61,18 @@ impl LookExports {
         self.add(job(session, language, Destination::Folder(folder)));
     }
 
-    /// Copies the open look, as it is now, in a language: of its files the one with this ending.
+    /// Copies the open look, as it is now, in a language: the one of its files with this ending.
     pub(crate) fn copy(&self, session: &Session, language: &'static str, ending: &'static str) {
         self.add(job(session, language, Destination::Clipboard(ending)));
     }
 
-    /// The folder that is offered: the one of the last export, or a new one beside the look.
+    /// Folder to suggest: that of the last export, or a new one beside the look.
     pub(crate) fn suggested(&self, session: &Session) -> PathBuf {
         self.folder.clone().unwrap_or_else(|| session.folder().join(own_folder(&stem(session))))
     }
 
     fn add(&self, job: LookExportRequest) {
-        // Nothing that waits is dropped.
+        // No waiting request is dropped: the new one is added to them.
         self.worker
             .request(|waiting| waiting.unwrap_or_default().into_iter().chain([job]).collect());
     }
@@ -91,22 +90,22 @@ impl LookExports {
     }
 }
 
-/// What the names of the look's files begin with, as `chiaro export` has it: the name of its own
-/// file.
+/// Beginning of the names of the look's files, as `chiaro export` has it: the name of the look's
+/// own file without ending.
 fn stem(session: &Session) -> String {
     let of_file =
         session.path().and_then(Path::file_stem).map(|stem| stem.to_string_lossy().into_owned());
     of_file.unwrap_or_else(|| stem_of(&session.look().name))
 }
 
-/// What a look's files are called that has none yet: `Rim light` is kept as `rim-light`.
+/// File name for a look without a file: `Rim light` becomes `rim-light`.
 pub(crate) fn stem_of(look: &str) -> String {
     let words = look.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
     let stem = words.take(8).collect::<Vec<_>>().join("-").to_lowercase();
     if stem.is_empty() { "look".to_owned() } else { stem }
 }
 
-/// A folder for an export alone.
+/// Name of a folder for one export alone.
 fn own_folder(stem: &str) -> String {
     format!("{stem}-shaders")
 }
@@ -142,8 +141,8 @@ fn run(job: &LookExportRequest) -> LookExportResult {
     done.unwrap_or_else(|problems| LookExportResult::Told(told(&problems)))
 }
 
-/// Writes the files. Where they would take a document's place they go into a folder of their own,
-/// rather than nowhere: whoever takes the look's own folder, where dialogs begin, has made no
+/// Writes the files of an export. Where they would replace a document they go into a folder of
+/// their own, and are not refused: to choose the look's own folder, where dialogs begin, is no
 /// mistake.
 fn write(
     exported: &[File],
@@ -167,8 +166,8 @@ fn copy(
     ending: &str,
     job: &LookExportRequest,
 ) -> Result<LookExportResult, Vec<Diagnostic>> {
-    // The look's own module is called as the look is: `rim.es300.frag`, and
-    // `rim.normals.es300.frag` that of a pass.
+    // The look's own module has the look's name, as `rim.es300.frag`; a pass adds its own, as
+    // `rim.normals.es300.frag`.
     let own = format!("{}{ending}", job.stem);
     let file = exported.iter().find(|file| file.name == own);
     let text =
@@ -190,7 +189,7 @@ fn copy(
     Ok(LookExportResult::Copied(text, format!("{name} is in the clipboard{more}")))
 }
 
-/// The first of what is wrong, with the node and port that it is at and what to do.
+/// Message of the first problem, with its node and port, and its hints.
 fn told(problems: &[Diagnostic]) -> String {
     let Some(first) = problems.iter().find(|problem| problem.is_error()).or(problems.first())
     else {

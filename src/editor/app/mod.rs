@@ -1,4 +1,5 @@
-//! The window: panels around the canvas. What they ask for is applied in one place, `apply`.
+//! Window of the editor: panels around the canvas. Their commands are applied in one place,
+//! `apply`.
 
 mod appearance;
 mod apply;
@@ -56,12 +57,12 @@ use crate::widgets::{spots, theme};
 use files::Pending;
 use welcome::StartPage;
 
-/// How often the GPU is asked whether it has done what it never drew before.
+/// Interval at which the GPU is asked whether it has finished a first drawing.
 const UNFINISHED: Duration = Duration::from_millis(30);
-/// The height of the status bar, in points.
+/// Height of the status bar, in points.
 const STATUS: f32 = 38.0;
 
-/// The window's state.
+/// State of the window.
 pub struct App {
     session: Session,
     bench: Workbench,
@@ -73,24 +74,25 @@ pub struct App {
     start: Option<StartPage>,
     tour: Option<Tour>,
     path_field: Option<PathField>,
-    /// What is done once unsaved changes are dealt with.
+    /// Action to carry out once unsaved changes are dealt with.
     pending: Option<Pending>,
-    /// What went wrong with a file or an edit, until the next command.
+    /// Message about a file or an edit, until the next command.
     message: Option<String>,
-    /// Presses of the pointer, and what had the keyboard: together with a widget they are the hand
-    /// that edits.
+    /// Number of presses of the pointer: together with a widget and the keyboard's focus they
+    /// identify the hand that edits.
     presses: u64,
     closes: bool,
-    /// Whether the last frame was the first one with a picture, where that is to be told.
+    /// True if the last frame was the first one with a picture, where that milestone is reported.
     shows_first_picture: bool,
-    /// The look and the painting that the panels were laid out for last.
+    /// The look and the painting that the panels were last laid out for.
     laid_out_for: Option<(DocumentNumber, Option<u64>)>,
-    /// What was looked at before a painting's flat square.
+    /// View before a painting's flat square.
     view_before_painting: ViewBefore,
 }
 
 impl App {
-    /// A window with a new look. `render_state` is the device to draw with, where there is one.
+    /// Creates a window with a new look. `render_state` is the device to draw with, if there is
+    /// one.
     pub fn new(ctx: &egui::Context, render_state: Option<eframe::egui_wgpu::RenderState>) -> Self {
         theme::apply(ctx);
         ctx.set_theme(egui::ThemePreference::Dark);
@@ -125,7 +127,7 @@ impl App {
     }
 
     /// Shows the look, or of a scene the selected object, on a mesh: a path, or `shape:` and the
-    /// name of an own shape. What is wrong with it is told where problems are; the last good
+    /// name of a built-in shape. Problems of the mesh are listed with the others; the last good
     /// picture stays.
     pub fn show_on(&mut self, mesh: &str) {
         if self.session.stage().is_some() {
@@ -135,13 +137,14 @@ impl App {
         self.safety.shown_on(mesh, self.session.view.orbit.z_is_up);
     }
 
-    /// Stands the mesh up whose z axis points up, or lays it back.
+    /// Stands up a mesh whose z axis points up, or lays it back.
     pub(super) fn stand_up(&mut self, z_is_up: bool) {
         self.session.view.orbit.z_is_up = z_is_up;
         self.safety.shown_on(&self.session.view.orbit.mesh, z_is_up);
     }
 
-    /// Keeps unsaved work and settings in these folders, and offers what was left behind there.
+    /// Keeps unsaved work and settings in these folders, and offers work that was left behind
+    /// there.
     pub fn keep_in(&mut self, places: Places, ctx: &egui::Context) {
         let waker = ctx.clone();
         self.safety.keep_in(places, &mut self.session, move || waker.request_repaint());
@@ -151,7 +154,7 @@ impl App {
         }
     }
 
-    /// Goes on where the last window was closed, if anything was not saved then.
+    /// Resumes the work of the last window that was closed, if anything was not saved then.
     pub fn resume(&mut self) {
         let painting = self.painting_number();
         self.message = self.safety.resume(&mut self.session);
@@ -159,24 +162,24 @@ impl App {
         self.show_painting_taken_back(painting);
     }
 
-    /// Looks at once whether other programs changed files, which else takes a moment.
+    /// Checks at once whether other programs changed files, which otherwise takes a moment.
     pub fn look_at_files(&mut self) {
         if let Some(told) = self.safety.look_at_files(&mut self.session) {
             self.message = Some(told);
         }
     }
 
-    /// What is remembered.
+    /// Settings of the window.
     pub fn settings(&self) -> &Settings {
         &self.safety.settings
     }
 
-    /// Changes what is remembered, and saves it.
+    /// Changes the settings, and saves them.
     pub fn change_settings(&mut self, change: impl FnOnce(&mut Settings)) {
         self.safety.change_settings(change);
     }
 
-    /// What was told last.
+    /// The last message.
     pub fn message(&self) -> Option<&str> {
         self.message.as_deref()
     }
@@ -195,28 +198,26 @@ impl App {
         self
     }
 
-    /// Answers the next dialog that would ask for a file with this one; for programs that drive the
-    /// window.
+    /// Answers the next dialog for a file with `path`; for programs that drive the window.
     pub fn answer_dialog(&mut self, path: &Path) {
         self.dialogs.prepared.push_back(path.to_owned());
     }
 
-    /// Waits so long for the picture of a drag before a frame is shown without it. A software GPU
-    /// takes long on a busy machine.
+    /// Sets the longest wait for the picture of a drag before a frame is shown without it. A
+    /// software GPU takes long on a busy machine.
     pub fn wait_for_pictures(&mut self, time: Duration) {
         if let Some(picture) = &mut self.bench.picture {
             picture.patience = time;
         }
     }
 
-    /// Writes the picture, in so many pixels, to a PNG file; what becomes of it is told in the
-    /// status bar.
+    /// Writes the picture, `size` in pixels, to a PNG file; the status bar reports the result.
     pub fn save_picture(&mut self, size: [u32; 2], path: &Path) {
         self.bench.viewport.export(&self.session, PictureExport::Picture(size), path.to_owned());
     }
 
-    /// Writes the look on a ball, so many pixels wide, to a PNG file, as an image for a LitSphere
-    /// node.
+    /// Writes the look on a ball to a PNG file, as an image for a LitSphere node. `side` is its
+    /// width in pixels.
     pub fn bake_litsphere(&mut self, side: u32, path: &Path) {
         self.bench.viewport.export(&self.session, PictureExport::LitSphere(side), path.to_owned());
     }
@@ -226,74 +227,73 @@ impl App {
         self.bench.viewport.show_reference(path.to_owned());
     }
 
-    /// The open look.
+    /// Session of the open look.
     pub fn session(&self) -> &Session {
         &self.session
     }
 
-    /// The open look, for programs that drive the window.
+    /// Session of the open look, for programs that drive the window.
     pub fn session_mut(&mut self) -> &mut Session {
         &mut self.session
     }
 
-    /// The canvas.
+    /// Canvas of the window.
     pub fn canvas(&self) -> &Canvas {
         &self.bench.canvas
     }
 
-    /// The canvas, for programs that drive the window.
+    /// Canvas of the window, for programs that drive it.
     pub fn canvas_mut(&mut self) -> &mut Canvas {
         &mut self.bench.canvas
     }
 
-    /// The viewport.
+    /// Viewport of the window.
     pub fn viewport(&self) -> &Viewport {
         &self.bench.viewport
     }
 
-    /// The probe.
+    /// Probe of the picture.
     pub fn probe(&self) -> &Probe {
         &self.bench.tools.probe
     }
 
-    /// The painting workspace.
+    /// Painting workspace.
     pub fn painting(&self) -> &Painting {
         &self.bench.painting
     }
 
-    /// The comparison with a tier or the truth.
+    /// Comparison of the picture with a tier or the truth.
     pub fn wipe(&self) -> &Wipe {
         &self.bench.tools.wipe
     }
 
-    /// Painted light.
+    /// Light painted on the picture, and the look fitted to it.
     pub fn fitting(&self) -> &Fitting {
         &self.bench.tools.fitting
     }
 
-    /// Painted light, for programs that drive the window.
+    /// Light painted on the picture, for programs that drive the window.
     pub fn fitting_mut(&mut self) -> &mut Fitting {
         &mut self.bench.tools.fitting
     }
 
-    /// What was measured.
+    /// Measured cost of the look.
     pub fn cost(&self) -> &Cost {
         &self.bench.cost
     }
 
-    /// How the panels share the window, where that changed since it was asked for last: to be
-    /// remembered.
+    /// Saved form of the panels' layout, where it changed since the last call.
     pub fn changed_arrangement(&mut self) -> Option<serde_json::Value> {
         self.dock.changed()
     }
 
-    /// Arranges the panels as they were; what cannot be read changes nothing.
+    /// Lays the panels out as saved; a layout that cannot be read changes nothing.
     pub fn arrange(&mut self, saved: &serde_json::Value) {
         self.dock.restore(saved);
         self.laid_out_for = None;
     }
 
-    /// Whether shaders, pictures or values are being made.
+    /// True while shaders, pictures or values are being made.
     pub fn is_busy(&self) -> bool {
         self.is_drawing()
             || self.session.is_compiling()
@@ -301,7 +301,7 @@ impl App {
             || self.look_exports.is_busy()
     }
 
-    /// Waits for them; for tests.
+    /// Waits until shaders, pictures and values are made; for tests.
     pub fn wait(&self) {
         self.session.wait();
         self.bench.wait();
@@ -311,30 +311,30 @@ impl App {
         }
     }
 
-    /// Whether the first picture of what is open is being made, while there is one of something
-    /// else.
+    /// True while the first picture of the open document is being made and an older picture of
+    /// another one is shown.
     pub fn is_preparing(&self) -> bool {
         let awaited =
             self.bench.picture.as_ref().and_then(|picture| picture.awaited(&self.session));
         matches!(awaited, Some(MissingPicture::Shader | MissingPicture::Picture))
     }
 
-    /// Whether a picture was asked for that is not handed to the GPU yet.
+    /// True if a picture was requested that is not handed to the GPU yet.
     pub fn is_drawing(&self) -> bool {
         self.bench.picture.as_ref().is_some_and(Picture::is_busy)
     }
 
-    /// How many pictures were asked for.
+    /// Number of requested pictures.
     pub fn pictures(&self) -> u64 {
         self.bench.picture.as_ref().map_or(0, |picture| picture.wishes)
     }
 
-    /// How many times coarser than the screen the picture is; 1 at rest.
+    /// Ratio of the screen's resolution to the picture's; 1 at rest.
     pub fn coarseness(&self) -> u32 {
         self.bench.picture.as_ref().map_or(1, Picture::coarseness)
     }
 
-    /// How many small pictures of layers and looks there are.
+    /// Number of small pictures of layers and looks.
     pub fn small_pictures(&self) -> usize {
         self.bench.thumbs.count()
     }
@@ -400,13 +400,13 @@ impl App {
         self.show_tour(ui, &mut commands);
         for command in commands {
             self.apply(ui, command);
-            // What was changed in this frame is seen in the next one.
+            // A change of this frame is only seen in the next one.
             ui.ctx().request_repaint();
         }
         self.lay_out();
         let is_held = ui.input(|input| input.pointer.any_down());
         self.session.commit(is_held);
-        // A panel is resized in many steps; where it ends is remembered.
+        // A panel is resized in many steps; only the last one is remembered.
         if !is_held {
             let layout = self.safety.remembers().then(|| self.dock.changed()).flatten();
             self.safety.remember(appearance::current(ui.ctx()), layout);
@@ -418,8 +418,8 @@ impl App {
         self.set_title(ui.ctx());
     }
 
-    /// Lays the panels out for painting once what is painted is shown, and for looks once another
-    /// look is open. Edits of the look move nothing: only what is opened and closed does.
+    /// Lays the panels out for painting once the painting is shown, and for looks once another look
+    /// is open. Only opening and closing moves panels: edits of the look do not.
     pub(super) fn lay_out(&mut self) {
         let open = (self.session.document_number(), self.painting_number());
         if self.laid_out_for != Some(open) {
@@ -442,7 +442,7 @@ impl App {
         if let Some(picture) = &self.bench.picture {
             self.session.set_picture_problems(&picture.problems);
         }
-        // Of one height, whatever it says, so that nothing above moves under a hand.
+        // The height is fixed, whatever the text, so that nothing above moves under a hand.
         let status =
             Panel::bottom("status").frame(theme::panel(ui)).resizable(false).exact_size(STATUS);
         status.show(ui, |ui| {
@@ -462,7 +462,7 @@ impl App {
         self.dock = dock;
     }
 
-    /// Does what is due for panels once a frame, before anything is drawn.
+    /// Runs each panel's work that is due once a frame, before anything is drawn.
     fn begin_panels(&mut self, ui: &Ui) {
         for row in PANELS {
             let Some(each_frame) = row.each_frame else { continue };
@@ -476,7 +476,8 @@ impl App {
         }
     }
 
-    /// Draws a panel. What the pointer does there to the view and to strokes is drawn already.
+    /// Draws a panel. The effects of the pointer there on the view and on strokes are in the
+    /// drawing already.
     fn panel(&mut self, ui: &mut Ui, panel: &PanelRow, commands: &mut Vec<Command>) {
         spots::note(ui, spots::Spot::Panel(panel.id), ui.max_rect());
         if let Some(interact) = panel.interact {
@@ -492,7 +493,8 @@ impl App {
         commands.extend((panel.draw)(&mut self.bench, ui, context));
     }
 
-    /// What painting needs once a frame: whether what is painted is seen, and what rules filled.
+    /// Runs the work of painting that is due once a frame: finds out whether the painting is seen,
+    /// and takes the samples that rules filled.
     fn tick_painting(&mut self) {
         let update = self.bench.painting.tick(&self.session);
         self.session.update_painting(update);
@@ -503,7 +505,7 @@ impl App {
         }
     }
 
-    /// Whether the first picture is on its way. Behind the start page none is asked for.
+    /// True while the first picture is on its way. Behind the start page none is requested.
     fn awaits_first_picture(&self) -> bool {
         let is_awaited = |picture: &Picture| !picture.is_there() && picture.problems.is_empty();
         self.start.is_none()
@@ -516,7 +518,7 @@ impl App {
         self.bench.picture.as_ref().is_some_and(Picture::is_there)
     }
 
-    /// Takes what left the window as a shader.
+    /// Takes the results of exported shaders.
     fn take_look_exports(&mut self, ui: &Ui) {
         for done in self.look_exports.answers() {
             let (copied, told) = match done {
@@ -530,11 +532,12 @@ impl App {
 
     fn shortcuts(&self, ui: &Ui, commands: &mut Vec<Command>) {
         let is_typing = keyboard::is_keyboard_taken(ui.ctx());
-        // A field that is being typed in has an undo of its own, and question marks.
+        // A text field with the keyboard has an undo of its own, and takes question marks.
         let is_text = |command: &Command| {
             matches!(command, Command::Undo | Command::Redo | Command::OpenShortcuts)
         };
-        // The other keys of the picture work over it alone, where it takes them itself.
+        // Other keys of the picture work only under the pointer, where the picture takes them
+        // itself.
         let is_here = |row: &&CommandRow| {
             let turns_tool =
                 matches!(row.command, Command::Probe(_) | Command::Fit(FitCommand::Turn(_)));
@@ -559,7 +562,7 @@ impl App {
         if self.start.is_some() && is_free && keyboard::take(ui, escape) {
             commands.push(Command::ShowStart(false));
         }
-        // A picker or a menu that is open takes the key first: it would stay open else.
+        // An open picker or menu takes the key first; otherwise it would stay open.
         let is_open = egui::Popup::is_any_open(ui.ctx());
         if self.bench.tools.probe.is_on() && !is_typing && !is_open && keyboard::take(ui, escape) {
             commands.push(Command::LeaveProbe);
@@ -573,7 +576,7 @@ impl App {
 
 impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
-        // What the last frame showed is on the screen when the next one begins.
+        // The picture of the last frame is on the screen when the next frame begins.
         if std::mem::take(&mut self.shows_first_picture) {
             milestones::reached("picture on the screen");
         }

@@ -1,4 +1,4 @@
-//! What is asked for of the HCBTF that is being painted.
+//! Commands about the HCBTF that is being painted.
 
 use std::path::{Path, PathBuf};
 
@@ -105,7 +105,7 @@ impl App {
         }
     }
 
-    /// Bakes the open look as was asked for; asks for the file where there is none.
+    /// Bakes the open look with the settings of the dialog; asks for the file where there is none.
     fn bake(&mut self, to: Option<PathBuf>) {
         let Some(to) = to else {
             self.bench.painting.hold_bake();
@@ -120,7 +120,7 @@ impl App {
         };
     }
 
-    /// Saves what is painted to its own file; asks where there is none.
+    /// Saves the painting to its own file; asks for one where there is none.
     fn save_painting(&mut self) {
         match self.session.painting().map(|work| work.path().map(Path::to_path_buf)) {
             Some(Some(path)) => drop(self.save_painting_as(&path)),
@@ -129,14 +129,14 @@ impl App {
         }
     }
 
-    /// Works at the sample that is one step from the one at work.
+    /// Moves on to the sample one step away from the one at work.
     fn step_painting(&mut self, heading: Heading, is_view: bool) {
         if let Some(work) = self.session.painting_mut() {
             work.go_to(stepped(work, heading, is_view));
         }
     }
 
-    /// Whether the open look shows what is painted, and so stays when another is painted in its
+    /// True if the open look shows the painting, and so stays when another one is painted in its
     /// place.
     pub(super) fn keeps_look(&self) -> bool {
         let path = match &self.pending {
@@ -153,8 +153,7 @@ impl App {
         self.begin_painting(OpenPainting::new(grid), keeps_look);
     }
 
-    /// Opens an HCBTF, in a look of its own where the open one does not show it; tells where that
-    /// fails.
+    /// Opens an HCBTF, in a look of its own where the open one does not show it; reports a failure.
     pub(super) fn open_painting(&mut self, path: &Path, keeps_look: bool) {
         let Some(_going) = self.begin_to_read(path) else { return };
         match OpenPainting::open(path) {
@@ -169,8 +168,8 @@ impl App {
         }
     }
 
-    /// Lets the open look show what is painted wherever it named the example that this is a copy
-    /// of, as one step.
+    /// Lets the open look show the painting wherever it named the example which the painting is a
+    /// copy of, as one step.
     fn name_copy_of_example(&mut self, path: &Path) {
         let Some(work) = self.session.painting().filter(|work| work.example().is_some()) else {
             return;
@@ -180,8 +179,7 @@ impl App {
         let edits =
             look::rename(self.session.look(), &self.session.project.catalog, &name, UNSAVED_HCBTF);
         if !edits.is_empty() {
-            // Nobody has done anything yet in a look that has no file either, and there is nothing
-            // to be saved.
+            // An untouched look without a file has nothing to save either, and stays so.
             let is_untouched = self.session.path().is_none() && !self.session.is_look_dirty();
             self.tell(|session| session.apply(Edit::Group { edits }, None));
             if is_untouched {
@@ -191,7 +189,7 @@ impl App {
         self.message.get_or_insert(told);
     }
 
-    /// Paints what the open look shows, or shows what there is to choose from.
+    /// Paints the one HCBTF that the open look shows, or shows the choice between several.
     fn paint_shown(&mut self) {
         if look::shows(&self.session) {
             return self.show_painting_panels();
@@ -211,8 +209,8 @@ impl App {
         }
     }
 
-    /// Shows what is painted in the look that it was painted in; where that is not to be had, in a
-    /// look of its own.
+    /// Shows the painting in the look that it was painted in; where that look is not available, in
+    /// a look of its own.
     pub(super) fn go_back_to_painting(&mut self) {
         self.view_before_painting.keep(&self.session);
         let home = self.session.painting().and_then(OpenPainting::home).cloned();
@@ -223,7 +221,7 @@ impl App {
         self.show_painting_panels();
     }
 
-    /// Opens a look that showed what is painted, with its changes. Returns whether it still does.
+    /// Opens a look that showed the painting, with its changes. Returns true if it still does.
     fn open_home(&mut self, home: &Home) -> bool {
         match &home.path {
             Some(path) if path.is_file() => {
@@ -245,7 +243,7 @@ impl App {
         self.bench.painting.import(import, path);
     }
 
-    /// Takes what was made on another thread; tells where that failed.
+    /// Takes an HCBTF that another thread made; reports a failure.
     pub(super) fn take_made(&mut self) {
         match self.bench.painting.made() {
             Some(MadePainting::Imported { from, made }) => self.take_import(&from, made),
@@ -265,7 +263,7 @@ impl App {
         }
     }
 
-    /// Begins with what was made of what was painted before.
+    /// Begins to paint on an HCBTF that was made from the previous one.
     pub(super) fn begin_made(&mut self, hcbtf: &Hcbtf) {
         let [width, height] = hcbtf.grid.size;
         if self.begin_painting(OpenPainting::imported(hcbtf.clone(), Vec::new()), false) {
@@ -319,8 +317,8 @@ impl App {
         self.bench.painting.export(&self.session, form, storage, to);
     }
 
-    /// Begins to paint, where the device can hold it; tells why not otherwise.
-    /// Returns whether it did.
+    /// Begins to paint an HCBTF, if the device can hold it; reports the reason otherwise. Returns
+    /// true if painting began.
     fn begin_painting(&mut self, work: OpenPainting, keeps_look: bool) -> bool {
         if let Err(problem) = self.bench.painting.check(work.grid()) {
             let why = sentence(&problem).replace('\n', ": ");
@@ -338,7 +336,7 @@ impl App {
         true
     }
 
-    /// Begins a look that shows what is painted, and nothing else.
+    /// Begins a look that shows the painting, and nothing else.
     fn begin_bare_look(&mut self) {
         let Some(work) = self.session.painting() else { return };
         let sheet =
@@ -357,9 +355,9 @@ impl App {
         self.dock.open(PanelId::PAINT);
     }
 
-    /// After work was taken back: shows what was painted, if that came back. Where nothing else is
-    /// open it is shown in the look that was left with it, or in one of its own. `before` is the
-    /// number of what was painted before.
+    /// Shows the painting after work was taken back, if a painting came back. Where nothing else is
+    /// open the painting is shown in the look that was left with it, or in one of its own. `before`
+    /// is the number of the previous painting.
     pub(super) fn show_painting_taken_back(&mut self, before: Option<u64>) {
         let now = self.painting_number();
         if now.is_none() || now == before {
@@ -385,7 +383,7 @@ impl App {
         self.dock.open(PanelId::PAINT);
     }
 
-    /// Tells what is painted from what was before.
+    /// Number of the painting, different for each one opened.
     pub(super) fn painting_number(&self) -> Option<u64> {
         self.session.painting().map(OpenPainting::number)
     }
@@ -404,13 +402,14 @@ impl App {
         self.dialogs.ask(FilePurpose::SavePainting, Some(&near));
     }
 
-    /// Saves what is painted to a file, which is its own from then on, and tells where that fails.
+    /// Saves the painting to a file, which is its own from then on, and reports a failure. Returns
+    /// true if the file is written.
     pub fn save_painting_as(&mut self, path: &Path) -> bool {
         let saved = self.session.save_painting_as(path);
         self.tell_saved(path, saved)
     }
 
-    /// Saves what is painted before a look that shows it: whether there was anything to be saved;
+    /// Saves the painting before a look that shows it. Returns true if there was anything to save;
     /// `None` where it is not saved yet.
     pub(super) fn save_painting_first(&mut self) -> Option<bool> {
         if !self.saves_painting() {

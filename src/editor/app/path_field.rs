@@ -1,5 +1,5 @@
-//! Asks for a file by its path, in the window itself: for systems that show no file dialog, and for
-//! who would rather type.
+//! Field that asks for a file by its path, in the window itself: for systems that show no file
+//! dialog, and for users who would rather type.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -13,38 +13,40 @@ use crate::commands::FilePurpose;
 use crate::widgets::confirm;
 use crate::widgets::theme;
 
-/// As many entries of a folder are looked at, and as many rows are seen at once.
+/// Largest number of a folder's entries that are read.
 const MOST_ENTRIES: usize = 4000;
+/// Number of rows that are seen at once.
 const ROWS: f32 = 7.0;
+/// Width of the field, in points.
 const WIDTH: f32 = 520.0;
 
 /// A path that is being typed.
 pub(crate) struct PathField {
     pub(crate) purpose: FilePurpose,
-    /// Whether it stands in for a dialog that the system does not have.
+    /// True if the field stands in for a dialog that the system does not have.
     stands_in: bool,
     text: String,
     is_new: bool,
-    /// What there is beside it, and the text that this was found for.
+    /// Entries of the folder, and the text that they were found for.
     beside: Option<(String, Vec<Entry>)>,
 }
 
-/// A file or a folder that begins as what is typed.
+/// A file or a folder whose name begins as the typed one.
 struct Entry {
     name: String,
     is_folder: bool,
 }
 
-/// What a typed path would do.
+/// Effect of a typed path.
 #[derive(Debug, PartialEq, Eq)]
 enum Verdict {
-    /// It can be read, or written anew.
+    /// A file that can be read, or written anew.
     Good,
-    /// There is a file that would be replaced.
+    /// An existing file that would be replaced.
     Replaces,
-    /// It is a folder: on into it.
+    /// A folder, to go into.
     Folder,
-    /// It cannot be; why.
+    /// An unusable path, with the reason.
     Bad(&'static str),
 }
 
@@ -54,7 +56,7 @@ impl PathField {
         Self { purpose, stands_in, text: path.display().to_string(), is_new: true, beside: None }
     }
 
-    /// Shows it. `Some(None)` when nothing is to be opened or saved after all.
+    /// Shows the field. Returns the chosen path, or `Some(None)` when the user cancels.
     pub(crate) fn show(&mut self, ctx: &Context) -> Option<Option<PathBuf>> {
         let mut answer = None;
         let frame = Frame::popup(&ctx.global_style()).inner_margin(Margin::same(14));
@@ -105,7 +107,7 @@ impl PathField {
         answer
     }
 
-    /// The field itself; whether Enter was pressed in it.
+    /// Shows the text field. Returns true if Enter was pressed in it.
     fn field(&mut self, ui: &mut Ui) -> bool {
         let edit = TextEdit::singleline(&mut self.text)
             .desired_width(f32::INFINITY)
@@ -122,7 +124,7 @@ impl PathField {
         response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter))
     }
 
-    /// Folders and files that begin as what is typed; a click takes one.
+    /// Shows the folders and files that begin as the typed name; a click takes one.
     fn entries(&mut self, ui: &mut Ui) {
         if self.beside.as_ref().is_none_or(|(of, _)| *of != self.text) {
             self.beside = Some((self.text.clone(), entries(self.purpose, &self.text)));
@@ -189,7 +191,7 @@ fn title(purpose: FilePurpose) -> &'static str {
     }
 }
 
-/// `~` is the user's home.
+/// Path with `~` replaced by the user's home.
 fn expand(text: &str, home: Option<OsString>) -> PathBuf {
     match (text.strip_prefix("~/"), home) {
         (Some(rest), Some(home)) => PathBuf::from(home).join(rest),
@@ -216,13 +218,13 @@ fn verdict(purpose: FilePurpose, path: &Path) -> Verdict {
     }
 }
 
-/// The folder that is typed in, with its separator, and what is typed of a name there.
+/// Splits a typed path into the folder, with its separator, and the beginning of a name there.
 fn split(text: &str) -> (&str, &str) {
     let text = text.trim();
     text.split_at(text.rfind(std::path::is_separator).map_or(0, |at| at + 1))
 }
 
-/// What of a folder begins as what is typed, or all of it where nothing does; folders first.
+/// Entries of a folder that begin as the typed name, or all of them where none does; folders first.
 fn entries(purpose: FilePurpose, text: &str) -> Vec<Entry> {
     let (folder, typed) = split(text);
     let folder = if folder.is_empty() {
@@ -245,7 +247,7 @@ fn entries(purpose: FilePurpose, text: &str) -> Vec<Entry> {
         is_folder: entry.path().is_dir(),
     });
     let mut found: Vec<Entry> = found.filter(|entry| fits(&entry.name, entry.is_folder)).collect();
-    // What is new beside them is seen among all that is there.
+    // A new name matches no entry, and is seen among all that exist.
     if found.iter().any(|entry| begins(&entry.name)) {
         found.retain(|entry| begins(&entry.name));
     }

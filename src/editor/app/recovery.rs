@@ -1,4 +1,4 @@
-//! What is asked for of unsaved work, and of files that other programs changed.
+//! Commands about unsaved work, and about files that other programs changed.
 
 use super::App;
 use crate::commands::{FilePurpose, RecoveryCommand};
@@ -22,7 +22,7 @@ impl App {
         self.show_painting_taken_back(painting);
     }
 
-    /// Does what the bar of unsaved work and changed files asks for. Returns what to tell.
+    /// Carries out a command of the bar of unsaved work and changed files. Returns a message.
     fn recover(&mut self, command: RecoveryCommand) -> Option<String> {
         let Self { safety, session, .. } = self;
         match command {

@@ -1,5 +1,5 @@
-//! The bar that tells of work to be taken back and of files that changed. There is none while there
-//! is nothing to tell.
+//! Bar of work to be taken back and of files that changed. The bar is hidden while there is nothing
+//! to report.
 
 use std::path::PathBuf;
 
@@ -13,13 +13,13 @@ use crate::state::safety::disk::{Conflict, PaintingConflict};
 use crate::state::safety::offers::Offer;
 use crate::state::session::Session;
 
-/// The names of so many documents are told in the bar; a list has all of them.
+/// Largest number of documents named in the bar; a list has all of them.
 const MOST_NAMED: usize = 3;
-/// The width of that list, in points.
+/// Width of that list, in points.
 const LIST: f32 = 620.0;
 
 impl Safety {
-    /// Shows the bar, if there is anything to tell.
+    /// Shows the bar, if there is anything to report.
     pub(crate) fn show(&self, ui: &mut Ui, session: &Session) -> Vec<RecoveryCommand> {
         let problem = session.keeping_problem();
         let problem = problem.filter(|_| !self.is_problem_read);
@@ -143,7 +143,7 @@ impl Safety {
         }
     }
 
-    /// The menu of files that were open. Returns the one that is wanted.
+    /// Shows the menu of recent files. Returns the chosen one.
     pub(crate) fn recent_menu(&self, ui: &mut Ui) -> Option<PathBuf> {
         let mut wanted = None;
         let menu = ui.menu_button("Recent", |ui| {
@@ -173,7 +173,7 @@ impl Safety {
     }
 }
 
-/// What is open is not drawn, because the last program ended over it.
+/// Row for an open document that is not drawn, because the last program ended over it.
 fn held(ui: &mut Ui, suspect: &Suspect, out: &mut Vec<RecoveryCommand>) {
     let (name, doing) = (&suspect.document.name, suspect.step.doing());
     let text =
@@ -253,7 +253,7 @@ fn ask(
     }
 }
 
-/// Several documents in one line, with a list of them behind a button.
+/// Row for several documents, with a list of them behind a button.
 fn several(ui: &mut Ui, offers: &[(usize, &Offer)], out: &mut Vec<RecoveryCommand>) {
     let is_damaged = offers.iter().any(|(_, offer)| !offer.damage.is_empty());
     let names: Vec<&str> =

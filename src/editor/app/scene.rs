@@ -1,4 +1,4 @@
-//! What is asked for of the scene around the look.
+//! Commands about the scene around the look.
 
 use std::path::{Path, PathBuf};
 
@@ -56,7 +56,7 @@ impl App {
         }
     }
 
-    /// What a dialog for a file of the scene begins near to.
+    /// Path that a dialog for a file of the scene begins near.
     fn near_stage(&self) -> Option<PathBuf> {
         let own = self.session.stage().and_then(OpenScene::path);
         own.map(Path::to_path_buf)
@@ -125,7 +125,7 @@ impl App {
         let worn =
             worn.or_else(|| object.looks.values().next().map(String::as_str)).map(str::to_owned);
         // An object that wears the open look on any of its materials keeps it open, unless another
-        // was pointed at.
+        // material was pointed at.
         let keeps = material.is_none()
             && self.session.stage().is_some_and(|stage| stage.wears_open(object));
         self.session.select_object(Some(id));
@@ -159,8 +159,8 @@ impl App {
         self.do_or_ask(Pending::Switch(path));
     }
 
-    /// Puts an object on another mesh: the one under the pointer, or the selected one, or one that
-    /// wears the open look.
+    /// Puts an object on another mesh: the object under the pointer, or the selected one, or one
+    /// that wears the open look.
     pub(super) fn mesh_of_object(&mut self, mesh: &str) {
         let Some(stage) = self.session.stage() else { return };
         let objects = &stage.scene().objects;
@@ -179,7 +179,7 @@ impl App {
         });
     }
 
-    /// Whether a mesh that is dropped now is one more object.
+    /// True if a mesh that is dropped now becomes one more object.
     pub(super) fn adds_what_is_dropped(&self, ui: &Ui) -> bool {
         let at = ui.input(|input| input.pointer.latest_pos());
         let panel = spots::find(ui.ctx(), &Spot::Panel(PanelId::OBJECTS));
@@ -187,7 +187,7 @@ impl App {
         is_on_panel || ui.input(|input| input.modifiers.shift)
     }
 
-    /// Saves the scene, or asks where to.
+    /// Saves the scene; asks for a file where there is none.
     pub(super) fn save_scene(&mut self) {
         match self.session.stage().map(|stage| stage.path().map(Path::to_path_buf)) {
             Some(Some(path)) => self.save_scene_and_go_on(&path),
@@ -202,14 +202,14 @@ impl App {
         }
     }
 
-    /// Saves the scene to a file and tells where that fails.
+    /// Saves the scene to a file, and reports a failure. Returns true if the file is written.
     pub fn save_scene_as(&mut self, path: &Path) -> bool {
         let saved = self.session.save_scene_as(path);
         self.tell_saved(path, saved)
     }
 
-    /// Adds an object on a mesh (a path, or `shape:` and the name of an own shape), as a mesh that
-    /// is dropped with Shift does.
+    /// Adds an object on a mesh (a path, or `shape:` and the name of a built-in shape), like a mesh
+    /// that is dropped with Shift.
     pub fn add_mesh(&mut self, mesh: &str) {
         self.add_object(mesh);
     }

@@ -1,5 +1,5 @@
-//! The sheet of all shortcuts, and the command palette: both list what is in the table of
-//! shortcuts. The palette finds nodes of the open graph too, however many there are.
+//! Sheet of all shortcuts, and command palette: both list rows of the table of commands. The
+//! palette finds nodes of the open graph too, however many there are.
 
 use eframe::egui;
 use eframe::egui::{Align2, Key, Modifiers, RichText, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
@@ -10,14 +10,16 @@ use crate::ids::NodeId;
 use crate::state::session::Session;
 use crate::widgets::theme;
 
+/// Width of the palette, in points.
 const WIDTH: f32 = 420.0;
-/// The width of the sheet of shortcuts.
+/// Width of the sheet of shortcuts, in points.
 const SHEET: f32 = 1080.0;
+/// Height of the palette's rows, in points.
 const ROW: f32 = 24.0;
-/// As many nodes are listed; another word finds the others.
+/// Largest number of listed nodes; a longer query finds the others.
 const MOST_NODES: usize = 40;
 
-/// What is open of both.
+/// The sheet or the palette, whichever is open.
 #[derive(Default)]
 pub(crate) struct Sheet {
     open: Option<OpenSheet>,
@@ -49,14 +51,14 @@ impl Sheet {
         self.open.is_some()
     }
 
-    /// Takes the key that closes it, before others do.
+    /// Closes the sheet or the palette on Esc, before others take that key.
     pub(crate) fn take_escape(&mut self, ui: &Ui) {
         if self.is_open() && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
             self.open = None;
         }
     }
 
-    /// Shows what is open; what was chosen.
+    /// Shows the open sheet or palette. Returns the chosen command.
     pub(crate) fn show(&mut self, ui: &Ui, session: &Session) -> Option<Command> {
         let shown = self.open.as_mut()?;
         let (mut chosen, is_new) = (None, shown.is_new());
@@ -117,7 +119,7 @@ fn show_shortcuts(ui: &mut Ui, height: f32) {
     });
 }
 
-/// The rows of a place; the nine bookmarks are told as one.
+/// Rows of a place; the nine bookmarks are listed as one.
 fn rows(place: Place) -> impl Iterator<Item = (String, &'static str)> {
     let rows = table::rows().filter(move |row| row.place == place && !row.keys.is_empty());
     rows.filter_map(|row| match row.command {
@@ -149,14 +151,14 @@ fn list(ui: &mut Ui, title: &str, rows: &[(String, &str)]) {
 /// A row of the palette.
 struct Entry {
     label: String,
-    /// The key, or what else tells it from others.
+    /// Key of the command, or a text that tells the row from others.
     aside: String,
-    /// What screen readers call it.
+    /// Name of the row for screen readers.
     name: String,
     command: Command,
 }
 
-/// What was chosen.
+/// Shows the palette. Returns the chosen command.
 fn show_commands(
     ui: &mut Ui,
     session: &Session,
@@ -210,7 +212,7 @@ fn show_commands(
     chosen.and_then(|place| entries.into_iter().nth(place)).map(|entry| entry.command)
 }
 
-/// Whether it was clicked.
+/// Shows a row of the palette. Returns true if it was clicked.
 fn show_entry(ui: &mut Ui, entry: &Entry, is_current: bool) -> bool {
     let (rect, response) =
         ui.allocate_exact_size(vec2(ui.available_width(), ROW), egui::Sense::click());
@@ -249,7 +251,7 @@ fn entries(session: &Session, query: &str) -> Vec<Entry> {
         .collect()
 }
 
-/// Commands whose label has all words of the query, those that begin with the first one first.
+/// Commands whose label has all words of the query, those that begin with the first word first.
 fn found(query: &str) -> Vec<&'static CommandRow> {
     let query = query.to_lowercase();
     let words: Vec<&str> = query.split_whitespace().collect();
@@ -265,8 +267,8 @@ fn found(query: &str) -> Vec<&'static CommandRow> {
     found
 }
 
-/// Nodes of the open graph whose title or id has all words of the query, with their titles; those
-/// that are called just that first.
+/// Nodes of the open graph whose title or id has all words of the query, with their titles; exact
+/// matches first.
 fn found_nodes<'s>(session: &'s Session, query: &str) -> Vec<(&'s NodeId, String)> {
     let query = query.trim().to_lowercase();
     if query.is_empty() {

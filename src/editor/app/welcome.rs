@@ -1,5 +1,5 @@
-//! What greets a newcomer: the start page and the tour; and the field that asks for paths where no
-//! dialog does.
+//! Start page and tour, which greet a newcomer; and the field that asks for paths where no dialog
+//! does.
 
 use std::path::Path;
 
@@ -16,7 +16,7 @@ use crate::state::revision::{DocumentNumber, LookRevision};
 use crate::state::session::Session;
 use crate::widgets::theme;
 
-/// What was open when the start page came: it leaves with that.
+/// State of the session when the start page came: the page leaves with the first change.
 #[derive(Debug, PartialEq)]
 pub(super) struct StartPage {
     document: DocumentNumber,
@@ -32,8 +32,8 @@ impl StartPage {
 }
 
 impl App {
-    /// What a window that is opened without a file begins with: where the last one was left, or
-    /// else the start page.
+    /// Begins in a window that is opened without a file: with the work of the last window, or else
+    /// the start page.
     pub fn begin(&mut self) {
         self.resume();
         if self.message.is_none() {
@@ -41,8 +41,9 @@ impl App {
         }
     }
 
-    /// What a window that is opened with a file begins with: the file, or else the start page,
-    /// where what is wrong is told. Returns that, too, for who asked at a terminal.
+    /// Begins in a window that is opened with a file: with the file, or else the start page, where
+    /// the problem is shown. Returns the problem, too, for users who started the program from a
+    /// terminal.
     pub fn begin_with(&mut self, file: &Path) -> Option<String> {
         self.open(file);
         let wrong = self.safety.unopened();
@@ -57,17 +58,17 @@ impl App {
         self.start = Some(StartPage::over(&self.session));
     }
 
-    /// Whether the start page is shown.
+    /// True while the start page is shown.
     pub fn shows_start_page(&self) -> bool {
         self.start.is_some()
     }
 
-    /// Whether the tour goes on.
+    /// True while the tour goes on.
     pub fn is_on_tour(&self) -> bool {
         self.tour.is_some()
     }
 
-    /// The start page goes once anything was opened or made.
+    /// Leaves the start page once anything was opened or made.
     pub(super) fn leave_start_page(&mut self) {
         if self.start.as_ref().is_some_and(|page| *page != StartPage::over(&self.session)) {
             self.start = None;
@@ -91,7 +92,7 @@ impl App {
         self.tour = Some(Tour::new(&self.session));
     }
 
-    /// Shows the tour beside what it speaks of, while it goes on.
+    /// Shows the tour beside its target, while it goes on.
     pub(super) fn show_tour(&mut self, ui: &Ui, commands: &mut Vec<Command>) {
         self.tour = self.tour.take().filter(|tour| tour.is_about(&self.session));
         let Some(tour) = self.tour.as_mut().filter(|_| self.start.is_none()) else { return };
@@ -115,7 +116,7 @@ impl App {
         self.path_field = Some(PathField::new(FilePurpose::Open, &folder.join(""), false));
     }
 
-    /// Files that were chosen, in a dialog of the system or by their path.
+    /// Commands for files that were chosen, in a dialog of the system or by their path.
     pub(super) fn chosen_files(&mut self, ui: &Ui) -> Vec<Command> {
         let mut chosen = Vec::new();
         for answer in self.dialogs.answers() {

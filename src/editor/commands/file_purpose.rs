@@ -1,4 +1,4 @@
-//! What files are asked for, and how such files end.
+//! Purposes that files are asked for, and the endings of such files.
 
 use std::path::PathBuf;
 
@@ -6,7 +6,7 @@ use super::{PictureExport, PictureImport};
 use crate::document::Storage;
 use crate::hcbtf::exchange::Form;
 
-/// What a file is asked for.
+/// Purpose that a file is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum FilePurpose {
     Open,
@@ -14,37 +14,37 @@ pub(crate) enum FilePurpose {
     Mesh,
     /// A mesh for one more object.
     AddMesh,
-    /// A mesh for the object that is asked for.
+    /// A mesh for the object that the question is about.
     ObjectMesh,
-    /// A look for the object that is asked for.
+    /// A look for the object that the question is about.
     ObjectLook,
     SaveScene,
     SavePainting,
     /// Pictures of other programs, or a folder of them.
     ImportPainting(PictureImport),
-    /// The open look is baked into an HCBTF.
+    /// An HCBTF to bake the open look into.
     BakeLook,
-    /// What is painted is written for other programs.
+    /// A file or folder to write the painting to, for other programs.
     ExportPainting(Form, Storage),
-    /// Shaders of a language, or of all, are written into a folder.
+    /// A folder to write shaders into, of a language or of all.
     Shaders(&'static str),
-    /// A picture is written.
+    /// A picture file to write.
     Export(PictureExport),
-    /// An image is shown.
+    /// An image to show.
     Reference,
 }
 
-/// The endings of meshes that can be read.
+/// File endings of meshes that can be read.
 pub(crate) const MESHES: [&str; 5] = ["obj", "ply", "stl", "gltf", "glb"];
 
-/// The endings of images that can be read.
+/// File endings of images that can be read.
 pub(crate) const IMAGES: [&str; 5] = ["png", "jpg", "jpeg", "exr", "hdr"];
 
-/// The ending of HCBTFs.
+/// File ending of HCBTFs.
 pub(crate) const PAINTING: &str = "hcbtf";
 
 impl FilePurpose {
-    /// What such files are called, and their endings.
+    /// Name of such files, and their endings.
     pub(crate) fn files(self) -> (&'static str, &'static [&'static str]) {
         match self {
             Self::Open => ("Chiaro look, scene or HCBTF", &["json", PAINTING]),
@@ -65,7 +65,7 @@ impl FilePurpose {
         }
     }
 
-    /// Whether the file is written.
+    /// True if the file is written.
     pub(crate) fn writes(self) -> bool {
         let is_file = !self.is_folder();
         is_file
@@ -80,7 +80,7 @@ impl FilePurpose {
             )
     }
 
-    /// Whether a folder is asked for; one that is written into is made where there is none.
+    /// True if a folder is asked for; a folder to write into is created if it does not exist.
     pub(crate) fn is_folder(self) -> bool {
         match self {
             Self::Shaders(_) | Self::ExportPainting(Form::Folder, _) => true,
@@ -89,7 +89,7 @@ impl FilePurpose {
         }
     }
 
-    /// The path with an ending, where one is to be written and has none.
+    /// A path with an ending added, where a file is to be written and has none.
     pub(crate) fn complete(self, mut path: PathBuf) -> PathBuf {
         let (_, endings) = self.files();
         if self.writes() && path.extension().is_none() {

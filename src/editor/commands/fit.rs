@@ -1,4 +1,4 @@
-//! What is asked for of painted light: brushes, fits, what comes of them.
+//! Commands about painted light: brushes, fits, and their results.
 
 use std::sync::Arc;
 
@@ -6,24 +6,25 @@ use super::Switch;
 use crate::document::{Look, Tile};
 use crate::state::sketch::Standpoint;
 
-/// Something that is asked for of painted light; [`App`](crate::App) does it.
+/// Command about painted light; [`App`](crate::App) carries it out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum FitCommand {
-    /// Begins to paint on the picture, or ends that.
+    /// Begins or ends painting on the picture.
     Turn(Switch),
-    /// Gives up what is going on, the nearest thing first, and at last the painting.
+    /// Gives up one activity, the nearest first: the stroke, the running fit, the fitted look, and
+    /// at last painting on the picture.
     Leave,
-    /// Fits to what is painted.
+    /// Fits the look to the strokes.
     Fit(FitGoal),
-    /// Gives up the fit that is going on.
+    /// Stops the fit that goes on.
     Stop,
-    /// Takes on what was fitted.
+    /// Takes on the fitted look.
     Apply,
-    /// Lets go of what was fitted.
+    /// Drops the fitted look.
     Discard,
-    /// Takes all strokes away.
+    /// Removes all strokes.
     Clear,
-    /// Looks from where the strokes were painted.
+    /// Returns to the view that the strokes were painted in.
     Back,
     /// Takes a brush in hand.
     TakeBrush(LightBrush),
@@ -32,27 +33,27 @@ pub(crate) enum FitCommand {
     },
 }
 
-/// A brush of painted light: what its strokes ask for.
+/// Brush of painted light: the wish that its strokes express.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum LightBrush {
-    /// Lighter than it is seen.
+    /// Lighter than shown.
     Light,
-    /// Darker than it is seen.
+    /// Darker than shown.
     Dark,
     /// A color.
     Color,
-    /// As the look shows it.
+    /// The color that the look shows.
     Keep,
-    /// Nothing any more.
+    /// No wish any more.
     Erase,
 }
 
 impl LightBrush {
-    /// All, in the order of the bar.
+    /// All brushes, in the order of the bar.
     pub(crate) const ALL: [Self; 5] =
         [Self::Light, Self::Dark, Self::Color, Self::Keep, Self::Erase];
 
-    /// What people call it.
+    /// Display name of the brush.
     pub(crate) fn label(self) -> &'static str {
         match self {
             Self::Light => "Light",
@@ -63,7 +64,7 @@ impl LightBrush {
         }
     }
 
-    /// What it does, with its key.
+    /// Explanation of the brush, with its key.
     pub(crate) fn help(self) -> &'static str {
         match self {
             Self::Light => "Here it should be lighter, as if more light fell on it (B)",
@@ -76,7 +77,7 @@ impl LightBrush {
         }
     }
 
-    /// What undo calls a stroke of it.
+    /// Name of a stroke in undo.
     pub(crate) fn step(self) -> &'static str {
         match self {
             Self::Light => "paint light",
@@ -88,21 +89,21 @@ impl LightBrush {
     }
 }
 
-/// What is fitted.
+/// Goal of a fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum FitGoal {
-    /// What the open look has: its nodes and wires stay.
+    /// The open look's own values: its nodes and wires stay.
     ThisLook,
-    /// Up to so many layers from nothing, in place of the look's nodes.
+    /// New layers, up to so many, in place of the look's nodes.
     Layers(usize),
 }
 
-/// Something that is asked for of the strokes of light, and of the look that was fitted to them.
+/// Command about the strokes of light, and about the look that was fitted to them.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum SketchCommand {
-    /// Lets the strokes be seen, so that undo takes them back; or not.
+    /// Shows or hides the strokes: undo takes them back only while they are seen.
     Open(bool),
-    /// Paints on the picture, as a step; no tile for nothing.
+    /// Replaces the painted strokes, as a step; a `tile` of `None` clears them.
     Paint { label: &'static str, from: Box<Standpoint>, tile: Option<Tile> },
     /// Shows another look in place of the open one, or the open one again.
     Preview(Option<Arc<Look>>),

@@ -1,8 +1,8 @@
-//! What is asked for of the graph on the canvas.
+//! Commands about the graph on the canvas.
 
 use eframe::egui;
 
-/// Something that is asked for of the graph that is open.
+/// Command about the open graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum GraphCommand {
     AddNode,
@@ -41,7 +41,7 @@ pub(crate) enum GraphCommand {
     Layout,
     SnapGrid,
     Minimap,
-    /// Moves what is selected.
+    /// Moves the selected nodes.
     Nudge(Heading),
     SelectNext(Heading),
     /// Goes to a bookmark.
@@ -50,7 +50,7 @@ pub(crate) enum GraphCommand {
     Remember(u8),
 }
 
-/// Where an arrow key points.
+/// Direction of an arrow key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Heading {
     Left,
@@ -60,7 +60,7 @@ pub(crate) enum Heading {
 }
 
 impl Heading {
-    /// One step.
+    /// Unit step in this direction, y downward.
     pub(crate) fn step(self) -> egui::Vec2 {
         match self {
             Self::Left => egui::vec2(-1.0, 0.0),

@@ -1,17 +1,17 @@
-//! Whose the keys of a frame are: those of the window, of a text field or of a dialog.
+//! Owner of a frame's keys: the window, a text field or a dialog.
 
 use eframe::egui;
 use eframe::egui::{Key, Modifiers};
 
-/// Whose the keys of a frame are.
+/// Owner of a frame's keys.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum KeyboardOwner {
-    /// The window's, and whatever lies under the pointer.
+    /// The window, and the area under the pointer.
     #[default]
     Window,
-    /// A text field's; keys of [`Place::Window`](super::table::Place::Window) still work.
+    /// A text field; keys of [`Place::Window`](super::table::Place::Window) still work.
     Field,
-    /// A dialog's, all of them.
+    /// A dialog, which owns all keys.
     Dialog,
 }
 
@@ -19,9 +19,9 @@ fn owner_id() -> egui::Id {
     egui::Id::unique("owner of the keyboard")
 }
 
-/// Remembers whose the keys of this frame are; to be called before anything of it is shown. A field
-/// or a dialog that one of these keys closes would leave the others, typed as fast, to whatever
-/// lies below.
+/// Remembers the owner of this frame's keys; to be called before any part of the frame is shown. If
+/// one key closed a field or a dialog, the others, typed as fast, would otherwise go to the widgets
+/// below.
 pub(crate) fn begin_frame(ctx: &egui::Context) {
     let owner = if ctx.memory(|memory| memory.top_modal_layer().is_some()) {
         KeyboardOwner::Dialog
@@ -37,18 +37,18 @@ fn owner(ctx: &egui::Context) -> KeyboardOwner {
     ctx.data(|data| data.get_temp(owner_id())).unwrap_or_default()
 }
 
-/// Whether the keys are those of a text field or a dialog, now or when the frame began.
+/// True if the keys belong to a text field or a dialog, now or when the frame began.
 pub(crate) fn is_keyboard_taken(ctx: &egui::Context) -> bool {
     owner(ctx) != KeyboardOwner::Window || ctx.egui_wants_keyboard_input()
 }
 
-/// Whether all keys are those of a dialog.
+/// True if all keys belong to a dialog.
 pub(crate) fn is_dialog_open(ctx: &egui::Context) -> bool {
     owner(ctx) == KeyboardOwner::Dialog
 }
 
-/// Takes a key with just these modifiers, which egui's own way would not ask for: to it Shift+D is
-/// D too.
+/// Takes a key with exactly these modifiers, which egui's own method does not check: to egui
+/// Shift+D is D too.
 pub(crate) fn take(ui: &egui::Ui, (wanted, wanted_key): (Modifiers, Key)) -> bool {
     ui.input_mut(|input| {
         let count = input.events.len();

@@ -1,6 +1,6 @@
-//! Everything that the window can be asked for, as one tree. Panels, tools, keys, menus and the
-//! command palette return [`Command`]s and change nothing themselves: [`App`](crate::App) applies
-//! them, in one place.
+//! All commands of the window, as one tree. Panels, tools, keys, menus and the command palette
+//! return [`Command`]s and change nothing themselves: [`App`](crate::App) applies them, in one
+//! place.
 //!
 //! `table` has a row for each command that people ask for by its name, with its label, its help and
 //! its keys; menus, the palette and the sheet of shortcuts list that table.
@@ -33,18 +33,18 @@ pub(crate) use picture::{PictureExport, ViewCommand};
 pub(crate) use recovery::RecoveryCommand;
 pub(crate) use scene::SceneCommand;
 
-/// Something that the window is asked for.
+/// Command to the window.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Command {
-    /// A change of the look as an undo step of its own.
+    /// Edits the look, as an undo step of its own.
     Edit(Edit),
-    /// A change that goes on for as long as the same widget is held: one undo step in all.
+    /// Edits the look for as long as the same widget is held: one undo step in all.
     EditHeld(egui::Id, Edit),
     /// Selects these nodes and no others.
     Select(Vec<NodeId>),
     /// Selects a node and brings it into view.
     Reveal(NodeId),
-    /// Selects a node in whichever group it lies, opens that, and brings it into view.
+    /// Selects a node in whichever group it lies, opens that group, and brings the node into view.
     Show(NodePath),
     /// Opens the graph that these nodes of groups lead to; none for the look's own.
     OpenGraph(Vec<NodeId>),
@@ -55,7 +55,7 @@ pub(crate) enum Command {
     Open(Option<PathBuf>),
     /// Asks for a path to open in the window itself.
     OpenPath,
-    /// Takes a file off the list of those that were open.
+    /// Takes a file off the list of recent files.
     Forget(PathBuf),
     /// Shows the start page in place of the panels, or the panels again.
     ShowStart(bool),
@@ -65,15 +65,15 @@ pub(crate) enum Command {
     OpenPalette,
     /// Opens the sheet of shortcuts, or closes it.
     OpenShortcuts,
-    /// Saves to the look's own file; asks where there is none.
+    /// Saves to the look's own file; asks for one where there is none.
     Save,
     SaveAs,
     /// Saves to this file.
     SaveTo(PathBuf),
-    /// Shows the look on the mesh of this file, or on the own shape that `shape:` names; asks for a
-    /// file where there is none.
+    /// Shows the look on the mesh of this file, or on the built-in shape that `shape:` names; asks
+    /// for a file where there is none.
     ShowOn(Option<PathBuf>),
-    /// Whether the mesh's z axis points up, and not y.
+    /// Sets whether the mesh's z axis points up, and not y.
     StandUp(bool),
     /// Turns the probe on or off.
     Probe(Switch),
@@ -81,11 +81,11 @@ pub(crate) enum Command {
     LeaveProbe,
     /// Shows a wire in place of the picture, or the picture again.
     ShowWire(Option<ShownWire>),
-    /// Tells something in the status line.
+    /// Shows a message in the status line.
     Tell(String),
     /// Writes a picture to a file; asks for one where there is none.
     Export(PictureExport, Option<PathBuf>),
-    /// Writes the picture as large as it is on the screen; asks for the file.
+    /// Writes the picture in its size on the screen; asks for the file.
     ExportPicture,
     /// Writes the look as shaders of a language, or of all, into a folder; asks for one where there
     /// is none.
@@ -94,50 +94,50 @@ pub(crate) enum Command {
     CopyPicture,
     /// Copies the shader to the clipboard.
     CopyWgsl,
-    /// Copies the shader in a language to the clipboard, of its files the one with this ending.
+    /// Copies the shader in a language to the clipboard: the one of its files with this ending.
     CopyShader(&'static str, &'static str),
     /// Shows an image with the picture; asks for one where there is none.
     ShowReference(Option<PathBuf>),
-    /// Shows layers or lights alone, or leaves lights out; the document stays as it is.
+    /// Shows layers or lights alone, or leaves lights out; the document is unchanged.
     Solo(Solo),
     /// Brings a panel to the front.
     ShowPanel(PanelId),
     /// Takes steps back, or repeats them, until so many are done.
     GoTo(usize),
-    /// Adds a node of a kind at a place of the screen, or in the middle of the canvas.
+    /// Adds a node of a kind at a point of the screen, or in the middle of the canvas.
     AddNode {
         kind: String,
         at: Option<egui::Pos2>,
     },
     /// Puts a group of the look's own where all looks of the project have it.
     ShareGroup(DefinitionId),
-    /// Begins a new look with an example of the library, by its number.
+    /// Begins a new look from an example of the library, by its index.
     OpenExample(usize),
     /// Copies text to the clipboard.
     Copy(String),
-    /// Sets values at this direction key from now on: a set and a key of it; at none, at the one
-    /// that weighs most.
+    /// Selects the direction key at which values are set from now on: a set and a key of it; `None`
+    /// for the key that weighs most.
     SelectKey(Option<(usize, usize)>),
     /// Moves the playhead, in seconds.
     SetTime(f64),
-    /// What is asked for of the view on the object.
+    /// Command about the view of the object.
     View(ViewCommand),
-    /// What is asked for of the graph on the canvas.
+    /// Command about the graph on the canvas.
     Graph(GraphCommand),
-    /// What is asked for of the scene around the look.
+    /// Command about the scene around the look.
     Scene(SceneCommand),
-    /// What is asked for of the HCBTF that is being painted.
+    /// Command about the HCBTF that is being painted.
     Paint(PaintCommand),
-    /// What is asked for of painting light on the picture.
+    /// Command about painting light on the picture.
     Fit(FitCommand),
-    /// What is asked for of the strokes of light, and of the look that was fitted to them.
+    /// Command about the strokes of light, and about the look that was fitted to them.
     Sketch(SketchCommand),
-    /// What the bar of unsaved work and changed files asks for.
+    /// Command of the bar of unsaved work and changed files.
     Recovery(RecoveryCommand),
 }
 
 impl Command {
-    /// Whether only the view or a stroke is changed: what comes of that is drawn in the same
+    /// True if the command changes only the view or a stroke: the result is drawn in the same
     /// frame.
     pub(crate) fn is_drawn_at_once(&self) -> bool {
         matches!(
@@ -150,17 +150,17 @@ impl Command {
     }
 }
 
-/// How a tool is turned.
+/// Switch of a tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Switch {
     On,
     Off,
-    /// On where it is off, and off where it is on.
+    /// On where the tool is off, and off where it is on.
     Toggle,
 }
 
 impl Switch {
-    /// Whether the tool is on afterwards.
+    /// True if the tool is on afterwards.
     pub(crate) fn turned(self, is_on: bool) -> bool {
         match self {
             Self::On => true,

@@ -1,4 +1,4 @@
-//! What is asked for of the HCBTF that is painted, and the tools that paint it.
+//! Commands about the painted HCBTF, and the tools that paint it.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -9,64 +9,65 @@ use super::Heading;
 use crate::document::{Address, Directions, Grid, Hcbtf, HcbtfEdit, Storage, Tile};
 use crate::hcbtf::exchange::Form;
 
-/// Something that is asked for of what is painted; [`App`](crate::App) does it.
+/// Command about the painting; [`App`](crate::App) carries it out.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum PaintCommand {
-    /// A change as an undo step of its own.
+    /// Changes the painting, as an undo step of its own.
     Edit(HcbtfEdit),
-    /// A change that goes on for as long as the same widget is held: one undo step in all.
+    /// Changes the painting for as long as the same widget is held: one undo step in all.
     EditHeld(egui::Id, HcbtfEdit),
-    /// Works at another sample.
+    /// Moves on to work at another sample.
     GoTo(Address),
-    /// Begins a new one, in a look of its own unless the open one is to stay.
+    /// Begins a new HCBTF, in a look of its own unless the open look is to stay.
     New {
         grid: Grid,
         keeps_look: bool,
     },
-    /// Opens the one in a file. The open look stays where it shows that, or where it is to.
+    /// Opens the HCBTF in a file. The open look stays where it shows that HCBTF, or with
+    /// `keeps_look`.
     Open {
         path: PathBuf,
         keeps_look: bool,
     },
-    /// Divides the open one otherwise, which loses so many painted samples.
+    /// Gives the open HCBTF another grid, which loses `lost` painted samples.
     Divide {
         grid: Grid,
         lost: usize,
     },
-    /// Paints what the open look shows, or goes on with that; where it is more than one, shows
-    /// which there are.
+    /// Paints what the open look shows, or goes on with that; where it shows several HCBTFs, lists
+    /// them.
     PaintShown,
-    /// Shows the open one in the look that it was painted in, or in one of its own.
+    /// Shows the painting in the look that it was painted in, or in one of its own.
     GoBack,
-    /// Asks how finely a new one is divided, or how the open one is to be from now on.
+    /// Asks for the grid of a new HCBTF, or for another grid of the open one.
     AskGrid {
         changes: bool,
     },
-    /// Asks for a new tile of patches of the open one.
+    /// Asks for a new tile made of patches of the open HCBTF.
     AskSynthesis,
-    /// Asks onto which grid the open look is to be baked.
+    /// Asks for the grid that the open look is to be baked onto.
     AskBake,
-    /// Bakes it as was asked for; asks for the file where there is none.
+    /// Bakes the open look with the settings of the dialog; asks for the file where there is none.
     Bake {
         to: Option<PathBuf>,
     },
-    /// Begins with what was made, in a look of its own.
+    /// Begins to paint a newly made HCBTF, in a look of its own.
     Begin {
         hcbtf: Arc<Hcbtf>,
     },
-    /// Asks what pictures of other programs are to become an HCBTF.
+    /// Asks which pictures of other programs are to become an HCBTF.
     AskImport,
-    /// Makes one of pictures; asks for them where there are none.
+    /// Makes an HCBTF of pictures; asks for them where there are none.
     Import {
         import: PictureImport,
         from: Option<PathBuf>,
     },
-    /// Asks how a texture is to be stored.
+    /// Asks for the storage of a texture.
     AskTexture,
-    /// Writes all samples in another program's form; asks where to.
+    /// Writes all samples in another program's form; asks for the file where there is none.
     Export {
         form: Form,
-        /// Of a texture.
+        /// Storage of a texture.
         storage: Storage,
         to: Option<PathBuf>,
     },
@@ -93,11 +94,12 @@ pub(crate) enum PaintCommand {
     StepView(Heading),
     /// Moves the light by one direction.
     StepLight(Heading),
-    /// Shows a stroke that goes on over a sample, which is no edit yet; none shows what is painted.
+    /// Shows a stroke that goes on over a sample, which is no edit yet; `None` shows the painting
+    /// alone.
     ShowStroke(Option<(Address, Arc<Tile>)>),
 }
 
-/// A tool that paints on the tile.
+/// Tool that paints on the tile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum PaintTool {
     Paint,
@@ -110,11 +112,11 @@ pub(crate) enum PaintTool {
 }
 
 impl PaintTool {
-    /// All, in the order of the bar.
+    /// All tools, in the order of the bar.
     pub(crate) const ALL: [Self; 7] =
         [Self::Paint, Self::Erase, Self::Smudge, Self::Line, Self::Fill, Self::Stamp, Self::Pick];
 
-    /// What people call it.
+    /// Display name of the tool.
     pub(crate) fn label(self) -> &'static str {
         match self {
             Self::Paint => "Brush",
@@ -127,7 +129,7 @@ impl PaintTool {
         }
     }
 
-    /// What it does, with its key.
+    /// Explanation of the tool, with its key.
     pub(crate) fn help(self) -> &'static str {
         match self {
             Self::Paint => "Paints with the first color (B). Alt-click picks a color from the tile",
@@ -145,13 +147,13 @@ impl PaintTool {
         }
     }
 
-    /// Whether it has a size and an edge.
+    /// True if the tool has a size and an edge.
     pub(crate) fn has_brush(self) -> bool {
         !matches!(self, Self::Fill | Self::Pick)
     }
 }
 
-/// A grid to begin with.
+/// Preset of a new HCBTF's grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum GridPreset {
     Small,
@@ -163,7 +165,7 @@ pub(crate) enum GridPreset {
 impl GridPreset {
     pub(crate) const ALL: [Self; 4] = [Self::Small, Self::Thesis, Self::Large, Self::Fine];
 
-    /// The grid itself.
+    /// Grid of the preset.
     pub(crate) fn grid(self) -> Grid {
         let directions = |theta, phi| Directions { theta, phi };
         let of =
@@ -195,13 +197,14 @@ impl GridPreset {
     }
 }
 
-/// What pictures are taken for. How large their tiles are they tell themselves.
+/// Interpretation of imported pictures. The size of their tiles is read from the pictures
+/// themselves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct PictureImport {
     pub(crate) form: Form,
     pub(crate) light: Directions,
     pub(crate) view: Directions,
-    /// Texels between the tiles of a contact sheet.
+    /// Gap between the tiles of a contact sheet, in texels.
     pub(crate) gap: u32,
     pub(crate) is_tiling: bool,
 }

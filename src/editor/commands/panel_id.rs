@@ -1,7 +1,7 @@
-//! Names of panels. A panel's own row is in the table of `panels`; here are the names of those that
-//! commands open.
+//! Names of panels. A panel's own row is in the table of `panels`; here are the names of the panels
+//! that commands open.
 
-/// The name of a panel, as a saved layout has it.
+/// Name of a panel, as in a saved layout.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct PanelId(pub(crate) &'static str);
 

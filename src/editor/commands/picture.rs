@@ -1,20 +1,20 @@
-//! What is asked for of the picture: the view on it and what leaves the window.
+//! Commands about the picture: its view, and its exports.
 
 use crate::state::orbit::Orbit;
 
-/// A picture that leaves the window.
+/// Picture to export.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum PictureExport {
-    /// The picture as it is, in so many pixels.
+    /// The picture as it is, of this size in pixels.
     Picture([u32; 2]),
-    /// The look on a ball, so many pixels wide.
+    /// The look on a ball, of this width in pixels.
     LitSphere(u32),
 }
 
-/// Something that is asked for of the view on the object, or of what is shown over it.
+/// Command about the view of the object, or about what is shown over it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum ViewCommand {
-    /// Looks from elsewhere, or under lights that are turned otherwise.
+    /// Turns to another view, or turns the lights.
     TurnTo(Box<Orbit>),
     /// Turns camera and lights back.
     Reset,
@@ -22,7 +22,7 @@ pub(crate) enum ViewCommand {
     FrameObject,
     /// Brings all objects into view.
     FrameAll,
-    /// From perspective to parallel, and back.
+    /// Switches between perspective and parallel projection.
     SwitchProjection,
     /// Starts or stops the turntable.
     ToggleTurntable,

@@ -1,32 +1,32 @@
-//! What the bar of unsaved work and changed files asks for.
+//! Commands of the bar of unsaved work and changed files.
 
-/// Something that is asked for of work that is not saved, or of a file that changed.
+/// Command about unsaved work, or about a file that changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum RecoveryCommand {
-    /// Opens what is offered under this number.
+    /// Takes back the offer of this number.
     TakeBack(usize),
-    /// Throws it away when the window closes, or does not.
+    /// Marks the offer of this number to be thrown away when the window closes, or not.
     Throw(usize, bool),
-    /// Takes the file as another program left it.
+    /// Takes the look's file as another program left it.
     Reload,
-    /// Lets saving write over it.
+    /// Lets saving write over the other program's version.
     KeepMine,
     /// Takes the scene's file as another program left it.
     ReloadScene,
-    /// Lets saving the scene write over it.
+    /// Lets saving the scene write over the other program's version.
     KeepMyScene,
-    /// Takes what is painted as another program left its file.
+    /// Takes the painting's file as another program left it.
     ReloadPainting,
-    /// Lets saving what is painted write over it.
+    /// Lets saving the painting write over the other program's version.
     KeepMyPainting,
-    /// The note was read.
+    /// Dismisses the note.
     Hide,
-    /// The note of a file that could not be opened was read.
+    /// Dismisses the note of a file that could not be opened.
     HideUnopened,
-    /// Asks for another file in its place.
+    /// Asks for another file than the one that could not be opened.
     OpenAnother,
-    /// Reads the file all the same over which the last program ended.
+    /// Reads a file although the last program ended over it.
     ReadAgain,
-    /// Compiles and draws what is open all the same, over which the last program ended.
+    /// Compiles and draws the open document although the last program ended over it.
     TryAgain,
 }

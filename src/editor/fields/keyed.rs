@@ -1,8 +1,8 @@
-//! What stands below a keyed value: what it is now, what decides and where that is, and at which
-//! key a hand sets it.
+//! Lines below a keyed value: its present value, what decides between the keys and where that is,
+//! and the key at which a hand sets the value.
 //!
-//! The widget above shows the value of that one key, so what is typed stays as it was typed; what
-//! the picture has lies between the keys.
+//! The widget above shows the value at that one key, so typed text stays as it was typed; the
+//! picture's value lies between the keys.
 
 use eframe::egui::{Button, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 
@@ -16,7 +16,7 @@ use crate::values;
 use crate::widgets::color;
 use crate::widgets::theme;
 
-/// Says it of a value, if keys move it.
+/// Shows these lines below a value, if keys move it.
 pub(crate) fn show(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>) {
     match marked.session.keyed_by(&marked.target) {
         KeyedBy::Nothing => {}
@@ -25,7 +25,7 @@ pub(crate) fn show(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>
     }
 }
 
-/// A line below the widget.
+/// Shows a line below the widget.
 fn line(ui: &mut Ui, add: impl FnOnce(&mut Ui)) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 3.0;
@@ -69,14 +69,14 @@ fn by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, set: usize, out: &mut Vec
     });
 }
 
-/// A color as it is seen; `None` of what is no color.
+/// A color as shown; `None` for a value that is no color.
 fn shown_color(marked: &FieldTarget<'_>, value: &Value) -> Option<[f64; 4]> {
     let space = marked.session.look().color_space;
     let is_color = matches!(marked.ty, Type::Color | Type::Composite);
     Some(color::encoded(value.color_in(space).filter(|_| is_color)?, space))
 }
 
-/// A color as it is now.
+/// Shows the present color of a value.
 fn chip(ui: &mut Ui, marked: &FieldTarget<'_>, now: &Value) {
     let Some(color) = shown_color(marked, now) else { return };
     let [r, g, b, _] = color.map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
@@ -84,7 +84,7 @@ fn chip(ui: &mut Ui, marked: &FieldTarget<'_>, now: &Value) {
     ui.painter().rect_filled(rect, 2.0, eframe::egui::Color32::from_rgb(r, g, b));
 }
 
-/// What decides between the keys of a set, with where it is now where that is a number.
+/// Text on what decides between the keys of a set, with its present value where that is a number.
 fn decided_by(session: &Session, set: usize, keys: &DirectionKeys) -> String {
     match &keys.by {
         KeyDirection::View => "by the view".to_owned(),
@@ -100,7 +100,8 @@ fn decided_by(session: &Session, set: usize, keys: &DirectionKeys) -> String {
     }
 }
 
-/// A key of the set: pressed to be the one that is set, and again to follow the heaviest.
+/// Shows a button for a key of the set: pressed, values are set at this key; pressed again, at the
+/// heaviest.
 fn one_key(
     ui: &mut Ui,
     marked: &FieldTarget<'_>,

@@ -1,5 +1,5 @@
-//! Lights of the look and of the scene around it: listed alike, and changed alike. Only which
-//! document an edit goes to differs, and that keys move the look's.
+//! Lights of the look and of the scene around it: listed alike, and changed alike. They differ only
+//! in the document that an edit goes to, and in that keys move the look's.
 
 use eframe::egui;
 use indexmap::IndexMap;
@@ -12,14 +12,14 @@ use crate::state::keying::KeyedBy;
 use crate::state::reading::light_name;
 use crate::state::session::Session;
 
-/// Whose a light is.
+/// Document that a light belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Owner {
     Look,
     Scene,
 }
 
-/// A light with whose it is.
+/// A light with the document that it belongs to.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct OwnedLight<'s> {
     pub(crate) owner: Owner,
@@ -27,22 +27,22 @@ pub(crate) struct OwnedLight<'s> {
     pub(crate) light: &'s Light,
 }
 
-/// What looks of a scene make of a light's id.
+/// A light's id in the looks of a scene: how many have it, and with which light.
 pub(crate) struct SharedLight {
-    /// How many of them have such a light.
+    /// Number of looks that have such a light.
     pub(crate) looks: usize,
-    /// The first one's.
+    /// Light of the first such look.
     pub(crate) light: Light,
 }
 
-/// An edit of the document that has the light.
+/// Edit of the document that has the light.
 pub(crate) enum Change {
     Look(Edit),
     Scene(SceneEdit),
 }
 
 impl Change {
-    /// As an undo step of its own.
+    /// The edit as an undo step of its own.
     pub(crate) fn once(self) -> Command {
         match self {
             Self::Look(edit) => Command::Edit(edit),
@@ -50,7 +50,7 @@ impl Change {
         }
     }
 
-    /// As part of the step that goes on for as long as the same widget is held.
+    /// The edit as part of the step that goes on for as long as the same widget is held.
     pub(crate) fn held(self, hand: egui::Id) -> Command {
         match self {
             Self::Look(edit) => Command::EditHeld(hand, edit),
@@ -60,7 +60,7 @@ impl Change {
 }
 
 impl Owner {
-    /// Adds a light under an id that is free.
+    /// Adds a light under a free id.
     pub(crate) fn add(self, id: LightId, light: Light, index: Option<usize>) -> Change {
         match self {
             Self::Look => Change::Look(Edit::AddLight { id, light, index }),
@@ -70,12 +70,12 @@ impl Owner {
 }
 
 impl<'s> OwnedLight<'s> {
-    /// What it is called.
+    /// Display name of the light.
     pub(crate) fn name(&self) -> &'s str {
         light_name(self.id, self.light)
     }
 
-    /// What tells it from the other document's light of the same name.
+    /// Display name that tells the light from the other document's light of the same name.
     pub(crate) fn full_name(&self) -> String {
         match self.owner {
             Owner::Look => self.name().to_owned(),
@@ -83,7 +83,7 @@ impl<'s> OwnedLight<'s> {
         }
     }
 
-    /// The light with its keyed fields as they are where they are set.
+    /// The light with its keyed fields as they are at the keys where they are set.
     pub(crate) fn as_set(&self, session: &Session) -> Light {
         let mut shown = self.light.clone();
         if self.owner == Owner::Scene {
@@ -100,13 +100,13 @@ impl<'s> OwnedLight<'s> {
         shown
     }
 
-    /// What keys of the look would name.
+    /// Target of a field, as keys of the look name it.
     pub(crate) fn target(&self, field: &str) -> Target {
         Target::Light { light: self.id.clone(), field: field.to_owned() }
     }
 
-    /// The edit from one state of it to another: what is keyed is set at its key, all else in the
-    /// light.
+    /// The edit from one state of the light to another: a keyed field is set at its key, all others
+    /// in the light.
     pub(crate) fn changed(&self, session: &Session, old: &Light, new: &Light) -> Change {
         if self.owner == Owner::Scene {
             return self.set(new.clone());
@@ -120,7 +120,7 @@ impl<'s> OwnedLight<'s> {
         self.set(Light { kind: new.kind, space: new.space, ..self.light.clone() })
     }
 
-    /// Puts another light in its place.
+    /// Replaces the light.
     pub(crate) fn set(&self, light: Light) -> Change {
         let id = self.id.clone();
         match self.owner {
@@ -129,7 +129,7 @@ impl<'s> OwnedLight<'s> {
         }
     }
 
-    /// Takes it away.
+    /// Removes the light.
     pub(crate) fn remove(&self) -> Change {
         let id = self.id.clone();
         match self.owner {
@@ -138,7 +138,7 @@ impl<'s> OwnedLight<'s> {
         }
     }
 
-    /// Adds the same once more, after it.
+    /// Adds a copy of the light, after it.
     pub(crate) fn duplicate(&self, session: &Session) -> Change {
         let mut light = self.light.clone();
         if !light.name.is_empty() {
@@ -151,8 +151,8 @@ impl<'s> OwnedLight<'s> {
         self.owner.add(session.free_light(self.owner, base), light, index.map(|index| index + 1))
     }
 
-    /// Lets a scene's light stand in place of another light of the looks. `None` for what a look
-    /// has.
+    /// Lets a scene's light stand in place of another light of the looks. `None` for a light of a
+    /// look.
     pub(crate) fn stand_in_for(&self, session: &Session, id: &LightId) -> Option<Change> {
         let index = session
             .lights_of(Owner::Scene)
@@ -167,7 +167,7 @@ impl<'s> OwnedLight<'s> {
 }
 
 impl Session {
-    /// The lights of the look, or those of the scene, if there is one.
+    /// Lights of the look, or those of the scene, if there is one.
     pub(crate) fn lights_of(&self, owner: Owner) -> Option<&IndexMap<LightId, Light>> {
         match owner {
             Owner::Look => Some(&self.look().lights),
@@ -187,8 +187,8 @@ impl Session {
         LightId::new(make_slug(base, |slug| lights.is_some_and(|lights| lights.contains_key(slug))))
     }
 
-    /// The edit by which the light of the look has a value where it is looked at: at a key of the
-    /// look, or else in the document whose light it is.
+    /// The edit that sets a field of the look's light in view: at a key of the look, or else in the
+    /// document that the light belongs to.
     pub(crate) fn set_light_at(&self, id: &LightId, field: &str, value: Value) -> Change {
         let target = Target::Light { light: id.clone(), field: field.to_owned() };
         match self.light_of_scene(id).filter(|_| self.keyed_by(&target) == KeyedBy::Nothing) {
@@ -201,8 +201,8 @@ impl Session {
         }
     }
 
-    /// What a light of the scene can stand in for: the lights of the open look and of all others in
-    /// it, by id.
+    /// Lights that a light of the scene can stand in for: those of the open look and of all others
+    /// in the scene, by id.
     pub(crate) fn lights_of_looks(&self) -> IndexMap<LightId, SharedLight> {
         let mut found: IndexMap<LightId, SharedLight> = IndexMap::new();
         let mut count = |look: &Look| {

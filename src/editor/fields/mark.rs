@@ -1,5 +1,5 @@
-//! The mark of a keyed value: a diamond, hollow where nothing moves the value, in the key's color
-//! where a direction does, in the accent where time does.
+//! Mark of a keyed value: a diamond, hollow where nothing moves the value, in the key's color where
+//! a direction does, in the accent where time does.
 
 use eframe::egui::{
     Color32, Pos2, Response, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2,
@@ -10,7 +10,7 @@ use crate::state::keying::KeyedBy;
 use crate::state::session::Session;
 use crate::widgets::theme;
 
-/// The mark of a target, to be pressed.
+/// Shows the mark of a target, to be pressed.
 pub(crate) fn of(ui: &mut Ui, session: &Session, target: &Target, name: &str) -> Response {
     let colors = theme::of(ui);
     let (fill, edge) = match session.keyed_by(target) {
@@ -38,7 +38,7 @@ pub(crate) fn of(ui: &mut Ui, session: &Session, target: &Target, name: &str) ->
     response
 }
 
-/// What moves a target, in words.
+/// Explanation of what moves a target.
 pub(crate) fn help(session: &Session, target: &Target) -> String {
     match session.keyed_by(target) {
         KeyedBy::Nothing => {
@@ -61,7 +61,7 @@ pub(crate) fn help(session: &Session, target: &Target) -> String {
     }
 }
 
-/// A diamond.
+/// Paints a diamond.
 pub(crate) fn diamond(ui: &Ui, at: Pos2, radius: f32, fill: Color32, edge: Color32) {
     let corners = [vec2(0.0, -radius), vec2(radius, 0.0), vec2(0.0, radius), vec2(-radius, 0.0)];
     let points = corners.map(|corner: Vec2| at + corner).to_vec();

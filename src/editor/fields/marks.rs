@@ -1,5 +1,5 @@
-//! What else can be done with a value than set it: key it, expose it, reset it. From the diamond
-//! beside it, or by a right click on its name.
+//! Menu of a value beyond setting it: key, expose, reset. Opened from the diamond beside the value,
+//! or by a right click on its name.
 
 use eframe::egui;
 use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
@@ -14,8 +14,7 @@ use crate::state::keying::{KeyedBy, changes_in_time, has_between};
 use crate::state::session::Session;
 use crate::widgets::theme;
 
-/// Something with a mark: what it is, what its values are, and the edits that give it its default
-/// back.
+/// Value with a mark: its target and type, and the edit that resets it to its default.
 pub(crate) struct FieldTarget<'a> {
     pub(crate) session: &'a Session,
     pub(crate) target: Target,
@@ -29,12 +28,12 @@ impl FieldTarget<'_> {
         changes_in_time(self.ty) && self.session.own_value(&self.target).is_some()
     }
 
-    /// The place of its exposed parameter.
+    /// Index of the value's exposed parameter.
     pub(crate) fn exposed(&self) -> Option<usize> {
         self.session.look().exposed.iter().position(|exposed| exposed.target == self.target)
     }
 
-    /// What is said of it beside its help.
+    /// Lines that are added to the value's help.
     pub(crate) fn help(&self) -> String {
         let mut lines = Vec::new();
         if self.session.keyed_by(&self.target) != KeyedBy::Nothing {
@@ -49,12 +48,12 @@ impl FieldTarget<'_> {
     }
 }
 
-/// The room for a mark.
+/// Room for a mark, in points.
 pub(crate) fn size(ui: &Ui) -> egui::Vec2 {
     egui::vec2(16.0, ui.spacing().interact_size.y)
 }
 
-/// Room for a mark, or the mark, with its menu.
+/// Shows the mark of a value, with its menu; leaves room for it where there is none.
 pub(crate) fn diamond(ui: &mut Ui, marked: Option<&FieldTarget<'_>>, out: &mut Vec<Command>) {
     let Some(marked) = marked.filter(|marked| marked.can_be_keyed()) else {
         ui.allocate_exact_size(size(ui), egui::Sense::hover());
@@ -66,7 +65,7 @@ pub(crate) fn diamond(ui: &mut Ui, marked: Option<&FieldTarget<'_>>, out: &mut V
     response.on_hover_text(mark::help(marked.session, &marked.target));
 }
 
-/// Everything that can be done.
+/// Shows all entries of the menu.
 pub(crate) fn menu(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>) {
     ui.set_min_width(190.0);
     if marked.can_be_keyed() {
@@ -177,7 +176,7 @@ fn expose(marked: &FieldTarget<'_>) -> Edit {
     session.grounded(Some(&marked.target), Edit::AddExposed { exposed, index: None })
 }
 
-/// The exposed parameters whose targets `is_shown` takes, with their names.
+/// Lists the exposed parameters whose targets `is_shown` accepts, with their names.
 pub(crate) fn list(
     ui: &mut Ui,
     session: &Session,
@@ -213,7 +212,8 @@ pub(crate) fn list(
     }
 }
 
-/// While it is typed it may be no name yet, so the text is kept aside.
+/// Shows the field for a parameter's name. A text that is being typed may be no valid name yet, so
+/// it is kept aside.
 fn rename(
     ui: &mut Ui,
     session: &Session,

@@ -1,5 +1,5 @@
-//! Rows that change one value of a document each, with what they are marked by: keys, drivers,
-//! what is exposed.
+//! Rows that each change one value of a document, with their marks: keys, drivers, exposed
+//! parameters.
 
 pub(crate) mod keyed;
 pub(crate) mod lighting;
@@ -13,7 +13,7 @@ use crate::document::Node;
 use crate::ids::NodeId;
 use crate::state::session::Session;
 
-/// The node whose values are shown, with its kind.
+/// Node whose values are shown, with its kind.
 pub(crate) struct Subject<'a> {
     pub(crate) session: &'a Session,
     pub(crate) id: &'a NodeId,

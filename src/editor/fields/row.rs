@@ -1,4 +1,4 @@
-//! One input: its label, and what edits its value.
+//! Row of one input: its label, and the editor of its value.
 
 use eframe::egui;
 use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, Slider, TextEdit, Ui, vec2};
@@ -20,16 +20,16 @@ use crate::widgets::{color, curve, ramp};
 
 const MIXED: &str = "The selected nodes have different values; setting it sets all of them.";
 
-/// How wide labels are.
+/// Width of the labels, in points.
 const LABEL: f32 = 92.0;
 
-/// A label with help, and a widget that is named by it.
+/// Shows a label with help, and a widget that is named by it.
 pub(crate) fn labelled(ui: &mut Ui, label: &str, help: &str, add: impl FnOnce(&mut Ui, Id)) {
     let text = RichText::new(label).color(theme::of(ui).text);
     marked(ui, text, help, None, &mut Vec::new(), |ui, id, _| add(ui, id));
 }
 
-/// The same with the mark of what it sets.
+/// Shows a label with help, a widget that is named by it, and the mark of its target.
 pub(crate) fn marked(
     ui: &mut Ui,
     label: RichText,
@@ -57,7 +57,7 @@ pub(crate) fn marked(
     }
 }
 
-/// A label with help, and a widget that is named by it; where marks are, something else is put.
+/// Shows a label with help, and a widget that is named by it; `slot` fills the room of the mark.
 pub(crate) fn with_slot(
     ui: &mut Ui,
     label: RichText,
@@ -73,7 +73,7 @@ pub(crate) fn with_slot(
     });
 }
 
-/// The label of a row, as wide as all are.
+/// Shows the label of a row, in the width that all labels have.
 fn name(ui: &mut Ui, label: RichText, help: &str, sense: egui::Sense) -> egui::Response {
     ui.spacing_mut().item_spacing.x = 6.0;
     let size = vec2(LABEL, ui.spacing().interact_size.y);
@@ -131,7 +131,7 @@ pub(crate) fn show(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Ve
                         out.push(held(subject, port, id, value));
                     }
                 });
-                // Below the path, which wants all the room there is.
+                // The button is below the path, which takes the whole width.
                 if port.ty == Type::Hcbtf {
                     let lead = marks::size(ui).x + LABEL + 9.0;
                     ui.horizontal(|ui| {
@@ -163,8 +163,8 @@ fn help_of(port: &Port) -> String {
     help
 }
 
-/// The nodes that are selected with this one and have the same input free: what is set here is set
-/// there too.
+/// Nodes that are selected with this one and have the same input free: a value that is set here is
+/// set there too.
 fn alike<'a>(
     subject: &'a Subject<'_>,
     port: &'a Port,
@@ -179,14 +179,14 @@ fn alike<'a>(
     })
 }
 
-/// Whether the nodes that are selected have different values here.
+/// True if the selected nodes have different values here.
 fn is_mixed(subject: &Subject<'_>, port: &Port) -> bool {
     let value = |id: &NodeId| subject.session.value_at(&subject.session.target(id, &port.name));
     let own = value(subject.id);
     alike(subject, port).any(|(id, _)| value(id) != own)
 }
 
-/// The edit that takes own values away.
+/// The edit that removes the nodes' own values.
 fn reset_edit(subject: &Subject<'_>, port: &Port) -> Option<Edit> {
     let with_own = std::iter::once((subject.id, subject.node)).chain(alike(subject, port));
     let clears =
@@ -201,8 +201,7 @@ fn reset_edit(subject: &Subject<'_>, port: &Port) -> Option<Edit> {
     (!edits.is_empty()).then_some(Edit::Group { edits })
 }
 
-/// Sets a value of all selected nodes that have it, each where it is looked at: at its key, or at
-/// all.
+/// Sets a value of all selected nodes that have it, each in view: at its key, or the node's own.
 fn held(subject: &Subject<'_>, port: &Port, widget: Id, value: Value) -> Command {
     let session = subject.session;
     let target = session.target(subject.id, &port.name);
@@ -217,7 +216,7 @@ fn held(subject: &Subject<'_>, port: &Port, widget: Id, value: Value) -> Command
     Command::EditHeld(widget, edit)
 }
 
-/// What feeds a wired input.
+/// Shows the source of a wired input.
 fn wired(ui: &mut Ui, subject: &Subject<'_>, port: &Port, wire: &Wire, out: &mut Vec<Command>) {
     labelled(ui, &port.label, &help_of(port), |ui, _| {
         let Endpoint { node, .. } = &wire.from;
@@ -247,9 +246,10 @@ fn default_button(ui: &mut Ui) -> bool {
     response.on_hover_text("Takes this value away, so that it has its default again").clicked()
 }
 
-/// Takes an own value away.
+/// Shows a button that removes the node's own value.
 fn reset(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Vec<Command>) {
-    // What a context would give has no widget of its own, so this is the only way back.
+    // An input that reads its surroundings, or another input's value, has no widget for that, so
+    // this button is the only way back.
     let is_own = subject.node.values.contains_key(&port.name);
     let is_read = matches!(port.fallback, Fallback::Context(_) | Fallback::Same(_));
     if is_own && is_read && default_button(ui) {
@@ -262,7 +262,7 @@ fn reset(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Vec<Command>
     }
 }
 
-/// Opens the HCBTF of this input to be painted; a new one where there is none.
+/// Shows a button that opens the HCBTF of this input to be painted; a new one where there is none.
 fn paint_button(
     ui: &mut Ui,
     subject: &Subject<'_>,
@@ -286,8 +286,8 @@ fn paint_button(
         out.push(held(subject, port, response.id, Value::Text(UNSAVED_HCBTF.to_owned())));
         out.push(Command::Paint(PaintCommand::New { grid: Grid::THESIS, keeps_look: true }));
     } else if name.starts_with(PREFIX) {
-        // What is painted is a copy of the example, which has no file yet: the look names that once
-        // it is there.
+        // The painting will be a copy of the example, without a file yet: the look names the copy
+        // once it exists.
         out.push(Command::Paint(PaintCommand::Open { path: name.into(), keeps_look: true }));
     } else if name != UNSAVED_HCBTF {
         out.push(Command::Paint(PaintCommand::Open {
@@ -299,7 +299,7 @@ fn paint_button(
     }
 }
 
-/// The widget of a type; the new value where it was changed, and who changed it.
+/// Shows the widget of an input's type. Returns the widget's id and the new value where it changed.
 fn widget(
     ui: &mut Ui,
     label: Id,
@@ -315,8 +315,8 @@ fn widget(
     }
 }
 
-/// The widget of a type that is set by itself, whatever node it is of; `space` is what the numbers
-/// of a color mean.
+/// Shows the widget of a type that needs no node; `space` is the color space of a color's numbers.
+/// Returns the widget's id and the new value where it changed.
 pub(crate) fn plain(
     ui: &mut Ui,
     label: Id,
@@ -350,7 +350,7 @@ pub(crate) fn plain(
     }
 }
 
-/// An input that has neither a value nor a default.
+/// Shows an input that has neither a value nor a default.
 fn unset(ui: &mut Ui, subject: &Subject<'_>, port: &Port) -> Option<(Id, Value)> {
     let width = port.ty.width();
     let of_all = |number: f64| match width {
@@ -382,12 +382,12 @@ fn unset(ui: &mut Ui, subject: &Subject<'_>, port: &Port) -> Option<(Id, Value)>
     if response.clicked() { Some((response.id, first?)) } else { None }
 }
 
-/// The width that is left, and never less than a little, however narrow the panel is.
+/// Width that is left, at least a little, however narrow the panel is; in points.
 fn room(ui: &Ui) -> f32 {
     ui.available_width().max(32.0)
 }
 
-/// Radians are shown as degrees.
+/// Shows a number. Radians are shown as degrees.
 fn number(ui: &mut Ui, label: Id, port: &Port, value: Option<&Value>) -> Option<(Id, Value)> {
     let scale = if port.unit == "rad" { 180.0 / std::f64::consts::PI } else { 1.0 };
     let is_int = port.ty == Type::Int;
@@ -534,7 +534,7 @@ fn path(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id, Value)> {
     changed.map(|id| (id, Value::Text(text)))
 }
 
-/// WGSL of a custom node.
+/// Shows the WGSL of a custom node.
 fn code(
     ui: &mut Ui,
     subject: &Subject<'_>,
@@ -557,7 +557,7 @@ fn code(
 
 type Editor = fn(&mut Ui, Id, Option<&Value>) -> Option<(Id, Value)>;
 
-/// An editor that takes the whole width, below its label.
+/// Shows an editor that takes the whole width, below its label.
 fn wide(
     ui: &mut Ui,
     subject: &Subject<'_>,

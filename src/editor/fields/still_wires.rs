@@ -1,4 +1,4 @@
-//! What menus of wires say of those that never change, which cannot usefully drive keys.
+//! Note in menus of wires about those that never change, which cannot usefully drive keys.
 
 use eframe::egui::{Label, RichText, Sense, Ui};
 
@@ -6,10 +6,10 @@ use crate::document::Driver;
 use crate::state::session::Session;
 use crate::widgets::theme;
 
-/// How many are named.
+/// Largest number of wires that are named.
 const NAMED: usize = 12;
 
-/// Says how many wires are left out, and why, with their names under the pointer.
+/// Shows the number of wires that are left out, with the reason and their names in a tooltip.
 pub(crate) fn note(ui: &mut Ui, session: &Session, still: &[Driver]) {
     if still.is_empty() {
         return;

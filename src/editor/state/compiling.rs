@@ -1,5 +1,5 @@
-//! Compiling a look in the background: the live shader (every value a uniform, for editing) and the
-//! baked one (values folded, for a look at rest and for the code panel).
+//! Compilation of a look in the background: the live shader (every value a uniform, for editing)
+//! and the baked one (values folded, for a look at rest and for the code panel).
 
 use std::collections::HashSet;
 use std::path::PathBuf;
@@ -16,57 +16,57 @@ use crate::state::safety::crashes::{CrashLog, DocumentOrigin, Step};
 use crate::state::wire::ShownWire;
 use crate::state::worker::Worker;
 
-/// What is to be compiled.
+/// A look to compile, with everything that the shaders depend on.
 pub(crate) struct CompileRequest {
-    /// The look as it is now.
+    /// The look at the time of the request.
     pub(crate) look: Arc<Look>,
-    /// Which document that is.
+    /// Number of the look's document.
     pub(crate) document: DocumentNumber,
-    /// Its revision.
+    /// Revision of the document.
     pub(crate) revision: u64,
-    /// Which structure it has; other values with the same structure are shown by the same live
-    /// shader.
+    /// Number of the document's structure; other values with the same structure are shown by the
+    /// same live shader.
     pub(crate) structure: u64,
-    /// The values that were edited, which stay live however long the look is.
+    /// The edited values, which stay live however long the look is.
     pub(crate) touched: Arc<HashSet<(NodePath, PortName)>>,
-    /// The wire that is shown in place of the look's own output, with its type.
+    /// The wire shown in place of the look's own output, with its type.
     pub(crate) wire: Option<(ShownWire, Option<Type>)>,
-    /// The nodes there are.
+    /// The library of nodes.
     pub(crate) library: Arc<Library>,
-    /// Whether only the baked shader is wanted, because the live one still serves.
+    /// True if only the baked shader is wanted, because the live one still serves.
     pub(crate) only_baked: bool,
-    /// Which solo it is shown in.
+    /// Revision of the solo that the look is shown in.
     pub(crate) solo: SoloRevision,
-    /// Which look is shown in place of the open one.
+    /// Revision of the look that is shown in place of the open one.
     pub(crate) preview: PreviewRevision,
-    /// What people call the document.
+    /// Display name of the document.
     pub(crate) name: String,
-    /// Its file, if it has one.
+    /// File of the document, if there is one.
     pub(crate) path: Option<PathBuf>,
 }
 
-/// What became of a request.
+/// A request with its result.
 pub(crate) struct CompileAnswer {
-    /// The request.
+    /// The request, given back.
     pub(crate) request: CompileRequest,
-    /// The shaders, or everything that is wrong.
+    /// The shaders, or every problem of the look.
     pub(crate) result: Result<Shaders, Vec<Diagnostic>>,
 }
 
 /// A look's shaders.
 pub(crate) struct Shaders {
-    /// Every value a uniform; `None` where only the baked one was wanted.
+    /// Shader with every value a uniform; `None` where only the baked one was wanted.
     pub(crate) live: Option<Arc<CompiledShader>>,
-    /// Values folded.
+    /// Shader with values folded.
     pub(crate) baked: Arc<CompiledShader>,
-    /// What they were made from.
+    /// The typed look that both shaders were compiled from.
     pub(crate) typed: Arc<TypedGraph>,
 }
 
 /// A thread that compiles looks.
 pub(crate) type Compiler = Worker<CompileRequest, CompileAnswer>;
 
-/// Starts it. What goes on is noted in `crashes`.
+/// Starts the compiling thread. Each compilation is noted in `crashes` while it runs.
 pub(crate) fn start(wake: impl Fn() + Send + 'static, crashes: CrashLog) -> Compiler {
     Worker::new("compile", wake, move |request: CompileRequest| {
         let origin = || DocumentOrigin::new(&request.name, request.path.as_deref(), &request.look);

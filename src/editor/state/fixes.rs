@@ -1,5 +1,5 @@
-//! What one click does about a problem, where one edit is enough: offered on the node and in the
-//! list of problems.
+//! Remedies of problems: what one click can do where one edit is enough, offered on the node and in
+//! the list of problems.
 
 use crate::catalog::{CODE, CUSTOM_CODE, Kind, Port};
 use crate::diag::{Diagnostic, Severity, nearest};
@@ -9,15 +9,15 @@ use crate::library::Type;
 use crate::state::session::Session;
 use crate::values;
 
-/// As many lights are offered in place of one that there is not.
+/// Largest number of lights offered in place of an unknown one.
 const MOST_LIGHTS: usize = 4;
 
-/// A remedy.
+/// A remedy of a problem.
 #[derive(Clone)]
 pub(crate) struct Fix {
-    /// What its button says.
+    /// Label of the remedy's button.
     pub(crate) label: String,
-    /// What it does, in a sentence without a full stop.
+    /// Explanation of the remedy, a sentence without a full stop.
     pub(crate) help: String,
     pub(crate) edit: Edit,
 }
@@ -28,7 +28,7 @@ impl Fix {
     }
 }
 
-/// Where a problem is.
+/// The node, and the port, that a problem is about.
 struct Spot<'a> {
     session: &'a Session,
     id: GraphId,
@@ -129,8 +129,8 @@ impl<'a> Spot<'a> {
         nearest(&self.node.kind, known).into_iter().map(fix).collect()
     }
 
-    /// A value, a wire from or a wire into a port that there is not: the nearest that there is, or
-    /// else away with it.
+    /// A remedy for a value or a wire at an unknown port: moves the value or the wire to the port
+    /// of the nearest name, or else removes it.
     fn known_port(&self) -> Option<Fix> {
         let (kind, port) = (self.kind()?, self.port.as_ref()?);
         let (graph, id) = (self.id.clone(), self.node_id.clone());
@@ -187,7 +187,8 @@ impl<'a> Spot<'a> {
         })
     }
 
-    /// A node for an input that must be wired.
+    /// A remedy that wires an input that must be wired: from a node that feeds nothing yet, or from
+    /// a new one.
     fn feed(&self) -> Option<Fix> {
         let (port, ty) = (self.port.as_ref()?, self.input()?.ty.clone());
         let kind = match &ty {
@@ -199,7 +200,7 @@ impl<'a> Spot<'a> {
             _ if Type::Float.convert_to(&ty).is_some() => "number",
             _ => return None,
         };
-        // An Output takes what was made for it, if that is there and feeds nothing yet.
+        // An Output takes a finished stack or color, if there is one that feeds nothing yet.
         let loose = self.loose_end().filter(|_| ty == Type::Composite);
         let (mut edits, from, label, help) = match loose {
             Some(id) => {
@@ -244,7 +245,7 @@ impl<'a> Spot<'a> {
         (id.clone(), vec![Edit::AddNode { graph: self.id.clone(), id, node, index: None }])
     }
 
-    /// The last node that makes a stack or a color which nothing takes.
+    /// The last node whose stack or color feeds nothing.
     fn loose_end(&self) -> Option<NodeId> {
         loose_end(self.session, self.graph, &self.node_id)
     }
@@ -343,7 +344,7 @@ impl<'a> Spot<'a> {
     }
 }
 
-/// The last node that makes a stack or a color which nothing takes.
+/// The last node whose stack or color feeds nothing, apart from `except`.
 fn loose_end(session: &Session, graph: &Graph, except: &NodeId) -> Option<NodeId> {
     let is_loose =
         |id: &NodeId| id != except && !graph.wires.iter().any(|wire| wire.from.node == *id);
@@ -354,8 +355,7 @@ fn loose_end(session: &Session, graph: &Graph, except: &NodeId) -> Option<NodeId
     let of = |wanted: &Type| {
         graph.nodes.iter().rev().find(|(id, node)| is_loose(id) && makes(node, wanted))
     };
-    // Bottom-most last: a Base that nothing takes is no finished stack, unless there is nothing
-    // else.
+    // A Base comes last: one that feeds nothing is no finished stack, unless there is nothing else.
     let stack =
         graph.nodes.iter().rev().find(|(id, node)| {
             is_loose(id) && makes(node, &Type::Composite) && node.kind != "base"

@@ -1,5 +1,5 @@
-//! What the window knows, without egui: the open documents with their past, the view on them, what
-//! is selected, the shaders made of them, and the journals that keep unsaved work.
+//! State of the window, without egui: the open documents with their past, the view on them, the
+//! selection, the compiled shaders, and the journals that keep unsaved work.
 
 pub(crate) mod compiling;
 pub(crate) mod document;

@@ -1,4 +1,4 @@
-//! Where the viewport looks from, what it looks at, and how the lights are turned.
+//! View of the look: the camera, the mesh in front of it, and the turn of the lights.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -9,45 +9,45 @@ use serde_json::Value;
 use crate::document::{Camera, Projection};
 use crate::frame::{DEFAULT_MESH, View, widened};
 
-/// A flat square.
+/// Mesh name of a flat square.
 pub(crate) const PLANE: &str = "shape:plane";
-/// The closest and the farthest that the eye may come by the wheel.
+/// Range of the distance from target to eye that the wheel reaches, in scene units.
 const DISTANCE: std::ops::RangeInclusive<f64> = 0.2..=200.0;
-/// What is framed takes so much of the picture's height, or of its width.
+/// Share of the picture's height, or of its width, that a framed sphere takes.
 const FRAMED: f64 = 0.86;
 
 /// A camera on a sphere around a target, the illumination frame, and the mesh that the look is
 /// judged on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Orbit {
-    /// Around the vertical axis, in radians.
+    /// Angle around the vertical axis, in radians.
     pub yaw: f64,
-    /// Above the horizon, in radians.
+    /// Angle above the horizon, in radians.
     pub pitch: f64,
-    /// World from turntable: what is up there may lie elsewhere in the world.
+    /// Rotation to world space from the turntable, whose up may lie elsewhere in the world.
     pub upright: DQuat,
-    /// From target to eye, in scene units.
+    /// Distance from target to eye, in scene units.
     pub distance: f64,
-    /// What is looked at.
+    /// The point that the camera looks at.
     pub target: DVec3,
-    /// The vertical field of view, in radians.
+    /// Vertical field of view, in radians.
     pub fov: f64,
-    /// The width over the height of the picture that a scene's camera was placed for, until it is
-    /// shown in one that may be narrower; 0 for any.
+    /// Aspect ratio, width over height, of the picture that a scene's camera was placed for, until
+    /// the camera is shown in a picture that may be narrower; 0 for any.
     pub placed_for: f64,
     /// Perspective, or parallel lines.
     pub projection: Projection,
-    /// Straight RGBA behind the object; `None` for what a scene has.
+    /// Straight RGBA behind the object; `None` for the scene's own backdrop.
     pub backdrop: Option<[f64; 4]>,
-    /// World from illumination frame.
+    /// Rotation to world space from the illumination frame.
     pub illumination: DQuat,
-    /// A path, or `shape:` and the name of an own shape.
+    /// Mesh: a path, or `shape:` and the name of a built-in shape.
     pub mesh: String,
-    /// Whether the mesh's z axis points up, as in many scans and drawings, and not y.
+    /// True if the mesh's z axis points up, as in many scans and drawings, and not y.
     pub z_is_up: bool,
 }
 
-/// An [`Orbit`] as it is remembered, without the mesh, which is remembered for itself.
+/// Saved form of an [`Orbit`], without the mesh, which is saved for itself.
 #[derive(Serialize, Deserialize)]
 #[serde(default)]
 struct SavedOrbit {
@@ -85,7 +85,7 @@ impl SavedOrbit {
         }
     }
 
-    /// Whether it can be looked from: a file may say anything.
+    /// True if a camera can look from here: a file may say anything.
     fn is_sound(&self) -> bool {
         let turns = [self.upright, self.illumination].map(|turn| DQuat::from_array(turn).length());
         let numbers = [self.yaw, self.pitch, self.distance, self.fov];
@@ -123,15 +123,15 @@ impl Default for Orbit {
 }
 
 impl Orbit {
-    /// Everything but the mesh, to be remembered.
+    /// The saved form: everything but the mesh.
     pub(crate) fn to_json(&self) -> Value {
         serde_json::to_value(SavedOrbit::of(self)).unwrap_or_default()
     }
 
-    /// Takes everything but the mesh from what [`to_json`](Self::to_json) wrote; what cannot be
-    /// looked from changes nothing.
+    /// Restores everything but the mesh from the result of [`to_json`](Self::to_json); a view that
+    /// no camera can look from changes nothing.
     pub(crate) fn recall(&mut self, kept: &Value) {
-        // A list would do for serde, as members in their order.
+        // serde would also take a list, as members in their order.
         let Some(kept) = Some(kept)
             .filter(|kept| kept.is_object())
             .and_then(|kept| SavedOrbit::deserialize(kept).ok())
@@ -156,20 +156,20 @@ impl Orbit {
         }
     }
 
-    /// From target to eye, of length 1.
+    /// Direction from target to eye, of length 1.
     pub fn direction(&self) -> DVec3 {
         let (sin_yaw, cos_yaw) = self.yaw.sin_cos();
         let (sin_pitch, cos_pitch) = self.pitch.sin_cos();
         self.upright * DVec3::new(cos_pitch * sin_yaw, sin_pitch, cos_pitch * cos_yaw)
     }
 
-    /// The camera's right and up, in world space.
+    /// Right and up of the camera, in world space.
     pub fn right_and_up(&self) -> (DVec3, DVec3) {
         let right = self.upright * DVec3::new(self.yaw.cos(), 0.0, -self.yaw.sin());
         (right, self.direction().cross(right))
     }
 
-    /// The camera as a scene has it.
+    /// The camera in a scene's terms.
     pub fn camera(&self) -> Camera {
         Camera {
             eye: (self.target + self.direction() * self.distance).to_array(),
@@ -183,8 +183,8 @@ impl Orbit {
         }
     }
 
-    /// Widens a view that was placed for a wider picture than one of so many times its height in
-    /// width, so that as much is seen in width. A picture without room leaves it as it is.
+    /// Widens a view that was placed for a wider picture than `aspect`, width over height, so that
+    /// as much is seen in width. A picture without room changes nothing.
     pub(crate) fn fit_into(&mut self, aspect: f64) {
         if !(aspect > 0.0 && aspect.is_finite()) {
             return;
@@ -196,7 +196,7 @@ impl Orbit {
         self.placed_for = 0.0;
     }
 
-    /// Looks from where a scene's camera does; mesh, backdrop and lights stay.
+    /// Looks from a scene's camera; mesh, backdrop and lights stay.
     pub fn look_from(&mut self, camera: &Camera) {
         let view = View::new(camera, [1, 1], DVec3::ZERO, 1.0);
         let up = DVec3::from(camera.up).try_normalize().unwrap_or(DVec3::Y);
@@ -218,8 +218,8 @@ impl Orbit {
         self.yaw = (-right.z).atan2(right.x).rem_euclid(2.0 * PI);
     }
 
-    /// Brings a sphere into view, whole, in a picture of so many times its height in width; the
-    /// direction stays.
+    /// Brings a whole sphere into view, in a picture of the given aspect ratio, width over height;
+    /// the direction stays.
     pub fn frame(&mut self, center: DVec3, radius: f64, aspect: f64) {
         let radius = if radius.is_finite() { radius.max(1e-3) } else { 1.0 };
         let half = (0.5 * self.fov).tan() * aspect.clamp(0.05, 1.0) * FRAMED;
@@ -230,13 +230,14 @@ impl Orbit {
         };
     }
 
-    /// The height of the picture, in scene units, at the target: the same in either projection, so
-    /// that the object stays as large when that changes.
+    /// Height of the picture at the target, in scene units: the same in either projection, so that
+    /// the object keeps its size when the projection changes.
     pub fn height(&self) -> f64 {
         2.0 * self.distance * (self.fov / 2.0).tan()
     }
 
-    /// Turns the camera by a drag, in parts of the picture's height: right drags show what is left.
+    /// Turns the camera by a drag, in parts of the picture's height: a drag to the right shows the
+    /// object's left side.
     pub fn orbit(&mut self, dx: f64, dy: f64) {
         self.yaw = (self.yaw - dx * PI).rem_euclid(2.0 * PI);
         let limit = FRAC_PI_2 - 0.01;
@@ -251,7 +252,8 @@ impl Orbit {
 
     /// Brings the eye nearer (`factor` below 1) or farther.
     pub fn dolly(&mut self, factor: f64) {
-        // A scene may be larger, or smaller.
+        // A scene may be larger, or smaller, than the wheel's range; the eye never jumps back into
+        // it.
         let (least, most) =
             (DISTANCE.start().min(self.distance), DISTANCE.end().max(self.distance));
         self.distance = (self.distance * factor).clamp(least, most);
@@ -268,7 +270,8 @@ impl Orbit {
         }
     }
 
-    /// The radius, in parts of the picture's height, of the sphere of radius 1 around the target.
+    /// Radius of the picture of the unit sphere around the target, in parts of the picture's
+    /// height.
     pub fn radius_in_picture(&self) -> f64 {
         if self.projection == Projection::Orthographic {
             return 1.0 / self.height();
@@ -283,7 +286,7 @@ impl Orbit {
         self.distance = Self::default().distance;
     }
 
-    /// As in the beginning; the mesh stays.
+    /// Resets the view; mesh, its up axis, projection and backdrop stay.
     pub fn reset(&mut self) {
         *self = Self {
             mesh: std::mem::take(&mut self.mesh),
@@ -296,14 +299,15 @@ impl Orbit {
 }
 
 impl Orbit {
-    /// Shows another mesh: one may lie on its back while another does not.
+    /// Shows another mesh. The up axis is reset then: one mesh may lie on its back while another
+    /// does not.
     pub(crate) fn show_on(&mut self, mesh: &str) {
         let place = |mesh: &str| std::path::absolute(mesh).ok();
         self.z_is_up &= place(&self.mesh) == place(mesh);
         mesh.clone_into(&mut self.mesh);
     }
 
-    /// Looks down at a flat square that lies in the middle: the way in which a painted surface is
+    /// Looks down at a flat square that lies in the middle: the view in which a painted surface is
     /// judged.
     pub(crate) fn look_at_a_sheet(&mut self) {
         PLANE.clone_into(&mut self.mesh);
@@ -410,7 +414,8 @@ mod tests {
             orbit.frame(center, radius, 1.6);
             let view = View::new(&orbit.camera(), [160, 100], center, radius);
             let (_, up) = orbit.right_and_up();
-            // The outermost that is seen of the sphere: seen from the eye it leans toward it.
+            // The outermost visible point of the sphere: as seen from the eye, the silhouette leans
+            // toward it.
             let highest = (0..900).map(|step| {
                 let angle = f64::from(step) * 1e-3 * PI;
                 view.clip_from_world

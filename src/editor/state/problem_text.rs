@@ -1,8 +1,8 @@
-//! What is wrong, in words.
+//! Problems in words.
 
 use crate::diag::Diagnostic;
 
-/// A problem with what to do about it, for people.
+/// A problem with its hints, one a line, for people.
 pub(crate) fn sentence(problem: &Diagnostic) -> String {
     let mut text = problem.message.clone();
     for hint in &problem.hints {

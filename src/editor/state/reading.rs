@@ -1,5 +1,5 @@
-//! A look as people read it: what its nodes, their inputs and its lights are called, what they
-//! have, and what it exposes.
+//! A look in people's terms: names of its nodes, their inputs and its lights, their values, and the
+//! exposed parameters.
 
 use crate::catalog::{Catalog, Port};
 use crate::document::{ColorSpace, Definition, Light, Look, Node, Target, Value};
@@ -18,16 +18,16 @@ pub(crate) struct Reading<'a> {
     pub(crate) library: &'a Library,
 }
 
-/// An exposed parameter, as whoever sets it needs to know it.
+/// An exposed parameter, with everything that an object which sets it needs.
 #[derive(Clone, Debug)]
 pub(crate) struct Parameter {
     pub(crate) name: PortName,
     pub(crate) label: String,
     pub(crate) help: String,
     pub(crate) port: Port,
-    /// What the look itself has there.
+    /// The look's own value of the parameter.
     pub(crate) value: Option<Value>,
-    /// What the numbers of a color mean.
+    /// Color space of a color's numbers.
     pub(crate) space: ColorSpace,
 }
 
@@ -59,7 +59,7 @@ impl<'a> Reading<'a> {
         graph.nodes.get(last)
     }
 
-    /// What is known of a target: its label, type, unit, range.
+    /// Port of a target: its label, type, unit, range.
     pub(crate) fn port_at(self, target: &Target) -> Option<Port> {
         match target {
             Target::Input { node, port } => {
@@ -70,7 +70,7 @@ impl<'a> Reading<'a> {
         }
     }
 
-    /// What a target is called: what it belongs to, and what of it.
+    /// Display names of a target: of the node or light, and of the input or field.
     pub(crate) fn names_of(self, target: &Target) -> [String; 2] {
         let port = self.port_at(target);
         match target {
@@ -93,12 +93,12 @@ impl<'a> Reading<'a> {
         }
     }
 
-    /// What a light is called.
+    /// Display name of a light.
     pub(crate) fn light_name(self, id: &LightId) -> String {
         self.look.lights.get(id).map_or(id.as_str(), |light| light_name(id, light)).to_owned()
     }
 
-    /// What a target has without keys.
+    /// Value of a target without keys.
     pub(crate) fn own_value(self, target: &Target) -> Option<Value> {
         match target {
             Target::Input { node, port: name } => {
@@ -118,12 +118,12 @@ impl<'a> Reading<'a> {
         }
     }
 
-    /// What objects may set by name, in the look's order.
+    /// Parameters that objects may set by name, in the look's order.
     pub(crate) fn parameters(self) -> Vec<Parameter> {
         let parameter = |exposed: &crate::document::Exposed| {
             let mut port = self.port_at(&exposed.target)?;
             if port.ty == Type::LightName {
-                // A choice like any other, of this look's lights.
+                // A choice like any other, among this look's lights.
                 port.ty = Type::Choice;
                 port.options = self
                     .look
@@ -153,12 +153,12 @@ impl<'a> Reading<'a> {
     }
 }
 
-/// What a light is called.
+/// Display name of a light.
 pub(crate) fn light_name<'a>(id: &'a LightId, light: &'a Light) -> &'a str {
     if light.name.is_empty() { id.as_str() } else { &light.name }
 }
 
-/// A name of code as a label: `rim_width` is "Rim width".
+/// Label made from an identifier: `rim_width` is "Rim width".
 fn spoken(name: &str) -> String {
     let words = values::words(name);
     let mut letters = words.chars();

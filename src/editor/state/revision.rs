@@ -1,4 +1,4 @@
-//! Numbers that tell a thing as it is from the same thing as it was, each of a type of its own.
+//! Numbers that tell one state of a value from an earlier one, each of a type of its own.
 
 macro_rules! revisions {
     ($($(#[$doc:meta])* $name:ident;)*) => {
@@ -8,7 +8,7 @@ macro_rules! revisions {
             pub(crate) struct $name(pub(super) u64);
 
             impl $name {
-                /// Another one from now on.
+                /// Moves on to a number that was never used before.
                 pub(crate) fn advance(&mut self) {
                     self.0 += 1;
                 }
@@ -18,24 +18,25 @@ macro_rules! revisions {
 }
 
 revisions! {
-    /// The look that is open: another one has another number, and its revisions begin anew.
+    /// Number of the open look: another look has another number, and its revisions begin anew.
     DocumentNumber;
-    /// The look as far as nodes give anything: it stays while nodes are only moved about.
+    /// Revision of the look as far as its nodes mean anything: unchanged while nodes are only moved
+    /// about.
     MeaningRevision;
-    /// The picture, as far as documents decide it.
+    /// Revision of the picture, as far as documents decide it.
     PictureRevision;
-    /// Everything that is wrong.
+    /// Revision of the list of problems.
     ProblemsRevision;
-    /// The solo, as far as it needs another shader.
+    /// Revision of the solo, as far as it needs another shader.
     SoloRevision;
-    /// The look that is shown in place of the open one.
+    /// Revision of the look that is shown in place of the open one.
     PreviewRevision;
-    /// The files that the look uses.
+    /// Revision of the files that the look uses.
     FilesRevision;
-    /// The graph that is open, of those of the look.
+    /// Number of the open graph, of those of the look.
     GraphNumber;
 }
 
-/// The look as an edit left it, by how many there were.
+/// Revision of the look: the number of edits so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct LookRevision(pub(super) u64);

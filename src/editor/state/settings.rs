@@ -1,5 +1,5 @@
-//! What the window remembers from one time to the next. A setting that cannot be understood has its
-//! default, and what this version does not know stays in the file.
+//! Settings that the window remembers from one start to the next. A setting that cannot be
+//! understood has its default, and members that this version does not know stay in the file.
 
 use std::path::{Path, PathBuf};
 
@@ -10,12 +10,12 @@ use crate::diag::Diagnostic;
 use crate::files::{read_text, write_atomic};
 use crate::state::paths::absolute;
 
-/// As many files are remembered.
+/// Largest number of recent files.
 const MAX_RECENT: usize = 20;
-/// What the interface may be scaled by.
+/// Range of the interface's scale.
 pub(crate) const SCALE: std::ops::RangeInclusive<f32> = 0.5..=3.0;
 
-/// Dark, light, or as the system is.
+/// Theme of the interface: dark, light, or the system's.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Theme {
@@ -24,26 +24,26 @@ pub enum Theme {
     Dark,
     /// Dark on light.
     Light,
-    /// What the desktop has.
+    /// The desktop's own theme.
     System,
 }
 
-/// What is remembered.
+/// Remembered settings of the window.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     /// Looks, scenes and paintings that were open, the newest first.
     pub recent: Vec<PathBuf>,
-    /// Colors.
+    /// Colors of the interface.
     pub theme: Theme,
-    /// How large everything is: 1 is as the system says.
+    /// Scale of the interface: 1 is the system's own.
     pub scale: f32,
-    /// How panels are laid out, as the panels themselves write it.
+    /// Layout of the panels, as the panels themselves write it.
     pub layout: Option<Value>,
-    /// What looks were seen on last: a path, or `shape:` and a name.
+    /// Mesh that looks were last shown on: a path, or `shape:` and a name.
     pub mesh: Option<String>,
-    /// Whether that lies on its back and was stood up: its z axis points up.
+    /// True if that mesh lies on its back and was stood up: its z axis points up.
     pub z_is_up: bool,
-    /// What other versions remember.
+    /// Settings of other versions, kept as they are.
     unknown: Map<String, Value>,
 }
 
@@ -62,7 +62,7 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Reads settings; whatever is missing or damaged has its default.
+    /// Reads settings; a missing or damaged setting has its default.
     pub fn load(path: &Path) -> Self {
         read_text(path).map_or_else(|_| Self::default(), |text| Self::read(&text))
     }
@@ -102,33 +102,33 @@ impl Settings {
         text
     }
 
-    /// Saves them, whole or not at all.
+    /// Saves the settings, whole or not at all.
     ///
     /// # Errors
-    /// Why they cannot be written; the window works without.
+    /// The reason why the settings cannot be written; the window works without.
     pub fn save(&self, path: &Path) -> Result<(), Box<Diagnostic>> {
         if let Some(folder) = path.parent() {
-            // If it cannot be made, writing tells why.
+            // If the folder cannot be made, writing tells why.
             let _ = std::fs::create_dir_all(folder);
         }
         write_atomic(path, self.to_text().as_bytes())
     }
 
-    /// Changes the settings in a file: what another window has changed meanwhile stays. Returns
-    /// them as they are then. Where they cannot be saved the change holds for this window, over
-    /// what it knew: no work of anybody's is lost.
+    /// Changes the settings in a file: changes of another window since stay. Returns the settings
+    /// after that. Where the file cannot be saved the change holds for this window, over the
+    /// settings that it knew: no work of anybody's is lost.
     pub fn change(path: &Path, known: &Self, change: impl FnOnce(&mut Self)) -> Self {
         let before = if path.exists() { Self::load(path) } else { known.clone() };
         let mut settings = before.clone();
         change(&mut settings);
         if settings != before {
-            // Next time it is tried again.
+            // A failure is not told: the next change tries to save again.
             let _ = settings.save(path);
         }
         settings
     }
 
-    /// Puts a file first among those that were open. An example is no file.
+    /// Puts a file first in the list of recent files. An example is no file.
     pub fn opened(&mut self, path: &Path) {
         if crate::examples::file(path).is_some() {
             return;
@@ -139,7 +139,7 @@ impl Settings {
         self.recent.truncate(MAX_RECENT);
     }
 
-    /// Takes a file off those that were open.
+    /// Takes a file off the list of recent files.
     pub fn forget(&mut self, path: &Path) {
         self.recent.retain(|other| other != path);
     }

@@ -1,9 +1,9 @@
-//! What was painted on the picture, and its past.
+//! Sketch that was painted on the picture, and its past.
 //!
 //! A sketch is a small picture over the viewport's, straight RGBA as the command `chiaro fit` takes
-//! it: the color is what a pixel should show, alpha how much that is wished. It says something of
-//! the view that it was painted in, and of no other. Its steps lie in the window's one order of
-//! undo while they are seen.
+//! it: the color is the wish for a pixel, alpha the weight of that wish. A sketch applies to the
+//! view that it was painted in, and to no other. Its steps lie in the window's one order of undo
+//! while they are seen.
 
 use std::sync::Arc;
 
@@ -11,14 +11,14 @@ use crate::document::{Camera, Tile};
 use crate::state::document::times::Times;
 use crate::state::orbit::Orbit;
 
-/// As many steps can be taken back: each holds a picture of about a megabyte.
+/// Largest number of steps that can be taken back: each holds a picture of about a megabyte.
 const MOST_STEPS: usize = 32;
 
-/// Where a sketch was painted from, and when.
+/// View and moment that a sketch was painted at.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Standpoint {
     pub(crate) orbit: Orbit,
-    /// In seconds.
+    /// Moment, in seconds.
     time: f64,
 }
 
@@ -27,7 +27,7 @@ impl Standpoint {
         Self { orbit: orbit.clone(), time }
     }
 
-    /// Whether pixels show the same places in another view. How the lights are turned is not asked.
+    /// True if pixels show the same places in another view. The turn of the lights does not count.
     pub(crate) fn sees_as(&self, orbit: &Orbit, time: f64) -> bool {
         let of = |orbit: &Orbit| -> (Camera, String, bool) {
             (orbit.camera(), orbit.mesh.clone(), orbit.z_is_up)
@@ -35,7 +35,7 @@ impl Standpoint {
         self.time == time && of(&self.orbit) == of(orbit)
     }
 
-    /// The same view, lit as `orbit` is, before its backdrop; and the moment in seconds.
+    /// The standpoint's view, lit as `orbit` is and before its backdrop; and the moment in seconds.
     pub(crate) fn back(&self, orbit: &Orbit) -> (Orbit, f64) {
         let back = Orbit {
             illumination: orbit.illumination,
@@ -53,31 +53,31 @@ struct State {
     tile: Option<Arc<Tile>>,
 }
 
-/// What was painted on the picture.
+/// Sketch on the picture, with its steps.
 #[derive(Debug, Default)]
 pub struct Sketch {
     state: State,
-    /// What each step is called, and what was before it.
+    /// Label of each done step, and the state before it.
     done: Vec<(&'static str, State)>,
-    /// What each step is called, and what was after it, the next one last.
+    /// Label of each undone step, and the state after it, the next to redo last.
     undone: Vec<(&'static str, State)>,
     pub(crate) times: Times,
-    /// Whether it is seen, so that undo takes its steps back.
+    /// True while the sketch is seen, so that undo takes its steps back.
     pub(crate) is_open: bool,
 }
 
 impl Sketch {
-    /// What is painted, straight RGBA; `None` where nothing ever was.
+    /// The painted picture, straight RGBA; `None` where nothing was ever painted.
     pub fn tile(&self) -> Option<&Arc<Tile>> {
         self.state.tile.as_ref()
     }
 
-    /// The same with nothing to be taken back.
+    /// The sketch with nothing to take back.
     pub(crate) fn without_past(self) -> Self {
         Self { state: self.state, ..Self::default() }
     }
 
-    /// Whether nothing is wished.
+    /// True if no pixel has a wish.
     pub fn is_empty(&self) -> bool {
         self.state
             .tile
@@ -85,12 +85,12 @@ impl Sketch {
             .is_none_or(|tile| tile.bytes().chunks_exact(4).all(|texel| texel[3] == 0))
     }
 
-    /// Where it was painted from.
+    /// View and moment that the sketch was painted at.
     pub(crate) fn standpoint(&self) -> Option<&Standpoint> {
         self.state.standpoint.as_ref()
     }
 
-    /// Paints: a step that can be taken back.
+    /// Replaces the painted picture: a step that can be taken back.
     pub(crate) fn did(
         &mut self,
         what: &'static str,
@@ -131,13 +131,12 @@ impl Sketch {
         self.undone.last().map(|(what, _)| *what)
     }
 
-    /// How many steps are done.
+    /// Number of done steps.
     pub(crate) fn place(&self) -> usize {
         self.done.len()
     }
 
-    /// What every step is called: those that are done, then those that were taken back, the next
-    /// first.
+    /// Labels of all steps: the done ones, then the undone ones, the next to redo first.
     pub(crate) fn labels(&self) -> impl Iterator<Item = &'static str> {
         self.done.iter().chain(self.undone.iter().rev()).map(|(what, _)| *what)
     }

@@ -1,5 +1,5 @@
-//! What the viewport shows, as something that a thread can take with it, and a stamp that tells
-//! whether it still holds.
+//! Snapshot of the viewport that a thread can take along, and a stamp that tells whether it still
+//! holds.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -24,33 +24,33 @@ use crate::state::solo::Solo;
 pub(crate) struct RenderSnapshot {
     pub(crate) look: Arc<Look>,
     pub(crate) source: Arc<SourceMap>,
-    /// What the look's assets are relative to.
+    /// Folder that the look's assets are relative to.
     pub(crate) folder: PathBuf,
     pub(crate) library: Arc<Library>,
     pub(crate) orbit: Orbit,
-    /// In seconds.
+    /// Moment, in seconds.
     pub(crate) time: f64,
-    /// The scene around the look; without one it is on a mesh of its own.
+    /// The scene around the look; without one the look is on a mesh of its own.
     pub(crate) stage: Option<Arc<SceneSnapshot>>,
     /// The HCBTF that is being painted, in place of its file.
     pub(crate) painting: Option<Overlay>,
-    /// What all pictures of the window share.
+    /// Assets that all pictures of the window share.
     pub(crate) assets: AssetStore,
 }
 
 impl RenderSnapshot {
-    /// Without what does not wear the look.
+    /// The snapshot without the objects that do not wear the look.
     #[must_use]
     pub(crate) fn alone(self) -> Self {
         let stage = self.stage.map(|stage| Arc::new(stage.alone()));
         Self { stage, ..self }
     }
 
-    /// As a scene, with what was odd about the mesh. The look is the first of its looks. Of a stage
-    /// what is missing is left out and told.
+    /// Scene of the snapshot, with warnings about the mesh. The look is the first of its looks. Of
+    /// a stage, missing parts are left out and reported.
     ///
     /// # Errors
-    /// What is wrong with the mesh, without a stage.
+    /// Problems of the mesh, without a stage.
     pub(crate) fn setup(&self, assets: &mut Assets) -> Result<Warned<Setup>, Vec<Diagnostic>> {
         assets.share(&self.assets);
         assets.begin_picture();
@@ -75,7 +75,7 @@ impl RenderSnapshot {
     }
 }
 
-/// A planner that keeps meshes and images, and of what it compiled only what is of the last look.
+/// A planner that keeps meshes and images, and compiled shaders of the last look alone.
 pub(crate) struct Reused {
     planner: Planner,
     make: fn(Assets) -> Planner,
@@ -83,7 +83,7 @@ pub(crate) struct Reused {
 }
 
 impl Reused {
-    /// `make` makes a planner of assets.
+    /// Creates the planner; `make` makes one from assets.
     pub(crate) fn new(make: fn(Assets) -> Planner) -> Self {
         Self { planner: make(Assets::default()), make, last: None }
     }
@@ -100,7 +100,7 @@ impl Reused {
     }
 }
 
-/// Tells one moment of a session from another: the same stamp is the same look in the same view.
+/// Key of one moment of a session: the same stamp is the same look in the same view.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Stamp {
     document: DocumentNumber,
@@ -110,18 +110,18 @@ pub(crate) struct Stamp {
     time: f64,
     solo: Solo,
     preview: PreviewRevision,
-    /// Of what there is of a scene.
+    /// Revision of the scene, if there is one.
     stage: Option<PictureRevision>,
     painting: Option<u64>,
 }
 
 impl Session {
-    /// The document as it is shown, in the view as it is.
+    /// The document as shown, in the present view.
     pub(crate) fn snapshot(&self) -> RenderSnapshot {
         self.snapshot_of(Arc::new(self.shown_look().into_owned()))
     }
 
-    /// Another look in its place.
+    /// Snapshot with another look in place of the document's.
     pub(crate) fn snapshot_of(&self, look: Arc<Look>) -> RenderSnapshot {
         RenderSnapshot {
             look,
@@ -136,17 +136,17 @@ impl Session {
         }
     }
 
-    /// What tells the scene as it is from what it was, if there is one.
+    /// Revision of the scene's picture, if there is a scene.
     pub(crate) fn stage_version(&self) -> Option<PictureRevision> {
         self.stage().map(|stage| stage.staged().version())
     }
 
-    /// What the look's assets are relative to.
+    /// Folder that the look's assets are relative to.
     pub(crate) fn folder(&self) -> PathBuf {
         self.path().and_then(Path::parent).map(Path::to_path_buf).unwrap_or_default()
     }
 
-    /// What changes whenever [`snapshot`](Self::snapshot) does.
+    /// A stamp that changes whenever [`snapshot`](Self::snapshot) does.
     pub(crate) fn stamp(&self) -> Stamp {
         Stamp {
             document: self.document_number(),

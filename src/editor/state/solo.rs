@@ -1,6 +1,6 @@
-//! What is shown alone or left out for now: soloed layers, soloed and muted lights. This belongs to
-//! the window and not to the document: it is neither saved nor exported nor undone, and a bar over
-//! the picture says so for as long as it lasts.
+//! Solo and mute: layers and lights that are shown alone or left out for now. Solo belongs to the
+//! window and not to the document: it is neither saved nor exported nor undone, and a bar over the
+//! picture says so for as long as it lasts.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -13,40 +13,40 @@ use crate::document::{Look, Scene, Target};
 use crate::ids::{LightId, NodeId};
 use crate::state::scene::SceneSnapshot;
 
-/// What everybody should know who uses it.
+/// Explanation for people who use solo or mute.
 pub(crate) const OF_THE_WINDOW: &str = "Only this window shows it so, in the picture and in the \
                                         code: what is saved and exported has every layer and light";
 
-/// What is shown alone, and what is left out.
+/// Soloed layers and lights, and muted lights.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Solo {
-    /// Of all layers only these are shown, over the ground; none for all.
+    /// Layers shown alone, over the ground; none for all.
     pub(crate) layers: IndexSet<NodeId>,
-    /// Of all lights only these shine; none for all.
+    /// Lights that shine alone; none for all.
     pub(crate) lights: IndexSet<LightId>,
     /// Lights that do not shine.
     pub(crate) muted: IndexSet<LightId>,
 }
 
 impl Solo {
-    /// Whether everything is shown.
+    /// True if everything is shown.
     pub(crate) fn is_empty(&self) -> bool {
         *self == Self::default()
     }
 
-    /// Whether a light is out: muted, or another one is shown alone.
+    /// True if a light is out: muted, or another one is shown alone.
     pub(crate) fn is_dark(&self, light: &LightId) -> bool {
         self.muted.contains(light) || !self.lights.is_empty() && !self.lights.contains(light)
     }
 
-    /// The look as it is shown.
+    /// The look as shown, with dark lights out and only the soloed layers.
     pub(crate) fn of<'l>(&self, look: &'l Look, catalog: &Catalog) -> Cow<'l, Look> {
         let mut shown = self.alone(look, catalog);
         self.put_out(&mut shown);
         shown
     }
 
-    /// The same look, without the lights that are dark.
+    /// The look with all its layers, without the lights that are dark.
     pub(crate) fn lit(&self, look: &Arc<Look>) -> Arc<Look> {
         let mut lit = Cow::Borrowed(&**look);
         self.put_out(&mut lit);
@@ -56,7 +56,7 @@ impl Solo {
         }
     }
 
-    /// The look with nothing but the layers that are shown alone.
+    /// The look with only the soloed layers shown; all its layers where none of them is soloed.
     pub(crate) fn alone<'l>(&self, look: &'l Look, catalog: &Catalog) -> Cow<'l, Look> {
         let mut shown = Cow::Borrowed(look);
         if !self.layers.is_empty() {
@@ -73,7 +73,7 @@ impl Solo {
         shown
     }
 
-    /// Puts the lights out that are dark.
+    /// Puts out the dark lights.
     fn put_out(&self, look: &mut Cow<'_, Look>) {
         let dark: Vec<LightId> =
             look.lights.keys().filter(|id| self.is_dark(id)).cloned().collect();
@@ -81,7 +81,7 @@ impl Solo {
             return;
         }
         let look = look.to_mut();
-        // A key would light it again.
+        // Keys of the intensity would light it again.
         let is_dark = |target: &Target| {
             let Target::Light { light, field } = target else { return false };
             field == "intensity" && dark.contains(light)
@@ -94,7 +94,7 @@ impl Solo {
         }
     }
 
-    /// Whether changing to `other` needs another shader than the one there is, or only other
+    /// True if changing to `other` needs another shader than the present one, and not only other
     /// values.
     pub(crate) fn is_structural(&self, other: &Self, look: &Look) -> bool {
         let timed = look.time_keys.iter().map(|keys| &keys.target);
@@ -106,9 +106,9 @@ impl Solo {
             || timed.chain(keyed).any(|target| matches!(target, Target::Light { .. }))
     }
 
-    /// The scene around the look, without the lights of its own that are dark. Where one of them is
-    /// shown alone, the lights that its other looks have for themselves are out too, but for what
-    /// their keys light again.
+    /// The scene around the look, with its dark lights put out. Where one of the scene's lights is
+    /// shown alone, the own lights of its other looks are out too, except where keys of those looks
+    /// light them again.
     pub(crate) fn lit_stage(&self, staged: &Arc<SceneSnapshot>) -> Arc<SceneSnapshot> {
         let of_scene = &staged.scene.lights;
         let is_any_alone = self.lights.iter().any(|id| of_scene.contains_key(id));
@@ -128,7 +128,7 @@ impl Solo {
         Arc::new(lit)
     }
 
-    /// Forgets what is no longer there, in the look or in the scene around it.
+    /// Forgets layers and lights that no longer exist, in the look or in the scene around it.
     pub(crate) fn keep(&mut self, look: &Look, scene: Option<&Scene>) {
         let is_light = |id: &LightId| {
             look.lights.contains_key(id) || scene.is_some_and(|scene| scene.lights.contains_key(id))
@@ -138,23 +138,24 @@ impl Solo {
         self.muted.retain(is_light);
     }
 
-    /// What of it goes on with another look in the same scene: the scene's lights.
+    /// Keeps only what holds for another look in the same scene: solo and mute of the scene's
+    /// lights.
     pub(crate) fn keep_for_scene(&mut self, scene: Option<&Scene>) {
         self.layers.clear();
         self.keep(&Look::default(), scene);
     }
 
-    /// The same with a layer shown alone, or no longer; with `adds`, beside those that are.
+    /// The solo with a layer shown alone, or no longer; with `adds`, beside those that are.
     pub(crate) fn toggle_layer(&self, id: &NodeId, adds: bool) -> Self {
         Self { layers: toggled(&self.layers, id, adds), ..self.clone() }
     }
 
-    /// The same with a light shown alone, or no longer; with `adds`, beside those that are.
+    /// The solo with a light shown alone, or no longer; with `adds`, beside those that are.
     pub(crate) fn toggle_light(&self, id: &LightId, adds: bool) -> Self {
         Self { lights: toggled(&self.lights, id, adds), ..self.clone() }
     }
 
-    /// The same with a light muted, or no longer.
+    /// The solo with a light muted, or no longer.
     pub(crate) fn toggle_mute(&self, id: &LightId) -> Self {
         Self { muted: toggled(&self.muted, id, true), ..self.clone() }
     }
@@ -203,7 +204,7 @@ mod tests {
             matches!(Solo::default().of(&look, &catalog), Cow::Borrowed(_)),
             "nothing is copied for nothing"
         );
-        // What is no longer a layer of the stack leaves all others as they are.
+        // A soloed node that is no longer a layer of the stack leaves all layers as they are.
         let solo = Solo::default().toggle_layer(&"base".into(), false);
         assert_eq!(*solo.of(&look, &catalog), look);
     }

@@ -1,5 +1,5 @@
-//! A look as a stack of layers: the chain through `below` ports from the Output's color down to
-//! what is no layer, and the edits of the graph that edits of the stack are.
+//! A look as a stack of layers: the chain through `below` ports from the Output's color down to a
+//! node that is no layer, and the graph edits that edits of the stack stand for.
 
 use std::collections::{HashMap, HashSet};
 
@@ -9,31 +9,31 @@ use crate::catalog::{Catalog, Kind};
 use crate::document::{Edit, Endpoint, GraphId, Look, Node, Wire};
 use crate::ids::{NodeId, make_slug};
 
-/// The input that makes a node a layer, and the output that goes on.
+/// Name of the input that makes a node a layer, and of the output that goes on.
 pub(crate) const BELOW: &str = "below";
-/// From one layer to the next on the canvas, in points.
+/// Distance from one layer to the next on the canvas, in points.
 const STEP: f64 = 260.0;
 
-/// One layer.
+/// Layer of a stack.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Layer {
-    /// The node.
+    /// Node of the layer.
     pub(crate) id: NodeId,
-    /// Its output that goes on upward.
+    /// Output of the node that goes on upward.
     outlet: Endpoint,
-    /// The input that takes what is below: its own, or that of a reroute before it.
+    /// Input that takes the stack below: the node's own, or that of a reroute before it.
     inlet: Endpoint,
 }
 
-/// A look as a stack.
+/// A look as a stack of layers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Stack {
-    /// The input that the whole stack feeds; `None` where the look has no Output.
+    /// Input that the whole stack feeds; `None` where the look has no Output.
     head: Option<Endpoint>,
     output: Option<NodeId>,
-    /// The uppermost first.
+    /// Layers, the uppermost first.
     pub(crate) layers: Vec<Layer>,
-    /// What the lowest layer lies on: the output of a node that is no layer.
+    /// Output that the lowest layer lies on: of a node that is no layer.
     pub(crate) ground: Option<Endpoint>,
 }
 
@@ -80,7 +80,7 @@ impl Stack {
         }
     }
 
-    /// Notes what takes the next source from below.
+    /// Notes the input that takes the next source from below.
     fn close(&mut self, inlet: Endpoint) {
         match self.layers.last_mut() {
             Some(layer) => layer.inlet = inlet,
@@ -88,22 +88,22 @@ impl Stack {
         }
     }
 
-    /// The place of a node among the layers.
+    /// Index of a node among the layers.
     pub(crate) fn index_of(&self, id: &NodeId) -> Option<usize> {
         self.layers.iter().position(|layer| layer.id == *id)
     }
 
-    /// Whether there is an Output that a stack can feed.
+    /// True if there is an Output that a stack can feed.
     pub(crate) fn has_output(&self) -> bool {
         self.head.is_some()
     }
 
-    /// The input that nothing feeds where there is no ground.
+    /// The lowest input of the stack, which nothing feeds where there is no ground.
     pub(crate) fn lowest_inlet(&self) -> Option<&Endpoint> {
         self.layers.last().map(|layer| &layer.inlet).or(self.head.as_ref())
     }
 
-    /// Moves a layer to another place among the others, and nodes so that they lie in the new
+    /// Moves a layer to another index among the others, and nodes so that they lie in the new
     /// order.
     pub(crate) fn reorder(&self, look: &Look, from: usize, to: usize) -> Option<Edit> {
         if from == to || from >= self.layers.len() || to >= self.layers.len() {
@@ -119,7 +119,7 @@ impl Stack {
             let (from, to) = (place(&new.id), place(&old.id));
             self.carry(look, &new.id, [to[0] - from[0], to[1] - from[1]], &mut positions);
         }
-        // The layer itself first, as undo calls the step by it.
+        // The layer itself comes first: undo names the step by it.
         let own = positions
             .shift_remove(&self.layers[from].id)
             .map(|place| (self.layers[from].id.clone(), place));
@@ -131,7 +131,7 @@ impl Stack {
         Some(Edit::Group { edits })
     }
 
-    /// Takes a layer out.
+    /// Takes layers out of the stack.
     pub(crate) fn remove(&self, look: &Look, ids: &[NodeId]) -> Edit {
         let order: Vec<Layer> =
             self.layers.iter().filter(|layer| !ids.contains(&layer.id)).cloned().collect();
@@ -143,8 +143,8 @@ impl Stack {
         Edit::Group { edits }
     }
 
-    /// Puts a new node in as the layer number `at`, and makes room for it. The node gets its place
-    /// here.
+    /// Inserts a new node as the layer number `at`, and makes room for it. Sets the node's
+    /// position.
     pub(crate) fn insert(&self, look: &Look, at: usize, id: &NodeId, mut node: Node) -> Vec<Edit> {
         let at = at.min(self.layers.len());
         let place = |id: &NodeId| look.graph.nodes.get(id).map(|node| node.position);
@@ -176,7 +176,7 @@ impl Stack {
         edits
     }
 
-    /// Puts a copy of a layer over it, fed by what feeds the layer. Returns the copy's id.
+    /// Puts a copy of a layer over it, fed by the same wires. Returns the copy's id.
     pub(crate) fn duplicate(&self, look: &Look, index: usize) -> Option<(NodeId, Edit)> {
         let layer = self.layers.get(index)?;
         let node = look.graph.nodes.get(&layer.id)?.clone();
@@ -215,7 +215,7 @@ impl Stack {
                     let wire = Wire { from: from.clone(), to: to.clone() };
                     edits.push(Edit::AddWire { graph: GraphId::Look, wire, index: None });
                 }
-                // A wire of a layer that goes away goes with it.
+                // The wire of a removed layer goes with its node.
                 None if old
                     .is_some_and(|old| order.iter().any(|layer| layer.outlet == old.from)) =>
                 {
@@ -232,7 +232,7 @@ impl Stack {
         edits
     }
 
-    /// Moves a node and what feeds it alone.
+    /// Moves a node and the nodes that feed nothing else.
     fn carry(
         &self,
         look: &Look,
@@ -281,7 +281,7 @@ impl Stack {
     }
 }
 
-/// Whether a wire comes from a layer: a node that takes a stack from below and gives it on.
+/// True if a wire comes from a layer: a node that takes a stack from below and gives it on.
 fn is_layer(kind: &Kind, wire: &Wire) -> bool {
     let takes = kind.input(BELOW).is_some_and(|index| kind.inputs[index].is_wirable());
     let gives = kind.output(BELOW);
@@ -334,8 +334,8 @@ mod tests {
         assert!(!Stack::of(&look, &catalog).has_output());
     }
 
-    /// Every move of every layer gives the order that a list would have, keeps the same places in
-    /// use, and is undone.
+    /// Every move of every layer gives the order of a list after the same move, keeps the same
+    /// positions in use, and is undone.
     #[test]
     fn every_move_is_that_of_a_list() {
         for from in 0..3 {

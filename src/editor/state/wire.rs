@@ -1,5 +1,5 @@
-//! Any wire in place of the picture: its value as a color, as heat, or with lines where it crosses
-//! tenths.
+//! Any wire in place of the picture: its value as a color, as heat, or with lines where the value
+//! crosses tenths.
 //!
 //! The look itself is not touched. The compiler is asked for another output than the look's own;
 //! heat and lines are a node of the window's own behind that output, in a copy of the look.
@@ -9,10 +9,10 @@ use crate::document::{Definition, Endpoint, InterfacePort, Look, Node, Value, Wi
 use crate::ids::{GROUP_OUTPUTS, NodeId, NodePath, PortName};
 use crate::library::{Library, Type};
 
-/// The node that colors what is shown; no slug of a name begins so.
+/// Name of the node that colors the shown value; no slug of a name begins so.
 const SHOWN: &str = "chiaro-shown";
 
-/// How a value is seen.
+/// Display of a value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Style {
     /// Numbers as red, green and blue; one as grey.
@@ -58,7 +58,7 @@ pub(crate) struct ShownWire {
 }
 
 impl ShownWire {
-    /// A look in which there is such an output, and that output.
+    /// A copy of the look that has the shown output, and that output.
     pub(crate) fn of(
         &self,
         look: &Look,
@@ -78,7 +78,7 @@ impl ShownWire {
         (look, (NodePath::root(SHOWN.into()), "value".into()))
     }
 
-    /// The type of what is shown.
+    /// Type of the shown output.
     pub(crate) fn ty(&self, look: &Look, library: &Library, catalog: &Catalog) -> Option<Type> {
         let kind = catalog.of(node_at(look, library, self.node.ids())?)?;
         Some(kind.outputs[kind.output(self.port.as_str())?].ty.clone())
@@ -91,7 +91,7 @@ fn group<'a>(look: &'a Look, library: &'a Library, kind: &str) -> Option<&'a Def
     look.definitions.get(kind).or_else(of_library)
 }
 
-/// The node that a path leads to, through groups.
+/// The node at the end of a path through groups.
 pub(crate) fn node_at<'a>(
     look: &'a Look,
     library: &'a Library,
@@ -104,7 +104,7 @@ pub(crate) fn node_at<'a>(
 }
 
 /// Leads an output of an inner node out to the look's own graph: each group on the way becomes, in
-/// this look, one of its own with an output more.
+/// this copy of the look, one of its own with an output more.
 fn led_out(
     look: &mut Look,
     library: &Library,
@@ -132,9 +132,9 @@ fn led_out(
     Some(from)
 }
 
-/// The coloring node's WGSL; `None` where a value is shown as it is.
+/// WGSL of the coloring node; `None` where a value is shown as it is.
 fn code(style: Style, ty: &Type) -> Option<String> {
-    // One number of each type: an angle's share of 180 degrees, a color's luminance.
+    // A value of any type as a single number: an angle's share of 180 degrees, a color's luminance.
     let (parameter, number) = match ty {
         Type::Angle => ("f32", "value / 3.14159265"),
         ty if ty.convert_to(&Type::Float).is_some() => ("f32", "value"),

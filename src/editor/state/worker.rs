@@ -7,19 +7,19 @@ use std::time::Duration;
 
 use crate::threads;
 
-/// Threads that work for a part of the window.
+/// Background threads of a part of the window.
 pub(crate) trait BackgroundJobs {
-    /// Whether anything is being made.
+    /// True while a thread works.
     fn is_busy(&self) -> bool;
 
-    /// Waits for what is being made.
+    /// Waits until the threads are done.
     fn wait(&self);
 }
 
 struct State<Q, A> {
     waiting: Option<Q>,
     is_busy: bool,
-    /// An answer is there, and whoever wants to know is being told.
+    /// True while an answer is there and `wake` is being called for it.
     is_waking: bool,
     answers: Vec<A>,
     is_over: bool,
@@ -43,7 +43,7 @@ pub(crate) struct Worker<Q, A> {
 }
 
 impl<Q: Send + 'static, A: Send + 'static> Worker<Q, A> {
-    /// Starts the thread. `wake` is called when an answer is there.
+    /// Starts the thread. `wake` is called for each answer.
     pub(crate) fn new(
         name: &str,
         wake: impl Fn() + Send + 'static,
@@ -52,7 +52,7 @@ impl<Q: Send + 'static, A: Send + 'static> Worker<Q, A> {
         Self::waiting(name, wake, async move |request| work(request))
     }
 
-    /// Starts the thread for work that waits for the GPU. `wake` is called when an answer is there.
+    /// Starts the thread for work that waits for the GPU. `wake` is called for each answer.
     pub(crate) fn waiting(
         name: &str,
         wake: impl Fn() + Send + 'static,
@@ -86,7 +86,7 @@ impl<Q: Send + 'static, A: Send + 'static> Worker<Q, A> {
         Self { shared, thread }
     }
 
-    /// Asks for work, in place of what still waits; `make` is given that.
+    /// Requests work, in place of a request that still waits; `make` is given the latter.
     pub(crate) fn request(&self, make: impl FnOnce(Option<Q>) -> Q) {
         let mut state = self.shared.lock();
         let waiting = state.waiting.take();
@@ -100,19 +100,19 @@ impl<Q: Send + 'static, A: Send + 'static> Worker<Q, A> {
         std::mem::take(&mut self.shared.lock().answers)
     }
 
-    /// Whether anything is being worked at.
+    /// True while a request is worked at or waits.
     pub(crate) fn is_busy(&self) -> bool {
         let state = self.shared.lock();
         state.is_busy || state.waiting.is_some()
     }
 
-    /// Whether an answer is on its way: worked at, or made and not taken yet.
+    /// True while an answer is on its way: worked at, or made and not taken yet.
     pub(crate) fn owes(&self) -> bool {
         let state = self.shared.lock();
         state.is_busy || state.waiting.is_some() || !state.answers.is_empty()
     }
 
-    /// Waits until there is nothing to be done, and nobody will be woken any more.
+    /// Waits until no work is left and no call of `wake` is under way.
     pub(crate) fn wait(&self) {
         if self.thread.is_some() {
             let is_busy = |state: &mut State<Q, A>| {
@@ -124,7 +124,7 @@ impl<Q: Send + 'static, A: Send + 'static> Worker<Q, A> {
 }
 
 impl<Q: Send + 'static, A: Send + 'static> Worker<Q, A> {
-    /// Waits until there is nothing to be done, but no longer than this.
+    /// Waits until no work is left, at most for `time`.
     pub(crate) fn wait_at_most(&self, time: Duration) {
         if self.thread.is_some() {
             let is_busy = |state: &mut State<Q, A>| state.is_busy || state.waiting.is_some();
@@ -138,7 +138,7 @@ impl<Q, A> Drop for Worker<Q, A> {
         self.shared.lock().is_over = true;
         self.shared.changed.notify_all();
         if let Some(thread) = self.thread.take() {
-            // It ends after what it is at; whatever that comes to no longer matters.
+            // The thread ends after its present request; the result no longer matters.
             let _ = thread.join();
         }
     }
@@ -156,8 +156,8 @@ fn next<Q, A>(shared: &Shared<Q, A>) -> Option<Q> {
     state.waiting.take()
 }
 
-/// Waits for a future on the thread that calls: the one place of the window that does, and never
-/// the window's own thread.
+/// Waits for a future on the calling thread: the one place of the window that does, and never the
+/// window's own thread.
 #[expect(clippy::disallowed_methods, reason = "threads of the window's wait for the GPU")]
 pub(crate) fn wait<T>(future: impl Future<Output = T>) -> T {
     pollster::block_on(future)

@@ -1,4 +1,4 @@
-//! A color: a swatch that opens a picker, and its hex code.
+//! Color field: a swatch that opens a picker, and its hex code.
 
 use eframe::egui;
 use eframe::egui::ecolor::{gamma_from_linear, linear_from_gamma};
@@ -10,7 +10,8 @@ use crate::document::{ColorSpace, parse_hex, srgb_to_linear};
 use crate::values;
 use crate::widgets::theme;
 
-/// Edits a straight RGBA color of a look's color space. Who changed it, and to what.
+/// Edits a straight RGBA color of a look's color space. Returns the id of the widget and the new
+/// color where it changed.
 pub(crate) fn edit(
     ui: &mut Ui,
     label: Id,
@@ -24,7 +25,7 @@ pub(crate) fn edit(
     swatch.or(hex)
 }
 
-/// The swatch alone.
+/// Shows the swatch alone.
 pub(crate) fn swatch(
     ui: &mut Ui,
     label: Id,
@@ -35,14 +36,14 @@ pub(crate) fn swatch(
     swatch_of(ui, color, space, with_alpha, |response| response.labelled_by(label))
 }
 
-/// What a swatch opens, here and now: for an opaque color, as it is shown.
+/// Shows the picker of a swatch in place, for an opaque color as shown.
 pub(crate) fn pick(ui: &mut Ui, color: [f64; 4]) -> Option<[f64; 4]> {
     let id = ui.scope_id().with("color");
     let picked = picker::pick(ui, id, color.map(|x| x as f32), false)?;
     Some(picked.map(|x| (f64::from(x) * 1e4).round() / 1e4))
 }
 
-/// The swatch alone; `name` is what screen readers call it.
+/// Shows the swatch alone; `name` is its name for screen readers.
 pub(crate) fn named_swatch(
     ui: &mut Ui,
     name: &str,
@@ -63,7 +64,7 @@ fn swatch_of(
     with_alpha: bool,
     name: impl FnOnce(egui::Response) -> egui::Response,
 ) -> Option<(Id, [f64; 4])> {
-    // A picker shows colors as they are seen; a look's are so too unless it says otherwise.
+    // A picker shows colors as they are seen; a look's colors are so too unless it says otherwise.
     let [r, g, b, a] = encoded(color, space).map(|x| x as f32);
     let mut typed = None;
     let (response, picked) = picker::swatch(ui, [r, g, b, a], with_alpha, name, |ui| {
@@ -74,7 +75,7 @@ fn swatch_of(
         ColorSpace::Display => f64::from(x),
         ColorSpace::Linear => f64::from(linear_from_gamma(x)),
     };
-    // Four decimals are more than a picker's hand gives, and keep files readable.
+    // Four decimals are more precise than a hand in the picker, and keep files readable.
     let picked = picked.map(|[r, g, b, a]| {
         [decode(r), decode(g), decode(b), f64::from(a)].map(|x| (x * 1e4).round() / 1e4)
     });
@@ -93,7 +94,7 @@ pub(crate) fn encoded(color: [f64; 4], space: ColorSpace) -> [f64; 4] {
     }
 }
 
-/// A color as people type it: with its mark, without, or with one too many.
+/// Parses a color as people type it: with its `#`, without, or with one too many.
 fn parse_typed(text: &str) -> Option<[f64; 4]> {
     parse_hex(&format!("#{}", text.trim().trim_start_matches('#')))
 }
@@ -104,7 +105,7 @@ fn hex(ui: &mut Ui, label: Id, color: [f64; 4], space: ColorSpace) -> Option<(Id
         ColorSpace::Display => color,
         ColorSpace::Linear => encoded(color, space),
     });
-    // While it is being typed it is no color yet, so the text is kept aside.
+    // A code that is being typed is no color yet, so the text is kept aside.
     let mut text = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| shown.clone());
     let is_bad = parse_typed(&text).is_none();
     let edit = TextEdit::singleline(&mut text)
@@ -117,7 +118,7 @@ fn hex(ui: &mut Ui, label: Id, color: [f64; 4], space: ColorSpace) -> Option<(Id
     let mut output = edit.show(ui);
     let response = output.response.response.labelled_by(label);
     if response.gained_focus() {
-        // Whoever comes here types a color anew.
+        // A color is usually typed anew, so all of the old one is selected.
         let all = CCursorRange::two(CCursor::new(0), CCursor::new(text.chars().count()));
         output.state.cursor.set_char_range(Some(all));
         output.state.store(ui.ctx(), id);

@@ -1,5 +1,5 @@
-//! A free curve: drag its points, double-click to add one, double-click a point or drag it out to
-//! remove it.
+//! Editor of a free curve: drag its points, double-click to add one, double-click a point to remove
+//! it.
 
 use eframe::egui::epaint::PathShape;
 use eframe::egui::{ComboBox, Id, Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
@@ -7,9 +7,10 @@ use eframe::egui::{ComboBox, Id, Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo
 use crate::document::{Curve, Interpolation, Value};
 use crate::widgets::theme;
 
+/// Height of the editor, in points.
 const HEIGHT: f32 = 150.0;
 
-/// Edits a curve.
+/// Edits a curve. Returns the id of the widget and the new curve where it changed.
 pub(crate) fn show(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id, Value)> {
     let Some(Value::Curve(curve)) = value else { return None };
     let mut curve = curve.clone();
@@ -62,7 +63,7 @@ pub(crate) fn show(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id,
     (changed || combo).then_some((response.id, Value::Curve(curve)))
 }
 
-/// The first and last of x and of y that are shown: at least 0 to 1.
+/// Shown range of x and of y: at least 0 to 1.
 fn bounds(curve: &Curve) -> [[f64; 2]; 2] {
     [0, 1].map(|axis| {
         let numbers = curve.points.iter().map(|point| point[axis]);
@@ -137,7 +138,7 @@ fn outline(curve: &Curve) -> Vec<[f64; 2]> {
     line
 }
 
-/// The slope at a point by Fritsch and Carlson: 0 at extremes, the harmonic mean of the neighbours
+/// Slope at a point by Fritsch and Carlson: 0 at extremes, the harmonic mean of the neighbors
 /// elsewhere.
 fn slope(points: &[[f64; 2]], i: usize) -> f64 {
     let secant =
@@ -162,7 +163,7 @@ fn hermite(pair: &[[f64; 2]], m0: f64, m1: f64, t: f64) -> [f64; 2] {
     [pair[0][0] + t * width, y]
 }
 
-/// Chooses how neighbours are joined.
+/// Shows the choice of the interpolation between neighbors. Returns true if it changed.
 pub(crate) fn interpolation(ui: &mut Ui, label: Id, current: &mut Interpolation) -> bool {
     let name = |interpolation| match interpolation {
         Interpolation::Linear => "Straight",

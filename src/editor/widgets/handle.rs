@@ -1,4 +1,4 @@
-//! A handle on a drawing: dragged, or moved by arrow keys once it has the focus.
+//! Handle on a drawing: dragged, or moved by arrow keys once it has the focus.
 
 use eframe::egui;
 use eframe::egui::{
@@ -6,20 +6,20 @@ use eframe::egui::{
     vec2,
 };
 
-/// How large a handle is to a hand, in points.
+/// Side of the square that catches the pointer, in points.
 const REACH: f32 = 18.0;
 
-/// What was done to a handle.
+/// Result of showing a handle.
 pub(crate) struct HandleResponse {
-    /// The widget.
+    /// Response of the widget.
     pub(crate) response: Response,
-    /// Where it was dragged to; it keeps under the pointer what was taken.
+    /// Position that the handle was dragged to; the point that was grabbed stays under the pointer.
     pub(crate) to: Option<Pos2>,
-    /// Steps by arrow keys: right and up are positive.
+    /// Number of steps by arrow keys: right and up are positive.
     pub(crate) steps: Vec2,
 }
 
-/// Lays a handle over a drawing. `value` is what screen readers tell.
+/// Lays a handle over a drawing. `value` is its value for screen readers.
 pub(crate) fn handle(
     ui: &Ui,
     id: Id,
@@ -48,7 +48,7 @@ pub(crate) fn handle(
     HandleResponse { response, to, steps }
 }
 
-/// Presses of arrow keys, which would else move the focus; with Shift they count a tenth.
+/// Presses of arrow keys, which would otherwise move the focus; with Shift each counts a tenth.
 fn arrows(ui: &Ui, id: Id) -> Vec2 {
     let filter =
         EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
@@ -69,12 +69,12 @@ fn arrows(ui: &Ui, id: Id) -> Vec2 {
     steps
 }
 
-/// Whether a key was pressed while a handle has the focus.
+/// True if a key was pressed while a handle has the focus.
 pub(crate) fn pressed(ui: &Ui, response: &Response, key: Key) -> bool {
     response.has_focus() && ui.input_mut(|input| input.consume_key(Modifiers::NONE, key))
 }
 
-/// A ring around the handle that has the keyboard.
+/// Paints a ring around the handle that has the keyboard.
 pub(crate) fn focus_ring(ui: &Ui, response: &Response, at: Pos2, radius: f32) {
     if response.has_focus() {
         let stroke = egui::Stroke::new(1.0, crate::widgets::theme::of(ui).accent);

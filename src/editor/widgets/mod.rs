@@ -1,5 +1,4 @@
-//! Parts of the interface that know nothing of what the window holds: fields, rows, icons, the
-//! theme.
+//! Parts of the interface that do not know the window's state: fields, rows, icons, the theme.
 
 pub(crate) mod color;
 pub(crate) mod confirm;

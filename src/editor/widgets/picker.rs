@@ -1,6 +1,7 @@
-//! What a color's swatch opens: a square of saturation and brightness, a strip of hues, red, green
-//! and blue as every painting program counts them, the opacity, and the hex code. egui's own picker
-//! speaks of `U8`, which no painter knows, and names none of its parts for screen readers.
+//! Picker that a color's swatch opens: a square of saturation and brightness, a strip of hues, red,
+//! green and blue as every painting program counts them, the opacity, and the hex code. egui's own
+//! picker has a choice of `U8`, which no painter knows, and gives none of its parts a name for
+//! screen readers.
 
 use eframe::egui;
 use eframe::egui::style::StyleModifier;
@@ -12,15 +13,16 @@ use eframe::egui::{
 
 use crate::widgets::theme;
 
-/// The square's sides and the strip's height, in points.
+/// Size of the square, in points.
 const SQUARE: Vec2 = vec2(236.0, 150.0);
+/// Height of the strip of hues, in points.
 const STRIP: f32 = 16.0;
-/// The square is painted in so many steps a side: between them colors are mixed.
+/// Number of steps that the square is painted in along each side: between them colors are mixed.
 const STEPS: u8 = 12;
-/// How far an arrow key goes, of the whole.
+/// Step of an arrow key, as a part of the whole range.
 const STEP: f32 = 0.01;
 
-/// A color by its hue, saturation and brightness, each from 0 to 1, as it is shown (sRGB-encoded).
+/// Color by its hue, saturation and brightness, each from 0 to 1, as shown (sRGB-encoded).
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Hsv {
     h: f32,
@@ -50,8 +52,8 @@ impl Hsv {
         Self { h: (sixth / 6.0).rem_euclid(1.0), s, v: most }
     }
 
-    /// A color's, with the hue and the saturation that a hand gave it last: grey has no hue, and
-    /// black neither.
+    /// Hue, saturation and brightness of a color, with the hue and the saturation that a hand last
+    /// gave it: grey has no hue, and black neither.
     fn remembered(ui: &Ui, id: Id, rgb: [f32; 3]) -> Self {
         let last: Option<Self> = ui.data(|data| data.get_temp(id));
         let is_it = |last: &Self| last.to_rgb().iter().zip(rgb).all(|(a, b)| (a - b).abs() < 2e-3);
@@ -68,9 +70,9 @@ fn color32(rgb: [f32; 3]) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-/// A swatch of a straight color as it is shown, and below it while it is open what changes that.
-/// `hex` shows a field for its hex code. Returns the swatch, and the color where a hand has
-/// changed it here.
+/// Shows a swatch of a straight color as it is seen, and below it, while it is open, the picker.
+/// `hex` shows a field for the hex code. Returns the swatch, and the new color where a hand changed
+/// it here.
 pub(crate) fn swatch(
     ui: &mut Ui,
     color: [f32; 4],
@@ -89,7 +91,7 @@ pub(crate) fn swatch(
     let popup = response.id.with("picker");
     let is_open = Popup::is_id_open(ui.ctx(), popup);
     paint_swatch(ui, rect, &response, is_open, Color32::from_rgba_unmultiplied(r, g, b, a));
-    // Its fields look as fields do elsewhere, not as the entries of a menu.
+    // Fields of the picker look as fields do elsewhere, not as the entries of a menu.
     let menu = Popup::menu(&response).id(popup).style(StyleModifier::default());
     let menu = menu.close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     let shown = menu.show(|ui| {
@@ -99,7 +101,7 @@ pub(crate) fn swatch(
         ui.horizontal(hex);
         changed
     });
-    // Whoever types in one of its fields leaves that and the picker by one key.
+    // A single Escape leaves both a field of the picker and the picker.
     if shown.is_some() && ui.input(|input| input.key_pressed(Key::Escape)) {
         Popup::close_id(ui.ctx(), popup);
     }
@@ -123,8 +125,8 @@ fn paint_swatch(ui: &Ui, rect: Rect, response: &Response, is_open: bool, color: 
     );
 }
 
-/// Everything in the picker but the hex code; the color that a hand gave. The hue of a grey is
-/// remembered by `id`.
+/// Shows everything in the picker but the hex code. Returns the new color where a hand changed it.
+/// The hue of a grey is remembered by `id`.
 pub(crate) fn pick(ui: &mut Ui, id: Id, color: [f32; 4], with_alpha: bool) -> Option<[f32; 4]> {
     let [r, g, b, a] = color;
     let mut hsv = Hsv::remembered(ui, id, [r, g, b]);
@@ -177,7 +179,7 @@ fn opacity(ui: &mut Ui, alpha: f32) -> Option<f32> {
     .then_some((percent / 100.0) as f32)
 }
 
-/// Saturation to the right, brightness upward.
+/// Shows the square: saturation to the right, brightness upward.
 fn square(ui: &mut Ui, hsv: &mut Hsv) {
     let (rect, response) = ui.allocate_exact_size(SQUARE, Sense::click_and_drag());
     let (v, h) = (hsv.v, hsv.h);
@@ -202,14 +204,15 @@ fn square(ui: &mut Ui, hsv: &mut Hsv) {
     edge(ui, rect, &response);
 }
 
-/// All hues, from red to red.
+/// Shows the strip of all hues, from red to red.
 fn hues(ui: &mut Ui, hsv: &mut Hsv) {
     let (rect, response) = ui.allocate_exact_size(vec2(SQUARE.x, STRIP), Sense::click_and_drag());
     let h = hsv.h;
     response
         .widget_info(|| WidgetInfo::slider(true, f64::from(h) * 360.0, "Hue: arrow keys, or drag"));
     if let Some(at) = grabbed(&response, rect) {
-        // The end is red again, but a hand that stays there does not jump to the beginning.
+        // The end of the strip is red again, but a hand that stays there does not jump to the
+        // beginning.
         hsv.h = at.x.min(0.9999);
     }
     let step = arrows(ui, &response, false).x;
@@ -230,18 +233,18 @@ fn hues(ui: &mut Ui, hsv: &mut Hsv) {
     edge(ui, rect, &response);
 }
 
-/// Where a hand holds it, from 0 to 1 along each side.
+/// Point of an area that a hand holds, from 0 to 1 along each side.
 fn grabbed(response: &Response, rect: Rect) -> Option<Vec2> {
     let at = response.interact_pointer_pos()?;
-    // In the very frame that changes something first: what is edited with another focus is another
-    // step.
+    // Requests the focus in the very frame that makes the first change: an edit under another focus
+    // is another step.
     if !response.has_focus() {
         response.request_focus();
     }
     Some(((at - rect.min) / rect.size()).clamp(Vec2::ZERO, Vec2::splat(1.0)))
 }
 
-/// Presses of arrow keys, which would else move the focus.
+/// Presses of arrow keys, which would otherwise move the focus.
 fn arrows(ui: &Ui, response: &Response, vertical_arrows: bool) -> Vec2 {
     if !response.has_focus() {
         return Vec2::ZERO;

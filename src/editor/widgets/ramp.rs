@@ -1,5 +1,5 @@
-//! A color ramp: drag its stops, double-click to add one, set the color of the one that is
-//! selected.
+//! Editor of a color ramp: drag its stops, double-click to add one, set the color of the selected
+//! one.
 
 use eframe::egui;
 use eframe::egui::epaint::{Mesh, Vertex};
@@ -11,10 +11,12 @@ use super::{color, curve};
 use crate::document::{ColorSpace, Interpolation, Ramp, RampStop, Value};
 use crate::widgets::theme;
 
+/// Height of the bar of colors, in points.
 const BAR: f32 = 26.0;
+/// Height of the row of handles below the bar, in points.
 const HANDLES: f32 = 16.0;
 
-/// Edits a ramp.
+/// Edits a ramp. Returns the id of the widget and the new ramp where it changed.
 pub(crate) fn show(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id, Value)> {
     let Some(Value::Ramp(ramp)) = value else { return None };
     let mut ramp = ramp.clone();
@@ -62,7 +64,8 @@ pub(crate) fn show(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id,
     ui.data_mut(|data| data.insert_temp(selected_id, selected));
     paint(ui, rect, bar, &ramp, selected, &to_screen);
     ui.horizontal(|ui| {
-        // Ramps hold colors of the look's space; the common one is as shown.
+        // Ramps hold colors of the look's space; they are edited in the common one, which is as
+        // shown.
         if let Some((id, color)) =
             color::edit(ui, label, rgba(&ramp.stops[selected]), ColorSpace::Display, true)
         {
@@ -77,7 +80,7 @@ pub(crate) fn show(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id,
     changed.map(|id| (id, Value::Ramp(ramp)))
 }
 
-/// A double click on a stop removes it, elsewhere adds one. The stop to select then.
+/// Removes the stop under a double click, or adds one elsewhere. Returns the stop to select then.
 fn add_or_remove(ramp: &mut Ramp, near: Option<usize>, at: f64) -> Option<usize> {
     match near {
         Some(index) if ramp.stops.len() > 1 => {

@@ -1,5 +1,5 @@
-//! Small controls that several panels have: icons that are pressed, names that are changed in
-//! place.
+//! Small controls that several panels share: buttons with icons, names that are changed in place,
+//! grounds of rows.
 
 use eframe::egui;
 use eframe::egui::{
@@ -10,23 +10,23 @@ use eframe::egui::{
 use crate::commands::Command;
 use crate::widgets::theme;
 
-/// The side of an icon's button, in points.
+/// Side of an icon's button, in points.
 pub(crate) const ICON: f32 = 22.0;
 
-/// What is drawn on a button.
+/// Icon of a button.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Icon {
-    /// Seen, or with a stroke through it not.
+    /// An eye: seen, or with a stroke through it hidden.
     Eye,
-    /// Shines, or with a stroke through it not.
+    /// A bulb: shining, or with a stroke through it out.
     Bulb,
-    /// A letter that everybody who mixes sound or light knows.
+    /// The letter S, known to everybody who mixes sound or light: alone.
     Solo,
     /// Three dots: there is more.
     More,
 }
 
-/// A button with an icon. `is_on` is what the icon says: seen, shining, alone.
+/// Shows a button with an icon. `is_on` is the state that the icon shows: seen, shining, alone.
 pub(crate) fn icon(ui: &mut Ui, icon: Icon, is_on: bool, label: &str, help: &str) -> Response {
     let (rect, response) = ui.allocate_exact_size(vec2(ICON, ICON), Sense::click());
     let is_toggle = icon != Icon::More;
@@ -107,7 +107,8 @@ impl<I> Renaming<I> {
         Self { id, text: name.to_owned(), is_new: true }
     }
 
-    /// A field in place of the name. `Some(None)` when it is over and nothing is to be changed.
+    /// Shows a field in place of the name. Returns the new name, or `Some(None)` when the change is
+    /// given up.
     pub(crate) fn show(&mut self, ui: &mut Ui, hint: &str, label: &str) -> Option<Option<String>> {
         let edit = TextEdit::singleline(&mut self.text)
             .hint_text(hint)
@@ -137,7 +138,8 @@ impl<I> Renaming<I> {
     }
 }
 
-/// Undo and redo for a row that has the keyboard, as the window leaves keys to what has it.
+/// Takes the keys of undo and redo for a row that has the keyboard, as the window leaves keys to
+/// the focus.
 pub(crate) fn undo_keys(ui: &Ui, out: &mut Vec<Command>) {
     let pressed = |modifiers, key| ui.input_mut(|input| input.consume_key(modifiers, key));
     if pressed(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z) || pressed(Modifiers::COMMAND, Key::Y)
@@ -148,7 +150,7 @@ pub(crate) fn undo_keys(ui: &Ui, out: &mut Vec<Command>) {
     }
 }
 
-/// A row gives the keyboard back when the pointer goes on to another panel, so that keys work there
+/// Gives a row's keyboard back when the pointer goes on to another panel, so that keys work there
 /// without a click.
 pub(crate) fn leave_with_pointer(ui: &Ui, response: &Response) {
     let goes_elsewhere = ui.input(|input| {
@@ -161,7 +163,7 @@ pub(crate) fn leave_with_pointer(ui: &Ui, response: &Response) {
     }
 }
 
-/// A row's ground: what is selected, under the pointer, or has the keyboard.
+/// Paints the ground of a row: selected, under the pointer, or with the keyboard.
 pub(crate) fn row_ground(ui: &Ui, rect: Rect, response: &Response, is_selected: bool) {
     let colors = theme::of(ui);
     if is_selected {
@@ -179,8 +181,8 @@ pub(crate) fn row_ground(ui: &Ui, rect: Rect, response: &Response, is_selected: 
     }
 }
 
-/// The same for a row that has fields of its own, which are to be seen on it: with a bar at its
-/// left in place of a fill.
+/// Paints the ground of a row that has fields of its own, which must be seen on it: selected, with
+/// a bar at its left in place of a fill.
 pub(crate) fn card_ground(ui: &Ui, rect: Rect, response: &Response, is_selected: bool) {
     let colors = theme::of(ui);
     if is_selected || response.hovered() {
@@ -203,7 +205,7 @@ pub(crate) fn card_ground(ui: &Ui, rect: Rect, response: &Response, is_selected:
     }
 }
 
-/// Room for a picture of a row, framed.
+/// Paints a frame around the picture of a row.
 pub(crate) fn picture_frame(ui: &Ui, rect: Rect) {
     ui.painter().rect_stroke(
         rect,
@@ -213,15 +215,14 @@ pub(crate) fn picture_frame(ui: &Ui, rect: Rect) {
     );
 }
 
-/// The largest place in the middle of a rectangle in which a picture of so many texels keeps its
-/// shape.
+/// Largest rectangle in the middle of `rect` in which a picture of `size` texels keeps its shape.
 pub(crate) fn fitted(rect: Rect, size: [u32; 2]) -> Rect {
     let [width, height] = size.map(|side| side.max(1) as f32);
     let scale = (rect.width() / width).min(rect.height() / height);
     Rect::from_center_size(rect.center(), vec2(width, height) * scale)
 }
 
-/// A label before a field, of a width that lets fields begin below each other.
+/// Shows a label before a field, of a width that lets fields begin below each other.
 pub(crate) fn lead(ui: &mut Ui, text: &str, width: f32) -> Response {
     let size = vec2(width, ui.spacing().interact_size.y);
     let layout = egui::Layout::left_to_right(egui::Align::Center);
@@ -232,7 +233,7 @@ pub(crate) fn lead(ui: &mut Ui, text: &str, width: f32) -> Response {
     .inner
 }
 
-/// The whole of a texture.
+/// Rectangle of a whole texture.
 pub(crate) fn whole() -> Rect {
     Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0))
 }

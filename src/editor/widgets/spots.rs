@@ -1,4 +1,4 @@
-//! Where controls are on the screen, for who points at them: the tour. A control notes its place
+//! Positions of controls on the screen, for the tour to point at. A control notes its position
 //! while it is shown.
 
 use std::collections::HashMap;
@@ -8,27 +8,27 @@ use eframe::egui::{Context, Id, Rect, Ui};
 use crate::commands::PanelId;
 use crate::ids::{NodeId, PortName};
 
-/// Something that can be pointed at.
+/// Control that can be pointed at.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Spot {
-    /// All of a panel.
+    /// A whole panel.
     Panel(PanelId),
-    /// The picture itself, without what is above it.
+    /// The picture itself, without the controls above it.
     Picture,
-    /// What adds a layer.
+    /// The button that adds a layer.
     AddLayer,
     /// A row of the stack of layers.
     Layer(NodeId),
     /// A row of the inspector.
     Input(PortName),
-    /// What saves.
+    /// The button that saves.
     Save,
 }
 
-/// Places on the screen, each with the frame that it was seen in.
+/// Positions on the screen, each with the frame that it was seen in.
 type SpotPlaces = HashMap<Spot, (Rect, u64)>;
 
-/// Says where something is, as far as it is seen.
+/// Notes the position of a control, as far as it is seen.
 pub(crate) fn note(ui: &Ui, spot: Spot, rect: Rect) {
     let rect = rect.intersect(ui.clip_rect());
     if rect.is_positive() {
@@ -39,12 +39,12 @@ pub(crate) fn note(ui: &Ui, spot: Spot, rect: Rect) {
     }
 }
 
-/// Where something is, if it is seen.
+/// Position of a control, if it is seen.
 pub(crate) fn find(ctx: &Context, spot: &Spot) -> Option<Rect> {
     let now = ctx.cumulative_frame_nr();
     let (rect, frame) =
         ctx.data_mut(|data| data.get_temp_mut_or_default::<SpotPlaces>(id()).get(spot).copied())?;
-    // What is shown later in a frame was seen in the one before.
+    // A control that is shown later in a frame was last noted in the frame before.
     (frame + 1 >= now).then_some(rect)
 }
 

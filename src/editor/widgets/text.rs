@@ -1,16 +1,16 @@
-//! Lines of text: a hint in place of what is not there, and a cell that is cut where it is too long.
+//! Lines of text: a hint in place of missing content, and a cell that is cut where it is too long.
 
 use eframe::egui;
 use eframe::egui::Ui;
 
 use super::theme;
 
-/// A line in place of what is not there yet.
+/// Shows a line in place of content that does not exist yet.
 pub(crate) fn hint(ui: &mut Ui, text: &str) {
     ui.label(egui::RichText::new(text).color(theme::of(ui).dim));
 }
 
-/// Text in a column of a row, cut where it is too long.
+/// Paints text in a column of a row, cut where it is too long.
 pub(crate) fn cell(
     ui: &Ui,
     rect: egui::Rect,

@@ -1,4 +1,4 @@
-//! A value in a cell of a table: as little room as its type can do with.
+//! Editor of a value in a cell of a table, in as little room as its type allows.
 
 use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, TextWrapMode, Ui, vec2};
 
@@ -9,7 +9,8 @@ use crate::library::Type;
 use crate::values;
 use crate::widgets::theme;
 
-/// Edits a value in place; `name` is what screen readers call it. Who changed it, and to what.
+/// Edits a value in place; `name` is its name for screen readers. Returns the id of the widget and
+/// the new value where it changed.
 pub(crate) fn cell(
     ui: &mut Ui,
     name: &str,

@@ -1,5 +1,5 @@
-//! The panels of the window: which there are, and how they share it. They can be dragged by their
-//! tabs, stacked, split, closed and brought back; the arrangement is remembered.
+//! Dock: the panels of the window, and their layout. Panels can be dragged by their tabs, stacked,
+//! split, closed and brought back; the layout is remembered.
 
 mod workspace;
 
@@ -20,16 +20,16 @@ use crate::panels::{self, PANELS, PanelRow, Stack};
 use crate::widgets::theme;
 pub(crate) use workspace::Workspace;
 
-/// Beside the name on a tab, in points.
+/// Room beside the name on a tab, in points.
 const TAB_MARGIN: f32 = 20.0;
-/// The width of the arrows that move tabs, in points.
+/// Width of the arrows that scroll tabs, in points.
 const ARROW: f32 = 30.0;
-/// For so many frames a tab that came to the front is brought into view.
+/// Number of frames in which a tab that came to the front is brought into view.
 const FRAMES: u8 = 3;
-/// Panels are laid out in as much room at least, in points.
+/// Smallest size that panels are laid out in, in points.
 const LEAST: Vec2 = Vec2::splat(48.0);
 
-/// A panel in its tile: in a saved layout it goes by its name.
+/// A panel in its tile: in a saved layout, the panel's name.
 #[derive(Clone, Copy)]
 struct Pane(&'static PanelRow);
 
@@ -59,13 +59,13 @@ impl<'de> Deserialize<'de> for Pane {
     }
 }
 
-/// How the panels share the window.
+/// Layout of the panels in the window.
 pub(crate) struct Dock {
     tree: Tree<Pane>,
     workspace: Workspace,
-    /// The layout of the other workspace, once that was entered.
+    /// Layout of the other workspace, once that was entered.
     aside: Option<Tree<Pane>>,
-    /// What is saved of it is another now.
+    /// True if the layouts differ from the saved ones.
     is_changed: bool,
 }
 
@@ -80,7 +80,7 @@ impl Default for Dock {
     }
 }
 
-/// Picture and graph side by side, what they are made of below and beside them.
+/// Default layout: picture and graph side by side, other panels below and beside them.
 fn arrangement() -> Tree<Pane> {
     let mut tiles = Tiles::default();
     let mut stacked = |stack| {
@@ -105,7 +105,7 @@ fn arrangement() -> Tree<Pane> {
 }
 
 impl Dock {
-    /// Shows every panel where it lies; `content` fills one.
+    /// Shows every panel in its tile; `content` fills one.
     pub(crate) fn show(
         &mut self,
         ui: &mut Ui,
@@ -124,17 +124,17 @@ impl Dock {
         self.tree.tiles.find_pane(&Pane::of(panel)?)
     }
 
-    /// Whether this panel is seen.
+    /// True if this panel is seen.
     pub(crate) fn shows(&self, panel: PanelId) -> bool {
         self.tile_of(panel).is_some_and(|tile| self.tree.active_tiles().contains(&tile))
     }
 
-    /// Whether this panel is there, seen or behind another's tab.
+    /// True if this panel is open, seen or behind another's tab.
     pub(crate) fn has(&self, panel: PanelId) -> bool {
         self.tile_of(panel).is_some()
     }
 
-    /// Brings a panel to the front; one that was closed comes back.
+    /// Brings a panel to the front; a closed panel comes back.
     pub(crate) fn open(&mut self, panel: PanelId) {
         let Some(pane) = Pane::of(panel) else { return };
         if !self.has(panel) {
@@ -144,7 +144,7 @@ impl Dock {
         self.is_changed = true;
     }
 
-    /// Takes a panel away.
+    /// Closes a panel.
     pub(crate) fn close(&mut self, panel: PanelId) {
         if let Some(tile) = self.tile_of(panel) {
             self.tree.remove_recursively(tile);
@@ -182,7 +182,7 @@ impl Dock {
     }
 }
 
-/// Puts a panel below the graph; `None` where there is no place for it.
+/// Puts a panel below the graph; `None` where there is no graph to put it below.
 fn below_graph(tiles: &mut Tiles<Pane>, pane: TileId) -> Option<()> {
     let graph = tiles.parent_of(tiles.find_pane(&Pane::of(PanelId::GRAPH)?)?)?;
     let around = tiles.parent_of(graph)?;
@@ -199,11 +199,11 @@ fn below_graph(tiles: &mut Tiles<Pane>, pane: TileId) -> Option<()> {
     Some(())
 }
 
-/// What the tree of tiles asks while it is drawn.
+/// Behavior of the tree of tiles while it is drawn.
 struct TileBehavior<'a> {
     content: &'a mut dyn FnMut(&mut Ui, &'static PanelRow),
     is_changed: bool,
-    /// The panel that was chosen from the list of those without room for their tabs.
+    /// Panel that was chosen from the list of those without room for their tabs.
     wanted: Option<TileId>,
 }
 
@@ -215,8 +215,8 @@ impl Behavior<Pane> for TileBehavior<'_> {
         };
         frame.show(ui, |ui| {
             ui.set_min_size(ui.available_size());
-            // In less room than a few letters panels need not know what to do: the rest of them is
-            // cut off.
+            // Panels need not handle less room than a few letters take: the rest of them is cut
+            // off.
             let room = ui.available_rect_before_wrap();
             let whole = Rect::from_min_size(room.min, room.size().max(LEAST));
             ui.scope_builder(UiBuilder::new().max_rect(whole), |ui| {
@@ -253,7 +253,7 @@ impl Behavior<Pane> for TileBehavior<'_> {
             .widget_info(|| WidgetInfo::selected(egui::Role::Tab, true, state.active, panel.label));
         if !state.is_being_dragged {
             let color = if response.hovered() { colors.text } else { color };
-            // What is cut off by the end of the row has no half letters.
+            // A name that the end of the row cuts off is left out, and not shown in half letters.
             let seen = rect.intersect(ui.clip_rect()).shrink2(vec2(TAB_MARGIN / 4.0, 0.0));
             let name = galley.size().x;
             if seen.width() >= name {
@@ -283,8 +283,8 @@ impl Behavior<Pane> for TileBehavior<'_> {
         response.on_hover_text(panel.help)
     }
 
-    /// Where tabs have no room beside each other: a list of all of them, and the one in front is
-    /// always seen.
+    /// Shows a list of all panels where their tabs have no room beside each other, and keeps the
+    /// front tab in view.
     fn top_bar_right_ui(
         &mut self,
         tiles: &Tiles<Pane>,
@@ -335,7 +335,7 @@ impl Behavior<Pane> for TileBehavior<'_> {
             return;
         };
         let frames = if before == Some(tile) { frames.saturating_add(1) } else { 0 };
-        // How wide all tabs are together is known in the frame after.
+        // The common width of all tabs is only known in the next frame.
         if frames < FRAMES {
             let room = (ui.available_width() - 2.0 * ARROW).max(0.0);
             *offset = offset.max(*span.end() - room).min(*span.start());

@@ -1,5 +1,5 @@
-//! Two layouts of the panels, one for looks and one for painting. Each keeps what was arranged in
-//! it by hand: whoever comes back to it finds it as it was left.
+//! Workspaces: two layouts of the panels, one for looks and one for painting. Each keeps its layout
+//! by hand: whoever comes back to a workspace finds it as it was left.
 
 use egui_tiles::{Container, Tile, Tree};
 use serde_json::{Value, json};
@@ -8,21 +8,21 @@ use super::{Dock, Pane, arrangement};
 use crate::commands::PanelId;
 use crate::panels::PANELS;
 
-/// What the panels are laid out for.
+/// Task that the panels are laid out for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Workspace {
-    /// A look and its graph.
+    /// Editing a look and its graph.
     #[default]
     Look,
-    /// What the open look shows is painted.
+    /// Painting what the open look shows.
     Painting,
 }
 
 impl Workspace {
-    /// All, in the order of menus.
+    /// All workspaces, in the order of menus.
     pub(crate) const ALL: [Self; 2] = [Self::Look, Self::Painting];
 
-    /// What the menu calls it.
+    /// Label of the workspace in the menu.
     pub(crate) fn label(self) -> &'static str {
         match self {
             Self::Look => "Layout for looks",
@@ -30,7 +30,7 @@ impl Workspace {
         }
     }
 
-    /// When it comes by itself.
+    /// Explanation of when the workspace comes by itself.
     pub(crate) fn help(self) -> &'static str {
         match self {
             Self::Look => {
@@ -45,13 +45,13 @@ impl Workspace {
 }
 
 impl Dock {
-    /// What the panels are laid out for.
+    /// The present workspace.
     pub(crate) fn workspace(&self) -> Workspace {
         self.workspace
     }
 
-    /// Lays the panels out for something else, as they lay there last. The first time, painting
-    /// begins with what there is and the panels that it needs.
+    /// Lays the panels out for another workspace, as they last lay there. The first time, painting
+    /// begins with the open panels and those that it needs.
     pub(crate) fn enter(&mut self, workspace: Workspace) {
         if self.workspace == workspace {
             return;
@@ -80,13 +80,13 @@ impl Dock {
         }
     }
 
-    /// Brings the panels to the front that painting needs, the one to paint on last.
+    /// Brings the panels for painting to the front, the one to paint on last.
     fn open_for_painting(&mut self) {
         let rows = PANELS.iter().rev().filter(|row| row.place.is_for_painting);
         rows.for_each(|row| self.open(row.id));
     }
 
-    /// Both layouts, where one changed since they were asked for last.
+    /// Both layouts, where one of them changed since the last call.
     pub(crate) fn changed(&mut self) -> Option<Value> {
         if !std::mem::take(&mut self.is_changed) {
             return None;
@@ -100,8 +100,8 @@ impl Dock {
         })
     }
 
-    /// Takes on the layouts of before, and begins with the one for looks. One that cannot be read,
-    /// or in which a panel is twice, changes nothing. There was one layout alone at first: painting
+    /// Restores saved layouts, and begins with the one for looks. A layout that cannot be read, or
+    /// in which a panel is twice, changes nothing. Old settings have one layout alone: painting
     /// left its panels in it.
     pub(crate) fn restore(&mut self, saved: &Value) {
         let read = |name: &str| saved.get(name).and_then(sound);
@@ -119,7 +119,7 @@ impl Dock {
     }
 }
 
-/// A layout that was saved, where it can be used.
+/// A saved layout, where it can be used.
 fn sound(saved: &Value) -> Option<Tree<Pane>> {
     let tree = serde_json::from_value::<Tree<Pane>>(saved.clone()).ok()?;
     let count = |panel| {
@@ -133,8 +133,8 @@ fn sound(saved: &Value) -> Option<Tree<Pane>> {
     (is_sound && tree.root.is_some()).then_some(tree)
 }
 
-/// Brings the graph to the front where the panel to paint on covers it: that was opened to paint,
-/// and looks are made of graphs. Returns whether it was so.
+/// Brings the graph to the front where the panel to paint on covers it: that panel was opened to
+/// paint, and looks are made of graphs. Returns true if the graph was covered.
 fn uncover_graph(tree: &mut Tree<Pane>) -> bool {
     let tile = |panel| tree.tiles.find_pane(&Pane::of(panel)?);
     let (graph, paint) = (tile(PanelId::GRAPH), tile(PanelId::PAINT));

@@ -1,5 +1,4 @@
-//! How a step is shown: a card beside a ring around what it speaks of. Both lie over panels and
-//! under menus.
+//! Card of a step, beside a ring around the step's target. Both lie over panels and under menus.
 
 use eframe::egui::{
     Area, Button, Context, Frame, Id, Layout, Margin, Order, Pos2, Rect, RichText, Stroke,
@@ -13,15 +12,16 @@ use crate::state::session::Session;
 use crate::widgets::spots::{self, Spot};
 use crate::widgets::theme;
 
-/// The card's width, in points; a narrow window may have less.
+/// Width of the card, in points; less in a narrow window.
 const WIDTH: f32 = 312.0;
-/// Its height before it was shown.
+/// Height of the card before it was shown, in points.
 const HEIGHT: f32 = 190.0;
-/// From the ring to the card, and from the window's edge.
+/// Distance from the ring to the card, in points.
 const GAP: f32 = 14.0;
+/// Distance from the window's edge to the card, in points.
 const EDGE: f32 = 10.0;
 
-/// What was pressed on the card.
+/// Button that was pressed on the card.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Answer {
     Show,
@@ -30,14 +30,14 @@ pub(super) enum Answer {
     End,
 }
 
-/// How far the tour has come.
+/// Progress of the tour.
 #[derive(Clone, Copy)]
 pub(super) struct Progress {
     pub(super) index: usize,
     pub(super) is_done: bool,
 }
 
-/// Shows a step; what was pressed.
+/// Shows a step. Returns the button that was pressed.
 pub(super) fn show(
     ui: &Ui,
     session: &Session,
@@ -51,7 +51,7 @@ pub(super) fn show(
     }
     let mut answer = None;
     let title = format!("{}  ·  {} of {}", step.title, progress.index + 1, STEPS.len());
-    // What the step speaks of is in its panels: what is done, and what comes of it.
+    // The step's panels are kept clear: they show what the artist does, and its effect.
     let clear = step.panels.iter().filter_map(|panel| spots::find(ui.ctx(), &Spot::Panel(*panel)));
     card(ui, target, &clear.collect::<Vec<_>>(), |ui| {
         head(ui, &title, &mut answer);
@@ -93,7 +93,7 @@ pub(super) fn show(
     answer
 }
 
-/// Shows where to go after the last step; what that asks for, and whether the tour is over.
+/// Shows suggestions after the last step. Returns the chosen command, and true if the tour is over.
 pub(super) fn last(ui: &Ui, session: &Session) -> (Option<Command>, bool) {
     let (mut next, mut answer) = (None, None);
     card(ui, None, &[], |ui| {
@@ -124,7 +124,7 @@ pub(super) fn last(ui: &Ui, session: &Session) -> (Option<Command>, bool) {
     (next, is_over)
 }
 
-/// The title, and what ends the tour.
+/// Shows the title, and the button that ends the tour.
 fn head(ui: &mut Ui, title: &str, answer: &mut Option<Answer>) {
     ui.horizontal(|ui| {
         ui.label(RichText::new(title).strong().color(theme::of(ui).accent));
@@ -140,7 +140,7 @@ fn head(ui: &mut Ui, title: &str, answer: &mut Option<Answer>) {
     });
 }
 
-/// One dot a step: what is behind, where it is, what is to come.
+/// Shows one dot for each step: done, present, or to come.
 fn dots(ui: &mut Ui, progress: Progress) {
     let (rect, _) =
         ui.allocate_exact_size(vec2(ui.available_width(), 14.0), eframe::egui::Sense::hover());
@@ -167,13 +167,13 @@ fn dots(ui: &mut Ui, progress: Progress) {
     }
 }
 
-/// A card beside its target and off what is to be kept clear, or in a corner where there is no
+/// Shows a card beside its target and off the areas to keep clear, or in a corner where there is no
 /// target.
 fn card(ui: &Ui, target: Option<Rect>, clear: &[Rect], content: impl FnOnce(&mut Ui)) {
     let ctx = ui.ctx();
     let id = Id::unique("tour card");
     let mut screen = ctx.content_rect().shrink(EDGE);
-    // The bar above has what works at any time, the step that saves among it.
+    // Buttons of the bar above work at any time, the one that saves among them.
     if let Some(save) = spots::find(ctx, &Spot::Save) {
         screen.min.y = screen.min.y.max(save.bottom() + EDGE);
     }
@@ -194,11 +194,11 @@ fn card(ui: &Ui, target: Option<Rect>, clear: &[Rect], content: impl FnOnce(&mut
     });
 }
 
-/// As near to the target as the card can be while it covers neither that nor what is to be kept
-/// clear; where there is no such place, where it covers least, the target before all else. Without
-/// a target in the lower right corner.
+/// Position of the card as near to the target as possible without covering the target or the areas
+/// to keep clear; where there is no such position, the one that covers least, the target before all
+/// else. Without a target, the lower right corner.
 fn place(screen: Rect, target: Option<Rect>, clear: &[Rect], size: Vec2) -> Pos2 {
-    /// As many places are tried along each side.
+    /// Number of positions that are tried along each side.
     const TRIED: u8 = 24;
     let corner = screen.right_bottom() - size - vec2(0.0, 40.0);
     let Some(target) = target else { return corner };
@@ -221,7 +221,8 @@ fn place(screen: Rect, target: Option<Rect>, clear: &[Rect], size: Vec2) -> Pos2
             if common.is_positive() { common.area() } else { 0.0 }
         };
         let way = target.distance_to_pos(at + size / 2.0);
-        // A point of the target weighs more than any other, and those more than any way there is.
+        // Covered area of the target weighs more than that of the areas to keep clear, and either
+        // more than any distance.
         64.0 * covered(&target.expand(GAP / 2.0))
             + 4.0 * clear.iter().map(covered).sum::<f32>()
             + way
@@ -230,7 +231,7 @@ fn place(screen: Rect, target: Option<Rect>, clear: &[Rect], size: Vec2) -> Pos2
     best.unwrap_or(corner)
 }
 
-/// A ring around what a step speaks of.
+/// Draws a ring around the target of a step.
 fn ring(ui: &Ui, target: Rect) {
     let layer = eframe::egui::LayerId::new(Order::Middle, Id::unique("tour ring"));
     let ctx: &Context = ui.ctx();
@@ -266,7 +267,7 @@ mod tests {
                     "{card} beside {target} on {screen}"
                 );
             }
-            // A button in a panel, beside another panel: the card goes where neither is.
+            // The target is a button in a panel, beside another panel: the card covers neither.
             let panels = [
                 Rect::from_min_max(screen.min, pos2(0.3 * width, height)),
                 Rect::from_min_max(pos2(0.75 * width, 0.0), screen.max),

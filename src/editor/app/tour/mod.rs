@@ -1,8 +1,8 @@
-//! A tour of two minutes that makes a first look from nothing. Each step stands beside the control
-//! that it speaks of and says so when the artist has really done it: steps look at the document,
-//! never at clicks. The artist alone goes on, by one button, so that there is all the time in the
-//! world to play with what was just found. It keeps nobody from anything, and whatever is done on
-//! it is the artist's own work, with undo.
+//! Tour of two minutes that makes a first look from nothing. Each step stands beside the control
+//! that it is about, and reports when the artist has really done it: steps look at the document,
+//! never at clicks. Only the artist goes on, by one button, so that there is all the time in the
+//! world to play with the newly found control. The tour keeps nobody from anything, and whatever is
+//! done on it is the artist's own work, with undo.
 
 mod card;
 mod steps;
@@ -17,7 +17,7 @@ use crate::state::session::Session;
 use card::{Answer, Progress};
 use steps::STEPS;
 
-/// What the tour begins with: a base, and a light that nothing is lit by yet.
+/// Text of the look that the tour begins with: a base, and a light that nothing is lit by yet.
 pub(crate) const NOTHING: &str = r##"{
   "chiaro": "look",
   "version": 1,
@@ -30,36 +30,36 @@ pub(crate) const NOTHING: &str = r##"{
   "wires": [{"from": "base", "to": "output.color"}]
 }"##;
 
-/// The tour while it goes on.
+/// Tour while it goes on.
 pub(crate) struct Tour {
-    /// Which document it is about: with another one it ends.
+    /// Number of the document that the tour is about: with another document the tour ends.
     document: DocumentNumber,
-    /// The step that is shown; after the last one, where to go next.
+    /// Index of the shown step; after the last one, suggestions are shown.
     step: usize,
-    /// How things were when each step was first shown.
+    /// State of the session when each step was first shown.
     seen: Vec<StepStart>,
-    /// Whether the panels of the step are to be brought to the front.
+    /// True if the panels of the step are still to be brought to the front.
     is_new: bool,
 }
 
-/// What a step compares with.
+/// State of the session that a step compares with.
 struct StepStart {
     look: Look,
     illumination: DQuat,
 }
 
 impl Tour {
-    /// A tour of the look that is open, which should be [`NOTHING`].
+    /// Begins a tour of the open look, which should be [`NOTHING`].
     pub(crate) fn new(session: &Session) -> Self {
         Self { document: session.document_number(), step: 0, seen: Vec::new(), is_new: true }
     }
 
-    /// Whether it is still about what is open.
+    /// True if the tour is about the open document.
     pub(crate) fn is_about(&self, session: &Session) -> bool {
         self.document == session.document_number()
     }
 
-    /// Shows the step; what it asks for, and whether the tour goes on.
+    /// Shows the step. Returns the commands of the step, and true while the tour goes on.
     pub(crate) fn show(&mut self, ui: &Ui, session: &Session) -> (Vec<Command>, bool) {
         let mut out = Vec::new();
         let Some(step) = STEPS.get(self.step) else {
@@ -93,7 +93,7 @@ impl Tour {
     }
 }
 
-/// What the end of the tour leads to.
+/// Suggestions at the end of the tour.
 static NEXT: [(&str, &str, Command); 3] = [
     (
         "See the examples",

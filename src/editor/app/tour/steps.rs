@@ -1,5 +1,5 @@
-//! The steps of the tour, as data: what each says, what it points at, how it is known to be done,
-//! and how it is shown.
+//! Steps of the tour, as data: the text of each, its target, the test of whether it is done, and
+//! the commands that do it.
 
 use super::StepStart;
 use crate::commands::{Command, PanelId, ViewCommand};
@@ -10,30 +10,31 @@ use crate::state::session::Session;
 use crate::state::stack::Stack;
 use crate::widgets::spots::Spot;
 
-/// A step of the tour.
+/// Step of the tour.
 pub(super) struct Step {
     pub(super) title: &'static str,
-    /// What to do.
+    /// Instruction of the step.
     pub(super) task: &'static str,
-    /// Why.
+    /// Reason for the step.
     pub(super) reason: &'static str,
-    /// What is brought to the front for it.
+    /// Panels that are brought to the front for the step.
     pub(super) panels: &'static [PanelId],
-    /// What it points at: the first of these that is on the screen.
+    /// Targets to point at: the first of these that is on the screen.
     pub(super) spots: fn(&Session) -> Vec<Spot>,
-    /// Whether it is done, beside how things were when it was first shown.
+    /// True if the step is done, compared with the state when it was first shown.
     pub(super) is_done: fn(&Session, &StepStart) -> bool,
-    /// What does it in the artist's place; nothing where there is nothing to do it to.
+    /// Commands that do the step in the artist's place; none where there is nothing to do it to.
     pub(super) show: fn(&Session) -> Vec<Command>,
 }
 
-/// The inputs of a layer that shape its profile, and those that blend it.
+/// Inputs of a layer that shape its profile.
 const PROFILE: [&str; 3] = ["offset", "falloff", "cutoff"];
+/// Inputs of a layer that blend it.
 const BLENDING: [&str; 2] = ["blend", "opacity"];
-/// How far lights are turned at least to have been turned, in radians.
+/// Smallest turn of the lights that counts as one, in radians.
 const TURNED: f64 = 0.05;
 
-/// From nothing to a look.
+/// Steps from nothing to a look.
 pub(super) static STEPS: [Step; 7] = [
     Step {
         title: "The base",
@@ -149,7 +150,7 @@ fn ground(session: &Session) -> Option<NodeId> {
     stack(session).ground.map(|ground| ground.node)
 }
 
-/// The layer that was worked on last, or else the uppermost.
+/// The layer that was last worked on, or else the uppermost.
 fn top_layer(session: &Session) -> Option<NodeId> {
     let stack = stack(session);
     let selected = session.selection.nodes.last().filter(|id| stack.index_of(id).is_some());
@@ -164,7 +165,7 @@ fn any_layer_changed(session: &Session, before: &StepStart, ports: &[&str]) -> b
     stack(session).layers.iter().any(|layer| is_changed(session, before, &layer.id, ports))
 }
 
-/// Whether any of these inputs of a node that was there before has another value.
+/// True if any of these inputs of a node that was there before has another value.
 fn is_changed(session: &Session, before: &StepStart, id: &NodeId, ports: &[&str]) -> bool {
     let Some(old) = before.look.graph.nodes.get(id) else { return false };
     let now = session.look().graph.nodes.get(id);
@@ -186,7 +187,7 @@ fn value<'a>(node: Option<&'a Node>, port: &str) -> Option<&'a Value> {
     node?.values.get(port)
 }
 
-/// Selects a node and sets values of it, as one step.
+/// Commands that set values of a node, as one step, and select it.
 fn set(session: &Session, id: &NodeId, values: &[(&str, Value)]) -> Vec<Command> {
     let edit = |(port, value): &(&str, Value)| {
         let (port, value) = ((*port).into(), value.clone());

@@ -1,4 +1,4 @@
-//! Rows of what works over the graph, while no text is typed.
+//! Rows of commands that work over the graph, while no text is typed.
 
 use std::borrow::Cow;
 
@@ -9,7 +9,7 @@ use super::{ALT, CTRL, CTRL_SHIFT, CommandRow, Menu, NONE, SHIFT, row};
 use crate::commands::Heading::{Down, Left, Right, Up};
 use crate::commands::{Command as C, GraphCommand as G};
 
-/// The digits that bookmarks go by, with their keys.
+/// Digits of the bookmarks, with their keys.
 static DIGITS: [(u8, [(Modifiers, Key); 2]); 9] = {
     const fn keys(key: Key) -> [(Modifiers, Key); 2] {
         [(CTRL, key), (NONE, key)]
@@ -49,7 +49,7 @@ pub(super) fn rows() -> Vec<CommandRow> {
     rows
 }
 
-/// What adds, takes away and selects nodes.
+/// Rows that add, remove and select nodes.
 fn edits() -> Vec<CommandRow> {
     vec![
         graph(G::AddNode, "Add a node", &[(NONE, Key::Tab), (NONE, Key::A), (SHIFT, Key::A)]),
@@ -72,7 +72,7 @@ fn edits() -> Vec<CommandRow> {
     ]
 }
 
-/// What changes nodes where they are, groups and frames.
+/// Rows that change nodes in place, groups and frames.
 fn groups() -> Vec<CommandRow> {
     vec![
         graph(G::Rename, "Rename", &[(NONE, Key::F2)]),
@@ -91,7 +91,7 @@ fn groups() -> Vec<CommandRow> {
     ]
 }
 
-/// How nodes lie and what is seen of them.
+/// Rows about the layout of nodes, and the part of it in view.
 fn arrangement() -> Vec<CommandRow> {
     vec![
         graph(G::ShowSelected, "Show what is selected", &[(NONE, Key::Period)]),
@@ -107,7 +107,7 @@ fn arrangement() -> Vec<CommandRow> {
     ]
 }
 
-/// What the arrow keys do.
+/// Rows of the arrow keys.
 fn steps() -> Vec<CommandRow> {
     vec![
         graph(G::SelectNext(Left), "Select the next node to the left", &[(CTRL, Key::ArrowLeft)]),

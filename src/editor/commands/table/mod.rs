@@ -1,6 +1,5 @@
-//! Every command that people ask for by its name, in one table: what it is called, what it does, its
-//! keys and where they work. Keys, menus, the sheet of shortcuts and the command palette list what
-//! is here.
+//! Table of all commands that people ask for by name: label, help, keys, and the place where the
+//! keys work. Keys, menus, the sheet of shortcuts and the command palette list this table.
 
 mod graph;
 mod languages;
@@ -16,7 +15,7 @@ use eframe::egui::{Key, Modifiers};
 
 use super::{Command, GraphCommand as G, keyboard};
 
-/// Where a key works.
+/// Place where a key works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Place {
     /// Everywhere.
@@ -25,7 +24,7 @@ pub(crate) enum Place {
     Graph,
     /// Over the picture.
     Picture,
-    /// Over the picture while light is painted on it, beside the others there.
+    /// Over the picture while light is painted on it, beside the other keys there.
     Light,
     /// Over the tile that is painted on.
     Painting,
@@ -43,7 +42,7 @@ impl Place {
     }
 }
 
-/// A menu of the bar above.
+/// Menu of the bar above.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Menu {
     Paint,
@@ -52,19 +51,19 @@ pub(crate) enum Menu {
     Help,
 }
 
-/// A row of the table.
+/// Row of the table.
 #[derive(Clone, Debug)]
 pub(crate) struct CommandRow {
     pub(crate) command: Command,
     pub(crate) label: Cow<'static, str>,
-    /// What it does, where the label does not say that.
+    /// Explanation of the command, where the label does not give one.
     help: &'static str,
-    /// Any of them will do; the first is told.
+    /// Keys of the command, any of which will do; the first is shown.
     pub(crate) keys: &'static [(Modifiers, Key)],
     pub(crate) place: Place,
-    /// The menu that lists it.
+    /// Menu that lists the command.
     pub(crate) menu: Option<Menu>,
-    /// Whether it is about the HCBTF that is open to be painted.
+    /// True if the command is about the HCBTF that is open to be painted.
     pub(crate) needs_painting: bool,
 }
 
@@ -74,8 +73,8 @@ const SHIFT: Modifiers = Modifiers::SHIFT;
 const ALT: Modifiers = Modifiers::ALT;
 const CTRL_SHIFT: Modifiers = Modifiers { shift: true, ..Modifiers::COMMAND };
 
-/// All rows. What needs more modifiers stands before what needs fewer, as the first that fits takes
-/// a key.
+/// All rows. A row whose key has more modifiers stands before one with fewer, as the first that
+/// fits takes a key.
 static ROWS: LazyLock<Vec<CommandRow>> = LazyLock::new(|| {
     let mut rows = window::files();
     rows.extend(languages::rows());
@@ -96,7 +95,7 @@ pub(crate) fn row_of(command: &Command) -> Option<&'static CommandRow> {
     rows().find(|row| row.command == *command)
 }
 
-/// What a command does, with its key: for what is seen under the pointer.
+/// Explanation of a command, with its key, for a tooltip.
 pub(crate) fn help_of(command: &Command) -> String {
     row_of(command).map(CommandRow::help_with_key).unwrap_or_default()
 }
@@ -124,12 +123,12 @@ impl CommandRow {
         Self { needs_painting: true, ..self }
     }
 
-    /// The key as people read it.
+    /// First key of the row, as people read it.
     pub(crate) fn text(&self) -> String {
         self.keys.first().map_or_else(String::new, |&(modifiers, key)| key_text(modifiers, key))
     }
 
-    /// What it does, with its key.
+    /// Explanation of the command, with its key.
     pub(crate) fn help_with_key(&self) -> String {
         let help = if self.help.is_empty() { &*self.label } else { self.help };
         match self.text() {
@@ -162,14 +161,14 @@ fn key_text(modifiers: Modifiers, key: Key) -> String {
     text
 }
 
-/// Takes the keys of a place that were pressed. Copy, cut and paste come as events of their own,
-/// and Tab must be taken earlier than here, before it moves the focus.
+/// Takes the pressed keys of a place, and returns their commands. Copy, cut and paste come as
+/// events of their own, and Tab must be taken earlier than here, before it moves the focus.
 pub(crate) fn pressed(ui: &egui::Ui, place: Place) -> Vec<Command> {
     let rows = rows().filter(|row| row.place == place);
     let is_event =
         |command: &Command| matches!(command, Command::Graph(G::Copy | G::Cut | G::Paste));
     let rows = rows.filter(|row| !is_event(&row.command));
-    // Nothing is pressed in most frames.
+    // No key is pressed in most frames.
     if !ui.input(|input| {
         input.events.iter().any(|event| matches!(event, egui::Event::Key { pressed: true, .. }))
     }) {
@@ -180,7 +179,7 @@ pub(crate) fn pressed(ui: &egui::Ui, place: Place) -> Vec<Command> {
         .collect()
 }
 
-/// What the pointer does on the graph, for the sheet of shortcuts.
+/// Actions of the pointer on the graph, for the sheet of shortcuts.
 pub(crate) const POINTER: &[(&str, &str)] = &[
     ("Double-click on nothing", "Add a node"),
     ("Double-click on a title", "Open the group, or rename"),
@@ -197,7 +196,7 @@ pub(crate) const POINTER: &[(&str, &str)] = &[
     ("Right-click", "Menu"),
 ];
 
-/// The same on the tile that is painted.
+/// Actions of the pointer on the tile that is painted, for the sheet of shortcuts.
 pub(crate) const PAINTING_POINTER: &[(&str, &str)] = &[
     ("Drag", "Paint, with the tool at hand"),
     ("Alt-click", "Pick a color"),
@@ -243,7 +242,7 @@ mod tests {
                 row.label,
                 language.label
             );
-            // A row says of no API that the language's own note denies it.
+            // The row of a language must not name an API that the language's own note denies.
             let denied = language
                 .note
                 .split_once("not for ")

@@ -1,4 +1,4 @@
-//! Rows of what works over the tile that is painted.
+//! Rows of commands that work over the tile that is painted.
 
 use eframe::egui::{Key, Modifiers};
 

@@ -1,4 +1,4 @@
-//! Rows of what works over the picture, and over it while light is painted on it.
+//! Rows of commands that work over the picture, always or while light is painted on it.
 
 use eframe::egui::{Key, Modifiers};
 

@@ -1,4 +1,4 @@
-//! Rows of what works everywhere in the window.
+//! Rows of commands that work everywhere in the window.
 
 use eframe::egui::Key;
 
@@ -8,7 +8,7 @@ use crate::commands::{Command as C, FitCommand, GridPreset, PaintCommand as P, P
 use crate::document::Storage;
 use crate::hcbtf::exchange::Form;
 
-/// What is done with files and steps: the rows that stand before those of the languages.
+/// Rows about files and steps, which stand before those of the languages.
 pub(super) fn files() -> Vec<CommandRow> {
     vec![
         row(C::New, "New look", &[(CTRL, Key::N)], Window).help("A new look"),
@@ -42,7 +42,7 @@ fn export_hcbtf(form: Form) -> P {
     P::Export { form, storage: Storage::default(), to: None }
 }
 
-/// The rows that follow those of the languages.
+/// Rows that follow those of the languages.
 pub(super) fn rows() -> Vec<CommandRow> {
     vec![
         row(C::ExportPicture, "Export the picture as PNG...", &[], Window).in_menu(Menu::Export),

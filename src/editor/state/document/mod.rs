@@ -1,6 +1,6 @@
-//! A document that is open: with its past, when its steps were done, the gestures that they come
-//! of, the journal that loses none of it, and its file. The look, the scene around it and what is
-//! painted are one each.
+//! An open document: with its past, the times of its steps, the gestures that they come from, the
+//! journal that loses none of it, and its file. The look, the scene around it and the painting are
+//! documents of this kind.
 
 pub(crate) mod journal;
 mod text;
@@ -16,46 +16,46 @@ use journal::DocumentJournal;
 pub(crate) use text::TextFile;
 use times::{Gestures, Times};
 
-/// A document that is open.
+/// An open document.
 pub(crate) struct OpenDocument<D: FileDocument> {
     pub(crate) history: History<D>,
     pub(crate) times: Times,
     gestures: Gestures,
     pub(crate) journal: DocumentJournal<D>,
-    /// Its file, once there is one.
+    /// File of the document, once there is one.
     pub(crate) path: Option<PathBuf>,
-    /// The file as it was read or written last.
+    /// State of the file when it was last read or written.
     pub(crate) file: D::FileState,
-    /// Whether the file holds more than could be read, so that saving over it would lose that.
+    /// True if parts of the file could not be read, so that saving over it would lose them.
     pub(crate) is_partial: bool,
-    /// What reading the file told.
+    /// Problems found when the file was read.
     pub(crate) load_problems: Vec<Diagnostic>,
 }
 
 /// A document that files hold.
 pub(crate) trait FileDocument: Journaled {
-    /// What is remembered of the file.
+    /// Remembered state of the file.
     type FileState;
-    /// What is found in a file that another program wrote.
+    /// Content of a file that another program wrote.
     type Change;
-    /// What such a file is called by who says that it changed.
+    /// Word for the file in messages that it changed.
     const FILE: &'static str;
-    /// What is saved, for who says how.
+    /// Words for the document in messages about saving, with a space at the end; empty for a look.
     const SAVED: &'static str;
 
-    /// Compares the file of a document with what it was when it was read or written last.
+    /// Compares the file of a document with its state when it was last read or written.
     fn on_disk(document: &OpenDocument<Self>, path: &Path) -> OnDisk<Self::Change>;
 }
 
-/// How a file is compared with what was read from it or written to it last.
+/// Result of comparing a file with its state when it was last read or written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum OnDisk<T = String> {
     Same,
-    /// There is no file, or none yet.
+    /// No file, or none yet.
     Gone,
-    /// Another program wrote it.
+    /// A file that another program wrote.
     Changed(T),
-    /// It cannot be read at this moment.
+    /// A file that cannot be read at this moment.
     Unreadable,
 }
 
@@ -64,8 +64,8 @@ where
     D: FileDocument + Send + 'static,
     D::Edit: Send,
 {
-    /// A document with its past. When the steps of that were done nobody knows: they are older than
-    /// all others.
+    /// A document with its past. The times of past steps are unknown: they count as older than all
+    /// others.
     pub(crate) fn new(history: History<D>, path: Option<PathBuf>, file: D::FileState) -> Self {
         let mut times = Times::default();
         times.fit(history.steps());
@@ -81,25 +81,25 @@ where
         }
     }
 
-    /// The document as it is.
+    /// The document of the latest step.
     pub(crate) fn document(&self) -> &D {
         self.history.document()
     }
 
-    /// Whether there are changes that no file holds.
+    /// True if there are changes that no file holds.
     pub(crate) fn is_dirty(&self) -> bool {
         !self.history.is_saved()
     }
 
-    /// Compares the file with what it was when it was read or written last.
+    /// Compares the file with its state when it was last read or written.
     pub(crate) fn on_disk(&self) -> OnDisk<D::Change> {
         self.path.as_deref().map_or(OnDisk::Same, |path| D::on_disk(self, path))
     }
 
-    /// Whether saving to a file writes over the document's own.
+    /// Returns true if saving to a file writes over the document's own file.
     ///
     /// # Errors
-    /// A diagnostic that says why nothing may be written there.
+    /// A diagnostic with the reason why nothing may be written there.
     pub(crate) fn check_saving(&self, path: &Path) -> Result<bool, Box<Diagnostic>> {
         if self.path.as_deref() != Some(path) {
             return Ok(false);
@@ -124,7 +124,7 @@ where
         Ok(true)
     }
 
-    /// Takes a file that holds the document from now on, all of it.
+    /// Takes a file that holds the whole document from now on.
     pub(crate) fn was_written(&mut self, path: PathBuf, file: D::FileState) {
         self.path = Some(path);
         self.file = file;
@@ -133,8 +133,8 @@ where
         self.history.mark_saved();
     }
 
-    /// Applies an edit. With a `hand`, consecutive edits by it are one step. `now` is when. Returns
-    /// whether anything is another now.
+    /// Applies an edit. Consecutive edits by the same `hand` are one step. `now` is the time of the
+    /// step. Returns true if the document changed.
     ///
     /// # Errors
     /// A diagnostic where the edit is impossible; nothing is changed then.
@@ -160,7 +160,7 @@ where
         Ok(is_changed)
     }
 
-    /// Takes the last step back, if there is one.
+    /// Takes back the last step, if there is one.
     pub(crate) fn undo(&mut self) -> bool {
         let did = self.history.undo().is_some();
         if did {
@@ -170,7 +170,7 @@ where
         did
     }
 
-    /// Repeats the step that was taken back last, if there is one. `now` is when.
+    /// Repeats the step that was last taken back, if there is one. `now` is the time of the step.
     pub(crate) fn redo(&mut self, now: u64) -> bool {
         let did = self.history.redo().is_some();
         if did {
@@ -180,13 +180,14 @@ where
         did
     }
 
-    /// Breaks a gesture, so that whatever comes next is a step of its own.
+    /// Ends a gesture, so that the next edit is a step of its own.
     pub(crate) fn end_gesture(&mut self) {
         self.gestures.end();
     }
 
-    /// Hands what was done to the journal; a gesture that goes on may wait for a moment there.
-    /// Returns whether the journal is to begin anew instead, with the document as it stands.
+    /// Hands the operations since the last call to the journal; a gesture that goes on may wait for
+    /// a moment there. Returns true if the journal is to begin anew instead, with the whole
+    /// document.
     #[must_use]
     pub(crate) fn commit(&mut self, goes_on: bool) -> bool {
         let begins = self.journal.wants_to_begin(!self.history.is_saved());
@@ -196,7 +197,7 @@ where
         begins
     }
 
-    /// Begins the journal with the document as it stands.
+    /// Begins the journal with the whole document.
     pub(crate) fn begin_journal(
         &mut self,
         about: About,
@@ -206,8 +207,8 @@ where
         self.journal.begin(JournalStart { about, source, history: self.history.clone(), slot });
     }
 
-    /// After a save: returns whether the journal is to begin anew, with the same past and nothing
-    /// unsaved. Without a past there is nothing that is worth one.
+    /// Notes a save. Returns true if the journal is to begin anew, with the same past and nothing
+    /// unsaved. A document without a past is not worth a journal.
     #[must_use]
     pub(crate) fn saved(&mut self) -> bool {
         self.journal.forget_overridden();
@@ -218,7 +219,7 @@ where
         begins
     }
 
-    /// Lets go of the journal: it stays if anything in it is not saved, or is needed all the same.
+    /// Closes the journal, whose file stays if any change in it is not saved, or if `is_needed`.
     pub(crate) fn leave_journal(&mut self, is_needed: bool, in_peace: bool) {
         self.journal.leave(!self.history.is_saved() || is_needed, in_peace);
     }

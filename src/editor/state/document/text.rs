@@ -6,31 +6,32 @@ use std::sync::Arc;
 use super::{FileDocument, OnDisk, OpenDocument};
 use crate::document::{Loaded, Look, Scene, SourceMap};
 
-/// A file of text as it was read or written last.
+/// A text file in its state when it was last read or written.
 pub(crate) struct TextFile {
     pub(crate) source: Arc<SourceMap>,
-    /// As it was opened: what says the same again after a save is written as it was.
+    /// Source as it was opened: a document that means the same again after a save is written in
+    /// that form.
     pub(crate) opened: Arc<SourceMap>,
 }
 
 impl TextFile {
-    /// One that was opened just now.
+    /// A file that was opened just now.
     pub(crate) fn new(source: SourceMap) -> Self {
         let source = Arc::new(source);
         Self { opened: source.clone(), source }
     }
 
-    /// The same file after it was written.
+    /// The file after it was written.
     pub(crate) fn written(&self, source: SourceMap) -> Self {
         Self { source: Arc::new(source), opened: self.opened.clone() }
     }
 }
 
-/// A document that a text says.
+/// A document with a text form.
 pub(crate) trait TextDocument: FileDocument<FileState = TextFile, Change = String> {
     fn read_text(text: &str, file: &str) -> Loaded<Self>;
 
-    /// The canonical text, with what `source` says otherwise but to the same end.
+    /// The canonical text, with the spelling of `source` wherever that means the same.
     fn text_like(&self, source: &SourceMap) -> String;
 }
 
@@ -73,8 +74,8 @@ where
     D: TextDocument + Send + 'static,
     D::Edit: Send,
 {
-    /// A document as the file says it, or said it when it was opened, where that is the same; else
-    /// the canonical form.
+    /// Text of a document: as the file has it, or had it when it was opened, where that means the
+    /// same; else the canonical form.
     pub(crate) fn text_of(&self, document: &D) -> String {
         let text = document.text_like(&self.file.source);
         match text == **self.file.source.text() {
@@ -90,7 +91,7 @@ where
         self.was_written(path.to_owned(), file);
     }
 
-    /// Takes the file as another program wrote it: the document says the same.
+    /// Takes the file as another program wrote it; the document means the same.
     pub(crate) fn was_reloaded(&mut self, source: SourceMap) {
         self.file = TextFile::new(source);
         self.is_partial = false;

@@ -1,8 +1,8 @@
-//! In which order steps were done in the look and in the scene around it, so that undo takes back
-//! the last one, wherever that was.
+//! Order of steps across the look and the scene around it, so that undo takes back the last step of
+//! either.
 
-/// When each step of a history was done, by a count that grows. What a journal brought back counts
-/// as older than all.
+/// Time of each step of a history, by a count that grows. Steps that a journal brought back count
+/// as older than all others.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Times {
     done: Vec<u64>,
@@ -10,42 +10,42 @@ pub(crate) struct Times {
 }
 
 impl Times {
-    /// After an edit: `steps` are those that are done now, and those that can be repeated. An edit
-    /// that went on with the last step leaves it where it was.
+    /// Notes an edit: `steps` are the counts of done steps and of undone ones after it. An edit
+    /// that went on with the last step keeps that step's time.
     pub(crate) fn did(&mut self, (done, undone): (usize, usize), now: u64) {
         self.done.resize(done, now);
         self.undone.resize(undone, 0);
     }
 
-    /// After the last step was taken back.
+    /// Notes that the last step was taken back.
     pub(crate) fn undid(&mut self) {
         self.undone.extend(self.done.pop());
     }
 
-    /// After a step was repeated: what is repeated is done anew.
+    /// Notes that a step was repeated, at a new time.
     pub(crate) fn redid(&mut self, now: u64) {
         self.undone.pop();
         self.done.push(now);
     }
 
-    /// Takes on a history with so many steps: those of which nothing is known are the oldest.
+    /// Adapts to a history with so many steps: unknown steps are the oldest.
     pub(crate) fn fit(&mut self, (done, undone): (usize, usize)) {
         fit(&mut self.done, done);
         fit(&mut self.undone, undone);
     }
 
-    /// When the step was done that undo would take back.
+    /// Time of the step that undo would take back.
     pub(crate) fn last(&self) -> Option<u64> {
         self.done.last().copied()
     }
 
-    /// When the step was done that redo would repeat.
+    /// Time of the step that redo would repeat.
     pub(crate) fn next(&self) -> Option<u64> {
         self.undone.last().copied()
     }
 
-    /// When the steps were done: those that are, the oldest first, then those that were taken back,
-    /// the next first.
+    /// Times of all steps: the done ones, the oldest first, then the undone ones, the next to redo
+    /// first. The flag is true for undone steps.
     pub(crate) fn all(&self) -> impl Iterator<Item = (bool, u64)> {
         let done = self.done.iter().map(|time| (false, *time));
         done.chain(self.undone.iter().rev().map(|time| (true, *time)))
@@ -59,7 +59,7 @@ fn fit(times: &mut Vec<u64>, count: usize) {
     }
 }
 
-/// Consecutive edits by the same hand, as one step.
+/// Gestures: consecutive edits by the same hand, as one step.
 #[derive(Default)]
 pub(crate) struct Gestures {
     last: Option<(u64, u64)>,
@@ -67,7 +67,8 @@ pub(crate) struct Gestures {
 }
 
 impl Gestures {
-    /// The gesture that an edit by `hand` belongs to: the last one, if nothing else was done since.
+    /// The gesture that an edit by `hand` belongs to: the last one, if the document did not change
+    /// since.
     pub(crate) fn of(&mut self, hand: u64, revision: u64) -> u64 {
         if self.last != Some((hand, revision)) {
             self.number += 1;
@@ -75,12 +76,12 @@ impl Gestures {
         self.number
     }
 
-    /// Notes what an edit led to.
+    /// Notes the revision that an edit led to.
     pub(crate) fn did(&mut self, hand: Option<u64>, revision: u64) {
         self.last = hand.map(|hand| (hand, revision));
     }
 
-    /// Whatever comes next is a gesture of its own.
+    /// Ends the gesture, so that the next edit begins another.
     pub(crate) fn end(&mut self) {
         self.last = None;
     }

@@ -1,5 +1,5 @@
-//! What drives keys: numbers of the scene and wires of the look, what each is now, and what it is
-//! called.
+//! Drivers of keys: numbers of the scene and wires of the look, with their present values and their
+//! names.
 
 use crate::compile::{Live, Options, compile};
 use crate::document::{DirectionKeys, Driver, KeyDirection, OutputPort, Target};
@@ -9,7 +9,7 @@ use crate::state::session::Session;
 use crate::values::number_text;
 
 impl Session {
-    /// What a driver is now. A wire that drives nothing yet is compiled for it, once.
+    /// Present value of a driver. A wire that drives nothing yet is compiled for this, once.
     pub(crate) fn driver_now(&self, driver: &Driver) -> f64 {
         if let Driver::Wire(wire) = driver {
             return self.known_wire(wire).or_else(|| self.new_wire(wire)).unwrap_or(0.0);
@@ -19,7 +19,7 @@ impl Session {
         self.at_this_moment(|moment| driver_value(driver, lights, moment))
     }
 
-    /// What a wire is now that drives keys already.
+    /// Present value of a wire that already drives keys.
     fn known_wire(&self, wire: &OutputPort) -> Option<f64> {
         let sets = self.look().direction_keys.iter().zip(&self.keyed.now.decided);
         let mut found = sets.filter_map(|(keys, (now, _))| {
@@ -30,6 +30,8 @@ impl Session {
         found.next()
     }
 
+    /// Present value of a wire that drives no keys yet: a copy of the look with a set of keys by
+    /// this wire is compiled and run.
     fn new_wire(&self, wire: &OutputPort) -> Option<f64> {
         let by = KeyDirection::Drivers(vec![Driver::Wire(wire.clone())]);
         let (name, scheme, unknown) = (String::new(), Default::default(), Default::default());
@@ -47,7 +49,7 @@ impl Session {
         now.decided.last().map(|(now, _)| now.x)
     }
 
-    /// What a driver is called.
+    /// Display name of a driver.
     pub(crate) fn driver_name(&self, driver: &Driver) -> String {
         match driver {
             Driver::Distance => "Distance to the eye".to_owned(),
@@ -58,7 +60,7 @@ impl Session {
         }
     }
 
-    /// What an output is called: by its own name, and its node's.
+    /// Display name of an output: by its own name, and its node's.
     fn wire_name(&self, wire: &OutputPort) -> String {
         let path = wire.node.to_string();
         let Some(node) = self.node_at(&wire.node) else { return wire.to_string() };
@@ -69,7 +71,7 @@ impl Session {
         format!("{} of \"{called}\"", port.map_or(wire.port.as_str(), |port| &*port.label))
     }
 
-    /// Everything that can drive keys.
+    /// Drivers that keys can have, without wires.
     pub(crate) fn drivers(&self) -> Vec<Driver> {
         let heights = self.look().lights.keys().map(|id| Driver::Height(id.clone()));
         let objects = self.stage().into_iter().flat_map(|stage| stage.scene().objects.keys());
@@ -77,7 +79,7 @@ impl Session {
         [Driver::Distance, Driver::Facing].into_iter().chain(heights).chain(near).collect()
     }
 
-    /// The wires that can drive keys of these targets: first those that may change while the look
+    /// Wires that can drive keys of the targets `moved`: first those that may change while the look
     /// stays as it is, then those that never do, and so would hold every key where it is.
     pub(crate) fn wires(&self, moved: &[Target]) -> [Vec<Driver>; 2] {
         let look = self.look();
@@ -90,13 +92,13 @@ impl Session {
             .flat_map(|key| key.values.keys());
         let set: Vec<Target> = exposed.chain(in_time).chain(by_direction).cloned().collect();
         let found = self.typed().map(|typed| typed.drivable(moved, &set)).unwrap_or_default();
-        // The compiler may be a step behind.
+        // The compiler may be a step behind the document.
         let is_there = |wire: &OutputPort| self.node_at(&wire.node).is_some();
         found.map(|wires| wires.into_iter().filter(is_there).map(Driver::Wire).collect())
     }
 }
 
-/// What a driver is, as people read it.
+/// Value of a driver in words, with its unit.
 pub(crate) fn said(driver: &Driver, value: f64) -> String {
     if driver.is_angle() { format!("{:.1}°", value.to_degrees()) } else { number_text(value, 3) }
 }

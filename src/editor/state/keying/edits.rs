@@ -1,4 +1,4 @@
-//! The edits that key values, and that set them where they are looked at.
+//! Edits that key values, and that set values at the key in view.
 
 use indexmap::IndexMap;
 
@@ -13,20 +13,20 @@ use crate::library::Fallback;
 use crate::state::session::Session;
 
 impl Session {
-    /// The edit by which a target has a value where it is looked at: at the playhead, at the
-    /// direction key that is selected or followed, or at all.
+    /// The edit that sets a target's value in view: at the playhead, at the direction key that is
+    /// selected or followed, or the document's own value.
     pub(crate) fn set_at(&self, target: &Target, value: Value) -> Edit {
         self.set_all_at([(target.clone(), value)])
     }
 
-    /// The same of several targets.
+    /// The edit that sets several targets' values in view.
     pub(crate) fn set_all_at(&self, values: impl IntoIterator<Item = (Target, Value)>) -> Edit {
         let mut edits = self.set_each_at(values);
         if edits.len() == 1 { edits.remove(0) } else { Edit::Group { edits } }
     }
 
-    /// Edits replace whole sets, tracks and lights: what several values change of one of them is
-    /// gathered.
+    /// Edits that set several targets' values in view. An edit replaces a whole set, track or
+    /// light: values of the same set or light are gathered in one edit.
     fn set_each_at(&self, values: impl IntoIterator<Item = (Target, Value)>) -> Vec<Edit> {
         let look = self.look();
         let (mut sets, mut lights, mut edits) = (IndexMap::new(), IndexMap::new(), Vec::new());
@@ -53,7 +53,7 @@ impl Session {
         edits
     }
 
-    /// The edit that sets what a target has without keys.
+    /// The edit that sets a target's value without keys.
     pub(crate) fn set_own(&self, target: &Target, value: Value) -> Edit {
         match target {
             Target::Input { node, port } => {
@@ -99,13 +99,13 @@ impl Session {
         Edit::SetTimeKeys { index: track, keys }
     }
 
-    /// The edit that sets a track's value at a time: of the key there, or of a new one, that goes
-    /// on as the one before.
+    /// The edit that sets a track's value at a time: in the key there, or in a new one with the
+    /// interpolation of the key before.
     pub(crate) fn set_in_time(&self, track: usize, time: f64, value: Value) -> Edit {
         self.change_track(track, |keys| put(keys, time, value))
     }
 
-    /// The edit that keys a target at the playhead, with the value that it has there.
+    /// The edit that keys a target at the playhead, with its present value.
     pub(crate) fn key_in_time(&self, target: &Target) -> Option<Edit> {
         let value = self.value_now(target)?;
         if let Some(track) = self.look().time_keys.iter().position(|track| track.target == *target)
@@ -118,8 +118,8 @@ impl Session {
         Some(self.grounded(Some(target), Edit::AddTimeKeys { keys, index: None }))
     }
 
-    /// The edit that keys a target in a set: at all of its keys with the value that it has now, so
-    /// that nothing changes yet.
+    /// The edit that keys a target in a set: at all keys of the set with the target's present
+    /// value, so that nothing changes yet.
     pub(crate) fn key_in_set(&self, set: usize, target: &Target) -> Option<Edit> {
         let value = self.value_now(target)?;
         let edit = self.change_set(set, |keys| {
@@ -131,8 +131,8 @@ impl Session {
     }
 
     /// An edit that names a target in a list, after one that gives the target a value of its own
-    /// where it has neither that nor a default: what reads its surroundings, or is as another
-    /// input, cannot be moved or exposed.
+    /// where it has neither that nor a default: an input that reads its surroundings, or has the
+    /// value of another input, cannot be moved or exposed.
     pub(crate) fn grounded(&self, target: Option<&Target>, edit: Edit) -> Edit {
         let Some(target @ Target::Input { node, port }) = target else { return edit };
         let has_own = self.node_at(node).is_some_and(|node| node.values.contains_key(port));
@@ -144,7 +144,7 @@ impl Session {
         }
     }
 
-    /// The edit that begins a set with one key where the light or the view is now.
+    /// The edit that adds a set with one key at the present direction of the light or the view.
     pub(crate) fn new_set(&self, by: KeyDirection, target: Option<&Target>) -> Edit {
         let direction = self.direction_of(&by);
         let values = target
@@ -164,8 +164,8 @@ impl Session {
         self.grounded(target, Edit::AddDirectionKeys { keys, index: None })
     }
 
-    /// The edit that takes a target out of everything that moves it; it keeps the value that it has
-    /// now.
+    /// The edit that takes a target out of all keys that move it; the target keeps its present
+    /// value.
     pub(crate) fn unkey(&self, target: &Target) -> Edit {
         let mut edits = Vec::new();
         for (index, keys) in self.look().direction_keys.iter().enumerate() {
@@ -184,7 +184,7 @@ impl Session {
     }
 }
 
-/// Puts a key at a time, or changes the one that is there.
+/// Inserts a key at a time, or changes the one that is there.
 fn put(keys: &mut TimeKeys, time: f64, value: Value) {
     let is_there = |key: &TimeKey| (key.time - time).abs() < 1e-6;
     if let Some(key) = keys.keys.iter_mut().find(|key| is_there(key)) {

@@ -1,16 +1,15 @@
-//! At which key of a set a hand on a value sets it.
+//! Choice of the key of a set that takes values set by hand.
 
 use crate::document::OutputPort;
 use crate::state::session::Session;
 
-/// By how much another key must outweigh the one that is followed before that is followed: near a
+/// Weight by which another key must outweigh the followed one before it is followed instead: near a
 /// tie nothing flickers.
 const MARGIN: f64 = 0.2;
 
 impl Session {
-    /// Follows the heaviest key of each set, slowly; never while a hand holds something, which
-    /// would go on at another key, nor while the shader does not have the wires yet that drive a
-    /// set.
+    /// Follows the heaviest key of each set, slowly; never while a hand holds a value, which would
+    /// go on at another key, nor while the shader does not have the wires yet that drive a set.
     pub(crate) fn follow_keys(&mut self, is_held: bool) {
         let sets = &self.look().direction_keys;
         let followed = sets.iter().enumerate().map(|(set, keys)| {
@@ -26,8 +25,7 @@ impl Session {
         self.keyed.followed = followed.collect();
     }
 
-    /// The key of a set at which values are set: the one that is selected, or else the one that is
-    /// followed.
+    /// The key of a set at which values are set: the selected one, or else the followed one.
     pub(crate) fn key_at(&self, set: usize) -> usize {
         if let Some((_, key)) = self.selection.key.filter(|(selected, _)| *selected == set) {
             return key;
@@ -37,6 +35,7 @@ impl Session {
         followed.unwrap_or_else(|| self.heaviest(set))
     }
 
+    /// The key of a set with the largest weight, the first of equals.
     fn heaviest(&self, set: usize) -> usize {
         let weights = self.decided(set).map(|(_, weights)| weights.as_slice()).unwrap_or_default();
         let first_of_most = |best: (usize, f64), (key, &weight): (usize, &f64)| {

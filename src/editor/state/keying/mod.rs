@@ -1,7 +1,7 @@
-//! KeyEvaluation values: what keys make of a value now, what else is said of it, and which edit sets it.
+//! Values under keys: their present value, their names and ports, and the edits that set them.
 //!
-//! Who changes a value need not know whether it is keyed: [`Session::set_at`] gives the edit that
-//! shows, which is one of the key at the playhead, of the direction key that is selected, or of the
+//! Callers that change a value need not know whether it is keyed: [`Session::set_at`] gives the
+//! edit that shows, which changes the key at the playhead, the selected direction key, or the
 //! document's own value.
 
 mod drivers;
@@ -27,31 +27,31 @@ use crate::state::orbit::Orbit;
 use crate::state::session::Session;
 use crate::state::snapshot::Stamp;
 
-/// What keys come to, kept until anything changes.
+/// Values that keys give, kept until anything changes.
 #[derive(Default)]
 pub(crate) struct KeyEvaluation {
     stamp: Option<Stamp>,
-    /// The object that it is of.
+    /// The object that the values hold for.
     own: Option<ObjectId>,
     rig: Option<Rig>,
     now: KeyedValues,
-    /// By set of keys: the one at which values are set while none is selected.
+    /// By set of keys: the key at which values are set while none is selected.
     followed: Vec<usize>,
 }
 
-/// What moves a value.
+/// The keys that move a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum KeyedBy {
-    /// Nothing.
+    /// No keys.
     Nothing,
-    /// A set of direction keys, by its place.
+    /// A set of direction keys, by index.
     Direction(usize),
-    /// A track, by its place.
+    /// A track of time keys, by index.
     Time(usize),
 }
 
 impl Session {
-    /// Computes what keys come to, where anything changed since.
+    /// Computes the values of keys, where anything changed since.
     pub(crate) fn refresh_keys(&mut self) {
         let stamp = self.stamp();
         let own = self.own_object();
@@ -69,7 +69,7 @@ impl Session {
             self.own_value(&Target::Input { node: node.clone(), port: port.clone() })
         };
         let wires = self.shader_of_wires(sets_values).map(Wires::of);
-        // What runs without end is told by the compiler and the picture.
+        // Code that runs without end is reported by the compiler and the picture.
         let now = self
             .at_this_moment(|moment| rig.keyed_values(&base, wires, moment))
             .unwrap_or_default();
@@ -81,8 +81,8 @@ impl Session {
         self.selection.key = self.selection.key.filter(is_there);
     }
 
-    /// The object of the scene that stands for all that wear the open look: the one that is
-    /// selected, or else the first.
+    /// The object of the scene that stands for all that wear the open look: the selected one, or
+    /// else the first.
     fn own_object(&self) -> Option<(&ObjectId, &Object)> {
         let stage = self.stage()?;
         let seen = || stage.scene().objects.iter().filter(|(_, object)| object.visible);
@@ -91,7 +91,8 @@ impl Session {
         selected.or_else(|| seen().find(wears)).or_else(|| seen().next())
     }
 
-    /// Asks something of this moment, of the object that stands for all that wear the look.
+    /// Calls `ask` with the inputs of the present moment, for the object that stands for all that
+    /// wear the look.
     fn at_this_moment<R>(&self, ask: impl FnOnce(&RigInputs<'_>) -> R) -> R {
         let scene = self.stage().map(crate::state::scene::OpenScene::scene);
         let place = |object: &Object| DVec3::from(object.transform.translate);
@@ -115,19 +116,19 @@ impl Session {
             near: &near,
             exposed: own.map_or(&no_values, |(_, object)| &object.values),
             lights: scene.map_or(&none, |scene| &scene.lights),
-            // What the picture's size says about wires is not asked for here.
+            // No wire is asked here that depends on the picture's size.
             viewport: [1.0; 2],
             frame: (self.view.time * scene.map_or(24.0, |scene| scene.time.fps)).round(),
             object_id: own.map_or(0.0, |(own, _)| place_of(scene, own)),
         })
     }
 
-    /// What was known of keys may be another now.
+    /// Marks the values of keys as out of date.
     pub(crate) fn forget_keys(&mut self) {
         self.keyed.stamp = None;
     }
 
-    /// What keys come to now.
+    /// Present values of keys.
     pub(crate) fn keyed_now(&self) -> &KeyedValues {
         &self.keyed.now
     }
@@ -137,12 +138,12 @@ impl Session {
         self.keyed.now.decided.get(set)
     }
 
-    /// How much each key of a set weighs now.
+    /// Present weight of each key of a set.
     pub fn key_weights(&self, set: usize) -> Vec<f64> {
         self.decided(set).map(|(_, weights)| weights.clone()).unwrap_or_default()
     }
 
-    /// An input of a node of the open graph, as keys name it.
+    /// Target of an input of a node of the open graph.
     pub(crate) fn target(&self, node: &NodeId, port: &PortName) -> Target {
         Target::Input { node: self.path_of(node), port: port.clone() }
     }
@@ -152,32 +153,32 @@ impl Session {
         self.reading().node_at(path)
     }
 
-    /// What is known of a target: its label, type, unit, range.
+    /// Port of a target: its label, type, unit, range.
     pub(crate) fn port_at(&self, target: &Target) -> Option<Port> {
         self.reading().port_at(target)
     }
 
-    /// What a target is called: what it belongs to, and what of it.
+    /// Display names of a target: of the node or light, and of the input or field.
     pub(crate) fn names_of(&self, target: &Target) -> [String; 2] {
         self.reading().names_of(target)
     }
 
-    /// What a light is called.
+    /// Display name of a light.
     pub(crate) fn light_name(&self, id: &LightId) -> String {
         self.reading().light_name(id)
     }
 
-    /// What a target has without keys.
+    /// Value of a target without keys.
     pub(crate) fn own_value(&self, target: &Target) -> Option<Value> {
         self.reading().own_value(target)
     }
 
-    /// What a target has now.
+    /// Present value of a target.
     pub(crate) fn value_now(&self, target: &Target) -> Option<Value> {
         self.keyed.now.values.get(target).cloned().or_else(|| self.own_value(target))
     }
 
-    /// What moves a target. Direction keys lie over those of time.
+    /// The keys that move a target. Direction keys lie over those of time.
     pub(crate) fn keyed_by(&self, target: &Target) -> KeyedBy {
         let look = self.look();
         let has_it =
@@ -191,7 +192,7 @@ impl Session {
         }
     }
 
-    /// What a hand on a target sets: the value of the key that is set there, or the document's own.
+    /// The value that a hand on a target sets: in the key that is set there, or the document's own.
     pub(crate) fn value_at(&self, target: &Target) -> Option<Value> {
         match self.keyed_by(target) {
             KeyedBy::Direction(set) => {
@@ -203,8 +204,8 @@ impl Session {
         }
     }
 
-    /// The direction that decides now, or the drivers' values, as the keys of a set by it would be
-    /// given.
+    /// The present direction, or the drivers' present values, in the form that keys of a set by
+    /// `by` have.
     pub(crate) fn direction_of(&self, by: &KeyDirection) -> DVec3 {
         match by {
             KeyDirection::View => from_center_to_eye(&self.view.orbit),
@@ -223,13 +224,13 @@ impl Session {
     }
 }
 
-/// Counts objects of a scene from 0.
+/// Index of an object in the scene, as a number; 0 without one.
 fn place_of(scene: Option<&Scene>, own: &ObjectId) -> f64 {
     let index = scene.and_then(|scene| scene.objects.get_index_of(own));
     index.unwrap_or_default() as f64
 }
 
-/// Toward a light from the object, in camera axes.
+/// Direction toward a light from the object, in camera axes.
 pub(crate) fn light_in_camera(light: &Light, view: &Orbit) -> DVec3 {
     let camera = camera_from_world(view);
     let resolved = crate::compile::LightValues::new(light, view.illumination, camera);
@@ -242,13 +243,13 @@ pub(crate) fn light_in_camera(light: &Light, view: &Orbit) -> DVec3 {
     camera * toward
 }
 
-/// From world to camera axes: x right, y up, z toward the viewer.
+/// Rotation from world to camera axes: x right, y up, z toward the viewer.
 pub(crate) fn camera_from_world(view: &Orbit) -> DMat3 {
     let (right, up) = view.right_and_up();
     DMat3::from_cols(right, up, view.direction()).transpose()
 }
 
-/// From the object's centre to the eye, in world space.
+/// Direction from the object's center to the eye, in world space.
 fn from_center_to_eye(view: &Orbit) -> DVec3 {
     eye_of(view).try_normalize().unwrap_or_else(|| view.direction())
 }
@@ -257,26 +258,26 @@ fn eye_of(view: &Orbit) -> DVec3 {
     view.target + view.direction() * view.distance
 }
 
-/// A direction as files have it: four decimals are less than a hundredth of a degree.
+/// A direction in the precision of files: four decimals are less than a hundredth of a degree.
 pub(crate) fn rounded(direction: DVec3) -> [f64; 3] {
     direction.to_array().map(|x| (x * 1e4).round() / 1e4)
 }
 
-/// Whether direction keys can blend values of a type.
+/// True if direction keys can blend values of a type.
 pub(crate) fn has_between(ty: &Type) -> bool {
     use Type::{Angle, Color, Composite, Float, Int, Vec2, Vec3, Vec4};
     matches!(ty, Float | Int | Angle | Vec2 | Vec3 | Vec4 | Color | Composite)
 }
 
-/// Whether values of a type can change with time.
+/// True if values of a type can change with time.
 pub(crate) fn changes_in_time(ty: &Type) -> bool {
     has_between(ty) || matches!(ty, Type::Bool | Type::Choice | Type::Curve | Type::Ramp)
 }
 
-/// A field of a light as if it were a port.
+/// A light's field as a port.
 pub(crate) fn field_port(field: LightField) -> Port {
     let range = field.range();
-    // What bounds lengths and factors in files is no end of a slider.
+    // Bounds of lengths and factors in files are no end of a slider.
     let max = range.filter(|_| !field.unit().is_empty()).map(|[_, max]| max);
     Port {
         label: field.label().into(),
@@ -288,7 +289,7 @@ pub(crate) fn field_port(field: LightField) -> Port {
     }
 }
 
-/// The targets that the keys of a set change, each once, in the order in which they first come.
+/// Targets that the keys of a set change, each once, in the order in which they first come.
 pub(crate) fn targets_of(keys: &DirectionKeys) -> Vec<Target> {
     let mut seen = HashMap::new();
     let all = keys.keys.iter().flat_map(|key| key.values.keys());

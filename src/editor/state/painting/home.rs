@@ -1,4 +1,4 @@
-//! The look that a painting was seen in last, for the way back from other looks.
+//! The look that a painting was last seen in, for the way back from other looks.
 
 use std::path::PathBuf;
 
@@ -6,20 +6,20 @@ use crate::document::Look;
 use crate::state::orbit::Orbit;
 use crate::state::revision::DocumentNumber;
 
-/// A look that showed what is painted, as it was when another one was opened.
+/// A look that showed the painting, in its state when another look was opened.
 #[derive(Clone, Debug)]
 pub(crate) struct Home {
-    /// Which document it was.
+    /// Number of the look's document.
     pub(crate) document: DocumentNumber,
-    /// Its file, or that of the scene around it.
+    /// File of the look, or of the scene around it.
     pub(crate) path: Option<PathBuf>,
     pub(crate) look: Look,
-    /// Where it was seen from, and on what.
+    /// View of the look, and the mesh that it was seen on.
     pub(crate) view: Orbit,
 }
 
 impl Home {
-    /// What people call it.
+    /// Display name of the look.
     pub(crate) fn name(&self) -> String {
         match self.path.as_ref().and_then(|path| path.file_name()) {
             Some(name) => name.to_string_lossy().into_owned(),

@@ -1,4 +1,4 @@
-//! What keeps painting that is not saved: its journal, as looks and scenes have theirs.
+//! Journal of unsaved painting, as looks and scenes have theirs.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -10,17 +10,18 @@ use crate::diag::Diagnostic;
 use crate::document::Hcbtf;
 use crate::files::journal::{About, Recovered, Slot};
 
-/// What a journal calls the file as it was when it was read or written last.
+/// Member of a journal for the stamp of the file when it was last read or written.
 const FILE: &str = "file";
 
 impl OpenPainting {
-    /// The one that a journal gave; the journal goes on where it is, once it is kept in a folder.
+    /// The painting that a journal gave; the journal goes on in its slot, once it is kept in a
+    /// folder.
     pub(crate) fn taken_back(found: Recovered<Hcbtf>) -> Self {
         let mut work = Self::of_history(found.history, found.about.path.map(PathBuf::from));
         if work.path().is_none() {
             work.set_title(&found.about.name);
         }
-        // What others did to the file since is noticed as if the window had stayed open.
+        // Changes that others made to the file since are noticed as if the window had stayed open.
         if let Some(stamp) = found.about.window.get(FILE).and_then(FileStamp::of_json) {
             work.document.file = Some(stamp);
         }
@@ -28,8 +29,9 @@ impl OpenPainting {
         work
     }
 
-    /// Keeps a journal in a folder from now on, in `slot` if it was taken back from there. `wake`
-    /// is called from another thread when that fails, or works again.
+    /// Keeps a journal in a folder from now on, in `slot` if the painting was taken back from
+    /// there. `wake` is called from another thread when the journal cannot be written, or can
+    /// again.
     pub(crate) fn keep_in(
         &mut self,
         folder: &Path,
@@ -42,7 +44,8 @@ impl OpenPainting {
         }
     }
 
-    /// Hands what was done to the journal; a gesture that goes on may wait for a moment there.
+    /// Hands the edits since the last call to the journal; a gesture that goes on may wait for a
+    /// moment there.
     pub(crate) fn commit(&mut self, goes_on: bool) {
         if self.document.commit(goes_on) {
             self.begin_journal(None);
@@ -70,31 +73,31 @@ impl OpenPainting {
         }
     }
 
-    /// After a save the journal begins anew: with the same past, and nothing unsaved.
+    /// Begins the journal anew after a save: with the same past, and nothing unsaved.
     pub(crate) fn saved(&mut self) {
         if self.document.saved() {
             self.begin_journal(None);
         }
     }
 
-    /// Lets go of the journal: it stays if anything in it is not saved.
+    /// Closes the journal, whose file stays if any change in it is not saved.
     pub(crate) fn leave_journal(&mut self, in_peace: bool) {
         self.commit(false);
         self.document.leave_journal(false, in_peace);
     }
 
-    /// Whether closing it would lose nothing, once all is handed over.
+    /// True if closing the painting would lose no work, once all edits are handed over.
     pub(crate) fn keeps_work(&mut self) -> bool {
         self.commit(false);
         self.document.journal.keeps()
     }
 
-    /// Why unsaved work is not kept, if it should be and is not.
+    /// The reason why unsaved work is not kept, if it should be and is not.
     pub(crate) fn keeping_problem(&self) -> Option<Diagnostic> {
         self.document.journal.problem()
     }
 
-    /// Waits until the system has all that was handed over.
+    /// Waits until the system has all the edits that were handed over.
     pub(crate) fn wait_for_journal(&self) {
         self.document.journal.wait();
     }

@@ -16,12 +16,12 @@ use crate::state::orbit::{Orbit, PLANE};
 use crate::state::scene::{folder_of, real};
 use crate::state::session::Session;
 
-/// The default look on an HCBTF of this name, and of tiles of so many texels, which keep their
-/// shape in it.
+/// Text of the default look on an HCBTF named `name`, whose tiles have `size` texels and keep their
+/// shape in the look.
 pub(crate) fn default_look(sheet: &str, name: &str, size: [u32; 2]) -> String {
     let [width, height] = size.map(|side| f64::from(side.max(1)));
     let shorter = width.min(height);
-    // How often the tile lies along the square, twice along its longer side.
+    // Number of tiles along each side of the square, two along a tile's longer side.
     let scale = [2.0 * height / shorter, 2.0 * width / shorter];
     let look = json!({
         "name": name,
@@ -49,8 +49,8 @@ pub(crate) fn default_look(sheet: &str, name: &str, size: [u32; 2]) -> String {
     serde_json::to_string_pretty(&look).unwrap_or_default()
 }
 
-/// The picture's camera and light turned to the sample at work, over a flat square that lies; none
-/// of a scene, which has its own objects.
+/// The picture's view with camera and light turned to the sample at work, over a flat square that
+/// lies; `None` in a scene, which has its own objects.
 pub(crate) fn from_here(session: &Session, work: &OpenPainting) -> Option<Orbit> {
     let mut view = session.view.orbit.clone();
     let (_, light) = session.look().lights.first().filter(|_| session.stage().is_none())?;
@@ -69,12 +69,12 @@ pub(crate) fn from_here(session: &Session, work: &OpenPainting) -> Option<Orbit>
     Some(view)
 }
 
-/// Whether the picture shows a flat square that lies.
+/// True if the picture shows a flat square that lies.
 pub(crate) fn lies_flat(view: &Orbit) -> bool {
     view.mesh == PLANE && view.z_is_up
 }
 
-/// Whether what is open shows what is painted: the look, or of a scene any.
+/// True if the open look, or any look of the open scene, shows the painting.
 pub(crate) fn shows(session: &Session) -> bool {
     let Some(work) = session.painting() else { return false };
     let path = work.path().unwrap_or(Path::new(UNSAVED_HCBTF));
@@ -86,7 +86,7 @@ pub(crate) fn shows(session: &Session) -> bool {
         || session.stage().is_some_and(|stage| stage.other_looks().any(names_it))
 }
 
-/// Whether another look, of a file or of none, shows what is painted.
+/// True if `look`, of the file `path` or of none, shows the painting.
 pub(crate) fn shows_in(session: &Session, look: &Look, path: Option<&Path>) -> bool {
     let Some(work) = session.painting() else { return false };
     let names = sheets(look, &session.project.catalog);
@@ -99,14 +99,14 @@ pub(crate) fn shows_in(session: &Session, look: &Look, path: Option<&Path>) -> b
     }
 }
 
-/// The HCBTFs that a look names, wherever in it.
+/// Names of the HCBTFs that a look uses, its groups included.
 pub(crate) fn sheets(look: &Look, catalog: &Catalog) -> Vec<String> {
     let mut found = Vec::new();
     each_sheet(look, catalog, |_, _, _, name| found.push(name.to_owned()));
     found
 }
 
-/// Edits that let a look name another HCBTF where it names this one.
+/// Edits by which a look names the HCBTF `to` wherever it names `from`.
 pub(crate) fn rename(look: &Look, catalog: &Catalog, from: &str, to: &str) -> Vec<Edit> {
     let mut edits = Vec::new();
     each_sheet(look, catalog, |graph, id, port, name| {
@@ -124,12 +124,11 @@ pub(crate) fn rename(look: &Look, catalog: &Catalog, from: &str, to: &str) -> Ve
     edits
 }
 
-/// Lets an edit of the past name another HCBTF where it names this one.
+/// Rewrites an edit of the past so that it names the HCBTF `to` wherever it names `from`.
 pub(crate) fn rename_in(edit: &mut Edit, from: &str, to: &str) {
     let quoted = |name: &str| serde_json::to_string(name).unwrap_or_default();
     let text = serde_json::to_string(edit).unwrap_or_default();
-    // Within longer texts quotes are escaped: what is found is a name from its beginning to its
-    // end.
+    // Quotes within longer texts are escaped: a match is a whole name.
     let from = quoted(from);
     if text.contains(&from)
         && let Ok(renamed) = serde_json::from_str(&text.replace(&from, &quoted(to)))
@@ -138,6 +137,7 @@ pub(crate) fn rename_in(edit: &mut Edit, from: &str, to: &str) {
     }
 }
 
+/// Calls `tell` for every HCBTF input that has a name: with graph, node, input and name.
 fn each_sheet(
     look: &Look,
     catalog: &Catalog,

@@ -1,5 +1,5 @@
 //! The HCBTF that is being painted: the document with its past and its file, the sample at work,
-//! and what the rules make of the rest.
+//! and the samples that the rules fill.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -17,42 +17,42 @@ use crate::hcbtf::{self, FilledSamples, Provenance};
 use crate::state::document::{FileDocument, OnDisk, OpenDocument};
 use crate::state::paths::absolute;
 
-/// A new one is filled from the first stroke on: what is painted is blended over all lights and
-/// views.
+/// Sharpness of the blend of a new HCBTF, which is filled from the first stroke on: painted samples
+/// are blended over all lights and views.
 const FIRST_SHARPNESS: f64 = 4.0;
 
-/// With more texels in all samples than these, the rules run once a stroke is done, and not while
-/// it goes on.
+/// Largest number of texels in all samples for which the rules run while a stroke goes on, and not
+/// only after it.
 const MOST_LIVE: u64 = 1 << 22;
 
-/// What one is called that is new.
+/// Display name of a new HCBTF.
 const NEW: &str = "New HCBTF";
-/// What is added to the name of an example, for a copy of it.
+/// Suffix to the name of an example, for a copy of it.
 const COPY: &str = " (copy of the example)";
 
-/// The color that a sample is marked with, and how much of it there is.
+/// Color that a sample is marked with, and its share in the marked sample.
 const MARK: [f64; 3] = [255.0, 0.0, 190.0];
 const MARKED: f64 = 0.6;
 
-/// Numbers of what is shown, each of something else.
+/// Counter of versions and document numbers: every number is given once.
 static VERSIONS: AtomicU64 = AtomicU64::new(1);
 
 fn next_version() -> u64 {
     VERSIONS.fetch_add(1, Ordering::Relaxed)
 }
 
-/// How a sample came about, as the map tells it.
+/// Origin of a sample, as the map shows it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum State {
-    /// Somebody painted it.
+    /// Painted by hand.
     Painted,
-    /// This rule filled it.
+    /// Filled by the rule of this index.
     Filled(usize),
-    /// Nothing is there.
+    /// Neither painted nor filled.
     Empty,
 }
 
-/// When a file was written, and how long it was.
+/// Time of a file's last change, and its length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct FileStamp {
     modified: SystemTime,
@@ -60,13 +60,13 @@ pub(crate) struct FileStamp {
 }
 
 impl FileStamp {
-    /// Of the file there is now.
+    /// Stamp of a file at present.
     fn of(path: &Path) -> Option<Self> {
         let data = std::fs::metadata(path).ok()?;
         Some(Self { modified: data.modified().ok()?, bytes: data.len() })
     }
 
-    /// For a journal: nanoseconds since 1970, and bytes.
+    /// Stamp for a journal: nanoseconds since 1970, and bytes.
     pub(crate) fn to_json(self) -> Option<Json> {
         let since = self.modified.duration_since(SystemTime::UNIX_EPOCH).ok()?;
         Some(json!({ "modified": u64::try_from(since.as_nanos()).ok()?, "bytes": self.bytes }))
@@ -99,28 +99,28 @@ impl FileDocument for Hcbtf {
 /// An HCBTF that is being painted.
 pub struct OpenPainting {
     pub(crate) document: OpenDocument<Hcbtf>,
-    /// What it is called while it has no file; empty for a new one.
+    /// Display name while there is no file; empty for a new HCBTF.
     title: String,
-    /// The example that it is a copy of.
+    /// Example that this HCBTF is a copy of.
     example: Option<PathBuf>,
-    /// The look that it was seen in, once another one was opened.
+    /// The look that the HCBTF was seen in, once another look was opened.
     home: Option<Home>,
     /// The sample at work.
     at: Address,
-    /// The one that was at work before.
+    /// The sample that was at work before.
     before: Address,
-    /// The stroke that goes on: its sample as it looks now.
+    /// The stroke that goes on: its sample as shown now.
     live: Option<(Address, Arc<Tile>)>,
-    /// Everything as it is shown, the stroke that goes on included.
+    /// The HCBTF as shown, the stroke that goes on included.
     shown: Arc<Hcbtf>,
     filled: Option<Arc<FilledSamples>>,
-    /// What the rules made of one sample, ahead of the rest.
+    /// Tile that the rules made of one sample, ahead of the rest.
     ahead: Option<(Address, Arc<Tile>)>,
     /// The sample that shaders see marked.
     marked: Option<Address>,
-    /// Another number is another picture.
+    /// Version of the picture: changes whenever shaders see something else.
     version: u64,
-    /// Another number is another document.
+    /// Number of the document, different for each one opened.
     number: u64,
 }
 
@@ -150,15 +150,14 @@ impl OpenPainting {
         }
     }
 
-    /// One that nothing is painted of. What will be painted is blended over all directions, until
-    /// its rules are changed.
+    /// A new HCBTF without painted samples. Its rules blend painted samples over all directions,
+    /// until they are changed.
     pub(crate) fn new(grid: Grid) -> Self {
         let rules = vec![Rule::Blend { sharpness: FIRST_SHARPNESS }];
         Self::with(Hcbtf { rules, ..Hcbtf::new(grid) }, None)
     }
 
-    /// One that pictures of other programs were made into, with what was odd about them; no file
-    /// holds it.
+    /// An HCBTF made from pictures of other programs, with warnings about them; no file holds it.
     pub(crate) fn imported(hcbtf: Hcbtf, notes: Vec<Diagnostic>) -> Self {
         let mut work = Self::with(hcbtf, None);
         work.document.history.mark_unsaved();
@@ -166,10 +165,10 @@ impl OpenPainting {
         work
     }
 
-    /// The one in a file; of an example, a copy that no file holds.
+    /// The HCBTF in a file; of an example, a copy that no file holds.
     ///
     /// # Errors
-    /// Everything that keeps the file from being used.
+    /// Problems that keep the file from being used.
     pub(crate) fn open(path: &Path) -> Result<Self, Vec<Diagnostic>> {
         let (hcbtf, notes) = hcbtf::load(path)?.into_parts();
         if crate::examples::file(path).is_some() {
@@ -184,10 +183,10 @@ impl OpenPainting {
         Ok(work)
     }
 
-    /// Saves to a file, which is its own from then on.
+    /// Saves to a file, which is the HCBTF's own from then on.
     ///
     /// # Errors
-    /// A diagnostic that says why not; the old file is then as it was.
+    /// A diagnostic with the reason; the old file is then unchanged.
     pub(crate) fn save_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
         let path = absolute(path);
         self.document.check_saving(&path)?;
@@ -201,19 +200,19 @@ impl OpenPainting {
         Ok(())
     }
 
-    /// Compares the file with what it was when it was read or written last.
+    /// Compares the file with its state when it was last read or written.
     pub(crate) fn on_disk(&self) -> OnDisk<()> {
         self.document.on_disk()
     }
 
-    /// Takes what another program made of the file, as one step that can be undone. `now` is when.
-    /// Returns whether anything is another now.
+    /// Takes another program's version of the file, as one step that can be undone. `now` is the
+    /// time of the step. Returns true if the HCBTF changed.
     ///
     /// # Errors
-    /// What keeps the file from being read; everything stays as it is then.
+    /// Problems that keep the file from being read; nothing is changed then.
     pub(crate) fn reload(&mut self, now: u64) -> Result<bool, Vec<Diagnostic>> {
         let Some(path) = self.document.path.clone() else { return Ok(false) };
-        // Taken before it is read: what comes in between is noticed the next time.
+        // The stamp is taken before reading: a change in between is noticed the next time.
         let read = FileStamp::of(&path);
         let (hcbtf, notes) = hcbtf::load(&path)?.into_parts();
         let is_other = hcbtf != *self.hcbtf();
@@ -228,29 +227,29 @@ impl OpenPainting {
         Ok(is_other)
     }
 
-    /// Lets saving write over what another program made of the file, or write it again where it is
-    /// gone.
+    /// Lets saving write over another program's version of the file, or write the file again where
+    /// it is gone.
     pub(crate) fn keep_mine(&mut self) {
         self.document.file = self.document.path.as_deref().and_then(FileStamp::of);
         self.note_file();
     }
 
-    /// The document as it is, without a stroke that goes on.
+    /// The document, without a stroke that goes on.
     pub fn hcbtf(&self) -> &Hcbtf {
         self.document.history.document()
     }
 
-    /// How finely it is divided.
+    /// Grid of the HCBTF: its division into lights, views and texels.
     pub(crate) fn grid(&self) -> &Grid {
         &self.document.history.document().grid
     }
 
-    /// The file, once there is one.
+    /// File of the HCBTF, once there is one.
     pub fn path(&self) -> Option<&Path> {
         self.document.path.as_deref()
     }
 
-    /// What people call it.
+    /// Display name of the HCBTF.
     pub(crate) fn name(&self) -> String {
         match self.document.path.as_ref().and_then(|path| path.file_name()) {
             Some(name) => name.to_string_lossy().into_owned(),
@@ -259,43 +258,43 @@ impl OpenPainting {
         }
     }
 
-    /// Goes by a name while it has no file.
+    /// Sets the display name for as long as there is no file.
     pub(crate) fn set_title(&mut self, title: &str) {
         self.title = if title == NEW { String::new() } else { title.to_owned() };
     }
 
-    /// The example that it is a copy of, as long as it has no file.
+    /// Example that this HCBTF is a copy of, as long as it has no file.
     pub(crate) fn example(&self) -> Option<&Path> {
         self.example.as_deref().filter(|_| self.document.path.is_none())
     }
 
-    /// The look that it was seen in before another one was opened.
+    /// The look that the HCBTF was seen in before another look was opened.
     pub(crate) fn home(&self) -> Option<&Home> {
         self.home.as_ref()
     }
 
-    /// The same, to be named otherwise.
+    /// The look of `home`, to rename HCBTFs in.
     pub(crate) fn home_mut(&mut self) -> Option<&mut Home> {
         self.home.as_mut()
     }
 
-    /// Remembers the look that it is seen in.
+    /// Remembers the look that the HCBTF is seen in.
     pub(crate) fn set_home(&mut self, home: Home) {
         self.home = Some(home);
     }
 
-    /// What its file is to be called, if nobody says otherwise.
+    /// Default name of the file to save to.
     pub(crate) fn suggested(&self) -> String {
         let name = self.title.strip_suffix(COPY).unwrap_or(&self.title);
         format!("{}.hcbtf", if name.is_empty() { "surface" } else { name })
     }
 
-    /// Whether there are changes that no file holds.
+    /// True if there are changes that no file holds.
     pub fn is_dirty(&self) -> bool {
         self.document.is_dirty()
     }
 
-    /// Lets unsaved changes go: they are no longer asked about.
+    /// Gives up unsaved changes: they are no longer asked about.
     pub(crate) fn give_up_changes(&mut self) {
         self.document.history.mark_saved();
     }
@@ -314,7 +313,7 @@ impl OpenPainting {
         self.before
     }
 
-    /// Works at another sample.
+    /// Moves on to work at another sample.
     pub fn go_to(&mut self, address: Address) {
         let address = address.canonical();
         if address != self.at && self.grid().contains(address) {
@@ -322,7 +321,7 @@ impl OpenPainting {
         }
     }
 
-    /// The tile of a sample as it is shown: painted, being painted, or filled.
+    /// The tile of a sample as shown: painted, being painted, or filled.
     pub(crate) fn tile(&self, address: Address) -> Option<&Arc<Tile>> {
         let filled =
             || self.filled.as_ref().filter(|_| self.state(address) != State::Empty)?.tile(address);
@@ -332,7 +331,8 @@ impl OpenPainting {
         self.shown.painted(address).or_else(ahead).or_else(filled)
     }
 
-    /// A sample as it is shown with this stroke, or none, in place of the one that goes on.
+    /// The tile of a sample as shown with `stroke`, or with none, in place of the stroke that goes
+    /// on.
     pub(crate) fn tile_with<'t>(
         &'t self,
         stroke: Option<&'t (Address, Arc<Tile>)>,
@@ -348,7 +348,7 @@ impl OpenPainting {
         stroke.or_else(|| self.hcbtf().painted(address)).or_else(ahead).or_else(filled)
     }
 
-    /// Everything as it is shown with this stroke, or none, in place of the one that goes on.
+    /// The HCBTF as shown with `stroke`, or with none, in place of the stroke that goes on.
     pub(crate) fn hcbtf_with(&self, stroke: Option<&(Address, Arc<Tile>)>) -> Hcbtf {
         let mut hcbtf = self.hcbtf().clone();
         if let Some((address, tile)) = stroke {
@@ -357,7 +357,7 @@ impl OpenPainting {
         hcbtf
     }
 
-    /// How a sample came about.
+    /// Origin of a sample.
     pub(crate) fn state(&self, address: Address) -> State {
         if self.shown.painted(address).is_some() {
             return State::Painted;
@@ -368,39 +368,39 @@ impl OpenPainting {
         }
     }
 
-    /// What the rules made of the rest, as far as that is known.
+    /// The samples that the rules filled, as far as they are known.
     pub(crate) fn filled(&self) -> Option<&Arc<FilledSamples>> {
         self.filled.as_ref()
     }
 
-    /// Everything as it is shown, for who fills it.
+    /// The HCBTF as shown, for the thread that fills it.
     pub(crate) fn shown(&self) -> &Arc<Hcbtf> {
         &self.shown
     }
 
-    /// Takes what the rules made.
+    /// Takes the samples that the rules filled.
     pub(crate) fn set_filled(&mut self, filled: Arc<FilledSamples>) {
         (self.filled, self.ahead) = (Some(filled), None);
         self.version = next_version();
     }
 
-    /// Takes what the rules made of one sample, until they have made the rest.
+    /// Takes the tile that the rules made of one sample, until they have made the rest.
     pub(crate) fn set_ahead(&mut self, address: Address, tile: Arc<Tile>) {
         self.ahead = Some((address, tile));
         self.version = next_version();
     }
 
-    /// Another number is another picture.
+    /// Version of the picture: changes whenever shaders see something else.
     pub(crate) fn version(&self) -> u64 {
         self.version
     }
 
-    /// Another number is another document.
+    /// Number of the document, different for each one opened.
     pub(crate) fn number(&self) -> u64 {
         self.number
     }
 
-    /// What shaders see in place of the file.
+    /// The HCBTF that shaders see in place of the file.
     pub(crate) fn overlay(&self) -> Overlay {
         let mut hcbtf = self.shown.clone();
         if let Some(address) = self.marked.filter(|address| self.grid().contains(*address)) {
@@ -417,7 +417,7 @@ impl OpenPainting {
         }
     }
 
-    /// Marks a sample for shaders, or none. Returns whether they see another one now.
+    /// Marks a sample for shaders, or none. Returns true if the marked sample changed.
     pub(crate) fn set_marked(&mut self, marked: Option<Address>) -> bool {
         let is_other = self.marked != marked;
         if is_other {
@@ -427,12 +427,12 @@ impl OpenPainting {
         is_other
     }
 
-    /// Whether a stroke goes on.
+    /// True while a stroke goes on.
     pub(crate) fn is_live(&self) -> bool {
         self.live.is_some()
     }
 
-    /// Whether the rules wait until the stroke that goes on is done: they would take all cores from
+    /// True if the rules wait until the stroke that goes on is done: they would take all cores from
     /// it.
     pub(crate) fn rules_wait(&self) -> bool {
         let texels = self.grid().sample_count() * self.grid().texels() as u64;
@@ -459,13 +459,13 @@ impl OpenPainting {
         self.version = next_version();
     }
 
-    /// Breaks a gesture, so that whatever comes next is a step of its own.
+    /// Ends a gesture, so that the next change is a step of its own.
     pub(crate) fn end_gesture(&mut self) {
         self.document.end_gesture();
     }
 
-    /// Applies a change. With a `hand`, consecutive changes by it are one step. `now` is when.
-    /// Returns whether anything is another now.
+    /// Applies a change. Consecutive changes by the same `hand` are one step. `now` is the time of
+    /// the step. Returns true if the HCBTF changed.
     ///
     /// # Errors
     /// A diagnostic where the change is impossible; nothing is changed then.
@@ -498,7 +498,7 @@ impl OpenPainting {
     }
 }
 
-/// A tile that is plainly marked, and in which what is painted can still be told.
+/// A tile that is plainly marked, and whose painting can still be told.
 fn tinted(mut tile: Tile) -> Tile {
     for texel in tile.bytes_mut().as_chunks_mut::<4>().0 {
         let [r, g, b, a] = *texel;

@@ -1,12 +1,12 @@
-//! What was being read, compiled or drawn when a program ended without saying goodbye: the next one
-//! does not do that again by itself, and starts.
+//! Record of the document that was being read, compiled or drawn when a program crashed: the next
+//! window does not repeat that step by itself, and starts.
 //!
 //! Every running window has a file in the user's state folder. Before a document is read, compiled
-//! or drawn for the first time a line in the file says so, and another one after it; a file that
-//! says nothing is empty. The file is locked, and the lock is the system's own: it ends with the
-//! program, however that ends. So what a file without a lock has begun and not ended was
-//! interrupted. Nothing is forced onto the disk: only the program ends in a crash of its own, not
-//! the system.
+//! or drawn for the first time a line in the file says so, and another line after the step; a file
+//! without steps under way is empty. The file is locked, and the lock is the system's own: it ends
+//! with the program, however that ends. So a step that was begun and not ended, in a file without a
+//! lock, was interrupted. Nothing is forced onto the disk: only the program ends in a crash of its
+//! own, not the system.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
@@ -23,26 +23,26 @@ use crate::files::write_atomic;
 use crate::state::paths::absolute;
 
 const ENDING: &str = "running";
-/// As much of a file is read.
+/// Largest number of bytes read of a file.
 const MOST_BYTES: u64 = 1 << 20;
-/// An empty file that nobody holds may have been made just now, by a window that is about to lock
-/// it; after so long it was not.
+/// Age from which an empty file that nobody holds may be removed; a younger file may belong to a
+/// window that is about to lock it.
 const OLD: Duration = Duration::from_secs(60 * 60);
 
-/// What is done to a document. What comes later needs what comes before.
+/// Step of work on a document, in order: a later step needs the earlier ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Step {
-    /// Its file is read.
+    /// Reading the document's file.
     Read,
-    /// Its shader is made.
+    /// Compiling its shader.
     Compile,
-    /// Its picture is drawn, which makes drivers compile the shader, too.
+    /// Drawing its picture, which makes drivers compile the shader, too.
     Draw,
 }
 
 impl Step {
-    /// As in "Chiaro ended while drawing it".
+    /// Participle of the step, as in "Chiaro ended while drawing it".
     pub(crate) fn doing(self) -> &'static str {
         match self {
             Self::Read => "reading",
@@ -52,10 +52,10 @@ impl Step {
     }
 }
 
-/// Which document: by its file, or by what it says where it has none.
+/// Identity of a document: its file, or a hash of its content where it has none.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct DocumentOrigin {
-    /// What people call it.
+    /// Display name of the document.
     pub(crate) name: String,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     path: Option<PathBuf>,
@@ -69,7 +69,7 @@ impl DocumentOrigin {
         Self { name, path: Some(absolute(path)), content: None }
     }
 
-    /// A document in a file, or else one in which `look` is open.
+    /// The document in a file, or else the one in which `look` is open.
     pub(crate) fn new(name: &str, path: Option<&Path>, look: &Look) -> Self {
         match path {
             Some(path) => Self { name: name.to_owned(), ..Self::of_file(path) },
@@ -89,7 +89,7 @@ impl DocumentOrigin {
         }
     }
 
-    /// Its file as it is now: a changed one is another one.
+    /// Size and time of the document's file at present: a changed file counts as another document.
     fn stamp(&self) -> Option<[u64; 2]> {
         let data = fs::metadata(self.path.as_ref()?).ok()?;
         let modified = data.modified().ok()?.duration_since(UNIX_EPOCH).unwrap_or_default();
@@ -97,7 +97,7 @@ impl DocumentOrigin {
     }
 }
 
-/// A line of a file.
+/// A line of a window's file.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 enum Line {
@@ -105,7 +105,7 @@ enum Line {
         number: u64,
         step: Step,
         document: DocumentOrigin,
-        /// The file's size and time.
+        /// Size of the document's file, and time of its last change.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         stamp: Option<[u64; 2]>,
     },
@@ -120,38 +120,38 @@ impl Line {
     }
 }
 
-/// A document that a program was at when it ended.
+/// A document with the step under way when a program ended.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Suspect {
     pub(crate) document: DocumentOrigin,
     pub(crate) step: Step,
     stamp: Option<[u64; 2]>,
-    /// The file that says so.
+    /// File of the window that ended.
     told_by: PathBuf,
 }
 
 impl Suspect {
-    /// Whether its file is what it was. Whoever changed it may have mended it.
+    /// True if the document's file is unchanged. Whoever changed it may have mended it.
     fn is_unchanged(&self) -> bool {
         self.document.path.is_none() || self.stamp.is_none() || self.document.stamp() == self.stamp
     }
 }
 
-/// What a window is at, and what others were at when they ended. Clones are the same one.
+/// Log of this window's steps, and the interrupted steps of others. Clones share one log.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct CrashLog(Arc<Mutex<State>>);
 
 #[derive(Debug, Default)]
 struct State {
-    /// `None` while nothing is kept.
+    /// Folder of the files; `None` while nothing is kept.
     folder: Option<PathBuf>,
-    /// This window's own file, once something was begun.
+    /// File of this window, once a step was begun.
     own: Option<(PathBuf, File)>,
-    /// How much was begun, and how much of that goes on.
+    /// Number of steps that were begun, and of those that go on.
     begun: u64,
     going: usize,
     suspects: Vec<Suspect>,
-    /// How often `suspects` have changed.
+    /// Number of changes of `suspects`.
     changes: u64,
 }
 
@@ -160,7 +160,8 @@ impl CrashLog {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Keeps its file in `folder` from now on, and learns what was interrupted there.
+    /// Keeps this window's file in `folder` from now on, and reads which steps were interrupted
+    /// there.
     pub(crate) fn keep_in(&self, folder: &Path) {
         let suspects = interrupted(folder);
         let mut state = self.lock();
@@ -169,10 +170,10 @@ impl CrashLog {
         state.changes += 1;
     }
 
-    /// Says that something is begun with a document, until what is returned is dropped.
+    /// Notes that a step of work on a document goes on until the returned mark is dropped.
     pub(crate) fn begin(&self, step: Step, document: impl FnOnce() -> DocumentOrigin) -> CrashMark {
         let is_kept = self.lock().folder.is_some();
-        // Found out without the lock: it takes a moment.
+        // Computed without holding the lock: hashing or asking for the file takes a moment.
         let begun = is_kept.then(document).map(|document| (document.stamp(), document));
         let mut state = self.lock();
         let number = begun.and_then(|(stamp, document)| {
@@ -186,7 +187,8 @@ impl CrashLog {
         CrashMark { log: self.clone(), number }
     }
 
-    /// The window is closed in peace: whatever goes on is of no interest.
+    /// Removes the file of a window that closes in peace: steps that still go on are of no
+    /// interest.
     pub(crate) fn close(&self) {
         let mut state = self.lock();
         state.folder = None;
@@ -196,30 +198,29 @@ impl CrashLog {
         }
     }
 
-    /// Grows whenever another document is suspected, or one is not any more.
+    /// Number of changes of the suspects: grows when a document is suspected, or no longer is.
     pub(crate) fn changes(&self) -> u64 {
         self.lock().changes
     }
 
-    /// Whether anything was interrupted.
+    /// True if any step was interrupted.
     pub(crate) fn is_any(&self) -> bool {
         !self.lock().suspects.is_empty()
     }
 
-    /// What was interrupted of a document, of several the earliest step; nothing if its file was
-    /// changed since.
+    /// The earliest interrupted step of a document; `None` if its file was changed since.
     pub(crate) fn suspect(&self, document: &DocumentOrigin) -> Option<Suspect> {
         let state = self.lock();
         let found = state.suspects.iter().filter(|suspect| suspect.document.is(document));
         found.filter(|suspect| suspect.is_unchanged()).min_by_key(|suspect| suspect.step).cloned()
     }
 
-    /// The same of the document in a file.
+    /// The earliest interrupted step of the document in a file.
     pub(crate) fn suspect_in(&self, path: &Path) -> Option<Suspect> {
         if self.is_any() { self.suspect(&DocumentOrigin::of_file(path)) } else { None }
     }
 
-    /// A document is trusted again, by this window and by those that start later.
+    /// Trusts a document again, in this window and in those that start later.
     pub(crate) fn trust(&self, document: &DocumentOrigin) {
         let mut state = self.lock();
         let (gone, left): (Vec<Suspect>, Vec<Suspect>) = std::mem::take(&mut state.suspects)
@@ -234,7 +235,7 @@ impl CrashLog {
                 Line::Begin { number, step, document, stamp }.to_text()
             });
             let text: String = lines.collect();
-            // What cannot be written is asked about once more.
+            // A failure to write only means that the user is asked once more.
             if text.is_empty() {
                 let _ = fs::remove_file(told_by);
             } else {
@@ -245,7 +246,7 @@ impl CrashLog {
 }
 
 impl State {
-    /// This window's own file, made where there is none yet. Where that fails, nothing is kept: the
+    /// File of this window, created at the first call. Where that fails, nothing is kept: the
     /// window works without.
     fn own(&mut self) -> Option<&mut File> {
         let folder = self.folder.as_ref()?;
@@ -261,8 +262,9 @@ impl State {
                 .tempfile_in(folder)
                 .ok()?;
             let (file, path) = file.keep().ok()?;
-            // A window that just looks whether somebody holds it lets go at once. Where there are
-            // no locks, another window takes what this one is at for interrupted, and asks.
+            // A window that only checks whether the file is held releases its lock at once. Where
+            // there are no locks, another window takes the steps of this one for interrupted, and
+            // asks.
             let _ = file.lock();
             self.own = Some((path, file));
         }
@@ -274,7 +276,7 @@ impl State {
         let is_last = self.going == 0;
         let Some((_, file)) = &mut self.own else { return };
         let _ = match is_last {
-            // The file is opened to append: what comes next is at its beginning.
+            // The file is opened to append: the next line goes to its beginning.
             true => file.set_len(0),
             false => file.write_all(Line::End { number }.to_text().as_bytes()),
         };
@@ -291,8 +293,7 @@ impl Drop for State {
     }
 }
 
-/// Something that goes on with a document, until it is dropped; in a thread that panics it never
-/// ends.
+/// A step that goes on until the mark is dropped; in a thread that panics the step never ends.
 #[derive(Debug)]
 #[must_use = "dropped, it says that what was begun has ended"]
 pub(crate) struct CrashMark {
@@ -308,7 +309,7 @@ impl Drop for CrashMark {
     }
 }
 
-/// What the programs were at that are gone.
+/// The interrupted steps of programs that have ended.
 fn interrupted(folder: &Path) -> Vec<Suspect> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
     let mut suspects = Vec::new();
@@ -324,7 +325,7 @@ fn interrupted(folder: &Path) -> Vec<Suspect> {
     suspects
 }
 
-/// What a file says that no program holds. Others may read it at the same time.
+/// Text of a file that no program holds. Others may read the file at the same time.
 fn text_left(path: &Path) -> Option<String> {
     let file = OpenOptions::new().read(true).open(path).ok()?;
     if let Err(TryLockError::WouldBlock) = file.try_lock_shared() {
@@ -335,7 +336,7 @@ fn text_left(path: &Path) -> Option<String> {
     Some(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// What was begun and not ended. The last line may be half written.
+/// The steps that were begun and not ended. The last line may be half written.
 fn begun_in(text: &str, told_by: &Path) -> Vec<Suspect> {
     let mut going = Vec::new();
     for line in text.lines().filter_map(|line| serde_json::from_str(line).ok()) {
@@ -371,7 +372,7 @@ mod tests {
         log
     }
 
-    /// The state folder as it is left when everything that runs ends at this moment: without locks.
+    /// Copy of the state folder as a crash at this moment leaves it: without locks.
     fn after_a_crash(folder: &Path) -> tempfile::TempDir {
         let other = tempfile::tempdir().unwrap();
         for entry in fs::read_dir(folder).unwrap().flatten() {
@@ -392,7 +393,7 @@ mod tests {
         assert!(!kept_in(&state).is_any(), "another window that runs is at work");
         let left = after_a_crash(&state);
         for _ in 0..2 {
-            // Each window learns of it, at the same time too.
+            // Each window learns of the interruption, at the same time too.
             let next = kept_in(left.path());
             assert_eq!(next.suspect(&a).map(|suspect| suspect.step), Some(Step::Draw));
             assert_eq!(next.suspect(&b), None, "that had ended");

@@ -1,5 +1,5 @@
-//! Files that the look and the scene around it live on, changed by other programs: their own, the
-//! project's nodes, the scene's other looks, meshes and images, and what is painted.
+//! Files that the look and the scene around it depend on, changed by other programs: their own, the
+//! project's nodes, the scene's other looks, meshes and images, and the painting.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -16,34 +16,34 @@ use crate::state::revision::{DocumentNumber, PictureRevision};
 use crate::state::scene::OpenScene;
 use crate::state::session::Session;
 
-/// After a change nothing is read for so long, in seconds: whoever writes may not be done.
+/// Pause after a change before files are read, since the writer may not be done; in seconds.
 const CALM: f64 = 0.15;
 
 type Stamp = Option<(SystemTime, u64)>;
 
-/// The look's own file is not what it was.
+/// Conflict with another program's change of the look's own file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Conflict {
-    /// Both sides have changed it; the text is theirs.
+    /// Both sides have changed the file; the text is theirs.
     Changed(String),
-    /// Another program wrote what cannot be read without an error.
+    /// Another program wrote a text that cannot be read without an error.
     Broken(String),
-    /// It was removed or moved away.
+    /// The file was removed or moved away.
     Gone,
 }
 
-/// The file of what is painted is not what it was.
+/// Conflict with another program's change of the painting's file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum PaintingConflict {
-    /// Both sides have changed it.
+    /// Both sides have changed the file.
     Changed,
-    /// Another program wrote what cannot be read.
+    /// Another program wrote a file that cannot be read.
     Broken,
-    /// It was removed or moved away.
+    /// The file was removed or moved away.
     Gone,
 }
 
-/// What decides which files there are.
+/// State of the session that decides which files are watched.
 #[derive(Clone, Default)]
 struct Use {
     document: DocumentNumber,
@@ -70,30 +70,30 @@ impl Use {
     }
 }
 
-/// Looks after files.
+/// Watch over the files of a session.
 pub(crate) struct Disk {
     watch: Watch,
     of: Use,
     is_new: bool,
     look: Option<PathBuf>,
-    /// The folders of the project's nodes, of the look's and of the scene's.
+    /// Folders of the project's nodes, of the look's and of the scene's.
     nodes: Vec<PathBuf>,
     project_nodes: ProjectNodes,
     assets: BTreeMap<PathBuf, Stamp>,
-    /// When to look, on the window's clock.
+    /// Time of the next check, in seconds of the window's clock.
     due: Option<f64>,
-    /// What is to be decided.
+    /// Conflict of the look's file, for the user to decide.
     pub(crate) conflict: Option<Conflict>,
-    /// What another program made of the scene's file, which has changes here too.
+    /// Another program's text of the scene's file, while the scene has changes here too.
     pub(crate) scene_conflict: Option<String>,
-    /// What happened to the file of what is painted.
+    /// Conflict of the painting's file.
     pub(crate) painting_conflict: Option<PaintingConflict>,
-    /// Whether there was a file, and nobody knows yet that it is gone.
+    /// True if the look's file existed, and the user has not yet read the note that it is gone.
     was_there: bool,
 }
 
 impl Disk {
-    /// `wake` is called from another thread when something happened.
+    /// Creates the watch. `wake` is called from another thread when files may have changed.
     pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
         Self {
             watch: Watch::new(wake),
@@ -111,7 +111,7 @@ impl Disk {
         }
     }
 
-    /// Looks at files when it is time to. Returns what to tell, and when to call again.
+    /// Checks files when it is time to. Returns a message, and the time until the next call.
     pub(crate) fn tick(
         &mut self,
         session: &mut Session,
@@ -119,7 +119,7 @@ impl Disk {
         came_back: bool,
     ) -> (Option<String>, Option<Duration>) {
         if (self.is_new || !self.of.is(session)) && self.use_of(session) {
-            // Work that is taken back may be older than its file.
+            // Recovered work may be older than its file.
             self.due = Some(now);
         }
         if self.watch.take() {
@@ -129,7 +129,7 @@ impl Disk {
             self.due = Some(now);
         }
         match self.due {
-            // A stroke is ended first.
+            // A stroke is finished first.
             Some(_) if session.painting().is_some_and(OpenPainting::is_live) => {
                 (None, Some(Duration::from_secs_f64(CALM)))
             }
@@ -142,7 +142,7 @@ impl Disk {
         }
     }
 
-    /// Finds out which files there are now. Returns whether they are another look's.
+    /// Updates the set of watched files. Returns true if they belong to another look.
     fn use_of(&mut self, session: &Session) -> bool {
         let is_other = self.is_new
             || self.of.document != session.document_number()
@@ -197,7 +197,7 @@ impl Disk {
         is_other
     }
 
-    /// The note that the file is gone was read.
+    /// Dismisses the note that the file is gone.
     pub(crate) fn forget_gone(&mut self) {
         if self.conflict == Some(Conflict::Gone) {
             self.conflict = None;
@@ -205,7 +205,7 @@ impl Disk {
         }
     }
 
-    /// Looks at all files. Returns what to tell.
+    /// Checks all files. Returns a message.
     pub(crate) fn check(&mut self, session: &mut Session) -> Option<String> {
         let mut told = self.check_look(session).or_else(|| self.check_scene(session));
         let of_painting = self.check_painting(session);
@@ -213,7 +213,7 @@ impl Disk {
         let nodes = ProjectNodes::below(&self.nodes);
         let is_changed = nodes.stamps != self.project_nodes.stamps;
         if is_changed || nodes.folders != self.project_nodes.folders {
-            // A folder that is new is watched from now on.
+            // A new folder is watched from now on.
             self.watch.renew(nodes.folders.clone());
         }
         self.project_nodes = nodes;
@@ -249,8 +249,8 @@ impl Disk {
             return None;
         }
         let name = session.stage().map(OpenScene::name).unwrap_or_default();
-        // What cannot be read yet is told where problems are, and looked at again when the file
-        // changes.
+        // A scene that cannot be read yet is reported among the problems, and checked again when
+        // the file changes.
         session
             .reload_scene(&text)
             .then(|| format!("{name} was changed by another program and loaded again"))
@@ -319,7 +319,7 @@ fn stamp(path: &Path) -> Stamp {
     Some((data.modified().ok()?, data.len()))
 }
 
-/// The files of a project's nodes with their stamps, and the folders that they lie in.
+/// Files of a project's nodes with their stamps, and the folders that they lie in.
 #[derive(Debug, Default, PartialEq, Eq)]
 struct ProjectNodes {
     stamps: BTreeMap<PathBuf, Stamp>,

@@ -1,8 +1,8 @@
-//! Writes the journal of an open document, on a thread of its own: a slow disk holds up no hand.
+//! Writer of the journal of an open document, on a thread of its own: a slow disk holds up no hand.
 //!
-//! Edits of one gesture that set the same thing again and again, such as all of a drag, are joined
-//! for a moment before they are written, and the disk itself is waited for only when nothing was
-//! done for a while.
+//! Edits of one gesture that set the same value again and again, such as all of a drag, are joined
+//! for a moment before they are written, and the disk itself is waited for only when no edit was
+//! made for a while.
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -17,59 +17,59 @@ use crate::document::History;
 use crate::files::journal::{About, Journal, Journaled, Op, Slot};
 use crate::state::worker::start;
 
-/// As long as a gesture goes on, what was done is written so often.
+/// Interval of writing while a gesture goes on.
 const OFTEN: Duration = Duration::from_millis(100);
-/// After such a rest the disk is made to write.
+/// Time without edits after which the disk is made to write.
 const REST: Duration = Duration::from_secs(1);
-/// After a failure, the next attempt is made when so many seconds have passed.
+/// Time from a failure to the next attempt, in seconds.
 const RETRY: f64 = 3.0;
 
-/// What a window wants back beside a document is written as often at most, in seconds: a turntable
-/// changes it in every frame.
+/// Shortest interval of writing the window's values, such as its view, in seconds: a turntable
+/// changes them in every frame.
 const WINDOW: f64 = 0.25;
 
-/// What a window wants back beside a document, by name.
+/// Values that a window wants back beside a document, by name.
 type Members = serde_json::Map<String, serde_json::Value>;
 
-/// A document as it stands, for a journal to begin with.
+/// A whole document, for a journal to begin with.
 pub(crate) struct JournalStart<D: Journaled> {
     pub(crate) about: About,
     pub(crate) source: Option<Arc<str>>,
     pub(crate) history: History<D>,
-    /// The slot that it was in, if it was taken back.
+    /// Slot that the document was in, if it was taken back.
     pub(crate) slot: Option<Slot>,
 }
 
 enum Message<D: Journaled> {
     Begin(Box<JournalStart<D>>),
-    /// What the window wants back beside the document, from now on.
+    /// The values that the window wants back beside the document, from now on.
     Window(Members),
-    /// What was done, and whether the gesture goes on.
+    /// Operations on the document; true if their gesture goes on.
     Ops(Vec<Op<D::Edit>>, bool),
-    /// The journal stays where it is, for whoever wants it; whether the window is closed in peace.
+    /// The journal stays in its slot, for whoever wants it; true if the window closes in peace.
     Leave(bool),
-    /// The journal is not needed any more.
+    /// The journal is no longer needed.
     Discard,
 }
 
 #[derive(Default)]
 struct WriterState {
-    /// Messages that are dealt with.
+    /// Number of messages that were handled.
     handled: Mutex<u64>,
     changed: Condvar,
     wants_to_begin: AtomicBool,
     problem: Mutex<Option<Diagnostic>>,
 }
 
-/// Keeps a journal of what is done.
+/// Writer of a document's journal, as the UI thread sees it.
 pub(crate) struct JournalWriter<D: Journaled> {
     sender: Option<Sender<Message<D>>>,
     sent: u64,
     shared: Arc<WriterState>,
     thread: Option<JoinHandle<()>>,
-    /// Whether there is a journal of the document, as far as this side knows.
+    /// True if there is a journal of the document, as far as the UI thread knows.
     pub(crate) has_begun: bool,
-    /// Whether what was sent last may wait for more of its gesture.
+    /// True if the operations that were sent last may wait for more of their gesture.
     goes_on: bool,
 }
 
@@ -78,8 +78,8 @@ where
     D: Journaled + Send + 'static,
     D::Edit: Send,
 {
-    /// Keeps journals in `folder`. `wake` is called from another thread when there is a problem, or
-    /// none any more.
+    /// Starts the thread, which keeps journals in `folder`. `wake` is called from another thread
+    /// when a problem appears or disappears.
     pub(crate) fn new(folder: PathBuf, wake: impl Fn() + Send + 'static) -> Self {
         let (sender, receiver) = channel();
         let shared = Arc::new(WriterState::default());
@@ -102,11 +102,11 @@ where
 
     fn send(&mut self, message: Message<D>) {
         self.sent += 1;
-        // Without a thread nothing is kept, which `problem` tells.
+        // Without a thread nothing is kept, which `problem` reports.
         let _ = self.sender.as_ref().map(|sender| sender.send(message));
     }
 
-    /// Whether the document as it stands is wanted rather than what was done.
+    /// True if the journal wants the whole document rather than operations.
     pub(crate) fn wants_to_begin(&self) -> bool {
         !self.has_begun || self.shared.wants_to_begin.load(Ordering::Relaxed)
     }
@@ -118,7 +118,7 @@ where
         self.send(Message::Begin(Box::new(standing)));
     }
 
-    /// Adds what was done. While the gesture goes on it may wait for a moment.
+    /// Adds operations. While their gesture goes on they may wait for a moment.
     pub(crate) fn add(&mut self, ops: Vec<Op<D::Edit>>, goes_on: bool) {
         if !ops.is_empty() || self.goes_on && !goes_on {
             self.goes_on = goes_on;
@@ -126,13 +126,13 @@ where
         }
     }
 
-    /// Notes what the window wants back beside the document, whichever that is. It alone is worth
-    /// no journal, and goes into the one that there is.
+    /// Notes the values that the window wants back beside any document. They alone are not worth a
+    /// journal, and go into the one that there is.
     pub(crate) fn note_window(&mut self, members: Members) {
         self.send(Message::Window(members));
     }
 
-    /// Leaves the journal where it is.
+    /// Leaves the journal in its slot.
     pub(crate) fn leave(&mut self, in_peace: bool) {
         self.has_begun = false;
         self.send(Message::Leave(in_peace));
@@ -144,7 +144,7 @@ where
         self.send(Message::Discard);
     }
 
-    /// Waits until the system has all of it.
+    /// Waits until the system has everything that was sent.
     pub(crate) fn wait(&self) {
         if self.thread.is_some() {
             let handled = self.shared.handled.lock().unwrap_or_else(PoisonError::into_inner);
@@ -152,7 +152,7 @@ where
         }
     }
 
-    /// Why work is not kept, if it is not.
+    /// The reason why work is not kept, if it is not.
     pub(crate) fn problem(&self) -> Option<Diagnostic> {
         if self.thread.is_none() {
             return Some(problem("the system gives no thread to write it"));
@@ -163,7 +163,8 @@ where
 
 impl<D: Journaled> Drop for JournalWriter<D> {
     fn drop(&mut self) {
-        // The thread ends when nobody can send any more, and after it has written what was sent.
+        // The thread ends when nobody can send any more, after it has written everything that was
+        // sent.
         self.sender = None;
         if let Some(thread) = self.thread.take() {
             let _ = thread.join();
@@ -177,11 +178,11 @@ fn problem(why: impl std::fmt::Display) -> Diagnostic {
         .hint("editing goes on; save often, or make room on the disk")
 }
 
-/// What is about to be written.
+/// Operations that are about to be written.
 struct WaitingOps<D: Journaled> {
     ops: Vec<Op<D::Edit>>,
-    /// Whether the last of them is the first of its gesture. Others of the same gesture never take
-    /// its place: it is what makes the undo step, and what takes away what could be redone.
+    /// True if the last operation is the first of its gesture. Later ones of the same gesture never
+    /// replace it: the first makes the undo step, and removes the steps that could be redone.
     is_first: bool,
 }
 
@@ -192,8 +193,8 @@ impl<D: Journaled> Default for WaitingOps<D> {
 }
 
 impl<D: Journaled> WaitingOps<D> {
-    /// Puts an edit after what waits, or in the place of the last that waits, if it sets the same
-    /// anyway.
+    /// Adds an operation after those that wait, or replaces the last of them if the new one sets
+    /// the same value anyway.
     fn join(&mut self, op: Op<D::Edit>) {
         let last = self.ops.last_mut();
         let (goes_on, sets_the_same) = match (&last, &op) {
@@ -213,7 +214,7 @@ impl<D: Journaled> WaitingOps<D> {
     }
 }
 
-/// Lives on the thread.
+/// The part of the writer that lives on the thread and owns the journal.
 struct Writer<D: Journaled> {
     folder: PathBuf,
     slot: Option<Slot>,
@@ -221,9 +222,9 @@ struct Writer<D: Journaled> {
     waiting: WaitingOps<D>,
     is_synced: bool,
     window: Members,
-    /// Whether the journal has `window` as it is now.
+    /// True if the journal has the present `window`.
     is_noted: bool,
-    /// Since when it was written last.
+    /// Time since `window` was last written.
     noted: Option<Clock>,
     shared: Arc<WriterState>,
     failed: Option<Clock>,
@@ -284,7 +285,7 @@ impl<D: Journaled> Writer<D> {
     fn handle(&mut self, message: Message<D>) {
         match message {
             Message::Begin(standing) => {
-                // It holds what waits.
+                // The document includes the operations that wait.
                 self.waiting.ops.clear();
                 let begun = self.begin(*standing);
                 self.is_synced = true;
@@ -341,7 +342,8 @@ impl<D: Journaled> Writer<D> {
             return;
         }
         let Some(journal) = &mut self.journal else {
-            // It could not be begun; after a while that is tried again, by who has the document.
+            // The journal could not be begun; the owner of the document is asked for it again after
+            // a while.
             if self.failed.as_ref().is_none_or(|failed| failed.seconds() > RETRY) {
                 self.ask_to_begin();
             }
@@ -355,13 +357,13 @@ impl<D: Journaled> Writer<D> {
         self.take(written);
     }
 
-    /// Whether there is a journal that does not know what the window wants back.
+    /// True if there is a journal without the window's present values.
     fn is_to_note(&self) -> bool {
         !self.is_noted && self.journal.is_some()
     }
 
-    /// Writes what the window wants back, where the journal does not have it. It is nobody's work:
-    /// where that fails, nothing is told, and the next edit tells it.
+    /// Writes the window's values, where the journal does not have them. They are nobody's work: a
+    /// failure is not reported here, but by the next edit.
     fn note_window(&mut self) {
         if !self.is_noted
             && let Some(journal) = &mut self.journal
@@ -385,8 +387,8 @@ impl<D: Journaled> Writer<D> {
         self.take(synced);
     }
 
-    /// Tells a failure once, and once that it is over. What is missing in a journal cannot be made
-    /// up for, so it is begun anew then.
+    /// Reports a failure once, and its end once. Operations missing in a journal cannot be made up
+    /// for, so the journal is begun anew then.
     fn take(&mut self, result: std::io::Result<()>) {
         let problem = result.err().map(|error| problem(reason(&error)));
         if problem.is_some() {
@@ -421,7 +423,7 @@ mod tests {
     use crate::document::{Edit, GraphId, Look, Node, Value};
     use crate::files::journal::LookOp;
 
-    /// The document, and all that undo and redo lead through.
+    /// The document, and every state that undo and redo lead through.
     fn all_of(mut history: History<Look>) -> Vec<String> {
         let mut all = vec![history.document().to_text()];
         while history.undo().is_some() {
@@ -483,7 +485,7 @@ mod tests {
                     4..7 => Op::Edit { gesture: Some(gesture), edit: set("b", below(3)) },
                     _ => Op::Edit { gesture: Some(gesture), edit: set("a", below(3)) },
                 };
-                // Only what did something is noted.
+                // Only an operation that changed the document is noted.
                 let before = plain.revision();
                 apply(&mut plain, &op);
                 if plain.revision() > before {

@@ -1,6 +1,6 @@
-//! Nothing is ever lost: unsaved work is kept in a journal and offered again, files changed by
-//! other programs are noticed, and what the window remembers is saved. All of it is told in a bar
-//! below the top one, and nothing asks in the middle of the work.
+//! Safety of the user's work: unsaved work is kept in a journal and offered again, files changed by
+//! other programs are noticed, and settings are saved. Messages appear in a bar below the top one,
+//! and nothing asks in the middle of the work.
 
 pub(crate) mod crashes;
 pub(crate) mod disk;
@@ -26,32 +26,32 @@ use offers::Offers;
 use places::Places;
 use unopened::UnopenedFile;
 
-/// When, in seconds of the window's clock, it looks for left work once more: a program that was
-/// killed may take a while to let go of its own.
+/// Times at which the window looks for left work once more, in seconds of its clock: a program that
+/// was killed may take a while to release its journal.
 const LOOKS: [f64; 3] = [2.0, 6.0, 20.0];
 
-/// What looks after a window's work.
+/// Keeper of a window's work: journals, watched files, offers and settings.
 pub(crate) struct Safety {
     places: Option<Places>,
     pub(crate) disk: Disk,
     pub(crate) offers: Offers,
     pub(crate) settings: Settings,
-    /// The theme and the scale that the window had in the last frame.
+    /// Theme and scale of the window in the last frame.
     window: Option<(Theme, f32)>,
-    /// Whether the note that nothing is kept was read.
+    /// True if the user has dismissed the note that nothing is kept.
     pub(crate) is_problem_read: bool,
-    /// How many of [`LOOKS`] were made.
+    /// Number of [`LOOKS`] that were made.
     looks: usize,
-    /// The file that could not be opened last.
+    /// The last file that could not be opened.
     pub(crate) unopened: Option<UnopenedFile>,
-    /// The files of scenes, and of looks within them, that this window has put aside: their work
+    /// Files of scenes, and of looks within them, that this window has put aside: the work on them
     /// comes back with them.
     aside: HashSet<PathBuf>,
 }
 
 impl Safety {
-    /// One that notices changed files, and keeps nothing until it is told where. `wake` is called
-    /// from another thread when a file may have changed.
+    /// Creates a keeper that notices changed files, and keeps nothing until it is told where.
+    /// `wake` is called from another thread when a file may have changed.
     pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
         Self {
             places: None,
@@ -66,7 +66,8 @@ impl Safety {
         }
     }
 
-    /// Keeps journals and settings here from now on, and looks for what was left behind.
+    /// Keeps journals and settings in `places` from now on, and looks for work that was left
+    /// behind.
     pub(crate) fn keep_in(
         &mut self,
         places: Places,
@@ -86,7 +87,7 @@ impl Safety {
         self.look();
     }
 
-    /// Tells that a file could not be opened, until another one is.
+    /// Notes that a file could not be opened, until another file is.
     pub(crate) fn could_not_open(
         &mut self,
         path: &Path,
@@ -96,18 +97,19 @@ impl Safety {
         self.unopened = Some(UnopenedFile::new(path, problems, session));
     }
 
-    /// Tells that a file is not read, because the last program ended over that, until another one
-    /// is opened.
+    /// Notes that a file is not read, because the last program ended over it, until another file is
+    /// opened.
     pub(crate) fn was_interrupted(&mut self, path: &Path, session: &Session) {
         self.unopened = Some(UnopenedFile::interrupted(path, session));
     }
 
-    /// The file that is not read for that.
+    /// Path of the file that is not read because the last program ended over it; dismisses the
+    /// note.
     pub(crate) fn interrupted(&mut self) -> Option<PathBuf> {
         self.unopened.take().and_then(|unopened| unopened.interrupted)
     }
 
-    /// Which file could not be opened, why, and where it was looked for.
+    /// Text of the note: the file that could not be opened, the reason, and its path.
     pub(crate) fn unopened(&self) -> Option<String> {
         self.unopened.as_ref().map(|unopened| format!("{}\n  {}", unopened.text, unopened.help))
     }
@@ -119,8 +121,9 @@ impl Safety {
         }
     }
 
-    /// Goes on where the last window was closed, if anything was not saved then. A window that
-    /// crashed is not gone on with unasked: what it was at may be what broke it.
+    /// Resumes the work of the last window that was closed, if anything was not saved then. The
+    /// work of a window that crashed is not resumed unasked: its document may have caused the
+    /// crash. Returns a message.
     pub(crate) fn resume(&mut self, session: &mut Session) -> Option<String> {
         let look = self.resume_look(session);
         let painting =
@@ -129,8 +132,8 @@ impl Safety {
         look.or(painting)
     }
 
-    /// Whether the last program ended over what is offered, or over the scene around it: only a
-    /// hand goes on with that.
+    /// True if the last program ended over an offer's document, or over the scene around it: only
+    /// the user resumes that.
     fn is_suspect(&self, number: usize, session: &Session) -> bool {
         let offer = self.offers.get(number);
         let files = offer.into_iter().flat_map(|offer| offer.path.iter().chain(&offer.beside));
@@ -139,7 +142,7 @@ impl Safety {
 
     fn resume_look(&mut self, session: &mut Session) -> Option<String> {
         let number = self.offers.closed()?;
-        // What a scene was closed with comes back by the scene.
+        // A look that was closed in a scene comes back by the scene.
         let number = self.offers.scene_closed_with(number).unwrap_or(number);
         if self.is_suspect(number, session) {
             return None;
@@ -149,7 +152,7 @@ impl Safety {
         Some(told)
     }
 
-    /// Remembers that the scene that is open, and the look in it, are about to be put aside.
+    /// Remembers that the open scene, and the look in it, are about to be put aside.
     pub(crate) fn put_aside(&mut self, session: &Session) {
         let Some(stage) = session.stage() else { return };
         self.aside.extend([stage.path(), session.path()].into_iter().flatten().map(real));
@@ -160,8 +163,8 @@ impl Safety {
         self.aside.insert(real(path));
     }
 
-    /// Takes a look without a file back that was put aside as it is here. Returns whether there was
-    /// one.
+    /// Takes back a look without a file that was put aside in the state of `look`. Returns true if
+    /// there was one.
     pub(crate) fn take_back_look(&mut self, look: &Look, session: &mut Session) -> bool {
         self.look();
         let text = look.to_text();
@@ -169,8 +172,8 @@ impl Safety {
         number.map(|number| self.take_back(number, session)).is_some()
     }
 
-    /// Takes the look back that was left behind and shows what is painted. Returns whether there
-    /// was one.
+    /// Takes back the look that was left behind and shows the painting. Returns true if there was
+    /// one.
     pub(crate) fn take_back_look_of_painting(&mut self, session: &mut Session) -> bool {
         self.look();
         let is_it = |look: &Look, path: Option<&Path>| look::shows_in(session, look, path);
@@ -182,7 +185,7 @@ impl Safety {
         number.is_some()
     }
 
-    /// Takes the look back that was put aside with a scene, and that has no file.
+    /// Takes back the look that was put aside with a scene, and that has no file.
     pub(crate) fn take_back_unsaved(&mut self, session: &mut Session) {
         if let Some(number) = self.offers.unsaved_of_scene() {
             self.take_back(number, session);
@@ -190,12 +193,13 @@ impl Safety {
     }
 
     /// Opens a file with the past or the unsaved work that a journal has of it, where the file is
-    /// what that was based on. Returns what to tell; `None` where the file is to be read.
+    /// the one which that work was based on. Returns a message; `None` where the file itself must
+    /// be read.
     pub(crate) fn reopen(&mut self, path: &Path, session: &mut Session) -> Option<String> {
         let is_aside = self.aside.contains(&real(path));
         if let Some(number) = self.offers.of_file(path, false, is_aside) {
             let told = self.take_back(number, session);
-            // Whoever goes from one look of a scene to another stays where they are.
+            // A user who goes from one look of a scene to another keeps the view.
             session.look_as_kept(session.stage().is_none());
             return Some(told);
         }
@@ -222,7 +226,7 @@ impl Safety {
         told
     }
 
-    /// The look that is open stays: what is painted is seen beside it.
+    /// Takes back a painting. The open look stays: the painting is seen beside it.
     fn take_back_painting(&mut self, number: usize, session: &mut Session) -> String {
         if session.is_painting_dirty() && !session.keeps_painting() {
             return "Save what you paint first: its changes cannot be put aside now".to_owned();
@@ -235,7 +239,7 @@ impl Safety {
         told
     }
 
-    /// Opens the scene that a look was in when it was put aside, if that is not open.
+    /// Opens the scene that a look was in when it was put aside, unless that scene is open.
     fn open_scene_of(&self, number: usize, session: &mut Session) {
         let Some(offer) = self.offers.get(number).filter(|offer| !offer.is_scene) else { return };
         let is_open = |path: &Path| {
@@ -245,7 +249,7 @@ impl Safety {
                 .is_some_and(|open| real(open) == real(path))
         };
         if let Some(scene) = offer.beside.clone().filter(|path| path.is_file() && !is_open(path)) {
-            // Where it cannot be read the look comes back without it.
+            // The look comes back without a scene that cannot be read.
             let _ = session.open(&scene);
         }
     }
@@ -255,7 +259,7 @@ impl Safety {
         self.change_settings(|settings| settings.opened(path));
     }
 
-    /// Remembers a mesh, and whether it was stood up.
+    /// Remembers a mesh; `z_is_up` is true if it was stood up.
     pub(crate) fn shown_on(&mut self, mesh: &str, z_is_up: bool) {
         let path = std::path::absolute(mesh).ok().filter(|_| !mesh.starts_with(SHAPE_PREFIX));
         let mesh = path
@@ -267,12 +271,12 @@ impl Safety {
         });
     }
 
-    /// Whether anything is remembered from one time to the next.
+    /// True if settings are remembered from one start to the next.
     pub(crate) fn remembers(&self) -> bool {
         self.places.is_some()
     }
 
-    /// Remembers theme and scale, and an arrangement of panels, where this window has changed them.
+    /// Remembers theme and scale, and a layout of panels, where this window has changed them.
     pub(crate) fn remember(&mut self, now: (Theme, f32), layout: Option<serde_json::Value>) {
         let is_other = self.window.replace(now).is_some_and(|before| before != now);
         if self.remembers() && (is_other || layout.is_some()) {
@@ -285,24 +289,24 @@ impl Safety {
         }
     }
 
-    /// Changes what is remembered, and saves it.
+    /// Changes the settings, and saves them.
     pub(crate) fn change_settings(&mut self, change: impl FnOnce(&mut Settings)) {
         match self.places.as_ref().map(Places::settings) {
-            // Where they cannot be saved, the window goes on with what it knew: nothing of
+            // A window that cannot save the settings goes on with those it knew: nothing of
             // anybody's work is lost.
             Some(path) => self.settings = Settings::change(&path, &self.settings, change),
             None => change(&mut self.settings),
         }
     }
 
-    /// Lets go of notes that hold no more: another file was opened, or work is kept again.
+    /// Drops notes that no longer hold: another file was opened, or work is kept again.
     pub(crate) fn forget_old_notes(&mut self, session: &Session) {
         self.is_problem_read &= session.keeping_problem().is_some();
         self.unopened = self.unopened.take().filter(|unopened| unopened.is_new(session));
     }
 
-    /// Looks at files when it is time to, which is in seconds of the window's clock, or when the
-    /// window has the focus again. Returns what to tell, and when to call again.
+    /// Checks files when it is time to, or when the window has the focus again; `now` is in seconds
+    /// of the window's clock. Returns a message, and the time until the next call.
     pub(crate) fn tick(
         &mut self,
         now: f64,
@@ -316,12 +320,12 @@ impl Safety {
         self.disk.tick(session, now, has_come_back)
     }
 
-    /// Looks at files now. Returns what to tell.
+    /// Checks files at once. Returns a message.
     pub(crate) fn look_at_files(&mut self, session: &mut Session) -> Option<String> {
         self.disk.check(session)
     }
 
-    /// The files that were open, the newest first, each with whether it is still there.
+    /// Recent files, the newest first, each with true if it still exists.
     pub(crate) fn recent(&self) -> impl Iterator<Item = (&PathBuf, bool)> {
         self.settings.recent.iter().map(|path| (path, path.exists()))
     }

@@ -1,5 +1,5 @@
-//! Work that was left behind: by a window that crashed, by one that was closed, or put aside for
-//! another document.
+//! Offers of work that was left behind: by a window that crashed, by one that was closed, or put
+//! aside for another document.
 
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
@@ -11,49 +11,50 @@ use crate::files::journal::{Found, Journaled, Recovered, Slot, left_behind, reco
 use crate::files::read_text;
 use crate::state::session::Session;
 
-/// Nobody asks any more what could be undone in a saved look after so long.
+/// Age from which the journal of a saved look is discarded: nobody wants to undo steps that old.
 const FORGOTTEN: Duration = Duration::from_secs(7 * 24 * 60 * 60);
 
-/// Unsaved work that can be taken back.
+/// Work that can be taken back from a journal.
 #[derive(Debug)]
 pub(crate) struct Offer {
     slot: Slot,
-    /// What people call it.
+    /// Display name of the document.
     pub(crate) name: String,
-    /// Its file, if it has one.
+    /// File of the document, if there is one.
     pub(crate) path: Option<PathBuf>,
-    /// How many undo steps would be lost; `None` where nobody knows.
+    /// Number of undo steps that would be lost; `None` where that is unknown.
     pub(crate) steps: Option<usize>,
-    /// When it was worked on last.
+    /// Time of the last work on the document.
     pub(crate) written: Option<SystemTime>,
-    /// Whether the window was closed as windows are.
+    /// True if the window was closed, and did not crash.
     pub(crate) is_closed: bool,
-    /// Whether it is to be thrown away when this window closes.
+    /// True if the journal is to be thrown away when this window closes.
     pub(crate) is_thrown: bool,
-    /// What is wrong with the journal.
+    /// Problems of the journal.
     pub(crate) damage: Vec<Diagnostic>,
-    /// Whether anything can be taken back.
+    /// True if anything can be taken back.
     pub(crate) is_readable: bool,
-    /// Whether its file holds it all: only its past is worth anything, to who opens the file again.
+    /// True if the file holds the whole document: only the past is worth anything then, to whoever
+    /// opens the file again.
     is_saved: bool,
-    /// Whether it is a scene, and no look.
+    /// True for a scene.
     pub(crate) is_scene: bool,
-    /// Whether it is an HCBTF that was being painted.
+    /// True for an HCBTF that was being painted.
     pub(crate) is_painting: bool,
-    /// What was open with it: of a look the scene, of a scene the look.
+    /// File of the document that was open with this one: of a look the scene, of a scene the look.
     pub(crate) beside: Option<PathBuf>,
-    /// Whether it is a look that was in a scene.
+    /// True for a look that was in a scene.
     is_staged: bool,
 }
 
-/// What a journal says of either kind of document.
+/// Summary of a journal, for any kind of document.
 struct Outline {
     name: String,
     path: Option<PathBuf>,
     source: Option<String>,
-    /// Whether it was saved, and the journal knows.
+    /// True if the journal says that the document was saved.
     is_saved: bool,
-    /// Whether the file holds it, in whatever way that came.
+    /// True if the file holds the document, in whatever way that came.
     is_in_file: bool,
     steps: Option<usize>,
     damage: Vec<Diagnostic>,
@@ -162,7 +163,7 @@ impl Offer {
         }
     }
 
-    /// What people are told of it.
+    /// Summary of the offer for people.
     pub(crate) fn summary(&self) -> String {
         let steps = match self.steps {
             Some(1) => "1 change, ".to_owned(),
@@ -179,7 +180,7 @@ impl Offer {
     }
 }
 
-/// Whether the file holds the document as it is: it was saved, and the journal did not come to
+/// True if the file holds the document: the document was saved, and the journal did not come to
 /// know. `canonical` is the canonical form of a text.
 fn is_in_file<D: Journaled>(
     found: &Recovered<D>,
@@ -191,7 +192,7 @@ fn is_in_file<D: Journaled>(
         .is_some_and(|text| text == to_text(found.history.document()))
 }
 
-/// How long ago, as people say it.
+/// Age in words.
 fn ago(age: Duration) -> String {
     let count = |number: u64, unit: &str| {
         format!("{number} {unit}{} ago", if number == 1 { "" } else { "s" })
@@ -204,40 +205,40 @@ fn ago(age: Duration) -> String {
     }
 }
 
-/// What was left behind, the newest first.
+/// Work that was left behind, the newest first.
 #[derive(Debug, Default)]
 pub(crate) struct Offers {
     all: Vec<Offer>,
 }
 
 impl Offers {
-    /// Looks for what nobody holds.
+    /// Looks for journals that nobody holds.
     pub(crate) fn look(&mut self, folder: &Path) {
         let mut all: Vec<Offer> = left_behind(folder).into_iter().filter_map(Offer::of).collect();
         all.append(&mut self.all);
         self.all = all;
     }
 
-    /// What is offered, each with its number.
+    /// Offers of unsaved work, each with its number.
     pub(crate) fn shown(&self) -> impl Iterator<Item = (usize, &Offer)> {
         self.all.iter().enumerate().filter(|(_, offer)| !offer.is_saved)
     }
 
-    /// The newest that a window left when it was closed.
+    /// The newest look or scene that a window left unsaved when it was closed.
     pub(crate) fn closed(&self) -> Option<usize> {
         let is_it = |offer: &Offer| offer.is_closed && offer.is_readable && !offer.is_painting;
         self.shown().find(|(_, offer)| is_it(offer)).map(|(number, _)| number)
     }
 
-    /// The newest painting that a window left when it was closed.
+    /// The newest painting that a window left unsaved when it was closed.
     pub(crate) fn closed_painting(&self) -> Option<usize> {
         let is_it = |offer: &Offer| offer.is_closed && offer.is_readable && offer.is_painting;
         self.shown().find(|(_, offer)| is_it(offer)).map(|(number, _)| number)
     }
 
-    /// What was left of the look in this file, if the file is still what it was based on:
-    /// `is_saved` asks for the past of a saved look, else for unsaved work of a window that was
-    /// closed, or with `is_aside` of whichever.
+    /// The work on the look in this file, if the file is still the one which the work was based on:
+    /// with `is_saved` the past of a saved look, else unsaved work of a window that was closed, or
+    /// with `is_aside` of any window.
     pub(crate) fn of_file(&self, path: &Path, is_saved: bool, is_aside: bool) -> Option<usize> {
         let path = std::path::absolute(path).ok()?;
         let is_it = |offer: &Offer| {
@@ -252,8 +253,8 @@ impl Offers {
         is_same.then_some(number)
     }
 
-    /// The newest that was left of a look for which `is_it` is true; that is told its file, if it
-    /// has one.
+    /// The newest work on a look for which `is_it` is true; `is_it` is given the look's file, if
+    /// there is one.
     pub(crate) fn of_look(&self, is_it: impl Fn(&Look, Option<&Path>) -> bool) -> Option<usize> {
         self.all.iter().position(|offer| {
             let may_be =
@@ -264,7 +265,7 @@ impl Offers {
         })
     }
 
-    /// What is offered under a number.
+    /// The offer with a number.
     pub(crate) fn get(&self, number: usize) -> Option<&Offer> {
         self.all.get(number)
     }
@@ -285,11 +286,11 @@ impl Offers {
         self.all.iter().position(is_it)
     }
 
-    /// Opens what is offered in the window, in place of the open look, which the caller has put
-    /// aside.
+    /// Opens an offer in the window, in place of the open look, which the caller has put aside.
+    /// Returns the document's name.
     ///
     /// # Errors
-    /// Why it cannot be read; it is still offered then.
+    /// The reason why the journal cannot be read; the offer stays then.
     pub(crate) fn take_back(
         &mut self,
         number: usize,
@@ -306,7 +307,7 @@ impl Offers {
         Ok(offer.name)
     }
 
-    /// Marks it to be thrown away, or not.
+    /// Marks an offer to be thrown away, or not.
     pub(crate) fn throw(&mut self, number: usize, is_thrown: bool) {
         if let Some(offer) = self.all.get_mut(number) {
             offer.is_thrown = is_thrown;

@@ -1,21 +1,21 @@
-//! Where the window keeps what is not part of any document.
+//! Folders for data of the window that belongs to no document.
 
 use std::env::var_os;
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-/// Folders of the user's.
+/// The user's folders.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Places {
-    /// For work that is not saved yet.
+    /// Folder for work that is not saved yet.
     pub state: PathBuf,
-    /// For settings.
+    /// Folder for settings.
     pub config: PathBuf,
 }
 
 impl Places {
-    /// Those of the system (XDG on Linux), or what `CHIARO_STATE_DIR` and `CHIARO_CONFIG_DIR` name.
-    /// `None` where the user has no home.
+    /// Folders of the system (XDG on Linux), or those that `CHIARO_STATE_DIR` and
+    /// `CHIARO_CONFIG_DIR` name. `None` where the user has no home.
     pub fn of_user() -> Option<Self> {
         Self::from(|name| var_os(name))
     }
@@ -45,17 +45,17 @@ impl Places {
         })
     }
 
-    /// Where journals lie.
+    /// Folder of the journals.
     pub fn journals(&self) -> PathBuf {
         self.state.join("journals")
     }
 
-    /// Where running windows say what they are at.
+    /// Folder in which running windows log their steps.
     pub fn running(&self) -> PathBuf {
         self.state.join("running")
     }
 
-    /// The settings.
+    /// File of the settings.
     pub fn settings(&self) -> PathBuf {
         self.config.join("settings.json")
     }

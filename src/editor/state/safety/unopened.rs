@@ -1,4 +1,4 @@
-//! The note of a file that could not be opened: which, why, and what to do.
+//! Note of a file that could not be opened: its name, the reason, and a remedy.
 
 use std::path::{Path, PathBuf};
 
@@ -9,13 +9,13 @@ use crate::state::session::Session;
 
 /// A file that could not be opened.
 pub(crate) struct UnopenedFile {
-    /// Which, and why.
+    /// Name of the file, and the reason.
     pub(crate) text: String,
-    /// Where it was looked for, and what to do.
+    /// Path of the file, and a remedy.
     pub(crate) help: String,
-    /// Its path, where it was not even tried, as the last program ended over that.
+    /// Path of a file whose reading was not even tried, since the last program ended over it.
     pub(crate) interrupted: Option<PathBuf>,
-    /// What was open meanwhile: the note goes with that.
+    /// Documents that were open then: the note is dropped when others are.
     open: (DocumentNumber, Option<u64>),
 }
 
@@ -40,7 +40,7 @@ impl UnopenedFile {
         }
     }
 
-    /// A file that is not read by itself.
+    /// Note of a file that is not read without being asked for.
     pub(super) fn interrupted(path: &Path, session: &Session) -> Self {
         let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
         Self {
@@ -58,7 +58,7 @@ impl UnopenedFile {
         )
     }
 
-    /// Whether nothing else was opened since.
+    /// True if no other document was opened since.
     pub(super) fn is_new(&self, session: &Session) -> bool {
         self.open == Self::open(session)
     }

@@ -1,5 +1,5 @@
-//! Tells when files may have changed. What changed, and whether it did, is for others to see:
-//! events come several at a time, for half-written files, and on some systems not at all.
+//! Watch on files that may have changed. What changed, and whether anything did, is for the caller
+//! to check: events come several at a time, for half-written files, and on some systems not at all.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -8,16 +8,16 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use notify::{EventKind, RecommendedWatcher, RecursiveMode, Watcher as _};
 
-/// What is watched.
+/// Paths that are watched.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Watched {
-    /// Files, which need not be there yet.
+    /// Files, which may not exist yet.
     pub(super) files: BTreeSet<PathBuf>,
-    /// Folders with all in them, which need not be there yet.
+    /// Folders with everything in them, which may not exist yet.
     pub(super) folders: BTreeSet<PathBuf>,
-    /// Those of `folders` that are there, and the folders in them that are looked at. The system is
-    /// asked for each alone: asked for all that is below one, it would follow links over the whole
-    /// disk.
+    /// Existing folders of `folders`, and the folders below that are looked at. The system is asked
+    /// for each alone: asked for a folder with everything below, it would follow links over the
+    /// whole disk.
     pub(super) below: BTreeSet<PathBuf>,
 }
 
@@ -26,8 +26,8 @@ impl Watched {
         self.files.contains(path) || self.folders.iter().any(|folder| path.starts_with(folder))
     }
 
-    /// The folders to ask the system for. A file is watched by its folder, since a save puts
-    /// another in its place.
+    /// Folders to ask the system for. A file is watched by its folder, since a save puts another
+    /// file in its place.
     fn to_ask_for(&self) -> BTreeSet<PathBuf> {
         let parents = self.files.iter().chain(&self.folders).filter_map(|path| path.parent());
         let folders = parents.chain(self.below.iter().map(PathBuf::as_path));
@@ -44,20 +44,21 @@ struct WatchState {
 /// The system's watch on files.
 pub(super) struct Watch {
     shared: Arc<WatchState>,
-    /// `None` where the system has none; then files are looked at when the window is come back to.
+    /// The system's watcher; `None` where the system has none: files are checked when the window
+    /// gets the focus again.
     watcher: Option<RecommendedWatcher>,
     folders: BTreeSet<PathBuf>,
 }
 
 impl Watch {
-    /// `wake` is called from another thread when something happened.
+    /// Starts watching. `wake` is called from another thread when something happened.
     pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
         let shared = Arc::new(WatchState::default());
         let seen = shared.clone();
         let watcher = notify::recommended_watcher(move |event: notify::Result<notify::Event>| {
             let watched = seen.watched.lock().unwrap_or_else(PoisonError::into_inner);
             let is_ours = match event {
-                // Reading is no change. An event without a path says that events were lost.
+                // Reading is no change. An event without a path means that events were lost.
                 Ok(event) if matches!(event.kind, EventKind::Access(_)) => false,
                 Ok(event) => {
                     event.paths.is_empty() || event.paths.iter().any(|path| watched.holds(path))
@@ -73,8 +74,9 @@ impl Watch {
         Self { shared, watcher: watcher.ok(), folders: BTreeSet::new() }
     }
 
-    /// Watches other folders below, and asks for all of them anew: one that was replaced by another
-    /// of the same name is not watched any more, and nobody tells.
+    /// Watches other folders below, and asks the system for all folders anew: a folder that was
+    /// replaced by another of the same name is no longer watched, and the system does not report
+    /// that.
     pub(super) fn renew(&mut self, below: BTreeSet<PathBuf>) {
         let watched = self.shared.watched.lock().unwrap_or_else(PoisonError::into_inner).clone();
         for folder in std::mem::take(&mut self.folders) {
@@ -85,24 +87,24 @@ impl Watch {
         self.set(Watched { below, ..watched });
     }
 
-    /// Watches these and nothing else.
+    /// Watches these paths and nothing else.
     pub(super) fn set(&mut self, watched: Watched) {
         let folders = watched.to_ask_for();
         *self.shared.watched.lock().unwrap_or_else(PoisonError::into_inner) = watched;
         let Some(watcher) = &mut self.watcher else { return };
         for folder in self.folders.difference(&folders) {
-            // A folder that is gone is not watched any more anyway.
+            // A removed folder is no longer watched anyway.
             let _ = watcher.unwatch(folder);
         }
         for folder in folders.difference(&self.folders) {
-            // Where the system has no more watches to give, files are looked at when the window is
-            // come back to.
+            // A failure means that the system has no more watches to give: files are checked when
+            // the window gets the focus again.
             let _ = watcher.watch(folder, RecursiveMode::NonRecursive);
         }
         self.folders = folders;
     }
 
-    /// Whether anything happened since the last call.
+    /// True if anything happened since the last call.
     pub(super) fn take(&self) -> bool {
         self.shared.happened.swap(false, Ordering::Relaxed)
     }

@@ -1,4 +1,4 @@
-//! Opening and saving scenes, and what other programs do to their files.
+//! Opening and saving of scenes, and changes that other programs make to their files.
 
 use std::path::{Path, PathBuf};
 
@@ -14,8 +14,8 @@ use crate::library::Type;
 use crate::state::document::OnDisk;
 
 impl OpenScene {
-    /// The scene that was read from a file, with what was wrong in it; the problems where it could
-    /// not be read at all.
+    /// The scene that was read from a file, with the problems in it; only the problems where it
+    /// could not be read at all.
     pub(crate) fn opened(path: &Path, loaded: Loaded<Scene>) -> Result<Self, Vec<Diagnostic>> {
         let is_partial = loaded.has_errors();
         let Loaded { value, source, diagnostics } = loaded;
@@ -30,7 +30,7 @@ impl OpenScene {
     /// Saves to a file, which is the scene's own from then on.
     ///
     /// # Errors
-    /// A diagnostic that says why not; the old file is then as it was.
+    /// A diagnostic with the reason; the old file is then unchanged.
     pub(crate) fn save_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
         let is_own = self.document.check_saving(path)?;
         let scene = self.scene_in(&folder_of(path))?;
@@ -43,14 +43,14 @@ impl OpenScene {
         Ok(())
     }
 
-    /// Compares the scene's file with what it held when it was read or written last.
+    /// Compares the scene's file with its text when it was last read or written.
     pub(crate) fn on_disk(&self) -> OnDisk {
         self.document.on_disk()
     }
 
-    /// Takes what another program made of the file, as one step that can be undone. `now` is when.
-    /// Returns whether it could be read without an error; else the scene stays as it is, and the
-    /// problems are told.
+    /// Takes another program's version of the file, as one step that can be undone. `now` is the
+    /// time of the step. Returns true if the file could be read without an error; else the scene is
+    /// unchanged, and the problems are reported.
     pub(crate) fn reload(&mut self, text: &str, now: u64) -> bool {
         let Some(path) = self.document.path.clone() else { return false };
         let loaded = Scene::read(text, &path.display().to_string());
@@ -70,12 +70,12 @@ impl OpenScene {
         true
     }
 
-    /// Lets saving write over what another program wrote.
+    /// Lets saving write over another program's text.
     pub(crate) fn keep_mine(&mut self, theirs: String) {
         self.document.journal.override_with(theirs);
     }
 
-    /// The files that the scene lives on, but for its own: meshes, looks that are not open, and the
+    /// Files that the scene depends on, without its own: meshes, looks that are not open, and the
     /// images of those.
     pub(crate) fn files(&self) -> Vec<PathBuf> {
         let scene = self.scene();
@@ -87,8 +87,8 @@ impl OpenScene {
         meshes.chain(looks).chain(self.images()).collect()
     }
 
-    /// The images of looks that are not open: those that the looks name, and those that objects set
-    /// in their place.
+    /// Images of looks that are not open: those that the looks name, and those that objects set in
+    /// their place.
     fn images(&self) -> impl Iterator<Item = PathBuf> {
         let closed = self.closed.iter().filter_map(|(name, look)| Some((name, look.as_ref()?)));
         closed.flat_map(|(name, look)| {

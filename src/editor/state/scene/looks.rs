@@ -1,5 +1,5 @@
-//! The looks that are not open, from their files: read again when those change, and as they were
-//! while they are broken.
+//! Looks of a scene that are not open, read from their files: again when a file changes, and in
+//! their last state while it is broken.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -19,29 +19,29 @@ use crate::state::reading::{Parameter, Reading};
 #[derive(Default)]
 pub(super) struct Looks {
     known: BTreeMap<PathBuf, LookFile>,
-    /// The nodes that they were read with.
+    /// Library that the looks were read with.
     library: Option<Arc<Library>>,
 }
 
 struct LookFile {
     stamp: Option<(SystemTime, u64)>,
-    /// `None` where it could never be read.
+    /// The look; `None` where it could never be read.
     look: Option<Arc<ClosedLook>>,
     problems: Vec<Diagnostic>,
 }
 
-/// A look that is not open, and what the window needs to know of it.
+/// A look that is not open, with its parameters and images.
 pub(super) struct ClosedLook {
     pub(super) look: Arc<SetupLook>,
-    /// What objects that wear it may set.
+    /// Parameters that objects which wear the look may set.
     pub(super) parameters: Vec<Parameter>,
-    /// The files of its images.
+    /// Files of the look's images.
     pub(super) images: Vec<PathBuf>,
 }
 
 impl Looks {
-    /// Reads those that are not known, or that have changed, and forgets the others. With other
-    /// nodes all are read anew.
+    /// Reads files that are new or have changed, and forgets those not in `files`. With another
+    /// library all files are read anew.
     pub(super) fn refresh<'p>(
         &mut self,
         files: impl Iterator<Item = &'p PathBuf>,
@@ -67,7 +67,7 @@ impl Looks {
         }
     }
 
-    /// The look in a file, or that it is broken; `None` where there is no such file.
+    /// The look in a file, `Some(None)` if it is broken; `None` where there is no such file.
     pub(super) fn get(&self, file: &Path) -> Option<Option<Arc<ClosedLook>>> {
         self.known.get(file).map(|known| known.look.clone())
     }
@@ -77,6 +77,7 @@ impl Looks {
     }
 }
 
+/// Time of a file's last change, and its length in bytes; `None` where there is no file.
 fn stamp(file: &Path) -> Option<(SystemTime, u64)> {
     // Examples never change.
     if let Some(bytes) = examples::file(file) {
@@ -86,8 +87,8 @@ fn stamp(file: &Path) -> Option<(SystemTime, u64)> {
     Some((data.modified().ok()?, data.len()))
 }
 
-/// Reads a look; `before` is shown where it is broken now. `catalog` is of the library, made when
-/// it is first needed.
+/// Reads a look; `before` is shown where it is broken now. `catalog` is of the library, made at the
+/// first need.
 fn read(
     file: &Path,
     stamp: Option<(SystemTime, u64)>,
@@ -125,7 +126,7 @@ fn read(
     LookFile { stamp, look: look.or(before), problems: told }
 }
 
-/// The files of the images that a look's nodes name.
+/// Files of the images that a look's nodes name.
 fn images(typed: &TypedGraph, folder: &Path) -> Vec<PathBuf> {
     let inputs = typed.nodes.iter().flat_map(|node| node.inputs.iter().flatten());
     let named =
@@ -136,7 +137,8 @@ fn images(typed: &TypedGraph, folder: &Path) -> Vec<PathBuf> {
     named.collect()
 }
 
-/// A problem with a look that is not open: its nodes are none of the graph on the canvas.
+/// A problem of a look that is not open, without its node: the canvas does not show that graph.
+/// `stays` is true if an earlier state of the look is shown.
 fn of_file(mut problem: Diagnostic, file: &Path, stays: bool) -> Diagnostic {
     let node = problem.place.node.take();
     let node = node.map(|node| format!("`{node}`: ")).unwrap_or_default();

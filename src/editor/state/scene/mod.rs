@@ -1,5 +1,5 @@
-//! The stage: a scene around the open look. It has a past, a file and a journal of its own, as the
-//! look has; the looks of objects that do not wear the open one come from their files.
+//! The stage: a scene around the open look. A stage has a past, a file and a journal of its own, as
+//! the look has; the looks of objects that do not wear the open one come from their files.
 
 mod files;
 mod looks;
@@ -33,38 +33,38 @@ pub(crate) use objects::{
 };
 pub(crate) use snapshot::SceneSnapshot;
 
-/// What an object wears that wears the open look, while that has no file.
+/// Name of the open look in a scene, while that look has no file.
 pub(crate) const OPEN_LOOK: &str = "look:open";
 
 /// A scene around the open look.
 pub struct OpenScene {
     pub(crate) document: OpenDocument<Scene>,
-    /// What the names in the scene are relative to: the folder of the file that it was opened from;
-    /// empty where it was made here.
+    /// Folder that the names in the scene are relative to: that of the file it was opened from;
+    /// empty where the scene was made here.
     base: PathBuf,
     looks: Looks,
-    /// The looks that are not open, by their names; `None` where a file is broken.
+    /// Looks that are not open, by their names; `None` where a file is broken.
     closed: HashMap<String, Option<Arc<ClosedLook>>>,
     staged: Arc<SceneSnapshot>,
     selected: Option<ObjectId>,
-    /// Where objects are, as of the last picture.
+    /// Positions of the objects, as of the last picture.
     pub(crate) placed: Vec<ObjectPlace>,
-    /// The file of the open look.
+    /// File of the open look.
     open_file: Option<PathBuf>,
-    /// When the steps of looks were done that were open before, by their files.
+    /// Times of the steps of looks that were open before, by their files.
     pub(crate) left: HashMap<PathBuf, Times>,
     /// The object and the material that a file is being chosen for.
     pub(crate) asked: Option<(ObjectId, String)>,
-    /// The look that was open when this was put aside, if it was.
+    /// The look that was open when this scene was put aside, if it was.
     pub(crate) wanted: Option<LookToOpen>,
 }
 
-/// The look that is to be opened with a stage that is taken back.
+/// The look to open with a stage that is taken back.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum LookToOpen {
-    /// The one in this file.
+    /// The look in this file.
     File(PathBuf),
-    /// One that has no file yet.
+    /// A look that has no file yet.
     Unsaved,
 }
 
@@ -90,33 +90,34 @@ impl OpenScene {
         }
     }
 
-    /// A scene that no file holds; its names are paths that hold wherever it will be saved.
+    /// A scene that no file holds; its names are absolute paths, which hold wherever it will be
+    /// saved.
     pub(crate) fn unsaved(scene: Scene) -> Self {
         Self::with(History::new(scene), Scene::read("{}", "scene").source, None, PathBuf::new())
     }
 
-    /// The scene as it is.
+    /// The scene document.
     pub fn scene(&self) -> &Scene {
         self.document.document()
     }
 
-    /// Its file, once there is one.
+    /// File of the scene, once there is one.
     pub fn path(&self) -> Option<&Path> {
         self.document.path.as_deref()
     }
 
-    /// What people call it.
+    /// Display name of the scene.
     pub(crate) fn name(&self) -> String {
         let file = self.document.path.as_ref().and_then(|path| path.file_name());
         file.map_or_else(|| "New scene".to_owned(), |name| name.to_string_lossy().into_owned())
     }
 
-    /// Whether there are changes that no file holds.
+    /// True if there are changes that no file holds.
     pub fn is_dirty(&self) -> bool {
         self.document.is_dirty()
     }
 
-    /// The object that is selected, which is one of the scene.
+    /// The selected object, which is one of the scene.
     pub fn selected(&self) -> Option<(&ObjectId, &Object)> {
         self.scene().objects.get_key_value(self.selected.as_ref()?)
     }
@@ -129,17 +130,18 @@ impl OpenScene {
         &self.document.history
     }
 
-    /// Lets unsaved changes go: they are no longer asked about.
+    /// Gives up unsaved changes: they are no longer asked about.
     pub(crate) fn give_up_changes(&mut self) {
         self.document.history.mark_saved();
     }
 
-    /// Breaks a gesture, so that whatever comes next is a step of its own.
+    /// Ends a gesture, so that the next edit is a step of its own.
     pub(crate) fn end_gesture(&mut self) {
         self.document.end_gesture();
     }
 
-    /// Applies an edit. With a `hand`, consecutive edits by it are one step. `now` is when.
+    /// Applies an edit. Consecutive edits by the same `hand` are one step. `now` is the time of the
+    /// step. Returns true if the scene changed.
     ///
     /// # Errors
     /// A diagnostic where the edit is impossible; nothing is changed then.
@@ -160,7 +162,8 @@ impl OpenScene {
         self.document.redo(now)
     }
 
-    /// Finds out anew what the objects wear; `open` is the file of the open look. `version` grows.
+    /// Finds anew the looks that the objects wear; `open` is the file of the open look. `version`
+    /// grows with each call.
     pub(crate) fn sync(
         &mut self,
         open: Option<&Path>,
@@ -173,7 +176,7 @@ impl OpenScene {
         let open = open.map(real);
         let names =
             scene.objects.values().flat_map(|object| object.looks.values()).map(String::as_str);
-        // A crowd may wear a handful of looks.
+        // Each name is looked up once: a crowd may wear a handful of looks.
         let names: HashSet<&str> = names.collect();
         let (mut of_open, mut others) = (Vec::new(), HashMap::new());
         for name in names {
@@ -189,7 +192,7 @@ impl OpenScene {
         self.closed = others.into_iter().filter_map(find).collect();
         let setup =
             |look: &Option<Arc<ClosedLook>>| look.as_ref().map(|closed| closed.look.clone());
-        // Of an edited scene nobody knows where what is wrong lies in the file.
+        // The positions of problems in the file are no longer known once the scene is edited.
         let source = match self.document.history.revision() {
             0 => self.document.file.source.clone(),
             _ => Arc::new(Scene::read("{}", self.document.file.source.file()).source),
@@ -210,32 +213,32 @@ impl OpenScene {
         self.staged = Arc::new(staged);
     }
 
-    /// What the picture shows, as something that a thread can take with it.
+    /// Snapshot of the scene that a thread can take along.
     pub(crate) fn staged(&self) -> &Arc<SceneSnapshot> {
         &self.staged
     }
 
-    /// The looks of objects that are not open, as far as they can be read.
+    /// Looks of objects that are not open, as far as they can be read.
     pub(crate) fn other_looks(&self) -> impl Iterator<Item = &Arc<SetupLook>> {
         self.staged.others.values().flatten()
     }
 
-    /// What objects that wear a look which is not open may set.
+    /// Parameters that objects may set which wear the look `name`, a look that is not open.
     pub(crate) fn parameters(&self, name: &str) -> &[Parameter] {
         self.closed.get(name).and_then(Option::as_ref).map_or(&[], |closed| &closed.parameters)
     }
 
-    /// Whether a name means the open look.
+    /// True if `name` means the open look.
     pub(crate) fn is_open(&self, name: &str) -> bool {
         self.staged.open.contains(name)
     }
 
-    /// Whether an object wears the open look, on any material.
+    /// True if an object wears the open look, on any material.
     pub(crate) fn wears_open(&self, object: &Object) -> bool {
         object.looks.values().any(|name| self.is_open(name))
     }
 
-    /// The look to open where no object wears the one that is: one that can be read, of an object
+    /// The look to open where no object wears the open one: a look that can be read, of an object
     /// that is seen if possible.
     pub(crate) fn look_to_open(&self) -> Option<PathBuf> {
         let objects = &self.scene().objects;
@@ -249,14 +252,14 @@ impl OpenScene {
         Some(self.path_of(name))
     }
 
-    /// Whether an object wears the look in this file.
+    /// True if an object wears the look in this file.
     pub(crate) fn wears(&self, file: &Path) -> bool {
         let file = real(file);
         let names = self.scene().objects.values().flat_map(|object| object.looks.values());
         names.filter(|name| *name != OPEN_LOOK).any(|name| real(&self.path_of(name)) == file)
     }
 
-    /// Whether an object wears a look that has no file.
+    /// True if an object wears a look that has no file.
     pub(crate) fn wears_unsaved(&self) -> bool {
         self.scene()
             .objects
@@ -264,12 +267,12 @@ impl OpenScene {
             .any(|object| object.looks.values().any(|name| name == OPEN_LOOK))
     }
 
-    /// What is wrong with the file of the scene and those of its looks.
+    /// Problems of the file of the scene and of those of its looks.
     pub(crate) fn problems(&self) -> impl Iterator<Item = &Diagnostic> {
         self.document.load_problems.iter().chain(self.looks.problems())
     }
 
-    /// What is wrong, as people read it.
+    /// Messages of the problems, for people.
     pub fn problem_texts(&self) -> impl Iterator<Item = &str> {
         self.problems().map(|problem| problem.message.as_str())
     }
@@ -283,19 +286,19 @@ impl OpenScene {
         &self.document.journal
     }
 
-    /// Tells the journal where the window looks from.
+    /// Tells the journal the window's view.
     pub(crate) fn note_view(&mut self, view: &Orbit) {
         self.document.journal.note_view(view);
     }
 
-    /// Hands what was done to the journal.
+    /// Hands the edits since the last call to the journal.
     pub(crate) fn commit(&mut self, goes_on: bool) {
         if self.document.commit(goes_on) {
             self.begin_journal(None);
         }
     }
 
-    /// Begins the journal with the scene as it stands.
+    /// Begins the journal with the present scene.
     pub(crate) fn begin_journal(&mut self, slot: Option<Slot>) {
         let text = |path: PathBuf| path.to_str().map(str::to_owned);
         let base = text(self.base.clone());
@@ -312,7 +315,7 @@ impl OpenScene {
         self.document.begin_journal(about, source, slot);
     }
 
-    /// Lets go of the journal: it stays if anything in it is not saved.
+    /// Closes the journal, whose file stays if any change in it is not saved.
     pub(crate) fn leave_journal(&mut self, in_peace: bool) {
         self.commit(false);
         self.document.leave_journal(false, in_peace);

@@ -1,5 +1,4 @@
-//! What files are called in a scene: by paths relative to its folder, with `/` in between on every
-//! system.
+//! Names of files in a scene: paths relative to its folder, with `/` as separator on every system.
 
 use std::path::{Component, Path, PathBuf};
 
@@ -9,7 +8,7 @@ use crate::document::Scene;
 use crate::examples;
 use crate::frame::SHAPE_PREFIX;
 
-/// A path without `.` and `..`, as far as they can be taken out by reading alone.
+/// A path without `.` and `..`, as far as they can be removed without asking the file system.
 pub(crate) fn clean(path: &Path) -> PathBuf {
     let mut cleaned = PathBuf::new();
     for component in path.components() {
@@ -26,7 +25,7 @@ pub(crate) fn clean(path: &Path) -> PathBuf {
     cleaned
 }
 
-/// What tells one file from another, whatever it is called.
+/// Canonical path of a file, the same whatever the file is called.
 pub(crate) fn real(path: &Path) -> PathBuf {
     path.canonicalize().unwrap_or_else(|_| absolute(path))
 }
@@ -35,12 +34,12 @@ fn absolute(path: &Path) -> PathBuf {
     clean(&crate::state::paths::absolute(path))
 }
 
-/// The way from a folder to a file, both absolute; the file itself where there is none, as from one
-/// drive to another.
+/// Relative path from a folder to a file, both absolute; the file itself where there is none, as
+/// from one drive to another.
 pub(crate) fn relative(folder: &Path, file: &Path) -> String {
     let (from, to): (Vec<_>, Vec<_>) = (folder.components().collect(), file.components().collect());
     let shared = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
-    // Not even the root is the same, or nothing else is.
+    // Not even the root is shared, or nothing else is.
     if shared < 2 && from.len() > 1 {
         return file.to_string_lossy().into_owned();
     }
@@ -54,7 +53,7 @@ pub(crate) fn folder_of(file: &Path) -> PathBuf {
     absolute(file).parent().map(Path::to_path_buf).unwrap_or_default()
 }
 
-/// Calls every file of a scene by another name, looks that are no files and examples excepted.
+/// Renames every file of a scene, except looks that are no files and examples.
 fn rename(scene: &mut Scene, name: &dyn Fn(&str) -> String) {
     for object in scene.objects.values_mut() {
         if !object.mesh.starts_with(SHAPE_PREFIX) {
@@ -71,11 +70,11 @@ impl OpenScene {
     pub(crate) fn path_of(&self, name: &str) -> PathBuf {
         let path = self.base.join(name);
         let cleaned = clean(&path);
-        // Where a folder is a link, `..` leads elsewhere than it reads.
+        // A link to a folder makes `..` lead elsewhere than it reads.
         if real(&cleaned) == real(&path) { cleaned } else { path }
     }
 
-    /// What a file is called in the scene.
+    /// Name of a file in the scene.
     pub(crate) fn name_of(&self, file: &Path) -> String {
         match self.base.as_os_str().is_empty() {
             false => relative(&self.base, &absolute(file)),
@@ -83,7 +82,7 @@ impl OpenScene {
         }
     }
 
-    /// The scene with names that hold in a folder.
+    /// The scene with names relative to a folder.
     ///
     /// # Errors
     /// An object wears a look that has no file.
@@ -106,7 +105,7 @@ impl OpenScene {
         Ok(scene)
     }
 
-    /// A scene that was read from the scene's own file, with names as they are here.
+    /// A scene that was read from the scene's own file, with its names made relative to `base`.
     pub(super) fn scene_from(&self, mut scene: Scene) -> Scene {
         let folder = self.document.path.as_deref().map(folder_of).unwrap_or_default();
         if folder != self.base {

@@ -1,4 +1,4 @@
-//! What is done to objects, as edits of the scene; and where they are.
+//! Edits of a scene's objects, and the objects' positions.
 
 use glam::{DQuat, DVec3, EulerRot};
 
@@ -9,22 +9,22 @@ use crate::geometry::SHAPES;
 use crate::ids::{ObjectId, is_slug, make_slug};
 use crate::state::orbit::Orbit;
 
-/// Between two objects that stand side by side, in scene units.
+/// Distance between two objects that stand side by side, in scene units.
 const GAP: f64 = 0.15;
 
-/// Where an object is, and what of it can wear looks: found out with the picture.
+/// Position of an object, and its materials: found out with the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ObjectPlace {
     pub(crate) id: ObjectId,
-    /// The middle of its mesh, world space.
+    /// Middle of the object's mesh, in world space.
     pub(crate) center: DVec3,
-    /// Of a sphere around that, in scene units.
+    /// Radius of a sphere around the middle, in scene units.
     pub(crate) radius: f64,
-    /// The materials of its mesh, each once.
+    /// Materials of the object's mesh, each once.
     pub(crate) materials: Vec<String>,
 }
 
-/// What a mesh is called: an own shape's label, or a file's name.
+/// Display name of a mesh: a built-in shape's label, or a file's name.
 pub(crate) fn mesh_label(mesh: &str) -> String {
     let shape = mesh.strip_prefix(SHAPE_PREFIX);
     match SHAPES.iter().find(|known| shape == Some(known.name)) {
@@ -33,37 +33,38 @@ pub(crate) fn mesh_label(mesh: &str) -> String {
     }
 }
 
-/// The name of a file without its folders.
+/// Name of a file without its folders.
 pub(crate) fn file_label(name: &str) -> String {
     name.rsplit(['/', '\\']).next().unwrap_or(name).to_owned()
 }
 
-/// Degrees around the vertical axis, around the axis to the right and around the one toward the
-/// viewer, in the order in which a turn is made of them: the last first.
+/// Angles of a rotation around the vertical axis, around the axis to the right and around the one
+/// toward the viewer, in degrees. The rotation is made of them in the reverse order.
 pub(crate) fn to_degrees(rotation: [f64; 4]) -> [f64; 3] {
     let rotation = DQuat::from_array(rotation);
     let rotation =
         if rotation.length_squared() > 1e-18 { rotation.normalize() } else { DQuat::IDENTITY };
     let (y, x, z) = rotation.to_euler(EulerRot::YXZ);
-    // Neither the last digits of a quaternion nor the sign of 0 are anybody's wish.
+    // Rounding hides the last digits of a quaternion, and adding 0 the sign of -0: neither is
+    // anybody's wish.
     [x, y, z].map(|angle| (angle.to_degrees() * 1e9).round() / 1e9 + 0.0)
 }
 
-/// The other way around.
+/// Rotation of angles in degrees: the inverse of `to_degrees`.
 pub(crate) fn from_degrees([x, y, z]: [f64; 3]) -> [f64; 4] {
     DQuat::from_euler(EulerRot::YXZ, y.to_radians(), x.to_radians(), z.to_radians())
         .normalize()
         .to_array()
 }
 
-/// A quarter turn that stands up a mesh whose z axis points up.
+/// A rotation that also stands up a mesh whose z axis points up, by a quarter turn.
 pub(crate) fn stood_up(rotation: [f64; 4]) -> [f64; 4] {
     (DQuat::from_array(rotation) * DQuat::from_rotation_x(-std::f64::consts::FRAC_PI_2))
         .normalize()
         .to_array()
 }
 
-/// An unsaved scene with one object: what the viewport shows of a look that was opened alone.
+/// An unsaved scene with one object: the viewport's picture of a look that was opened alone.
 pub(crate) fn scene_of(orbit: &Orbit, look: String) -> Scene {
     let normal = Transform::default();
     let rotate = if orbit.z_is_up { stood_up(normal.rotate) } else { normal.rotate };
@@ -81,21 +82,21 @@ pub(crate) fn scene_of(orbit: &Orbit, look: String) -> Scene {
     scene
 }
 
-/// An id that nothing has, after the name of a mesh.
+/// An id that no object has, after the name of a mesh.
 fn free_id(scene: &Scene, mesh: &str) -> ObjectId {
     let name = mesh.strip_prefix(SHAPE_PREFIX).map_or_else(|| file_label(mesh), str::to_owned);
     let name = name.split('.').next().unwrap_or_default().to_owned();
     ObjectId::new(make_slug(&name, |slug| scene.objects.contains_key(slug)))
 }
 
-/// How far an object reaches from where it stands, as far as its mesh is fitted.
+/// Largest distance of an object's mesh from its position, for a mesh that is fitted.
 fn reach(transform: &Transform) -> f64 {
     transform.scale.iter().fold(0.0, |most: f64, scale| most.max(scale.abs()))
 }
 
 impl OpenScene {
-    /// Adds an object on a mesh, to the right of the others, in the look of the selected one or
-    /// else the open one.
+    /// Adds an object on a mesh, to the right of the others, in the look of the selected object or
+    /// else the open look.
     pub(crate) fn add(&self, mesh: &str) -> (ObjectId, SceneEdit) {
         let scene = self.scene();
         let looks = match self.selected() {
@@ -112,7 +113,7 @@ impl OpenScene {
         (id.clone(), self.add_beside(id, object))
     }
 
-    /// Adds the same once more, to the right of all.
+    /// Adds a copy of an object, to the right of all.
     pub(crate) fn duplicate(&self, id: &ObjectId) -> Option<(ObjectId, SceneEdit)> {
         let object = self.scene().objects.get(id)?.clone();
         let base = id.as_str().trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('_');
@@ -132,7 +133,7 @@ impl OpenScene {
         SceneEdit::AddObject { id, object, index: None }
     }
 
-    /// Calls an object otherwise: what has a name that is no id gets one. `None` where nothing
+    /// Renames an object: a name that is no valid id is turned into one. `None` where nothing
     /// changes.
     pub(crate) fn rename(&self, id: &ObjectId, name: &str) -> Option<(ObjectId, SceneEdit)> {
         let objects = &self.scene().objects;
@@ -151,7 +152,7 @@ impl OpenScene {
         (new != *id).then_some((new, SceneEdit::Group { edits }))
     }
 
-    /// Changes an object; `None` where it is not there any more.
+    /// Changes an object; `None` where the object no longer exists.
     pub(crate) fn change(
         &self,
         id: &ObjectId,
@@ -162,8 +163,7 @@ impl OpenScene {
         Some(SceneEdit::SetObject { id: id.clone(), object })
     }
 
-    /// Lets everything that wears the open look wear it under another name; `None` where nothing
-    /// does.
+    /// Renames the open look on every object that wears it; `None` where no object does.
     pub(crate) fn rename_open(&self, name: &str) -> Option<SceneEdit> {
         let renamed = |(id, object): (&ObjectId, &Object)| {
             let mut object = object.clone();
@@ -179,7 +179,7 @@ impl OpenScene {
         if edits.len() > 1 { Some(SceneEdit::Group { edits }) } else { edits.pop() }
     }
 
-    /// What the open look is called in the scene.
+    /// Name of the open look in the scene.
     pub(crate) fn open_name(&self) -> String {
         let worn = self.scene().objects.values().flat_map(|object| object.looks.values());
         let known = worn.into_iter().find(|name| self.is_open(name)).cloned();
@@ -188,13 +188,13 @@ impl OpenScene {
             .unwrap_or_else(|| OPEN_LOOK.to_owned())
     }
 
-    /// What the open look is called where objects are listed.
+    /// Display name of the open look in lists of objects.
     pub(crate) fn open_label(&self) -> String {
         let file = self.open_file.as_deref().and_then(|file| file.file_name());
         file.map_or_else(|| "New look".to_owned(), |name| name.to_string_lossy().into_owned())
     }
 
-    /// Every look that the scene names, the open one first, each once.
+    /// Names of the scene's looks, the open one first, each once.
     pub(crate) fn looks(&self) -> Vec<String> {
         let mut names = vec![self.open_name()];
         for name in self.scene().objects.values().flat_map(|object| object.looks.values()) {
@@ -205,7 +205,7 @@ impl OpenScene {
         names
     }
 
-    /// A sphere around an object, or around all that are seen; `None` where there is nothing.
+    /// A sphere around an object, or around all that are seen; `None` where there are none.
     pub(crate) fn sphere(&self, only: Option<&ObjectId>) -> Option<(DVec3, f64)> {
         let objects = self.scene().objects.iter();
         let objects =
@@ -228,7 +228,7 @@ impl OpenScene {
         placed.map_or_else(fitted, |placed| (placed.center, placed.radius))
     }
 
-    /// The materials of an object's mesh, as far as they are known.
+    /// Materials of an object's mesh, as far as they are known.
     pub(crate) fn materials(&self, id: &ObjectId) -> &[String] {
         self.placed.iter().find(|placed| placed.id == *id).map_or(&[], |placed| &placed.materials)
     }

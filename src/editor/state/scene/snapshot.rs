@@ -1,4 +1,4 @@
-//! What the viewport shows of a stage, with everything that a thread needs to draw it.
+//! Snapshot of a stage, with everything that a thread needs to draw it.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::PathBuf;
@@ -13,20 +13,20 @@ use crate::state::revision::PictureRevision;
 /// A scene with the looks that are not open.
 #[derive(Clone)]
 pub(crate) struct SceneSnapshot {
-    /// Another number is another picture.
+    /// Revision of the stage's picture.
     pub(super) version: PictureRevision,
-    /// Another number is another shape: objects are elsewhere, on other meshes, or wear other
-    /// looks.
+    /// Revision of the stage's shape, which changes when objects are moved, get other meshes, or
+    /// wear other looks.
     pub(super) shape: PictureRevision,
     pub(crate) scene: Scene,
-    /// What meshes are relative to.
+    /// Folder that meshes are relative to.
     pub(super) base: PathBuf,
     pub(super) source: Arc<SourceMap>,
-    /// The names that mean the open look.
+    /// Names that mean the open look.
     pub(super) open: HashSet<String>,
-    /// The others; `None` where a file is broken.
+    /// The other looks by their names; `None` where a file is broken.
     pub(super) others: HashMap<String, Option<Arc<SetupLook>>>,
-    /// Whether only what wears the open look is there.
+    /// True if only objects that wear the open look are there.
     pub(super) is_alone: bool,
 }
 
@@ -46,13 +46,12 @@ impl Default for SceneSnapshot {
 }
 
 impl SceneSnapshot {
-    /// Tells one picture of a stage from another.
+    /// Revision of the stage's picture.
     pub(crate) fn version(&self) -> PictureRevision {
         self.version
     }
 
-    /// The looks that are not open, as far as they can be read, each once, in the order of their
-    /// names.
+    /// Looks that are not open, as far as they can be read, each once, in the order of their names.
     pub(crate) fn other_looks(&self) -> impl Iterator<Item = &Arc<SetupLook>> {
         let mut named: Vec<_> =
             self.others.iter().filter_map(|(name, look)| Some((name, look.as_ref()?))).collect();
@@ -61,13 +60,13 @@ impl SceneSnapshot {
         named.into_iter().map(|(_, look)| look).filter(move |look| seen.insert(Arc::as_ptr(look)))
     }
 
-    /// Tells one shape of it from another; lights and values are none of it.
+    /// Revision of the stage's shape; lights and values do not count.
     pub(crate) fn shape(&self) -> PictureRevision {
         self.shape
     }
 
-    /// Whether every object is where it is in another, on the same mesh, and wears the same as far
-    /// as it can be worn.
+    /// True if every object is in the same place as in `other`, on the same mesh, and wears the
+    /// same looks as far as they can be worn.
     pub(super) fn has_shape_of(&self, other: &Self) -> bool {
         let is_like = |a: &Object, b: &Object| {
             (&a.mesh, a.transform, &a.looks, a.visible)
@@ -87,14 +86,14 @@ impl SceneSnapshot {
             && can_be_worn(self) == can_be_worn(other)
     }
 
-    /// Without what does not wear the open look.
+    /// The snapshot with only the objects that wear the open look.
     #[must_use]
     pub(crate) fn alone(&self) -> Self {
         Self { is_alone: true, ..self.clone() }
     }
 
-    /// The scene with everything that it names, as far as that is there, and what is wrong. `open`
-    /// is the first of its looks, whether anything wears it or not.
+    /// The scene with everything that it names, as far as that exists, and the problems. `open` is
+    /// the first of its looks, even if no object wears it.
     pub(crate) fn setup(&self, open: SetupLook, assets: &mut Assets) -> Warned<Setup> {
         let mut problems = Vec::new();
         let mut worn = Worn { staged: self, looks: vec![open], known: HashMap::new() };
@@ -120,7 +119,7 @@ impl SceneSnapshot {
     }
 }
 
-/// The open look and the others, as objects ask for them.
+/// The open look and the others, collected as objects ask for them.
 struct Worn<'s> {
     staged: &'s SceneSnapshot,
     looks: Vec<SetupLook>,
@@ -136,7 +135,7 @@ impl Wardrobe for Worn<'_> {
         if self.staged.open.contains(name) {
             return Some(0);
         }
-        // What is wrong with a broken one was told when it was read.
+        // Problems of a broken look were reported when it was read.
         let look = self.staged.others.get(name)?.as_ref()?;
         let looks = &mut self.looks;
         Some(*self.known.entry(Arc::as_ptr(look)).or_insert_with(|| {

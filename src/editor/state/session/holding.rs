@@ -1,5 +1,5 @@
-//! A document over which the last program ended is neither compiled nor drawn until somebody says
-//! so.
+//! Holding back of a document over which the last program ended: the document is neither compiled
+//! nor drawn until the user asks for it.
 
 use std::path::PathBuf;
 
@@ -9,22 +9,21 @@ use crate::state::revision::DocumentNumber;
 use crate::state::safety::crashes::{DocumentOrigin, Suspect};
 use crate::state::scene::OpenScene;
 
-/// What is held back.
+/// State of the holding back.
 #[derive(Default)]
 pub(crate) struct Holding {
-    /// For which document, in which scene, and after how many changes of what is suspected it was
-    /// looked.
+    /// Document, its scene, and number of changes of the suspects, for which `suspect` was found.
     looked_for: Option<(DocumentNumber, Option<PathBuf>, u64)>,
     suspect: Option<Suspect>,
 }
 
 impl Session {
-    /// The look that is open.
+    /// Identity of the open look.
     fn look_origin(&self) -> DocumentOrigin {
         DocumentOrigin::new(&self.name(), self.path(), self.look())
     }
 
-    /// What the picture is of, by its name and its file: the scene, where there is one.
+    /// Name and file of the document in the picture: the scene, where there is one, else the look.
     pub(crate) fn shown_file(&self) -> (String, Option<PathBuf>) {
         let (name, path) = match &self.stage {
             Some(stage) => (stage.name(), stage.path()),
@@ -33,13 +32,13 @@ impl Session {
         (name, path.map(PathBuf::from))
     }
 
-    /// What the picture is of.
+    /// Identity of the document in the picture.
     pub(crate) fn shown_origin(&self) -> DocumentOrigin {
         let (name, path) = self.shown_file();
         DocumentOrigin::new(&name, path.as_deref(), self.look())
     }
 
-    /// Holds what is open back, if the last program ended over it.
+    /// Holds the open document back, if the last program ended over it.
     pub(super) fn hold_suspect(&mut self) {
         let stage = self.stage.as_ref().and_then(OpenScene::path).map(PathBuf::from);
         let now = Some((self.revisions.document, stage, self.journals.crashes.changes()));
@@ -60,12 +59,12 @@ impl Session {
         self.journals.holding.suspect = suspect;
     }
 
-    /// Over what the last program ended, where what is open is held back for it.
+    /// The suspect that the open document is held back for.
     pub(crate) fn held(&self) -> Option<&Suspect> {
         self.journals.holding.suspect.as_ref()
     }
 
-    /// Compiles and draws what was held back.
+    /// Compiles and draws the document that was held back.
     pub(crate) fn try_again(&mut self) {
         if let Some(suspect) = self.journals.holding.suspect.clone() {
             self.journals.crashes.trust(&suspect.document);

@@ -1,4 +1,4 @@
-//! What keeps a session's work: journals, and what another program did to its file.
+//! Journals of a session, and changes of its file by other programs.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -16,7 +16,7 @@ use crate::state::revision::FilesRevision;
 
 impl Session {
     /// Keeps the journals of unsaved work in a folder from now on. `wake` is called from another
-    /// thread when that fails, or works again.
+    /// thread when a journal cannot be written, or can again.
     pub fn keep_in(&mut self, folder: &Path, wake: impl Fn() + Send + Sync + 'static) {
         let wake: Arc<dyn Fn() + Send + Sync> = Arc::new(wake);
         self.journals.folder = Some((folder.to_owned(), wake.clone()));
@@ -30,8 +30,8 @@ impl Session {
         }
     }
 
-    /// Hands what was done since the last call to the journals; a gesture that goes on may wait for
-    /// a moment there.
+    /// Hands the operations since the last call to the journals; a gesture that goes on may wait
+    /// for a moment there.
     pub fn commit(&mut self, goes_on: bool) {
         if self.look.commit(goes_on) {
             self.begin_journal(None);
@@ -46,8 +46,8 @@ impl Session {
         }
     }
 
-    /// Waits until the system has all that was handed over; for tests, and before something is put
-    /// away.
+    /// Waits until the system has all the operations that were handed over; for tests, and before a
+    /// document is put away.
     pub fn wait_for_journal(&self) {
         self.look.journal.wait();
         if let Some(stage) = &self.stage {
@@ -58,20 +58,21 @@ impl Session {
         }
     }
 
-    /// Why unsaved work is not kept, if it should be and is not.
+    /// The reason why unsaved work is not kept, if it should be and is not.
     pub(crate) fn keeping_problem(&self) -> Option<Diagnostic> {
         let of_scene = || self.stage.as_ref().and_then(|stage| stage.journal().problem());
         let of_painting = || self.painting.as_ref().and_then(OpenPainting::keeping_problem);
         self.look.journal.problem().or_else(of_scene).or_else(of_painting)
     }
 
-    /// Whether closing or another document would lose nothing, once all is handed over.
+    /// True if closing the window or opening another document would lose nothing, once all
+    /// operations are handed over.
     pub(crate) fn keeps_work(&mut self) -> bool {
         self.commit(false);
         self.look.journal.keeps() && self.stage.as_ref().is_none_or(|stage| stage.journal().keeps())
     }
 
-    /// Begins the journal with the look as it stands.
+    /// Begins the journal with the whole look.
     pub(super) fn begin_journal(&mut self, slot: Option<Slot>) {
         if !self.look.journal.is_on() {
             return self.look.journal.clear();
@@ -92,28 +93,27 @@ impl Session {
         self.look.begin_journal(about, source, slot);
     }
 
-    /// After a save the journal begins anew: with the same past, and nothing unsaved.
+    /// Begins the journal anew after a save: with the same past, and nothing unsaved.
     pub(super) fn saved(&mut self) {
         if self.look.saved() {
             self.begin_journal(None);
         }
     }
 
-    /// Lets go of the look's journal before another look comes: it stays if anything in it is not
-    /// saved.
+    /// Closes the look's journal before another look comes; its file stays if any change in it is
+    /// not saved.
     pub(crate) fn leave_journal(&mut self, in_peace: bool) {
         self.commit(false);
         self.note_home();
-        // What has no file is needed by a scene that is put aside with it, be it as it was in the
-        // beginning.
+        // A scene that is put aside needs a look without a file, even an unchanged one.
         let by_scene = self.stage.as_ref().is_some_and(|stage| stage.is_dirty());
-        // And by what is painted in it.
+        // A painting that such a look shows needs the look, too.
         let by_painting = self.is_painting_dirty() && self.shows_painting(Path::new(UNSAVED_HCBTF));
         let is_needed = self.look.path.is_none() && (by_scene || by_painting);
         self.look.leave_journal(is_needed, in_peace);
     }
 
-    /// Closes the journals as a window that is closed does; nothing is kept any more after that.
+    /// Closes the journals as a closing window does; nothing is kept after that.
     pub fn close_journal(&mut self, in_peace: bool) {
         self.leave_journal(in_peace);
         self.look.journal.end();
@@ -122,8 +122,8 @@ impl Session {
         self.journals.folder = None;
     }
 
-    /// Takes work back that a journal gave: the document, its file, and all that can be undone and
-    /// redone. The journal goes on where it is.
+    /// Takes back work that a journal gave: the document, its file, and all steps that can be
+    /// undone and redone. The journal goes on in its slot.
     pub(crate) fn take_back(&mut self, found: Recovered<Look>, slot: Slot) {
         let path = found.about.path.as_ref().map(PathBuf::from);
         self.leave_stage_unless_worn(path.as_deref());
@@ -145,22 +145,22 @@ impl Session {
         self.begin_journal(Some(slot));
     }
 
-    /// Looks from where the window did that had the work which was taken back last, if `is_wanted`;
-    /// else that is forgotten.
+    /// Restores the view that came with the work which was last taken back, if `is_wanted`; else
+    /// forgets that view.
     pub(crate) fn look_as_kept(&mut self, is_wanted: bool) {
         if let Some(kept) = self.journals.view.take().filter(|_| is_wanted) {
             self.view.orbit.recall(&kept);
         }
     }
 
-    /// Compares the look's file with what it held when it was read or written last.
+    /// Compares the look's file with its text when it was last read or written.
     pub(crate) fn on_disk(&self) -> OnDisk {
         self.look.on_disk()
     }
 
-    /// Takes what another program made of the file, as one step that can be undone. View and
-    /// selection stay. Returns whether it could be read without an error; else the look stays as it
-    /// is, and the problems are told.
+    /// Takes another program's version of the file, as one step that can be undone. View and
+    /// selection stay. Returns true if the file could be read without an error; else the look is
+    /// unchanged, and the problems are reported.
     pub(crate) fn reload(&mut self, text: &str) -> bool {
         let file =
             self.look.path.as_ref().map(|path| path.display().to_string()).unwrap_or_default();
@@ -180,19 +180,19 @@ impl Session {
         true
     }
 
-    /// Lets saving write over what another program wrote.
+    /// Lets saving write over another program's text.
     pub(crate) fn keep_mine(&mut self, theirs: String) {
         self.look.journal.override_with(theirs);
     }
 
-    /// Draws again with files that changed: meshes and images are read anew where their files are
-    /// others.
+    /// Draws again with files that changed: meshes and images are read anew where their files have
+    /// changed.
     pub(crate) fn files_changed(&mut self) {
         self.revisions.files.advance();
         self.stage_changed();
     }
 
-    /// How often files that the look uses have changed.
+    /// Revision of the files that the look uses.
     pub(crate) fn files(&self) -> FilesRevision {
         self.revisions.files
     }
@@ -200,7 +200,7 @@ impl Session {
 
 impl Drop for Session {
     fn drop(&mut self) {
-        // A window that panics is not closed in peace: what it was at may be what broke it.
+        // A window that panics is not closed in peace: its document may have caused the panic.
         self.close_journal(!std::thread::panicking());
     }
 }

@@ -1,5 +1,5 @@
-//! One open look: the document and its past, the file, what is selected, and the shaders made of
-//! it.
+//! Session of one open look: the document and its past, the file, the selection, and the compiled
+//! shaders.
 
 mod holding;
 mod keeping;
@@ -39,15 +39,14 @@ use parts::{Compilation, Journals, Project, Revisions, Selection, Sketchbook, Vi
 pub(crate) use shading::DrawableLook;
 use shading::ShaderCache;
 
-/// One open look.
+/// Session of one open look.
 pub struct Session {
     pub(crate) look: OpenDocument<Look>,
-    /// The scene around the look, where there is one.
+    /// The scene around the look, if there is one.
     stage: Option<OpenScene>,
-    /// The HCBTF that is being painted, where there is one.
+    /// The HCBTF that is being painted, if there is one.
     painting: Option<OpenPainting>,
-    /// Whether another look is open that does not show it: undo takes nothing back that nobody
-    /// sees.
+    /// True if the open look does not show the painting: undo takes back nothing that is not seen.
     pub(crate) hides_painting: bool,
     sketchbook: Sketchbook,
     pub(crate) project: Project,
@@ -58,16 +57,16 @@ pub struct Session {
     pub(crate) journals: Journals,
     /// Meshes and images that all pictures of the window share.
     pub(crate) assets: AssetStore,
-    /// What keeps the picture from being drawn, or was odd about it.
+    /// Problems that keep the picture from being drawn, and warnings about it.
     picture_problems: Vec<Diagnostic>,
     revisions: Revisions,
-    /// Whether the first picture is on its way: small ones wait for it.
+    /// True while the first picture is on its way: small pictures wait for it.
     pub(crate) awaits_first_picture: bool,
 }
 
 impl Session {
-    /// An empty look, with what every look needs. `wake` is called from another thread when there
-    /// is something new.
+    /// Creates a session with a new look. `wake` is called from another thread when nodes were read
+    /// or shaders compiled.
     pub fn new(library: Arc<Library>, wake: impl Fn() + Send + Sync + 'static) -> Self {
         let wake = Arc::new(wake);
         let nodes_are_read = wake.clone();
@@ -104,8 +103,7 @@ impl Session {
         session
     }
 
-    /// Begins a new look: a base, one light layer and an output, wired. A scene that is open is put
-    /// aside.
+    /// Begins a new look: a base, one light layer and an output, wired. An open scene is put aside.
     pub fn start_new(&mut self) {
         self.leave_journal(false);
         self.leave_project();
@@ -121,7 +119,7 @@ impl Session {
         self.look.load_problems.clear();
     }
 
-    /// Begins a new look with what a text says, as one that no file holds.
+    /// Begins a new look from a text, without a file.
     pub(crate) fn start_from(&mut self, text: &str, name: &str) {
         self.leave_journal(false);
         self.leave_project();
@@ -132,10 +130,10 @@ impl Session {
         self.look.load_problems = loaded.diagnostics;
     }
 
-    /// Opens a look, within the scene if one is open that wears it, or a scene.
+    /// Opens a scene, or a look, which stays within the open scene if an object there wears it.
     ///
     /// # Errors
-    /// What keeps the file from being read at all; what was open stays then.
+    /// Problems that keep the file from being read at all; the open documents stay then.
     pub fn open(&mut self, path: &Path) -> Result<(), Vec<Diagnostic>> {
         let loaded = match Document::load(&crate::files::Disk, path) {
             Document::Look(loaded) => loaded,
@@ -157,7 +155,7 @@ impl Session {
     /// Saves to a file, which is the look's own from then on.
     ///
     /// # Errors
-    /// A diagnostic that says why not; the old file is then as it was.
+    /// A diagnostic with the reason; the old file is then unchanged.
     pub fn save_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
         let is_own = self.look.check_saving(path)?;
         let names = if is_own { None } else { self.names_of_painting(path) };
@@ -192,7 +190,7 @@ impl Session {
         self.look.path = path;
         self.find_sketch();
         self.selection.nodes.clear();
-        // A scene has the camera, and goes on.
+        // A scene has the camera, which stays.
         if self.stage.is_none() {
             self.view.orbit = Orbit {
                 mesh: self.view.orbit.mesh.clone(),
@@ -214,18 +212,18 @@ impl Session {
         self.stage_changed();
     }
 
-    /// The look as it is.
+    /// The look document.
     pub fn look(&self) -> &Look {
         self.look.document()
     }
 
-    /// The file, once there is one.
+    /// File of the look, once there is one.
     pub fn path(&self) -> Option<&Path> {
         self.look.path.as_deref()
     }
 
-    /// What people call the look: as its file, or else as itself. One that is called as what is
-    /// painted is told from that.
+    /// Display name of the look: its file's name, or else its own. A look of the same name as the
+    /// painting is told from it.
     pub(crate) fn name(&self) -> String {
         let look = &self.look().name;
         match self.path().and_then(Path::file_name) {
@@ -238,42 +236,43 @@ impl Session {
         }
     }
 
-    /// Whether there are changes that no file holds, of the look or of the scene around it.
+    /// True if there are changes that no file holds, of the look or of the scene around it.
     pub fn is_dirty(&self) -> bool {
         self.is_look_dirty() || self.stage.as_ref().is_some_and(OpenScene::is_dirty)
     }
 
-    /// Whether there are changes of the look that no file holds.
+    /// True if there are changes of the look that no file holds.
     pub fn is_look_dirty(&self) -> bool {
         self.look.is_dirty()
     }
 
-    /// Which document is open, as revisions of each begin anew.
+    /// Number of the open document; revisions of each document begin anew.
     pub(crate) fn document_number(&self) -> DocumentNumber {
         self.revisions.document
     }
 
-    /// Grows with every change.
+    /// Revision of the look, which grows with every change.
     pub fn revision(&self) -> LookRevision {
         LookRevision(self.look.history.revision())
     }
 
-    /// Grows with every change of what nodes give; it stays while they are only moved about.
+    /// Revision of the look's meaning, which grows with every change of the nodes' values, and
+    /// stays while nodes are only moved about.
     pub(crate) fn meaning(&self) -> MeaningRevision {
         self.revisions.meaning
     }
 
-    /// Nodes that are selected.
+    /// Selected nodes.
     pub fn selected(&self) -> impl Iterator<Item = &NodeId> {
         self.selection.nodes.iter()
     }
 
-    /// Selects nodes and no others.
+    /// Selects nodes, and deselects all others.
     pub fn select(&mut self, ids: Vec<NodeId>) {
         self.selection.nodes = ids.into_iter().filter(|id| self.is_here(id)).collect();
     }
 
-    /// Lets unsaved changes of the look or of the scene go: they are no longer asked about.
+    /// Gives up unsaved changes of the look or of the scene: they are no longer asked about.
     pub(crate) fn give_up_changes(&mut self, of_look: bool, of_scene: bool) {
         if of_look {
             self.look.history.mark_saved();
@@ -283,12 +282,12 @@ impl Session {
         }
     }
 
-    /// Where the camera and the lights are turned to.
+    /// View of the camera, with the turn of the lights.
     pub fn orbit(&self) -> &Orbit {
         &self.view.orbit
     }
 
-    /// The moment that is shown, in seconds.
+    /// The moment in the picture, in seconds.
     pub fn time(&self) -> f64 {
         self.view.time
     }
@@ -306,18 +305,18 @@ impl Session {
         }
     }
 
-    /// The lights that are neither muted nor left out by a solo, as they are now.
+    /// The lights that are neither muted nor left out by a solo, with their present values.
     pub(crate) fn shining(&self) -> impl Iterator<Item = (&LightId, &Light)> {
         let lights = self.look().lights.iter().filter(|(id, _)| !self.view.solo.is_dark(id));
         lights.map(|(id, light)| (id, self.light(id).unwrap_or(light)))
     }
 
-    /// What is shown alone or left out for now.
+    /// The present solo and mute.
     pub(crate) fn solo(&self) -> &Solo {
         &self.view.solo
     }
 
-    /// Shows other things alone, or leaves other things out. The document stays as it is.
+    /// Sets solo and mute. The document is unchanged.
     pub(crate) fn set_solo(&mut self, solo: Solo) {
         if self.view.solo == solo {
             return;
@@ -330,14 +329,13 @@ impl Session {
         self.revisions.picture.advance();
     }
 
-    /// Whether a light shines, as far as the window is asked: it is neither muted nor is another
-    /// one shown alone.
+    /// True if a light is neither muted nor left out by a solo.
     pub fn shines(&self, light: &str) -> bool {
         !self.view.solo.is_dark(&light.into())
     }
 
-    /// The look as it is shown: what is soloed alone, and without what is muted; or the preview of
-    /// another.
+    /// The look as shown: with soloed layers alone, and without muted lights; or the preview of
+    /// another look.
     pub(crate) fn shown_look(&self) -> Cow<'_, Look> {
         match &self.sketchbook.preview {
             Some(preview) => Cow::Borrowed(preview),
@@ -345,7 +343,7 @@ impl Session {
         }
     }
 
-    /// What a node of the look's own graph is called.
+    /// Display name of a node of the look's own graph.
     pub(crate) fn title(&self, id: &NodeId) -> String {
         let node = self.look().graph.nodes.get(id);
         match (node, node.and_then(|node| self.project.catalog.of(node))) {
@@ -355,7 +353,7 @@ impl Session {
         }
     }
 
-    /// What is wrong with the look, as the compiler last told.
+    /// Problems of the look, as last reported by the compiler.
     pub fn problems(&self) -> &[Diagnostic] {
         &self.compilation.problems
     }
@@ -364,8 +362,7 @@ impl Session {
         self.revisions.problems
     }
 
-    /// Applies an edit. With a `hand` (a widget and its press), consecutive edits by it are one
-    /// step.
+    /// Applies an edit. Consecutive edits by the same `hand` (a widget and its press) are one step.
     ///
     /// # Errors
     /// A diagnostic where the edit is impossible; nothing is changed then.
@@ -422,18 +419,19 @@ impl Session {
         self.revisions.picture.advance();
     }
 
-    /// Whether a live shader cannot show an edit by its uniforms.
+    /// True if an edit cannot be shown by the live shader's uniforms.
     fn is_structural(&self, edit: &Edit) -> bool {
         match edit {
             Edit::Group { edits } => edits.iter().any(|edit| self.is_structural(edit)),
             edit if is_layout(edit) => false,
-            // A long look's uniforms are told by paths, and a group's node lies at many of them.
+            // Uniforms of a long look are identified by paths, and a group's node lies at many of
+            // them.
             Edit::SetValue { graph: GraphId::Definition(_), .. }
                 if self.compilation.shaders.is_long() =>
             {
                 true
             }
-            // Where the same is keyed, all of it is in uniforms; words are not.
+            // Keys of the same targets have all their values in uniforms, except words.
             Edit::SetDirectionKeys { index, keys } => {
                 let targets = |keys: &DirectionKeys| -> HashSet<Target> {
                     keys.keys.iter().flat_map(|key| key.values.keys()).cloned().collect()
@@ -478,14 +476,14 @@ impl Session {
         &self.look.file.source
     }
 
-    /// Everything wrong with the file and the look.
+    /// Problems of the files, the look and the picture.
     pub(crate) fn all_problems(&self) -> impl Iterator<Item = &Diagnostic> {
         let scene = self.stage.iter().flat_map(OpenScene::problems);
         let files = self.look.load_problems.iter().chain(scene).chain(&self.project.problems);
         files.chain(&self.compilation.problems).chain(&self.picture_problems)
     }
 
-    /// Takes what the renderer tells.
+    /// Takes the problems that the renderer reports.
     pub(crate) fn set_picture_problems(&mut self, problems: &[Diagnostic]) {
         if self.picture_problems != problems {
             self.picture_problems = problems.to_vec();
@@ -494,7 +492,7 @@ impl Session {
     }
 }
 
-/// Whether an edit changes only how the graph lies on the canvas and what is written there.
+/// True if an edit changes only the layout of the graph on the canvas, notes, or descriptions.
 fn is_layout(edit: &Edit) -> bool {
     match edit {
         Edit::Group { edits } => edits.iter().all(is_layout),
@@ -510,7 +508,7 @@ fn is_layout(edit: &Edit) -> bool {
     }
 }
 
-/// What a new look begins with.
+/// Text of a new look.
 const NEW_LOOK: &str = r##"{
   "name": "New look",
   "lights": {"key": {"direction": [-0.5, 0.7, 0.6]}},

@@ -13,22 +13,22 @@ use crate::state::painting::{PaintingUpdate, look};
 use crate::state::scene::{folder_of, real, relative};
 
 impl Session {
-    /// The HCBTF that is being painted, where there is one.
+    /// The HCBTF that is being painted, if there is one.
     pub fn painting(&self) -> Option<&OpenPainting> {
         self.painting.as_ref()
     }
 
-    /// The same, for programs that drive the window.
+    /// The HCBTF that is being painted, for programs that drive the window.
     pub fn painting_mut(&mut self) -> Option<&mut OpenPainting> {
         self.painting.as_mut()
     }
 
-    /// Paints another one, or none.
+    /// Paints another HCBTF, or none.
     pub(crate) fn set_painting(&mut self, work: Option<OpenPainting>) {
         self.keep_painting(work, None);
     }
 
-    /// Takes painting back that a journal gave. The journal goes on where it is.
+    /// Takes back a painting that a journal gave. The journal goes on in its slot.
     pub(crate) fn take_back_painting(&mut self, found: Recovered<Hcbtf>, slot: Slot) {
         self.keep_painting(Some(OpenPainting::taken_back(found)), Some(slot));
     }
@@ -43,29 +43,29 @@ impl Session {
         self.revisions.problems.advance();
     }
 
-    /// Lets go of what is painted; its journal stays if anything in it is not saved.
+    /// Closes the painting; its journal stays if any change in it is not saved.
     pub(super) fn leave_painting(&mut self, in_peace: bool) {
         if let Some(mut work) = self.painting.take() {
             work.leave_journal(in_peace);
         }
     }
 
-    /// Whether putting what is painted aside would lose nothing.
+    /// True if putting the painting aside would lose nothing.
     pub(crate) fn keeps_painting(&mut self) -> bool {
         self.painting.as_mut().is_none_or(OpenPainting::keeps_work)
     }
 
-    /// Whether what is painted has changes that no file holds.
+    /// True if the painting has changes that no file holds.
     pub(crate) fn is_painting_dirty(&self) -> bool {
         self.painting.as_ref().is_some_and(OpenPainting::is_dirty)
     }
 
-    /// The picture may be another now.
+    /// Notes that the picture may have changed.
     pub(crate) fn painting_changed(&mut self) {
         self.revisions.picture.advance();
     }
 
-    /// Takes what a frame found out of what is painted.
+    /// Takes the state of the painting in a frame.
     pub(crate) fn update_painting(&mut self, update: PaintingUpdate) {
         self.hides_painting = self.painting.is_some() && !update.is_shown;
         if let Some(work) = &mut self.painting
@@ -75,11 +75,10 @@ impl Session {
         }
     }
 
-    /// Applies a change of what is painted. With a `hand`, consecutive changes by it are one step.
+    /// Applies a change of the painting. Consecutive changes by the same `hand` are one step.
     ///
     /// # Errors
-    /// A diagnostic where the change is impossible, or nothing is open to be painted; nothing is
-    /// changed then.
+    /// A diagnostic where the change is impossible, or no HCBTF is open; nothing is changed then.
     pub(crate) fn apply_to_painting(
         &mut self,
         change: HcbtfEdit,
@@ -100,11 +99,11 @@ impl Session {
         Ok(())
     }
 
-    /// Saves what is painted to a file, which is its own from then on; the look names that where it
-    /// named the one that had no file.
+    /// Saves the painting to a file, which is its own from then on; the look names that file
+    /// wherever it named the painting without a file.
     ///
     /// # Errors
-    /// A diagnostic that says why not; the old file is then as it was.
+    /// A diagnostic with the reason; the old file is then unchanged.
     pub(crate) fn save_painting_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
         let Some(work) = &mut self.painting else { return Ok(()) };
         let had_no_file = work.path().is_none();
@@ -134,23 +133,23 @@ impl Session {
         Ok(())
     }
 
-    /// The same in the look that is gone back to.
+    /// Names the painting's new file in the look that is remembered for the way back.
     fn rename_home(&mut self, name: &str) {
         let Some(home) = self.painting.as_mut().and_then(OpenPainting::home_mut) else { return };
         for edit in look::rename(&home.look, &self.project.catalog, UNSAVED_HCBTF, name) {
-            // What names nothing of this catalog stays as it is.
+            // An edit that is impossible with this catalog is left out.
             let _ = home.look.apply(edit);
         }
     }
 
-    /// Calls the look that only shows what is painted as that is called; no step, as the name of a
-    /// file is none.
+    /// Gives a look that only shows the painting the painting's name; this is no step, since naming
+    /// a file is none.
     fn call_look(&mut self, name: String) {
         let look = Look { name, ..self.look().clone() };
         self.look.history.amend(look, |_| ());
     }
 
-    /// Remembers the open look for the way back to what is painted, if it shows that.
+    /// Remembers the open look for the way back to the painting, if the look shows it.
     pub(super) fn note_home(&mut self) {
         let document = self.revisions.document;
         let is_known =
@@ -167,14 +166,14 @@ impl Session {
         }
     }
 
-    /// Lets a look without a file, as it stands, count as saved: whoever loses it loses nothing
-    /// that they did.
+    /// Counts a look without a file as saved: whoever loses it loses nothing of their own work.
     pub(crate) fn count_as_saved(&mut self) {
         self.look.history.mark_saved();
         self.saved();
     }
 
-    /// Lets the look show the example again that an untouched copy was opened of, which is closed.
+    /// Lets the look show the example again which an untouched copy was made of; the copy is
+    /// closed.
     pub(crate) fn give_up_copy(&mut self) {
         let Some(work) = self.painting.as_ref().filter(|work| !work.is_dirty()) else { return };
         let Some(example) = work.example().map(|path| path.to_string_lossy().into_owned()) else {
@@ -183,9 +182,8 @@ impl Session {
         self.rename_painting(UNSAVED_HCBTF, &example);
     }
 
-    /// Lets the look name what is painted otherwise, now and in all its past: that is no step,
-    /// since undo would bring a name back that means nothing any more. Returns whether the look
-    /// named it so.
+    /// Renames the painting in the look, now and in all its past: this is no step, since undo would
+    /// bring back a name that means nothing any more. Returns true if the look had the old name.
     fn rename_painting(&mut self, from: &str, to: &str) -> bool {
         let Some(look) = self.look_naming(from, to) else { return false };
         let is_renamed = look != *self.look();
@@ -195,7 +193,7 @@ impl Session {
         is_renamed
     }
 
-    /// The look with another name for what is painted.
+    /// The look with another name for the painting.
     fn look_naming(&self, from: &str, to: &str) -> Option<Look> {
         let mut look = self.look().clone();
         for edit in look::rename(&look, &self.project.catalog, from, to) {
@@ -204,9 +202,8 @@ impl Session {
         Some(look)
     }
 
-    /// What the look calls the file of what is painted, where that is its whole path, and what it
-    /// is called from the folder of another file: a look that is saved names its assets by the way
-    /// to them.
+    /// Name of the painting's file in the look, where that is its whole path, and its name relative
+    /// to the folder of another file: a saved look names its assets by relative paths.
     pub(super) fn names_of_painting(&self, look: &Path) -> Option<(String, String)> {
         let file = self.painting.as_ref()?.path()?;
         let from = file.to_string_lossy().into_owned();
@@ -215,7 +212,7 @@ impl Session {
             .then_some((from, to))
     }
 
-    /// The look as it is written to a file, with what is painted named from there.
+    /// The look to write to a file, with the painting named from there.
     pub(super) fn look_for(&self, names: Option<&(String, String)>) -> Look {
         let named = names.and_then(|(from, to)| self.look_naming(from, to));
         named.unwrap_or_else(|| self.look().clone())
@@ -228,11 +225,11 @@ impl Session {
         }
     }
 
-    /// Takes what another program made of the painted file, as one step that can be undone. Returns
-    /// whether anything is another now.
+    /// Takes another program's version of the painting's file, as one step that can be undone.
+    /// Returns true if the painting changed.
     ///
     /// # Errors
-    /// What keeps the file from being read; everything stays as it is then.
+    /// Problems that keep the file from being read; nothing is changed then.
     pub(crate) fn reload_painting(&mut self) -> Result<bool, Vec<Diagnostic>> {
         self.revisions.step += 1;
         let Some(work) = &mut self.painting else { return Ok(false) };
@@ -248,11 +245,11 @@ impl Session {
         Ok(is_other)
     }
 
-    /// Whether the look shows the HCBTF of a file, an example, or the one that has no file yet.
+    /// True if the look shows the HCBTF of a file, an example, or the one that has no file yet.
     pub(crate) fn shows_painting(&self, path: &Path) -> bool {
         let folder = self.folder();
         let names = look::sheets(self.look(), &self.project.catalog);
-        // What is no file is named the same from everywhere.
+        // Names that are no files are the same from every folder.
         if path == Path::new(UNSAVED_HCBTF) || crate::examples::file(path).is_some() {
             return names.iter().any(|name| Path::new(name) == path);
         }

@@ -1,4 +1,4 @@
-//! The parts of a session, each with one duty.
+//! Parts of a session, each with one duty.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -25,26 +25,26 @@ use crate::state::sketch::Sketch;
 use crate::state::solo::Solo;
 use crate::state::wire::ShownWire;
 
-/// From where the picture is seen, when, and what of the look it shows.
+/// View and moment of the picture, and the shown part of the look.
 #[derive(Default)]
 pub(crate) struct ViewState {
     pub(crate) orbit: Orbit,
-    /// The moment that is shown, in seconds.
+    /// The moment in the picture, in seconds.
     pub(crate) time: f64,
-    /// What is shown in place of the look's own output.
+    /// Wire that is shown in place of the look's own output.
     pub(crate) wire: Option<ShownWire>,
-    /// What is shown alone or left out for now.
+    /// Layers and lights that are shown alone or left out for now.
     pub(crate) solo: Solo,
-    /// Grows whenever another solo needs another shader.
+    /// Revision of the solo, which grows whenever another solo needs another shader.
     pub(crate) solo_revision: SoloRevision,
 }
 
-/// What is selected, and which graph is open.
+/// The selection, and the open graph.
 #[derive(Default)]
 pub(crate) struct Selection {
-    /// Nodes of the graph that is open, the first one selected last.
+    /// Selected nodes of the open graph, the first one selected last.
     pub(crate) nodes: IndexSet<NodeId>,
-    /// The direction key that values are set at: its set and its place there.
+    /// The direction key that values are set at: the index of its set, and its index there.
     pub(crate) key: Option<(usize, usize)>,
     pub(crate) groups: OpenGroups,
 }
@@ -53,20 +53,20 @@ pub(crate) struct Selection {
 pub(crate) struct Project {
     pub(crate) library: Arc<Library>,
     pub(crate) catalog: Catalog,
-    /// What is wrong with the project's own node files.
+    /// Problems of the project's own node files.
     pub(crate) problems: Vec<Diagnostic>,
-    /// The thread that reads the project's own nodes.
+    /// Reader of the project's own nodes, on a thread.
     pub(super) reader: ProjectReader,
 }
 
 impl Project {
-    /// `wake` is called from another thread when nodes were read.
+    /// Creates the project. `wake` is called from another thread when nodes were read.
     pub(crate) fn new(library: Arc<Library>, wake: impl Fn() + Send + 'static) -> Self {
         let reader = ProjectReader::new(wake);
         Self { catalog: Catalog::new(&library), library, problems: Vec::new(), reader }
     }
 
-    /// Takes other nodes. What is wrong with their files is still to be placed.
+    /// Takes other nodes. The problems of their files are still to be placed.
     pub(crate) fn set_library(&mut self, library: Library) {
         self.library = Arc::new(library);
         self.catalog = Catalog::new(&self.library);
@@ -78,46 +78,46 @@ impl Project {
     }
 }
 
-/// The compiler's thread, the shaders that it made, and what is wrong with the look.
+/// The compiler's thread, the shaders that it made, and the problems of the look.
 pub(crate) struct Compilation {
     pub(crate) compiler: Compiler,
     pub(crate) shaders: ShaderCache,
     pub(crate) problems: Vec<Diagnostic>,
-    /// The look that the shaders were told last.
+    /// Revision of the look that the shaders last showed.
     pub(crate) shown_revision: (DocumentNumber, LookRevision),
 }
 
-/// What is painted on the picture, and the look that was fitted to it.
+/// The sketch on the picture, and the look that was fitted to it.
 #[derive(Default)]
 pub(crate) struct Sketchbook {
     pub(crate) sketch: Sketch,
-    /// What was painted on looks that were left, the latest last.
+    /// Sketches on looks that were left, the latest last.
     pub(crate) aside: Vec<((Option<PathBuf>, String), Sketch)>,
-    /// A look that is shown in place of the open one.
+    /// Look that is shown in place of the open one.
     pub(crate) preview: Option<Arc<Look>>,
-    /// Grows whenever that is another.
+    /// Revision of the preview, which grows whenever another look is shown.
     pub(crate) preview_revision: PreviewRevision,
 }
 
-/// A folder, and who is told when writing there fails or works again.
+/// A folder of journals, and a function to call when writing there fails or works again.
 pub(crate) type JournalFolder = (PathBuf, Arc<dyn Fn() + Send + Sync>);
 
-/// What keeps work from being lost, and a window from breaking over the same document again.
+/// Parts that keep work from being lost, and a window from breaking over the same document again.
 pub(crate) struct Journals {
-    /// Where journals are kept.
+    /// Folder of the journals.
     pub(crate) folder: Option<JournalFolder>,
-    /// The view of the work that was taken back last, until somebody wants it.
+    /// Saved view of the work that was last taken back, until somebody wants it.
     pub(crate) view: Option<serde_json::Value>,
-    /// What goes on with documents, for the next window to know if this one ends over it.
+    /// Log of steps under way, for the next window to know if this one ends over a document.
     pub(crate) crashes: CrashLog,
     pub(crate) holding: Holding,
 }
 
-/// How often things changed that others depend on.
+/// Revisions of parts of the session that others depend on.
 #[derive(Default)]
 pub(crate) struct Revisions {
-    /// Grows with every step that is done, in the look, in the scene, in the painting or on the
-    /// picture.
+    /// Counter that grows with every step done, in the look, in the scene, in the painting or in
+    /// the sketch.
     pub(crate) step: u64,
     pub(crate) document: DocumentNumber,
     pub(crate) meaning: MeaningRevision,

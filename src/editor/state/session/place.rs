@@ -1,33 +1,33 @@
-//! Which graph of the look is open: its own, or that of a group, the library's groups included.
+//! The open graph of the look: its own, or that of a group, the library's groups included.
 
 use super::Session;
 use crate::document::{Definition, Edit, Graph, GraphId, OutputPort};
 use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, NodeId, NodePath};
 use crate::state::revision::GraphNumber;
 
-/// The groups that were opened, one in the other.
+/// Groups that were opened, one in the other.
 #[derive(Default)]
 pub(crate) struct OpenGroups {
-    /// The nodes through which one came here, outermost first.
+    /// Nodes of groups that lead to the open graph, outermost first.
     path: Vec<NodeId>,
-    /// The graph that the last of them leads to.
+    /// The graph that the last of the nodes leads to.
     graph: GraphId,
-    /// Grows whenever another graph is open.
+    /// Number of the open graph, which grows whenever another graph is opened.
     number: GraphNumber,
 }
 
 impl Session {
-    /// The graph that is open.
+    /// Id of the open graph.
     pub fn graph_id(&self) -> &GraphId {
         &self.selection.groups.graph
     }
 
-    /// The graph that is open.
+    /// The open graph.
     pub fn graph(&self) -> &Graph {
         self.definition().map_or(&self.look().graph, |definition| &definition.graph)
     }
 
-    /// The group that is open; `None` in the look's own graph.
+    /// The open group; `None` in the look's own graph.
     pub(crate) fn definition(&self) -> Option<&Definition> {
         match &self.selection.groups.graph {
             GraphId::Look => None,
@@ -40,18 +40,18 @@ impl Session {
         self.reading().definition_of(kind)
     }
 
-    /// Whether the graph that is open is of the library, and so cannot be changed.
+    /// True if the open graph is of the library, and so cannot be changed.
     pub fn is_read_only(&self) -> bool {
         let GraphId::Definition(id) = &self.selection.groups.graph else { return false };
         !self.look().definitions.contains_key(id)
     }
 
-    /// The nodes of groups that lead to the open graph, outermost first.
+    /// Nodes of groups that lead to the open graph, outermost first.
     pub fn open_groups(&self) -> &[NodeId] {
         &self.selection.groups.path
     }
 
-    /// Nodes of the open graph whose outputs, or those of what lies in them, drive keys.
+    /// Nodes of the open graph whose outputs, or those of nodes in them, drive keys.
     pub(crate) fn driving_nodes(&self) -> Vec<NodeId> {
         let here =
             |wire: &OutputPort| wire.node.ids().strip_prefix(self.open_groups())?.first().cloned();
@@ -63,19 +63,19 @@ impl Session {
             .collect()
     }
 
-    /// Grows whenever another graph is open.
+    /// Number of the open graph, which grows whenever another graph is opened.
     pub(crate) fn graph_number(&self) -> GraphNumber {
         self.selection.groups.number
     }
 
-    /// A node of the open graph, from the look's own graph on.
+    /// Path of a node of the open graph, from the look's own graph on.
     pub(crate) fn path_of(&self, id: &NodeId) -> NodePath {
         let mut ids = self.selection.groups.path.iter().chain([id]);
         let first = NodePath::root(ids.next().unwrap_or(id).clone());
         ids.fold(first, |path, id| path.join(id.clone()))
     }
 
-    /// Opens the graph that these nodes of groups lead to, as far as they do.
+    /// Opens the graph that these nodes of groups lead to, as far as they exist.
     pub fn open_graph(&mut self, path: &[NodeId]) {
         let (mut graph, mut known) = (GraphId::Look, Vec::new());
         for id in path {
@@ -89,7 +89,7 @@ impl Session {
         let was = std::mem::replace(&mut self.selection.groups.path, known);
         self.selection.groups.graph = graph;
         self.selection.groups.number.advance();
-        // Who comes out of a group sees which one it was.
+        // The group that was left is selected, so that it is easy to find.
         let left = was
             .get(self.selection.groups.path.len())
             .filter(|_| was.starts_with(&self.selection.groups.path))
@@ -98,7 +98,7 @@ impl Session {
         self.revisions.problems.advance();
     }
 
-    /// What a node of a graph opens.
+    /// The graph that a node of a group opens.
     fn graph_within(&self, graph: &GraphId, id: &NodeId) -> Option<GraphId> {
         let graph = match graph {
             GraphId::Look => &self.look().graph,
@@ -108,14 +108,14 @@ impl Session {
         self.definition_of(kind).map(|_| GraphId::Definition(DefinitionId::from(kind)))
     }
 
-    /// Whether there is such a node in the open graph; a group's ends count.
+    /// True if there is such a node in the open graph; a group's ends count.
     pub(super) fn is_here(&self, id: &NodeId) -> bool {
         let is_end = matches!(id.as_str(), GROUP_INPUTS | GROUP_OUTPUTS)
             && self.selection.groups.graph != GraphId::Look;
         is_end || self.graph().nodes.contains_key(id)
     }
 
-    /// Leaves groups that are no more.
+    /// Leaves groups that no longer exist.
     pub(super) fn check_place(&mut self) {
         let path = self.selection.groups.path.clone();
         self.open_graph(&path);
@@ -128,7 +128,7 @@ impl Session {
         self.selection.groups.number.advance();
     }
 
-    /// Of a path, the node that lies in the open graph: where this graph, or another use of its
+    /// The node of a path that lies in the open graph: where this graph, or another use of its
     /// group, lies on the way.
     pub(crate) fn step_here<'p>(&self, path: &'p NodePath) -> Option<&'p NodeId> {
         let mut graph = GraphId::Look;
@@ -141,8 +141,8 @@ impl Session {
         None
     }
 
-    /// Makes the library's group that is open the look's own, so that it can be changed: for every
-    /// node of it in the look.
+    /// The edit that makes the library's open group the look's own, so that it can be changed: for
+    /// every node of the group in the look.
     pub(crate) fn own_group(&self) -> Option<Edit> {
         let GraphId::Definition(id) = &self.selection.groups.graph else { return None };
         let definition = self.definition().filter(|_| self.is_read_only())?.clone();

@@ -1,4 +1,4 @@
-//! The project that the look is of: the folder that it lies in, with nodes of its own, and that of
+//! Project of the look: the folder that the look lies in, with nodes of its own, and the folder of
 //! the scene around it.
 
 use std::path::{Path, PathBuf};
@@ -12,30 +12,30 @@ use crate::ids::NodePath;
 use crate::library::Library;
 use crate::state::worker::Worker;
 
-/// Folders of nodes to be read.
+/// Folders of nodes to read.
 pub(super) struct NodesRequest {
     folders: Vec<PathBuf>,
     number: u64,
-    /// Whether a node whose file is broken stays as it was.
+    /// True if a node whose file is broken stays as it was.
     keeps_broken: bool,
 }
 
-/// What the folders of a request hold, beside the nodes that Chiaro ships.
+/// Library of the nodes in a request's folders, beside those that Chiaro ships.
 pub(super) struct NodesAnswer {
     request: NodesRequest,
     library: Library,
 }
 
-/// Reads a project's own nodes off the window's thread: the folder may be a stranger's, on a disk
-/// that is slow.
+/// Reader of a project's own nodes off the window's thread: the folder may be a stranger's, on a
+/// disk that is slow.
 pub(super) struct ProjectReader {
     worker: Worker<NodesRequest, NodesAnswer>,
-    /// The number of the newest request; what an older one gave is of another project.
+    /// Number of the newest request; the answer to an older one is of another project.
     newest: u64,
 }
 
 impl ProjectReader {
-    /// `wake` is called from another thread when nodes were read.
+    /// Starts the thread. `wake` is called from another thread when nodes were read.
     pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
         let read = |request: NodesRequest| {
             let read = |library: Library, folder: &PathBuf| library.with_project(&Disk, folder);
@@ -48,7 +48,8 @@ impl ProjectReader {
     fn ask(&mut self, folders: Vec<PathBuf>, keeps_broken: bool) {
         self.newest += 1;
         let number = self.newest;
-        // What still waits is of no use, but that its nodes were to stay.
+        // A request that still waits is replaced; only its wish to keep or not to keep broken nodes
+        // lasts.
         self.worker.request(|waiting| NodesRequest {
             folders,
             number,
@@ -57,37 +58,39 @@ impl ProjectReader {
         });
     }
 
-    /// Lets go of what is being read.
+    /// Ignores the answer to the request under way.
     fn forget(&mut self) {
         self.newest += 1;
     }
 
-    /// The nodes that were asked for last, once they are read.
+    /// The nodes that were last asked for, once they are read.
     fn answer(&self) -> Option<NodesAnswer> {
         let answers = self.worker.answers().into_iter();
         answers.filter(|answer| answer.request.number == self.newest).last()
     }
 
-    /// Whether nodes are being read, or are and were not taken yet.
+    /// True while nodes are being read, or are read and not taken yet.
     pub(super) fn owes(&self) -> bool {
         self.worker.owes()
     }
 
-    /// Waits until nothing is being read.
+    /// Waits until no nodes are being read.
     pub(super) fn wait(&self) {
         self.worker.wait();
     }
 }
 
 impl Session {
-    /// What is in no folder has no nodes but those that Chiaro ships.
+    /// Leaves the project of a document that has no folder any more: only the nodes that Chiaro
+    /// ships remain.
     pub(super) fn leave_project(&mut self) {
         if self.look.path.is_some() || self.stage.is_some() {
             self.leave_all_projects();
         }
     }
 
-    /// As [`leave_project`](Self::leave_project), wherever the document of before was.
+    /// Leaves the project as [`leave_project`](Self::leave_project) does, whether or not the
+    /// previous document had a folder.
     pub(super) fn leave_all_projects(&mut self) {
         self.project.reader.forget();
         self.use_library(Library::built_in().clone());
@@ -101,7 +104,7 @@ impl Session {
         self.read_nodes(path, false);
     }
 
-    /// Asks for the project's own nodes, where there are any.
+    /// Asks for the project's own nodes, if there are any. Returns true if so.
     fn read_nodes(&mut self, path: &Path, keeps_broken: bool) -> bool {
         let mut folders = self.node_folders_with(Some(path));
         folders.retain(|folder| folder.is_dir());
@@ -114,8 +117,8 @@ impl Session {
         is_asked
     }
 
-    /// Takes the project's own nodes, once they are read. Returns whether they are being read: what
-    /// is compiled without them would be of other nodes.
+    /// Takes the project's own nodes, once they are read. Returns true while they are being read: a
+    /// shader compiled without them would be of other nodes.
     pub(super) fn awaits_nodes(&mut self) -> bool {
         if let Some(NodesAnswer { request, library }) = self.project.reader.answer() {
             self.renew_library(library, request.keeps_broken);
@@ -123,8 +126,8 @@ impl Session {
         self.project.reader.owes()
     }
 
-    /// The folders that the project's own nodes come from, be they there or not: those beside the
-    /// look stand before those beside the scene that it is in, and so come later.
+    /// Folders that the project's own nodes come from, whether they exist or not: nodes beside the
+    /// look win over those beside the scene around it, and so come later.
     pub(crate) fn node_folders(&self) -> Vec<PathBuf> {
         self.node_folders_with(self.path())
     }
@@ -165,11 +168,11 @@ impl Session {
         self.project.sync(self.look.document());
         self.place_library_problems();
         self.compilation.shaders.structure_changed();
-        // What was probed or compared was so with the nodes of before.
+        // Probes and comparisons hold for the previous nodes.
         self.files_changed();
     }
 
-    /// Tells what is wrong with node files at a node of theirs, where the look has one.
+    /// Places each problem of a node file at a node of that kind, where the look has one.
     pub(super) fn place_library_problems(&mut self) {
         let nodes = &self.look.document().graph.nodes;
         let placed = self.project.library.problems.iter().cloned().map(|mut problem| {
@@ -187,7 +190,7 @@ impl Session {
     }
 }
 
-/// The kind of node that a problem's file is about.
+/// Kind of node that a problem's file defines.
 fn kind_of(problem: &Diagnostic) -> Option<&str> {
     Path::new(problem.place.file.as_deref()?).file_stem()?.to_str()
 }
@@ -214,7 +217,7 @@ mod tests {
                 && session.project.problems.is_empty()
         );
 
-        // What is broken later is told, and the node stays as it was.
+        // A node that breaks later is reported, and stays as it was.
         std::fs::write(&node, "fn half(x: f32) -> f32 {\n    return 0.5 *;\n}\n").unwrap();
         session.reload_library();
         session.wait();

@@ -1,5 +1,4 @@
-//! The look in its scene: which scene is around it, and one order of undo for both, and for what is
-//! painted.
+//! Scene around the look, and one order of undo for both, the painting and the sketch.
 
 use std::path::Path;
 
@@ -14,7 +13,7 @@ use crate::state::painting::work::OpenPainting;
 use crate::state::paths::absolute;
 use crate::state::scene::{LookToOpen, OPEN_LOOK, OpenScene, real, scene_of};
 
-/// Which of the documents something is about.
+/// Document that a step belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum DocumentKind {
     Look,
@@ -24,7 +23,7 @@ enum DocumentKind {
 }
 
 impl Session {
-    /// The scene around the look, where there is one.
+    /// The scene around the look, if there is one.
     pub fn stage(&self) -> Option<&OpenScene> {
         self.stage.as_ref()
     }
@@ -33,7 +32,7 @@ impl Session {
         self.stage.as_mut()
     }
 
-    /// The light of an id as the picture of the look has it: a scene's stands in place of the
+    /// The light of an id in the picture of the look: a scene's light stands in place of the
     /// look's, and the look's keys move either.
     pub(crate) fn light(&self, id: &LightId) -> Option<&Light> {
         let own = self.look().lights.get(id)?;
@@ -45,8 +44,8 @@ impl Session {
         self.stage.as_ref()?.scene().lights.get(id)
     }
 
-    /// Puts a scene around a look that is still to be opened: [`look_to_open`](Self::look_to_open)
-    /// says which.
+    /// Opens a scene around a look that is still to be opened: see
+    /// [`look_to_open`](Self::look_to_open).
     pub(super) fn open_scene(
         &mut self,
         path: &Path,
@@ -56,7 +55,7 @@ impl Session {
         Ok(())
     }
 
-    /// Begins a new scene with an example's, around a new look with what one of its objects wears.
+    /// Begins a new scene from an example's, around a new look made from one that an object wears.
     pub(crate) fn start_scene(&mut self, mut scene: Scene, name: &str) {
         let worn = || scene.objects.values().flat_map(|object| object.looks.values());
         let Some((first, text)) =
@@ -74,8 +73,8 @@ impl Session {
         self.view.time = 0.0;
     }
 
-    /// Takes a scene back that a journal gave, in place of what is open. The journal goes on where
-    /// it is.
+    /// Takes back a scene that a journal gave, in place of the open documents. The journal goes on
+    /// in its slot.
     pub(crate) fn take_back_scene(&mut self, found: Recovered<Scene>, slot: Slot) {
         let view = found.about.window.get(VIEW).cloned();
         self.set_stage(OpenScene::taken_back(found));
@@ -113,8 +112,8 @@ impl Session {
         }
     }
 
-    /// Puts a scene around the look, which so far was alone: one object on the mesh that it is seen
-    /// on.
+    /// Puts a scene around the look, which was alone so far: one object on the mesh that the look
+    /// is seen on.
     pub(crate) fn begin_stage(&mut self) {
         if self.stage.is_some() {
             return;
@@ -124,7 +123,7 @@ impl Session {
             None => OPEN_LOOK.to_owned(),
         };
         let mut orbit = self.view.orbit.clone();
-        // A scene may lie elsewhere than the working folder.
+        // The scene may be saved elsewhere than the working folder, so the mesh needs a whole path.
         if !orbit.mesh.starts_with(crate::frame::SHAPE_PREFIX)
             && let Ok(path) = std::path::absolute(&orbit.mesh)
         {
@@ -138,7 +137,8 @@ impl Session {
         }
     }
 
-    /// Puts the scene aside; its journal stays if anything in it is not saved. The look stays open.
+    /// Puts the scene aside; its journal stays if any change in it is not saved. The look stays
+    /// open.
     pub(crate) fn leave_stage(&mut self, in_peace: bool) {
         if let Some(mut stage) = self.stage.take() {
             stage.leave_journal(in_peace);
@@ -148,7 +148,7 @@ impl Session {
         }
     }
 
-    /// The same, unless the scene wears the look of this file, or the one that has none.
+    /// Puts the scene aside, unless it wears the look of this file, or the one that has none.
     pub(super) fn leave_stage_unless_worn(&mut self, look: Option<&Path>) {
         let is_worn =
             |stage: &OpenScene| look.map_or(stage.wears_unsaved(), |look| stage.wears(look));
@@ -163,7 +163,7 @@ impl Session {
         }
     }
 
-    /// Brings what the picture shows of the scene up to date.
+    /// Brings the picture's part of the scene up to date.
     pub(super) fn stage_changed(&mut self) {
         self.revisions.picture.advance();
         if let Some(stage) = &mut self.stage {
@@ -173,12 +173,12 @@ impl Session {
         self.keep_solo();
     }
 
-    /// Forgets solos of what is no longer there.
+    /// Forgets solos of layers and lights that no longer exist.
     pub(super) fn keep_solo(&mut self) {
         self.view.solo.keep(self.look.document(), self.stage.as_ref().map(OpenScene::scene));
     }
 
-    /// Applies an edit of the scene. With a `hand`, consecutive edits by it are one step.
+    /// Applies an edit of the scene. Consecutive edits by the same `hand` are one step.
     ///
     /// # Errors
     /// A diagnostic where the edit is impossible; nothing is changed then.
@@ -201,7 +201,7 @@ impl Session {
     /// Saves the scene to a file, which is its own from then on.
     ///
     /// # Errors
-    /// A diagnostic that says why not; the old file is then as it was.
+    /// A diagnostic with the reason; the old file is then unchanged.
     pub fn save_scene_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
         let nodes = self.node_folders();
         if let Some(stage) = &mut self.stage {
@@ -216,11 +216,11 @@ impl Session {
         Ok(())
     }
 
-    /// After the look was saved to another file: what wears it wears it under that name.
+    /// Renames the open look in the scene after it was saved to another file.
     pub(super) fn wear_saved(&mut self, path: &Path) {
         let edit = self.stage.as_ref().and_then(|stage| stage.rename_open(&stage.name_of(path)));
         if let Some(edit) = edit {
-            // An object that was there can be changed; where not, the scene stays as it is.
+            // An object that exists can be changed; where that fails, the scene stays unchanged.
             let _ = self.apply_to_scene(edit, None);
         }
         self.stage_changed();
@@ -233,7 +233,7 @@ impl Session {
         }
     }
 
-    /// Turns camera and lights to where the scene has them, or to where they are in the beginning.
+    /// Turns camera and lights as the scene has them, or to their defaults without a scene.
     pub(crate) fn reset_view(&mut self) {
         let Some(stage) = &self.stage else { return self.view.orbit.reset() };
         let scene = stage.scene();
@@ -247,7 +247,7 @@ impl Session {
         self.view.orbit.backdrop = None;
     }
 
-    /// Lets the scene's camera and lights be as they are turned now.
+    /// The edit that sets the scene's camera, lights and backdrop to the present view.
     pub(crate) fn view_as_edit(&self) -> SceneEdit {
         let camera = SceneEdit::SetCamera { camera: self.view.orbit.camera() };
         let mut edits = vec![
@@ -260,7 +260,8 @@ impl Session {
         SceneEdit::Group { edits }
     }
 
-    /// Brings an object into view, or all of them; the direction stays. `aspect` is of the picture.
+    /// Brings an object into view, or all of them; the direction stays. `aspect` is the picture's
+    /// width over its height.
     pub(crate) fn frame(&mut self, only: Option<&ObjectId>, aspect: f64) {
         match self.stage.as_ref().map(|stage| stage.sphere(only)) {
             None => self.view.orbit.frame_object(),
@@ -269,7 +270,8 @@ impl Session {
         }
     }
 
-    /// The sphere that needles of lights stand on: around the object that is judged by.
+    /// The sphere that needles of lights stand on: around the selected object, or else the first,
+    /// that wears the open look.
     pub(crate) fn ball(&self) -> (glam::DVec3, f64) {
         let unit = (glam::DVec3::ZERO, 1.0);
         let Some(stage) = &self.stage else { return unit };
@@ -280,7 +282,8 @@ impl Session {
         worn.and_then(|(id, _)| stage.sphere(Some(id))).unwrap_or(unit)
     }
 
-    /// Compares the scene's file with what it held, and takes what another program made of it.
+    /// Takes another program's text of the scene's file, as one step. Returns true if it could be
+    /// read without an error.
     pub(crate) fn reload_scene(&mut self, text: &str) -> bool {
         self.revisions.step += 1;
         let Some(stage) = &mut self.stage else { return false };
@@ -290,7 +293,7 @@ impl Session {
     }
 }
 
-/// One order of undo for the look, the scene, the painting and what is painted on the picture.
+/// Common order of undo for the look, the scene, the painting and the sketch on the picture.
 impl Session {
     /// Notes that a step of the look was done.
     pub(super) fn step_done(&mut self) {
@@ -303,7 +306,7 @@ impl Session {
         }
     }
 
-    /// Remembers when the steps of the look were done, before another look comes.
+    /// Remembers the times of the look's steps, before another look comes.
     pub(super) fn remember_times(&mut self) {
         let times = std::mem::take(&mut self.look.times);
         if let (Some(stage), Some(path)) = (&mut self.stage, &self.look.path) {
@@ -311,7 +314,7 @@ impl Session {
         }
     }
 
-    /// Takes on what is remembered of a look that a journal brought back.
+    /// Restores the remembered times of the steps of a look that a journal brought back.
     pub(super) fn recall_times(&mut self) {
         if let (Some(stage), Some(path)) = (&mut self.stage, &self.look.path) {
             self.look.times = stage.left.remove(&real(path)).unwrap_or_default();
@@ -319,19 +322,19 @@ impl Session {
         self.look.times.fit(self.look.history.steps());
     }
 
-    /// What is painted, where what is open shows it.
+    /// The painting, where the open look shows it.
     fn seen_painting(&self) -> Option<&OpenPainting> {
         self.painting().filter(|_| !self.hides_painting)
     }
 
-    /// Where the step was done that undo would take back.
+    /// The document whose step undo would take back.
     fn last(&self) -> DocumentKind {
         let of_look = self.look.history.undo_label().and(self.look.times.last());
         let of_scene = self.stage.as_ref().and_then(|stage| stage.document.times.last());
         let of_painting = self.seen_painting().and_then(|work| work.document.times.last());
         let of_sketch =
             self.sketchbook.sketch.is_open.then(|| self.sketchbook.sketch.times.last()).flatten();
-        // Of what journals brought back, the look's comes first.
+        // Among steps that journals brought back, the look's come first.
         if of_sketch.is_some() && of_sketch > of_look.max(of_scene).max(of_painting) {
             DocumentKind::Sketch
         } else if of_painting.is_some() && of_painting > of_look.max(of_scene) {
@@ -343,7 +346,7 @@ impl Session {
         }
     }
 
-    /// Where the step was done that redo would repeat.
+    /// The document whose step redo would repeat.
     fn next(&self) -> DocumentKind {
         let of_scene = self.stage.as_ref().and_then(|stage| stage.document.times.next());
         let of_look = self.look.history.redo_label().and(self.look.times.next());
@@ -361,7 +364,7 @@ impl Session {
         there.min_by_key(|(time, _)| *time).map_or(DocumentKind::Look, |(_, of)| of)
     }
 
-    /// What undo would take back.
+    /// Label of the step that undo would take back.
     pub fn undo_label(&self) -> Option<&str> {
         match (self.last(), &self.stage, &self.painting) {
             (DocumentKind::Scene, Some(stage), _) => stage.history().undo_label(),
@@ -371,7 +374,7 @@ impl Session {
         }
     }
 
-    /// What redo would repeat.
+    /// Label of the step that redo would repeat.
     pub fn redo_label(&self) -> Option<&str> {
         match (self.next(), &self.stage, &self.painting) {
             (DocumentKind::Scene, Some(stage), _) => stage.history().redo_label(),
@@ -381,7 +384,7 @@ impl Session {
         }
     }
 
-    /// Takes the last step back, in the look or in the scene.
+    /// Takes back the last step, of whichever document.
     pub fn undo(&mut self) -> bool {
         let of = self.last();
         match (of, &mut self.stage, &mut self.painting) {
@@ -400,7 +403,7 @@ impl Session {
         }
     }
 
-    /// Repeats the step that was taken back last.
+    /// Repeats the step that was last taken back.
     pub fn redo(&mut self) -> bool {
         let of = self.next();
         match (of, &mut self.stage, &mut self.painting) {
@@ -424,12 +427,12 @@ impl Session {
         }
     }
 
-    /// What undo calls every step, the first one first.
+    /// Labels of all steps, the first one first.
     pub fn steps(&self) -> impl Iterator<Item = &str> {
         let mut steps: Vec<((bool, u64), &str)> =
             self.look.times.all().zip(self.look.history.labels()).collect();
         if let Some(stage) = &self.stage {
-            // Steps of the same time are of journals: the scene's are older.
+            // Steps of the same time are from journals: the scene's are older.
             let of_scene = stage.document.times.all().zip(stage.history().labels());
             steps.splice(0..0, of_scene);
         }
@@ -449,7 +452,7 @@ impl Session {
         steps.into_iter().map(|(_, label)| label)
     }
 
-    /// How many of the steps are done.
+    /// Number of steps that are done.
     pub fn place(&self) -> usize {
         let of_scene = self.stage.as_ref().map_or(0, |stage| stage.history().place());
         let of_painting = self.seen_painting().map_or(0, |work| work.history().place());
@@ -458,7 +461,7 @@ impl Session {
         self.look.history.place() + of_scene + of_painting + of_sketch
     }
 
-    /// Takes steps back or repeats them until so many are done.
+    /// Takes steps back or repeats them until `place` of them are done.
     pub fn go_to(&mut self, place: usize) {
         while self.place() > place && self.undo() {}
         while self.place() < place && self.redo() {}

@@ -1,5 +1,5 @@
-//! Which shader shows the look: requests to the compiler, what it answers, and which of both
-//! shaders serves now.
+//! Shader of the look: requests to the compiler, its answers, and the choice between the live and
+//! the baked shader.
 
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -12,37 +12,36 @@ use crate::ids::{NodePath, PortName};
 use crate::state::compiling::{CompileAnswer, CompileRequest};
 use crate::state::revision::PictureRevision;
 
-/// What a look is after nothing was done to it for so long, in seconds, is compiled without
-/// uniforms.
+/// Time without changes before a look is compiled into a baked shader, in seconds.
 const REST: f64 = 0.8;
 
-/// How many edited values a long look keeps as uniforms before it begins anew.
+/// Number of edited values that a long look keeps as uniforms before the set begins anew.
 const MOST_TOUCHED: usize = 512;
 
-/// The shaders that are shown, and how they relate to the document.
+/// The shaders that are shown, and their relation to the document.
 #[derive(Default)]
 pub(crate) struct ShaderCache {
-    /// The look that a shader can show: the document, or, while that does not compile, as it was
-    /// when it last did.
+    /// The look that a shader can show: the document, or, while that does not compile, its last
+    /// state that did.
     pub(super) good: Option<Arc<Look>>,
     pub(super) live: Option<Arc<CompiledShader>>,
-    /// The structure that the live shader has.
+    /// Structure of the live shader.
     pub(super) live_structure: Option<u64>,
     pub(super) baked: Option<Arc<CompiledShader>>,
-    /// What both were made from.
+    /// Typed look that both shaders were compiled from.
     pub(super) typed: Option<Arc<TypedGraph>>,
-    /// The revision that the baked one says.
+    /// Revision of the document that the baked shader shows.
     pub(super) baked_revision: Option<u64>,
-    /// The revision of the last edit that a live shader cannot show.
+    /// Revision of the last edit that a live shader cannot show.
     pub(super) structure: u64,
     pub(super) requested: Option<u64>,
     pub(super) requested_structure: Option<u64>,
-    /// The values that were edited since the look was opened: what a long look's live shader keeps
-    /// as uniforms.
+    /// Values that were edited since the look was opened: the ones that a long look's live shader
+    /// keeps as uniforms.
     pub(super) touched: Arc<HashSet<(NodePath, PortName)>>,
-    /// How many of them there were when a live shader was asked for last.
+    /// Number of touched values when a live shader was last requested.
     pub(super) requested_touched: usize,
-    /// When the document changed last, in seconds of the window's clock.
+    /// Time of the document's last change, in seconds of the window's clock.
     pub(super) changed_at: f64,
     pub(super) seen_revision: u64,
 }
@@ -55,15 +54,15 @@ pub(crate) struct DrawableLook {
 }
 
 impl ShaderCache {
-    /// What nodes there are is another than before, so that whatever was compiled is of no use.
+    /// Discards the state of both shaders after the available nodes changed.
     pub(super) fn structure_changed(&mut self) {
         self.requested_structure = None;
         self.live_structure = None;
         self.baked_revision = None;
     }
 
-    /// Whether the live shader of a long look has folded a value that is edited now, and none was
-    /// asked for since.
+    /// True if the live shader of a long look has folded a value that is edited now, and no shader
+    /// was requested since.
     fn lacks_a_uniform(&self) -> bool {
         let Some(Live::Touched(known)) = self.live.as_ref().map(|shader| &shader.live) else {
             return false;
@@ -72,12 +71,12 @@ impl ShaderCache {
             && self.touched.iter().any(|value| !known.contains(value))
     }
 
-    /// Whether only the values that were touched are uniforms.
+    /// True if only touched values are uniforms.
     pub(super) fn is_long(&self) -> bool {
         self.live.as_ref().is_some_and(|shader| matches!(shader.live, Live::Touched(_)))
     }
 
-    /// Remembers which inputs an edit sets.
+    /// Remembers the inputs that an edit sets.
     pub(super) fn touch(&mut self, edit: &Edit) {
         match edit {
             Edit::Group { edits } => edits.iter().for_each(|edit| self.touch(edit)),
@@ -97,8 +96,8 @@ impl ShaderCache {
 }
 
 impl Session {
-    /// Asks for what must be compiled, takes what is. `now` is the window's clock. Returns when to
-    /// look again.
+    /// Requests shaders that must be compiled, and takes those that are. `now` is in seconds of the
+    /// window's clock. Returns the time until the next call.
     pub(crate) fn tick(&mut self, now: f64) -> Option<Duration> {
         let awaits_nodes = self.awaits_nodes();
         for answer in self.compilation.compiler.answers() {
@@ -161,7 +160,7 @@ impl Session {
             name: self.name(),
             path: self.look.path.clone(),
         };
-        // What waited for both must not be lost to a wish for less.
+        // A waiting request for both shaders must not be lost to one for the baked shader alone.
         self.compilation.compiler.request(|waiting| CompileRequest {
             only_baked: request.only_baked && waiting.is_none_or(|waiting| waiting.only_baked),
             ..request
@@ -177,7 +176,7 @@ impl Session {
             && request.solo == self.view.solo_revision
             && request.preview == self.sketchbook.preview_revision;
         if !is_current {
-            // A newer one is on its way, and what this one is about is gone.
+            // A newer request is on its way, and the subject of this answer is gone.
             return;
         }
         self.revisions.problems.advance();
@@ -203,7 +202,7 @@ impl Session {
         }
     }
 
-    /// Whether nodes are being read or something compiled, or are and were not taken yet.
+    /// True while nodes are being read or shaders compiled, or are done and not taken yet.
     pub fn is_compiling(&self) -> bool {
         self.project.reader.owes() || self.compilation.compiler.owes()
     }
@@ -214,17 +213,17 @@ impl Session {
         self.compilation.compiler.wait();
     }
 
-    /// Grows whenever the picture may be another.
+    /// Revision of the picture, which grows whenever the picture may have changed.
     pub(crate) fn picture(&self) -> PictureRevision {
         self.revisions.picture
     }
 
-    /// Whether the baked shader shows the look as it is.
+    /// True if the baked shader shows the present look.
     fn is_baked(&self) -> bool {
         self.compilation.shaders.baked_revision == Some(self.look.history.revision())
     }
 
-    /// Takes the look as it is for what is shown, where the live shader can show that.
+    /// Takes the present look for the picture, where the live shader can show it.
     pub(crate) fn refresh_shown_look(&mut self) {
         let revision = (self.revisions.document, self.revision());
         let is_live =
@@ -240,8 +239,8 @@ impl Session {
         }
     }
 
-    /// What can be shown: the look as it was refreshed last, by the baked shader where nothing
-    /// changed since, else by the live one; or the last look that could be compiled.
+    /// The look to show: as it was last refreshed, by the baked shader where nothing changed since,
+    /// else by the live one; or the last look that could be compiled.
     pub(crate) fn showing(&self) -> Option<DrawableLook> {
         let good = self.view.solo.lit(self.compilation.shaders.good.as_ref()?);
         let (shader, live) = match self.is_baked() {
@@ -256,13 +255,13 @@ impl Session {
         self.compilation.shaders.baked.as_ref()
     }
 
-    /// The look as it was compiled last.
+    /// The typed look of the last compilation.
     pub(crate) fn typed(&self) -> Option<&TypedGraph> {
         self.compilation.shaders.typed.as_deref()
     }
 
-    /// The shader that knows the values of now: the baked one where nothing changed since, else the
-    /// live one.
+    /// The shader with the present values: the baked one where nothing changed since, else the live
+    /// one.
     pub(crate) fn current_shader(&self) -> Option<&CompiledShader> {
         let is_baked =
             self.compilation.shaders.baked_revision == Some(self.look.history.revision());
@@ -271,8 +270,8 @@ impl Session {
         shader.as_deref()
     }
 
-    /// What computes wires for an object, which may set exposed values: a baked shader has those of
-    /// the look in it.
+    /// The shader that computes wires for an object. For an object that sets exposed values this is
+    /// the live one: a baked shader has the look's values in it.
     pub(crate) fn shader_of_wires(&self, sets_values: bool) -> Option<&CompiledShader> {
         let is_there = sets_values
             && self.compilation.shaders.live_structure == Some(self.compilation.shaders.structure);

@@ -1,4 +1,4 @@
-//! Groups that the looks of a project have in common: files in the `nodes/` folder beside them.
+//! Groups that the looks of a project share: files in the `nodes/` folder beside them.
 
 use std::path::Path;
 
@@ -8,9 +8,9 @@ use crate::files::{MemoryFiles, write_atomic};
 use crate::ids::{DefinitionId, make_slug};
 
 impl Session {
-    /// Writes a group of the look's own to a file of the project. From then on the look has it from
-    /// there, as all looks beside it do. One that was the project's before, and was changed here,
-    /// takes its old place. Returns what to tell.
+    /// Writes a group of the look's own to a file of the project. From then on the look takes it
+    /// from there, as all looks beside it do. A group that was the project's before, and was
+    /// changed here, takes its old place. Returns a message.
     pub(crate) fn share_group(&mut self, id: &DefinitionId) -> String {
         self.try_share(id).unwrap_or_else(|why_not| why_not)
     }
@@ -59,7 +59,7 @@ impl Session {
             .map_err(|error| format!("{} cannot be made: {error}", folder.display()))?;
         let text = file.to_text();
         write_atomic(&path, text.as_bytes()).map_err(|problem| problem.message)?;
-        // The group is there at once; the folder is read anew on its own thread.
+        // The group is available at once; the folder is read anew on a thread of its own.
         let mut written = MemoryFiles::default();
         written.add(path.clone(), text);
         let library = self.project.library.with_project(&written, &folder);
@@ -70,7 +70,8 @@ impl Session {
         Ok(format!("\"{name}\" is in {}: every look beside this one has it now", path.display()))
     }
 
-    /// The edit by which all nodes of a group of the look's own become nodes of the project's.
+    /// The edit by which all nodes of a group of the look's own become nodes of the project's
+    /// group.
     fn handed_over(&self, own: &DefinitionId, shared: &DefinitionId) -> Result<Edit, String> {
         let look = self.look();
         let graphs = || {
@@ -93,8 +94,8 @@ impl Session {
             };
             graphs().flat_map(|(graph, of)| set(&graph, of)).collect::<Vec<_>>()
         };
-        // A group that is in use cannot go, so that one that keeps its id is let go of for a
-        // moment.
+        // A group that is in use cannot be removed, so nodes of a group that keeps its id get
+        // another kind for a moment.
         let between = if own == shared { format!("{own}_shared") } else { shared.to_string() };
         let mut edits = of_kind(&between);
         edits.push(Edit::RemoveDefinition { id: own.clone() });

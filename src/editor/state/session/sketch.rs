@@ -1,4 +1,4 @@
-//! What is painted on the picture, and the look that was fitted to it and is only shown.
+//! Sketch on the picture, and the look that was fitted to it and is only shown.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -8,21 +8,21 @@ use crate::document::{Look, Tile};
 use crate::state::revision::PreviewRevision;
 use crate::state::sketch::{Sketch, Standpoint};
 
-/// Of so many looks that were left strokes are kept.
+/// Largest number of looks that were left whose sketches are kept.
 const MOST_ASIDE: usize = 16;
 
 impl Session {
-    /// What is painted on the picture.
+    /// The sketch on the picture.
     pub fn sketch(&self) -> &Sketch {
         &self.sketchbook.sketch
     }
 
-    /// Whether strokes are seen: only then undo takes them back.
+    /// Shows or hides the strokes: undo takes them back only while they are seen.
     pub(crate) fn open_sketch(&mut self, is_open: bool) {
         self.sketchbook.sketch.is_open = is_open;
     }
 
-    /// Paints on the picture, as a step; no tile for nothing.
+    /// Replaces the sketch, as a step; `None` clears it.
     pub(crate) fn paint_sketch(
         &mut self,
         what: &'static str,
@@ -40,7 +40,7 @@ impl Session {
         }
     }
 
-    /// Puts the strokes aside, with the look that they are of.
+    /// Puts the sketch aside, with the look that it is of.
     pub(super) fn leave_sketch(&mut self) {
         let left = std::mem::take(&mut self.sketchbook.sketch);
         self.sketchbook.sketch.is_open = left.is_open;
@@ -48,13 +48,13 @@ impl Session {
             let of = self.sketched();
             self.sketchbook.aside.retain(|(other, _)| *other != of);
             self.sketchbook.aside.push((of, left.without_past()));
-            // The oldest goes: each is a picture of about a megabyte.
+            // The oldest sketch is dropped: each is a picture of about a megabyte.
             let surplus = self.sketchbook.aside.len().saturating_sub(MOST_ASIDE);
             self.sketchbook.aside.drain(..surplus);
         }
     }
 
-    /// Takes the strokes up again that were put aside when this look was left.
+    /// Restores the sketch that was put aside when this look was left.
     pub(super) fn find_sketch(&mut self) {
         let of = self.sketched();
         if let Some(index) = self.sketchbook.aside.iter().position(|(other, _)| *other == of) {
@@ -64,7 +64,7 @@ impl Session {
         }
     }
 
-    /// Whose strokes they are: those of a file, or of a look that goes by this name.
+    /// Key of the look that a sketch is of: its file, or its name without one.
     fn sketched(&self) -> (Option<PathBuf>, String) {
         let name = if self.look.path.is_none() { self.look().name.clone() } else { String::new() };
         (self.look.path.clone(), name)
@@ -75,8 +75,8 @@ impl Session {
         self.sketchbook.preview.as_ref()
     }
 
-    /// Shows another look in place of the open one, until that is changed; or the open one again.
-    /// The document stays as it is.
+    /// Shows another look in place of the open one, until the latter is changed; `None` shows the
+    /// open one again. The document is unchanged.
     pub(crate) fn set_preview(&mut self, look: Option<Arc<Look>>) {
         if look.is_none() && self.sketchbook.preview.is_none() {
             return;
@@ -87,7 +87,7 @@ impl Session {
         self.revisions.picture.advance();
     }
 
-    /// Which look is shown in place of the open one: grows with each, and when it is gone.
+    /// Revision of the preview, which grows with each look shown, and when none is any more.
     pub(crate) fn preview_revision(&self) -> PreviewRevision {
         self.sketchbook.preview_revision
     }

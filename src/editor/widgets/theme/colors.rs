@@ -1,4 +1,4 @@
-//! The two sets of colors, dark and light.
+//! Colors of the two themes, dark and light.
 
 use eframe::egui::Color32;
 
@@ -9,45 +9,45 @@ use crate::library::Type;
 /// All colors of the window but those of pictures.
 #[derive(Debug)]
 pub(crate) struct Colors {
-    /// Panels.
+    /// Ground of panels.
     pub(crate) panel: Color32,
-    /// Menus and what floats above panels.
+    /// Ground of menus and other areas that float above panels.
     pub(crate) window: Color32,
-    /// The edges of menus.
+    /// Edges of menus.
     pub(crate) window_edge: Color32,
-    /// The canvas, and what is behind pictures, curves and plots.
+    /// Ground of the canvas, pictures, curves and plots.
     pub(crate) canvas: Color32,
-    /// The dots of the canvas's grid; thin lines between parts of a panel.
+    /// Dots of the canvas's grid; thin lines between parts of a panel.
     pub(crate) grid: Color32,
-    /// A node's body.
+    /// Body of a node.
     pub(crate) node: Color32,
-    /// The edge of a node.
+    /// Edge of a node.
     pub(crate) node_edge: Color32,
-    /// Around a color, so that one like its ground is seen.
+    /// Edge around a color, so that a color like its ground is seen.
     pub(crate) swatch_edge: Color32,
     /// Plain text.
     pub(crate) text: Color32,
     /// Text of less weight: units, hints, line numbers.
     pub(crate) dim: Color32,
-    /// What is selected or does something when pressed.
+    /// Selection, and controls that act when pressed.
     pub(crate) accent: Color32,
-    /// The accent behind text.
+    /// Accent behind text.
     pub(crate) accent_dim: Color32,
-    /// What is another thing than the accent: cached, exact.
+    /// Marks that differ from the accent: cached, exact.
     pub(crate) second: Color32,
-    /// A third.
+    /// Marks that differ from both: balanced.
     pub(crate) third: Color32,
     /// Errors.
     pub(crate) error: Color32,
     /// Warnings.
     pub(crate) warning: Color32,
-    /// Fields that are typed or dragged.
+    /// Fields that are typed in or dragged.
     pub(crate) field: Color32,
     /// Fields under the pointer.
     pub(crate) field_hovered: Color32,
-    /// Where text is typed.
+    /// Ground of text fields.
     pub(crate) well: Color32,
-    /// Keys, types, numbers, comments, functions and attributes of code.
+    /// Colors of code.
     pub(crate) code: CodeColors,
     graph: &'static Palette,
     hues: [Color32; 8],
@@ -65,22 +65,22 @@ pub(crate) struct CodeColors {
 }
 
 impl Colors {
-    /// The color of a type's sockets and wires.
+    /// Color of a type's sockets and wires.
     pub(crate) fn of_type(&self, ty: &Type) -> Color32 {
         rgb(self.graph.of_type(ty))
     }
 
-    /// The color of a category's titles.
+    /// Color of a category's titles.
     pub(crate) fn of_category(&self, category: &str) -> Color32 {
         rgb(self.graph.of_category(category))
     }
 
-    /// One of a row of colors that are told apart: of a key, by its place.
+    /// Color of a key, by its index, from a row of colors that can be told apart.
     pub(crate) fn hue(&self, index: usize) -> Color32 {
         self.hues[index % self.hues.len()]
     }
 
-    /// The color of a tier's marks; of a row that has none, plain text's.
+    /// Color of a tier's marks; for `None` that of plain text.
     pub(crate) fn of_tier(&self, tier: Option<Tier>) -> Color32 {
         match tier {
             Some(Tier::Exact) => self.second,
@@ -95,21 +95,21 @@ const fn rgb(hex: u32) -> Color32 {
     Color32::from_rgb((hex >> 16) as u8, (hex >> 8) as u8, hex as u8)
 }
 
-/// What lies on a picture is told from it by a dark rim, in both themes alike.
+/// Dark rim that tells marks on a picture from it, in both themes alike.
 pub(crate) const HALO: Color32 = Color32::from_black_alpha(130);
-/// Behind text on a picture.
+/// Ground of text on a picture.
 pub(crate) const PLATE: Color32 = Color32::from_black_alpha(165);
-/// The middle of what a light lights, on a picture.
+/// Mark of the middle of a lit area, on a picture.
 pub(crate) const SUN: Color32 = rgb(0xfff3c4);
-/// Offset, fall-off and cut-off on a picture.
+/// Colors of offset, fall-off and cut-off on a picture.
 const CURVES: [Color32; 3] = [rgb(0xffb347), rgb(0x6f9bff), rgb(0x6ee08a)];
 
-/// The color of a layer's offset, fall-off or cut-off (0, 1, 2) on a picture.
+/// Color of a layer's offset, fall-off or cut-off (0, 1, 2) on a picture.
 pub(crate) fn curve(index: usize) -> Color32 {
     CURVES[index.min(CURVES.len() - 1)]
 }
 
-/// A calm dark ground with one warm accent.
+/// Dark theme: a calm dark ground with one warm accent.
 pub(super) static DARK: Colors = Colors {
     panel: rgb(0x222327),
     window: rgb(0x27282d),
@@ -151,7 +151,7 @@ pub(super) static DARK: Colors = Colors {
     ],
 };
 
-/// Paper, with the same accent in a darker ink.
+/// Light theme: paper, with the same accent in a darker ink.
 pub(super) static LIGHT: Colors = Colors {
     panel: rgb(0xf0eeea),
     window: rgb(0xf8f7f4),
@@ -208,7 +208,7 @@ mod tests {
         a.max(b) / a.min(b)
     }
 
-    /// Text as WCAG asks it of small text; marks as it asks of parts of a picture.
+    /// Contrast of text as WCAG demands of small text, and of marks as WCAG demands of graphics.
     #[test]
     fn everything_is_legible_on_its_ground() {
         for (name, colors) in [("dark", &DARK), ("light", &LIGHT)] {

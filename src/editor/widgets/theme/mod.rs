@@ -1,7 +1,7 @@
 //! Colors, sizes and fonts of the window, all in one place.
 //!
-//! A calm ground with one warm accent, so that the picture and the wires are what is seen. A socket
-//! says its type by color and by shape.
+//! A calm ground with one warm accent lets the picture and the wires stand out. A socket shows its
+//! type by color and by shape.
 
 mod colors;
 
@@ -11,12 +11,12 @@ use eframe::egui::{CornerRadius, FontFamily, FontId, Margin, Stroke, TextStyle, 
 pub(crate) use crate::drawing::{NODE_WIDTH, SOCKET, SocketShape, TEXT_SIZE, TITLE_HEIGHT};
 pub(crate) use colors::{Colors, HALO, PLATE, SUN, curve};
 
-/// The colors of the theme that is shown.
+/// Colors of the present theme.
 pub(crate) fn of(ui: &egui::Ui) -> &'static Colors {
     if ui.visuals().dark_mode { &colors::DARK } else { &colors::LIGHT }
 }
 
-/// The size of small text, in points: heads of tables, marks of plots.
+/// Size of small text, in points: heads of tables, marks of plots.
 pub(crate) const SMALL_TEXT: f32 = 11.0;
 /// Sets colors, fonts and spacings for the whole window, in both themes.
 pub(crate) fn apply(ctx: &egui::Context) {
@@ -85,7 +85,7 @@ fn visuals(mut visuals: Visuals, colors: &Colors) -> Visuals {
     visuals
 }
 
-/// The frame of a panel.
+/// Frame of a panel.
 pub(crate) fn panel(ui: &egui::Ui) -> egui::Frame {
     egui::Frame::new().fill(of(ui).panel).inner_margin(Margin::symmetric(10, 8))
 }
