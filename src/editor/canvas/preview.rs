@@ -356,7 +356,7 @@ fn can_be_shown(ty: &Type) -> bool {
     *ty == Type::Angle || *ty != Type::Mat3 && ty.width().is_some()
 }
 
-/// How large a ball is shown beside the pointer.
+/// Shows a ball enlarged, beside the pointer.
 pub(super) fn large(ui: &mut egui::Ui, texture: &TextureHandle) {
     ui.add(egui::Image::new((texture.id(), vec2(96.0, 96.0))));
 }
