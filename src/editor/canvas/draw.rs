@@ -313,7 +313,7 @@ impl Canvas {
         let center = node.right_top() + vec2(-2.0 * pen.zoom, 2.0 * pen.zoom);
         socket(mesh, theme::SocketShape::Circle, center, radius + 1.5, pen.colors.node_edge);
         socket(mesh, theme::SocketShape::Circle, center, radius, color);
-        // An exclamation mark.
+        // The mark is an exclamation mark, of two strokes.
         let unit = radius / 8.0;
         let stroke = |y: f32, height: f32| {
             Rect::from_center_size(center + vec2(0.0, y * unit), vec2(2.0, height) * unit)

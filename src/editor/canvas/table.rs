@@ -66,7 +66,7 @@ pub(crate) struct NodeRow {
 pub(crate) struct FrameRow {
     pub(crate) id: FrameId,
     pub(crate) title: String,
-    /// Straight RGB.
+    /// Color of the frame, straight RGB.
     pub(crate) color: Option<[f64; 3]>,
     /// Nodes of the frame, by index.
     pub(crate) nodes: Vec<usize>,

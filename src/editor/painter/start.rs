@@ -35,7 +35,7 @@ fn wide(ui: &mut Ui, label: &str) -> Response {
 
 /// HCBTF that the open look shows, and that is not open to be painted.
 pub(crate) struct ShownPainting {
-    /// Label of the button that opens it.
+    /// Label of the button that opens the HCBTF.
     pub(crate) label: String,
     pub(crate) help: &'static str,
     pub(crate) path: PathBuf,

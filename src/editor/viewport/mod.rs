@@ -50,7 +50,7 @@ use place::{is_on_object, place_in, project};
 use show::{Place as ReferencePlace, Reference};
 use surface::{Key as SurfaceKey, Surface, Surfaces};
 
-/// Speed of the turntable, in turns per second.
+/// Speed of the turntable, as a horizontal drag in heights of the picture per second.
 const TURNTABLE: f64 = -0.25;
 
 /// Drag that is under way.
@@ -66,7 +66,7 @@ enum Drag {
 /// State that a cancelled drag goes back to.
 struct DragStart {
     view: Orbit,
-    /// Number of steps in the document's history.
+    /// Number of steps of the history that were done.
     place: usize,
 }
 

@@ -26,8 +26,8 @@ use crate::state::worker::Worker;
 
 /// Approximate largest number of pixels: half of those of 500 by 500 along each side.
 const MOST: f32 = 62_500.0;
-/// Largest deviation of the depth step between two neighbors of one surface from the step that their
-/// slope predicts, in pixels times one plus the slope.
+/// Largest deviation of the depth step between two neighbors of one surface from the step that
+/// their slope predicts, in pixels times one plus the slope.
 const TOLERANCE: f32 = 2.5;
 /// Least cosine between normal and view that is used: at a steeper slope every step in depth would
 /// be explained.

@@ -11,7 +11,7 @@ use crate::widgets::theme;
 
 /// Range of the plot's height, in points; it leaves room for the table.
 const HEIGHT: std::ops::RangeInclusive<f32> = 110.0..=260.0;
-/// Error at which smaller ones are drawn: below it f32 cannot tell an error from 0.
+/// Least error of the plot: smaller ones, which f32 cannot tell from 0, are drawn there.
 const LEAST_ERROR: f64 = 1e-8;
 const LEAST_TIME: f64 = 1e-3;
 const VISIBLE: f64 = 1.0 / 255.0;

@@ -46,7 +46,7 @@ const SIDE: f32 = 200.0;
 /// Largest number of recent files that are shown.
 const MOST_RECENT: usize = 8;
 
-/// The panel.
+/// The panel of nodes and looks, and its state.
 #[derive(Default)]
 pub(crate) struct Library {
     shows_looks: bool,

@@ -39,7 +39,7 @@ const STEP: f64 = 2.0 * std::f64::consts::PI / 180.0;
 /// Angle between a copied key and its original, in radians.
 const BESIDE: f64 = 0.4;
 
-/// The panel.
+/// The panel of direction keys, and its state.
 #[derive(Default)]
 pub(crate) struct Keys {
     set: usize,
