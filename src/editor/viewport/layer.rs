@@ -48,7 +48,8 @@ pub(super) struct Setting<T> {
     pub(super) target: Target,
     /// Present value, which is drawn.
     pub(super) value: T,
-    /// Value at the key where it is set; differs from `value` where keys are blended.
+    /// Value that an edit would change: that of the current key; differs from `value` where keys
+    /// are blended.
     pub(super) at_key: T,
     /// True if the value comes from a wire, so that it cannot be set.
     pub(super) is_wired: bool,
@@ -107,7 +108,7 @@ impl Layer {
         self.in_order(|setting| setting.value)
     }
 
-    /// The same angles at the key where they are set.
+    /// Angles that an edit would change: those of the current key.
     pub(super) fn angles_at_key(&self) -> [f64; 3] {
         self.in_order(|setting| setting.at_key)
     }

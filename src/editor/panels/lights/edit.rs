@@ -27,7 +27,7 @@ const OFF: &str = "Off";
 /// Shows all fields of a light but its name.
 pub(crate) fn edit(ui: &mut Ui, session: &Session, lamp: &OwnedLight<'_>, out: &mut Vec<Command>) {
     ui.push_id((lamp.owner, lamp.id), |ui| {
-        // Keyed fields are shown, and set, at the selected key.
+        // Keyed fields are shown, and set, at the current direction key or at the playhead.
         let light = &lamp.as_set(session);
         let mut new = light.clone();
         let mut hand = None;

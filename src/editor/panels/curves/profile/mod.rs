@@ -86,7 +86,8 @@ struct Layer<'a> {
     id: &'a NodeId,
     node: &'a Node,
     kind: &'a Kind,
-    /// Shape as it is set: that of the selected key where the shape is keyed.
+    /// Shape that an edit would change: that of the current direction key, or at the playhead, where
+    /// the shape is keyed.
     shape: Shape,
     /// For offset, fall-off and cut-off, true if a wire feeds it.
     wired: [bool; 3],
