@@ -318,6 +318,7 @@ impl Viewport {
         if let Some((light, shading)) = chosen {
             let is_there =
                 handles.surface.as_ref().is_some_and(|surface| surface.is_at(place_in(rect, at)));
+            // Shift takes the middle from any point of the object, as it may lie out of sight.
             if modifiers.shift && is_there || lights::is_at_middle(self.isocurves.middle(rect), at)
             {
                 return Some(Drag::Light(lights::HeldLight::by_middle(light, shading)));

@@ -339,7 +339,7 @@ impl Row<'_> {
             ui.add(Label::new(text).truncate()).on_hover_text("A wire decides the opacity");
             return;
         }
-        // A keyed value is shown as at the current direction key or at the playhead, where it is set.
+        // A keyed value is shown, and set, at the current direction key or at the playhead.
         let target = self.target(port);
         let mut percent = values::number(self.session.value_at(&target).as_ref()) * 100.0;
         let number_width = 46.0;

@@ -86,8 +86,8 @@ struct Layer<'a> {
     id: &'a NodeId,
     node: &'a Node,
     kind: &'a Kind,
-    /// Shape that an edit would change: that of the current direction key, or at the playhead, where
-    /// the shape is keyed.
+    /// Shape that an edit would change: where the shape is keyed, that of the current direction
+    /// key or at the playhead.
     shape: Shape,
     /// For offset, fall-off and cut-off, true if a wire feeds it.
     wired: [bool; 3],
