@@ -1,4 +1,4 @@
-//! What keys, menus and the command palette do on the canvas.
+//! Actions of keys, menus and the command palette on the canvas.
 
 use eframe::egui;
 use eframe::egui::{Event, Id, Pos2, Rect, Ui, Vec2, pos2};
@@ -13,11 +13,12 @@ use crate::document::{Bookmark, Edit, grouping};
 use crate::ids::NodeId;
 use crate::state::session::Session;
 
-/// How far arrow keys move.
+/// Distance that an arrow key moves nodes, in points of the graph.
 const STEP: f32 = 12.0;
 
 impl Canvas {
-    /// Keys, while no text is being typed, and what the command palette chose.
+    /// Runs the commands of pressed keys, while no text is being typed, and the command that the
+    /// command palette asked for.
     pub(super) fn keys(
         &mut self,
         ui: &Ui,
@@ -31,8 +32,8 @@ impl Canvas {
         }
         let is_typing = keyboard::is_keyboard_taken(ui.ctx());
         if !is_typing {
-            // What is open over the window, such as a color's picker, is closed by this key before
-            // anything else is.
+            // Escape first closes a popup that is open over the window, such as a color picker;
+            // that press must not also cancel a gesture here.
             let is_free = !egui::Popup::is_any_open(ui.ctx());
             if is_free && keyboard::take(ui, (egui::Modifiers::NONE, egui::Key::Escape)) {
                 self.cancel();
@@ -51,7 +52,7 @@ impl Canvas {
         }
     }
 
-    /// Copy, cut and paste, as the window system sends them.
+    /// Runs copy, cut and paste, which the window system sends as events of their own.
     fn clipboard(
         &mut self,
         ui: &Ui,
@@ -109,12 +110,12 @@ impl Canvas {
         }
     }
 
-    /// The nodes that are selected, without the ends of a group.
+    /// Ids of the selected nodes, without the two ends of a group.
     fn chosen(session: &Session) -> Vec<NodeId> {
         session.selected().filter(|id| session.graph().nodes.contains_key(*id)).cloned().collect()
     }
 
-    /// Does what was asked for.
+    /// Runs a command of the canvas.
     pub(super) fn run(
         &mut self,
         command: GraphCommand,
@@ -183,7 +184,7 @@ impl Canvas {
         }
     }
 
-    /// What needs selected nodes.
+    /// Runs a command that needs selected nodes.
     fn run_on(
         &mut self,
         command: GraphCommand,
@@ -288,7 +289,7 @@ impl Canvas {
         });
     }
 
-    /// Wires selected nodes from left to right.
+    /// Wires the selected nodes to one another from left to right.
     fn connect_chosen(&mut self, chosen: &[NodeId], session: &Session, out: &mut Vec<Command>) {
         let mut indices: Vec<usize> =
             chosen.iter().filter_map(|id| self.table.index_of(id)).collect();
@@ -328,7 +329,7 @@ impl Canvas {
         out.push(Command::Edit(edits::put(session, ids.zip(places))));
     }
 
-    /// Lays out what is selected, or everything.
+    /// Lays out the selected nodes, or all nodes where fewer than two are selected.
     fn lay_out(&mut self, chosen: &[NodeId], session: &Session, out: &mut Vec<Command>) {
         let all: Vec<usize> =
             (0..self.table.nodes.len()).filter(|&index| !self.table.nodes[index].is_end).collect();
@@ -351,7 +352,8 @@ impl Canvas {
         out.push(Command::Edit(edit));
     }
 
-    /// Arrow keys move what is selected; with nothing selected they select the node in the middle.
+    /// Moves the selected nodes by one arrow key; with nothing selected, selects the node nearest
+    /// to the middle of the view.
     fn nudge(&self, way: Heading, chosen: &[NodeId], session: &Session, out: &mut Vec<Command>) {
         if chosen.is_empty() {
             return self.select_next(way, session, out);
@@ -360,7 +362,7 @@ impl Canvas {
         out.push(Command::EditHeld(Id::unique("nudge"), edit));
     }
 
-    /// Goes on to the nearest node in a direction.
+    /// Selects the nearest node in a direction.
     fn select_next(&self, way: Heading, session: &Session, out: &mut Vec<Command>) {
         let current = session.selection.nodes.last().and_then(|id| self.table.index_of(id));
         let step = way.step();
@@ -370,7 +372,7 @@ impl Canvas {
             let along = way.dot(step);
             let aside = (way - step * along).length();
             match current {
-                // Straight on rather than near.
+                // A node straight ahead is preferred to a near one that lies aside.
                 Some(_) => (along > 1.0 && aside < along * 3.0).then_some(along + aside * 2.0),
                 None => Some(way.length()),
             }
@@ -402,7 +404,7 @@ impl Canvas {
 
     fn remember(&self, session: &Session, key: u8) -> Edit {
         let position = [self.view.center.x, self.view.center.y].map(|x| f64::from(x).round());
-        // Three decimals are more than is seen.
+        // Three decimals are finer than the eye can tell.
         let zoom = (f64::from(self.view.zoom) * 1000.0).round() / 1000.0;
         let mut bookmarks = session.graph().bookmarks.clone();
         bookmarks.retain(|bookmark| bookmark.key != key);
@@ -411,13 +413,13 @@ impl Canvas {
         Edit::SetBookmarks { graph: session.graph_id().clone(), bookmarks }
     }
 
-    /// Renames a node, or the group that it is where it has no name of its own.
+    /// Edit that renames a node; a group's node without a name of its own shows its group's name.
     pub(super) fn rename(session: &Session, id: &NodeId, name: String) -> Edit {
         Edit::SetName { graph: session.graph_id().clone(), id: id.clone(), name }
     }
 }
 
-/// Whether a command changes the document.
+/// True if a command changes the document.
 fn changes(command: GraphCommand) -> bool {
     !matches!(
         command,

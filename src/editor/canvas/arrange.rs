@@ -1,19 +1,19 @@
-//! Where nodes are put: aligned, spaced out, or all laid out in layers from left to right.
+//! Placement of nodes: alignment, even spacing, and a layout in layers from left to right.
 //!
 //! The layout is Sugiyama's in its plain form (1981): each node lies in a column left of all that
-//! it feeds, columns are ordered by the mean of their neighbours' places, and each node comes to
-//! lie as near to the sockets that it feeds as the others of its column let it.
+//! it feeds, columns are ordered by the mean of their neighbors' places, and each node comes to lie
+//! as near to the sockets that it feeds as the other nodes of its column let it.
 
 use eframe::egui::{Pos2, Rect, Vec2, pos2, vec2};
 
-/// Between columns.
+/// Gap between neighboring columns, in points of the graph.
 const COLUMN_GAP: f32 = 64.0;
-/// Between nodes of a column.
+/// Gap between neighboring nodes of a column, in points of the graph.
 const ROW_GAP: f32 = 26.0;
-/// How often columns are sorted by their neighbours, to and fro.
+/// Number of passes that sort the columns by their neighbors, alternately leftward and rightward.
 const SWEEPS: usize = 6;
 
-/// An edge of rectangles.
+/// Side of a rectangle, to align by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Side {
     Left,
@@ -34,8 +34,8 @@ pub(crate) fn align(rects: &[Rect], side: Side) -> Vec<Pos2> {
     rects.iter().map(place).collect()
 }
 
-/// Moves rectangles so that there is as much room between any two neighbours, across or downward;
-/// the outer two stay.
+/// Moves rectangles so that the gaps between neighbors are equal, across or downward; the outer two
+/// stay.
 pub(crate) fn distribute(rects: &[Rect], is_across: bool) -> Vec<Pos2> {
     let along = |v: Vec2| if is_across { v.x } else { v.y };
     let start = |rect: &Rect| along(rect.min.to_vec2());
@@ -61,7 +61,8 @@ pub(crate) fn distribute(rects: &[Rect], is_across: bool) -> Vec<Pos2> {
     places
 }
 
-/// A wire for the layout: which boxes, and how far below their tops it leaves and arrives.
+/// Wire of the layout: the indices of its two boxes, and the heights of its ends below the boxes'
+/// tops.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Link {
     pub(crate) from: usize,
@@ -70,7 +71,7 @@ pub(crate) struct Link {
     pub(crate) to_y: f32,
 }
 
-/// Lays boxes out in layers; the middle of all stays where it is.
+/// Lays boxes out in layers; the center of their bounds stays where it is.
 pub(crate) fn layers(rects: &[Rect], links: &[Link]) -> Vec<Pos2> {
     if rects.is_empty() {
         return Vec::new();
@@ -91,9 +92,9 @@ pub(crate) fn layers(rects: &[Rect], links: &[Link]) -> Vec<Pos2> {
 
 struct Layered<'a> {
     rects: &'a [Rect],
-    /// By the box that they leave.
+    /// Wires by the box that they leave.
     out: Vec<Vec<Link>>,
-    /// By the box that they reach.
+    /// Wires by the box that they reach.
     into: Vec<Vec<Link>>,
 }
 
@@ -108,15 +109,15 @@ impl<'a> Layered<'a> {
         graph
     }
 
-    /// Boxes by column, from the right: a box lies beyond everything that it feeds. Wires of a ring
-    /// are left out where they lead back.
+    /// Indices of boxes by column, from the right: a box lies left of everything that it feeds.
+    /// Wires that close a ring are left out.
     fn columns(&self) -> Vec<Vec<usize>> {
         let count = self.rects.len();
         let mut rank = vec![0usize; count];
         let mut waits: Vec<usize> = self.out.iter().map(Vec::len).collect();
         let mut is_done = vec![false; count];
         let mut ready: Vec<usize> = (0..count).filter(|&index| waits[index] == 0).collect();
-        // Of boxes in rings the rightmost first: the order from which one is taken.
+        // In a ring no box is ever ready; the rightmost box that is left is then taken.
         let mut by_place: Vec<usize> = (0..count).collect();
         by_place.sort_by(|&a, &b| self.rects[b].min.x.total_cmp(&self.rects[a].min.x));
         let mut next = by_place.into_iter();
@@ -151,12 +152,12 @@ impl<'a> Layered<'a> {
         columns
     }
 
-    /// Sorts each column by the mean place of what it is wired to.
+    /// Sorts each column by the mean place of the boxes that its boxes are wired to.
     fn sort(&self, columns: &mut [Vec<usize>]) {
         let mut place = vec![0.0f32; self.rects.len()];
         let number = |column: &[usize], place: &mut Vec<f32>| {
             for (order, &index) in column.iter().enumerate() {
-                // From 0 to 1, so that short and long columns compare.
+                // Places run from 0 to 1, so that short and long columns compare.
                 place[index] = (order as f32 + 0.5) / column.len() as f32;
             }
         };
@@ -182,8 +183,8 @@ impl<'a> Layered<'a> {
         }
     }
 
-    /// The mean place of a box's consumers, or of its sources; sockets count a little, so that
-    /// wires to one node keep its sockets' order.
+    /// Mean place of a box's consumers, or of its sources. The heights of sockets count a little,
+    /// so that wires to one node keep the order of its sockets.
     fn mean(&self, index: usize, is_leftward: bool, place: &[f32]) -> Option<f32> {
         let links = if is_leftward { &self.out[index] } else { &self.into[index] };
         if links.is_empty() {
@@ -199,8 +200,8 @@ impl<'a> Layered<'a> {
         Some(links.iter().map(of).sum::<f32>() / links.len() as f32)
     }
 
-    /// Puts columns side by side from the right, each box level with the sockets that it feeds, as
-    /// far as there is room.
+    /// Puts columns side by side from the right, each box as level with the sockets that it feeds
+    /// as there is room.
     fn place(&self, columns: &[Vec<usize>]) -> Vec<Pos2> {
         let mut places = vec![Pos2::ZERO; self.rects.len()];
         let mut right = 0.0;
@@ -215,7 +216,7 @@ impl<'a> Layered<'a> {
         places
     }
 
-    /// Where a box's top would make its wires level.
+    /// Top at which a box's wires would run level, on average.
     fn wish(&self, index: usize, places: &[Pos2]) -> f32 {
         let links = &self.out[index];
         if links.is_empty() {
@@ -225,11 +226,11 @@ impl<'a> Layered<'a> {
             / links.len() as f32
     }
 
-    /// Tops of a column's boxes without overlap, in order, as near to what they wish as least
-    /// squares have it (boxes that touch move together).
+    /// Tops of a column's boxes, in order and without overlap, as near to the wished tops as least
+    /// squares allow; boxes that touch move together.
     fn spread(&self, column: &[usize], wished: &[f32]) -> Vec<f32> {
-        // Blocks of boxes that touch: the top that their first box should have, how many there are,
-        // and their height.
+        // Blocks of boxes that touch: the wished top of the block's first box, the number of boxes,
+        // and the block's height.
         let mut blocks: Vec<(f32, usize, f32)> = Vec::new();
         for (&index, &wish) in column.iter().zip(wished) {
             let mut block = (wish, 1, self.rects[index].height() + ROW_GAP);
@@ -237,7 +238,8 @@ impl<'a> Layered<'a> {
                 if top + height <= block.0 {
                     break;
                 }
-                // What comes below wishes that much less for the first box of both.
+                // The lower block's wish for the first box of both is less by the height of the
+                // upper block.
                 let (a, b) = (count as f32, block.1 as f32);
                 block = (
                     (top * a + (block.0 - height) * b) / (a + b),
@@ -261,17 +263,18 @@ impl<'a> Layered<'a> {
     }
 }
 
-/// What a dragged rectangle snaps to.
+/// Result of snapping a dragged rectangle to the edges of others.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Snap {
-    /// What must be added for it.
+    /// Shift that brings the rectangle onto the edges, in points of the graph.
     pub(crate) shift: Vec2,
-    /// The line that it lies on then, across or downward, and how far it reaches.
+    /// Guide line that the rectangle then lies on, upright or level: its coordinate, and the range
+    /// that it spans.
     pub(crate) upright: Option<(f32, [f32; 2])>,
     pub(crate) level: Option<(f32, [f32; 2])>,
 }
 
-/// Where `moved` lies on an edge of one of `others` within `reach`.
+/// Shift by which `moved` comes to lie on an edge of one of `others`, if one is within `reach`.
 pub(crate) fn snap(moved: Rect, others: impl Iterator<Item = Rect>, reach: f32) -> Snap {
     let mut best = [(reach, 0.0, None), (reach, 0.0, None)];
     for other in others {
@@ -335,7 +338,7 @@ mod tests {
         assert_eq!(distribute(&rects[..2], false)[1].y, 100.0);
     }
 
-    /// Whatever is wired: sources lie left of what they feed, and nothing overlaps.
+    /// For any wiring, sources lie left of the boxes that they feed, and boxes do not overlap.
     #[test]
     fn layers_never_overlap_and_wires_run_to_the_right() {
         let mut seed = 7u64;

@@ -1,4 +1,4 @@
-//! Drags on their way, and what they come to.
+//! Drags under way: their course and their result.
 
 use std::collections::HashSet;
 
@@ -15,11 +15,11 @@ use crate::ids::{GROUP_INPUTS, NodeId};
 use crate::state::interface;
 use crate::state::session::Session;
 
-/// The grid that nodes snap to.
+/// Spacing of the grid that nodes snap to, in points of the graph.
 const GRID: f32 = 24.0;
-/// Edges snap from so far, on the screen.
+/// Distance within which an edge snaps, in points of the screen.
 const REACH: f32 = 5.0;
-/// With Alt, nodes nearer than this are wired.
+/// Distance below which a node dragged with Alt is wired to its neighbor, in points of the graph.
 const NEAR: f32 = 90.0;
 
 impl Canvas {
@@ -96,7 +96,7 @@ impl Canvas {
         let Gesture::Move(drag) = &mut self.gesture else { return };
         let nodes = drag.nodes.clone();
         let (by, wished) = (drag.by, pointer - drag.from);
-        // Where the nodes would be without snapping.
+        // Bounds of the nodes as they would be without snapping.
         let moved = edits::around(nodes.iter().map(|&index| self.table.nodes[index].rect))
             .translate(wished - by);
         let is_free = modifiers.command || modifiers.ctrl;
@@ -113,7 +113,8 @@ impl Canvas {
         }
     }
 
-    /// How far nodes go so that an edge lies on a neighbour's, or their corner on the grid.
+    /// Distance that the nodes move, adjusted so that an edge lies on a neighbor's edge or their
+    /// corner on the grid, and the guide lines to draw.
     fn snapped(
         &self,
         moved: Rect,
@@ -142,7 +143,7 @@ impl Canvas {
         )
     }
 
-    /// The wire that a lone node without wires lies on, if it can be put into it.
+    /// Index of the wire under a lone unwired node, if the node can be put into that wire.
     fn wire_under(&self, nodes: &HashSet<usize>) -> Option<usize> {
         let mut indices = nodes.iter();
         let (Some(&node), None) = (indices.next(), indices.next()) else { return None };
@@ -161,7 +162,7 @@ impl Canvas {
             .find(|&index| self.insertion(node, index).is_some())
     }
 
-    /// The input and output by which a node goes into a wire.
+    /// Input and output by which a node is put into a wire, by index.
     fn insertion(&self, node: usize, wire: usize) -> Option<(usize, usize)> {
         let wire = &self.table.wires[wire];
         let kind = &self.table.nodes[node].kind;
@@ -191,7 +192,7 @@ impl Canvas {
         ))
     }
 
-    /// The wire to the nearest node left or right of what is dragged.
+    /// Best wire to the nearest node left or right of the dragged node.
     fn neighbour(&self, nodes: &HashSet<usize>) -> Option<(Socket, Socket)> {
         let mut indices = nodes.iter();
         let (Some(&node), None) = (indices.next(), indices.next()) else { return None };
@@ -252,7 +253,8 @@ impl Canvas {
             all.push(edits::connect(session, self.endpoint(from), self.endpoint(to)));
         }
         if !drag.is_frame {
-            // Out of frames of which other nodes stay behind, into the one below the pointer.
+            // The nodes leave a frame of which other nodes stay behind, and join the frame below
+            // the pointer.
             let leaves = |id: &NodeId| {
                 let index = self.table.index_of(id)?;
                 let frame = &self.table.frames[self.table.frame_of(index)?];
@@ -279,7 +281,7 @@ impl Canvas {
         out.extend((!edits.is_empty()).then_some(Command::Edit(Edit::Group { edits })));
     }
 
-    /// Whether a stroke crosses a wire.
+    /// True if a stroke crosses a wire.
     pub(super) fn is_cut(&self, wire: &super::table::WireRow, path: &[Pos2]) -> bool {
         const PIECES: usize = 24;
         let mut bounds = Rect::NOTHING;
@@ -326,7 +328,7 @@ impl Canvas {
         }
     }
 
-    /// A wire let go on an end of the group adds a port there.
+    /// Edit that adds a port to the open group, where a wire is let go on one of the group's ends.
     fn new_port(&self, drag: &WireDrag, at: Pos2, session: &Session) -> Option<Edit> {
         let Some(Hit::Node(index)) = self.hit(at) else { return None };
         let row = &self.table.nodes[index];
@@ -341,7 +343,8 @@ impl Canvas {
         }
         let fixed = self.endpoint(drag.fixed);
         let name = interface::free_port(definition, is_output, fixed.port.as_str());
-        // An input begins with what the node inside has there, so that the picture stays.
+        // The new input's default is the inner node's own value, so that the picture stays the
+        // same.
         let own = session.graph().nodes.get(&fixed.node).filter(|_| !is_output);
         let default = own.and_then(|node| node.values.get(&fixed.port)).cloned();
         let port = InterfacePort { name: name.clone(), default, ..InterfacePort::default() };
@@ -353,7 +356,7 @@ impl Canvas {
         Some(Edit::Group { edits: vec![interface, edits::connect(session, from, to)] })
     }
 
-    /// Whether a kind may stand in for the node of a row, for the palette.
+    /// Endpoint in the document (node and port name) of a socket.
     pub(super) fn endpoint(&self, socket: Socket) -> Endpoint {
         let row = &self.table.nodes[socket.node];
         let kind: &Kind = &row.kind;
@@ -362,14 +365,14 @@ impl Canvas {
     }
 }
 
-/// Whether two straight pieces cross.
+/// True if two straight pieces cross.
 fn crosses(a: &[Pos2], b: &[Pos2]) -> bool {
     let side = |p: Pos2, q: Pos2, r: Pos2| (q - p).x * (r - p).y - (q - p).y * (r - p).x;
     let (&[a0, a1], &[b0, b1]) = (a, b) else { return false };
     side(a0, a1, b0) * side(a0, a1, b1) < 0.0 && side(b0, b1, a0) * side(b0, b1, a1) < 0.0
 }
 
-/// Whether a point lies in a loop, by how often a ray to the right crosses it.
+/// True if a point lies within a loop: a ray to the right crosses the loop an odd number of times.
 fn is_inside(p: Pos2, path: &[Pos2]) -> bool {
     let far = p + vec2(1e8, 0.371);
     let closing = [path.last().copied().unwrap_or(p), path.first().copied().unwrap_or(p)];

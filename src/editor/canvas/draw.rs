@@ -1,8 +1,8 @@
-//! Draws what is in view into one mesh whose memory is used again each frame; far away, with less
-//! detail.
+//! Draws the visible part of the canvas into one mesh, whose memory is used again each frame; the
+//! farther the zoom, the less detail.
 //!
 //! Zoom above 0.4: everything. 0.25 to 0.4: titles and sockets. 0.1 to 0.25: boxes in two tones.
-//! Below: plain boxes. Selection and errors show at every level.
+//! Below 0.1: plain boxes. Selection and errors show at every level.
 
 use eframe::egui;
 use std::sync::Arc;
@@ -24,7 +24,7 @@ pub(super) const ALL_TEXT: f32 = 0.4;
 pub(super) const SOCKETS: f32 = 0.25;
 const BOXES: f32 = 0.1;
 
-/// What a frame's drawing needs again and again.
+/// Constants of one frame's drawing.
 pub(super) struct Pen<'a> {
     pub(super) painter: &'a Painter,
     pub(super) colors: &'static Colors,
@@ -33,12 +33,13 @@ pub(super) struct Pen<'a> {
     pub(super) zoom: f32,
     pub(super) visible: Rect,
     session: &'a Session,
-    /// While a wire is drawn: the sockets that it may end at.
+    /// Predicate of the sockets that the wire being drawn may end at; `None` while no wire is
+    /// drawn.
     fits: Option<&'a dyn Fn(Socket) -> bool>,
 }
 
 impl Canvas {
-    /// Draws the canvas, with a wire on its way to `loose_end`.
+    /// Draws the canvas, with a wire under way to `loose_end`.
     pub(super) fn draw(&mut self, ui: &Ui, session: &Session, loose_end: Option<Pos2>) {
         let painter = &ui.painter_at(self.view.screen);
         let fits = match &self.gesture {
@@ -49,7 +50,8 @@ impl Canvas {
             move |socket: Socket| fits.contains(&(socket.node, socket.port, socket.is_output))
         });
         let mut buffer = std::mem::take(&mut self.buffer);
-        // The frame before has let go of its share by now, so this copies nothing.
+        // The renderer has dropped its share of the last frame's mesh by now, so `make_mut` copies
+        // nothing.
         let mesh = Arc::make_mut(&mut buffer);
         mesh.clear();
         let [u, v] = painter.fonts(|fonts| fonts.font_image_size().map(|side| 1.0 / side as f32));
@@ -104,7 +106,7 @@ impl Canvas {
         let zoom = pen.zoom;
         let tolerance = if zoom < SOCKETS { 0.75 } else { 0.25 };
         let width = (2.4 * zoom).clamp(1.0, 4.0);
-        // Far away wires would cover everything.
+        // Wires fade with distance: at full strength they would cover everything.
         let fade = if zoom < SOCKETS { 0.35 + 0.65 * (zoom / SOCKETS) } else { 1.0 };
         let clip = self.view.screen.expand(4.0);
         let picked = match &self.gesture {
@@ -225,8 +227,8 @@ impl Canvas {
     }
 
     fn draw_sockets(&self, mesh: &mut Mesh, pen: &Pen<'_>, index: usize, is_dim: bool) {
-        // Those of a collapsed node lie on one another: the first of each side is seen, and
-        // whatever fits a wire.
+        // The sockets of a collapsed node lie on one another: only the first of each side is drawn,
+        // and any that fits the wire being drawn.
         let row = &self.table.nodes[index];
         let is_first = |at: &Socket| {
             let mut sockets =
@@ -292,7 +294,7 @@ impl Canvas {
             rounded(mesh, r.expand(1.0), 3.0 * pen.zoom, (true, true), pen.colors.swatch_edge);
             let [red, green, blue, alpha] =
                 color.map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
-            // Left half opaque, so that the hue of a transparent color is seen.
+            // The left half is opaque, so that the hue of a transparent color is seen.
             rounded(mesh, r, 2.0 * pen.zoom, (true, true), Color32::from_rgb(red, green, blue));
             if alpha < 255 {
                 let right = Rect::from_min_max(r.center_top(), r.max);
@@ -311,7 +313,7 @@ impl Canvas {
         let center = node.right_top() + vec2(-2.0 * pen.zoom, 2.0 * pen.zoom);
         socket(mesh, theme::SocketShape::Circle, center, radius + 1.5, pen.colors.node_edge);
         socket(mesh, theme::SocketShape::Circle, center, radius, color);
-        // An exclamation mark.
+        // The mark is an exclamation mark, of two strokes.
         let unit = radius / 8.0;
         let stroke = |y: f32, height: f32| {
             Rect::from_center_size(center + vec2(0.0, y * unit), vec2(2.0, height) * unit)

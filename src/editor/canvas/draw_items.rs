@@ -1,4 +1,4 @@
-//! Draws frames, notes, and what a drag would do.
+//! Draws frames, notes, and the effects that the current drag would have.
 
 use std::sync::Arc;
 
@@ -16,11 +16,11 @@ use crate::drawing::TEXT_SIZE;
 use crate::library::Type;
 use crate::widgets::theme;
 
-/// Between a note's edge and its text.
+/// Padding between a note's edge and its text, in points of the graph.
 const PADDING: f32 = 9.0;
 
 impl Canvas {
-    /// Notes are as high as their text.
+    /// Lays out the text of notes and sets their heights by it.
     pub(super) fn measure_notes(&mut self, ui: &Ui) {
         for note in self.table.notes.iter_mut().filter(|note| note.text.is_none()) {
             let text = lay_out(
@@ -67,7 +67,7 @@ impl Canvas {
             if pen.zoom < SOCKETS * 0.5 {
                 continue;
             }
-            // Readable from afar: it does not shrink below this.
+            // Titles of frames stop shrinking at zoom 0.7, so that they can be read from afar.
             let half_points = ((TEXT_SIZE + 1.0) * pen.zoom.max(0.7) * 2.0).round() as i32;
             if frame.text.as_ref().is_none_or(|(size, _)| *size != half_points) {
                 let title = if frame.title.is_empty() { "Frame" } else { &frame.title };
@@ -120,7 +120,8 @@ impl Canvas {
         }
     }
 
-    /// A mark where a wire's value is made another type: both colors, the new one's shape.
+    /// Draws a mark where a wire's value is converted to another type: both colors, in the new
+    /// type's shape.
     pub(super) fn draw_conversion(
         &self,
         mesh: &mut Mesh,
@@ -136,7 +137,8 @@ impl Canvas {
         socket(mesh, shape, at, radius - 1.0 * pen.zoom, pen.colors.of_type(to));
     }
 
-    /// What the drag that goes on would do.
+    /// Draws the effects that the current drag would have: rectangles, strokes, guide lines and new
+    /// wires.
     pub(super) fn draw_gesture(&self, mesh: &mut Mesh, pen: &Pen<'_>, pointer: Option<Pos2>) {
         let clip = self.view.screen.expand(4.0);
         let accent = pen.colors.accent;
@@ -195,7 +197,7 @@ impl Canvas {
     }
 }
 
-/// A note's text, broken at its width.
+/// Lays out a note's text, broken at the note's width.
 fn lay_out(
     painter: &Painter,
     text: &str,

@@ -1,4 +1,4 @@
-//! The edits that the canvas proposes, of the graph that is open.
+//! Edits that the canvas proposes, to the graph that is open.
 
 use eframe::egui;
 use std::collections::{HashMap, HashSet};
@@ -14,7 +14,7 @@ use crate::ids::{
 use crate::library::Type;
 use crate::state::session::Session;
 
-/// How far a copy lies from what it was made of.
+/// Offset of a copy from its original, across and downward, in points of the graph.
 const COPY_OFFSET: f64 = 32.0;
 
 /// Removes nodes.
@@ -55,12 +55,12 @@ pub(crate) fn add(session: &Session, kind: &Kind, at: Pos2) -> (NodeId, Vec<Edit
     (id, edits)
 }
 
-/// Ids that a new node cannot have.
+/// True for ids that a new node cannot have.
 fn is_taken(session: &Session, slug: &str) -> bool {
     session.graph().nodes.contains_key(slug) || matches!(slug, GROUP_INPUTS | GROUP_OUTPUTS)
 }
 
-/// Wires an output to an input, in place of what fed it.
+/// Wires an output to an input, in place of the input's wire so far.
 pub(crate) fn connect(session: &Session, from: Endpoint, to: Endpoint) -> Edit {
     Edit::AddWire { graph: session.graph_id().clone(), wire: Wire { from, to }, index: None }
 }
@@ -100,7 +100,7 @@ pub(crate) fn duplicate(session: &Session, nodes: &[NodeId]) -> (Vec<NodeId>, Ed
     (new_ids.into_values().collect(), Edit::Group { edits })
 }
 
-/// Moves nodes by the same way.
+/// Moves nodes by one distance.
 pub(crate) fn translate<'a>(
     session: &Session,
     nodes: impl Iterator<Item = &'a NodeId>,
@@ -109,20 +109,20 @@ pub(crate) fn translate<'a>(
     let of = session.graph();
     let moved = nodes.filter_map(|id| {
         let [x, y] = of.nodes.get(id)?.position;
-        // Whole points, so that files stay readable.
+        // Positions are whole points, so that files stay readable.
         Some((id.clone(), [(x + f64::from(by.x)).round(), (y + f64::from(by.y)).round()]))
     });
     Edit::MoveNodes { graph: session.graph_id().clone(), positions: moved.collect() }
 }
 
-/// Moves nodes to places.
+/// Moves nodes to given places.
 pub(crate) fn put(session: &Session, places: impl Iterator<Item = (NodeId, Pos2)>) -> Edit {
     let there = places.filter(|(id, _)| session.graph().nodes.contains_key(id));
     let positions = there.map(|(id, at)| (id, [f64::from(at.x).round(), f64::from(at.y).round()]));
     Edit::MoveNodes { graph: session.graph_id().clone(), positions: positions.collect() }
 }
 
-/// Makes a group of nodes. Returns its node and the edit.
+/// Makes a group of nodes. Returns the group's node and the edit.
 pub(crate) fn group(session: &Session, nodes: &[NodeId]) -> Option<(NodeId, Edit)> {
     // The look's output stays in the look.
     let nodes: Vec<NodeId> = nodes.iter().filter(|id| !is_output(session, id)).cloned().collect();
@@ -140,7 +140,7 @@ fn is_output(session: &Session, id: &NodeId) -> bool {
 }
 
 /// Dissolves groups one after the other. Returns the nodes that take their place and the edit, or
-/// why it cannot be.
+/// the reason why a group cannot be dissolved.
 pub(crate) fn ungroup(
     session: &Session,
     nodes: &[NodeId],
@@ -152,7 +152,7 @@ pub(crate) fn ungroup(
         let Some(definition) = session.definition_of(&node.kind).cloned() else { continue };
         let dissolved = grouping::dissolve(&trial, session.graph_id(), id, &definition)
             .map_err(|problem| crate::state::problem_text::sentence(&problem))?;
-        // The next one finds the look as this one leaves it.
+        // The next group is dissolved in the look as this edit leaves it.
         trial.apply(dissolved.edit.clone()).map_err(|problem| problem.message)?;
         all.extend(dissolved.nodes);
         edits.push(dissolved.edit);
@@ -160,7 +160,7 @@ pub(crate) fn ungroup(
     Ok((!edits.is_empty()).then_some((all, Edit::Group { edits })))
 }
 
-/// Puts a frame around nodes, out of the frames that they are in.
+/// Puts a frame around nodes, and takes them out of the frames that they are in.
 pub(crate) fn frame(session: &Session, nodes: &[NodeId]) -> Option<(FrameId, Edit)> {
     let of = session.graph();
     let nodes: Vec<NodeId> =
@@ -180,7 +180,7 @@ pub(crate) fn frame(session: &Session, nodes: &[NodeId]) -> Option<(FrameId, Edi
     Some((id, Edit::Group { edits }))
 }
 
-/// Takes nodes out of their frames; a frame without nodes goes.
+/// Takes nodes out of their frames; a frame that is left without nodes is removed.
 pub(crate) fn leave_frames(session: &Session, nodes: &[NodeId]) -> Vec<Edit> {
     let graph = session.graph_id();
     let mut edits = Vec::new();
@@ -200,7 +200,7 @@ pub(crate) fn leave_frames(session: &Session, nodes: &[NodeId]) -> Vec<Edit> {
     edits
 }
 
-/// Puts nodes into a frame, or where there is none, out of those they are in.
+/// Puts nodes into a frame; without one, takes them out of their frames.
 pub(crate) fn join_frame(session: &Session, nodes: &[NodeId], to: Option<&FrameId>) -> Vec<Edit> {
     let frames = &session.graph().frames;
     let target = to.and_then(|id| Some((id, frames.get(id)?)));
@@ -253,8 +253,8 @@ pub(crate) fn note(session: &Session, at: Pos2) -> (NoteId, Edit) {
     (id, edit)
 }
 
-/// The output of a kind that fits an input best, and the input: exact types first, then what loses
-/// nothing.
+/// Best pair of an output of one kind and an input of another, by index: exact types first, then
+/// conversions that lose nothing.
 pub(crate) fn best_pair(
     from: &Kind,
     to: &Kind,
@@ -272,7 +272,7 @@ pub(crate) fn best_pair(
                 i32::from(out.ty.converts_without_loss(&port.ty)) * 2
             };
             let free = if is_free(input) { 8 } else { 0 };
-            // What a node is about comes in first.
+            // Earlier ports are preferred: a node's main input comes first.
             let score = exact + free - (input as i32 + output as i32).min(3);
             if best.is_none_or(|(known, ..)| score > known) {
                 best = Some((score, output, input));
@@ -282,8 +282,8 @@ pub(crate) fn best_pair(
     best.map(|(_, output, input)| (output, input))
 }
 
-/// Removes nodes and wires what fed each to what it fed, where it would let it through were it
-/// muted.
+/// Removes nodes and wires the source of each to its consumers, along the way by which the node
+/// would pass its value on if it were muted.
 pub(crate) fn dissolve(session: &Session, nodes: &[NodeId]) -> Option<Edit> {
     let of = session.graph();
     let gone: HashSet<&NodeId> = nodes.iter().filter(|id| of.nodes.contains_key(*id)).collect();
@@ -294,7 +294,7 @@ pub(crate) fn dissolve(session: &Session, nodes: &[NodeId]) -> Option<Edit> {
         .filter(|wire| gone.contains(&wire.from.node) && !gone.contains(&wire.to.node))
     {
         let mut from = wire.from.clone();
-        // Through all that go; rings end this.
+        // The source is followed back through all nodes that are removed; the bound ends rings.
         for _ in 0..=gone.len() {
             if !gone.contains(&from.node) {
                 break;
@@ -310,7 +310,7 @@ pub(crate) fn dissolve(session: &Session, nodes: &[NodeId]) -> Option<Edit> {
     (!gone.is_empty()).then_some(Edit::Group { edits })
 }
 
-/// What feeds the input that is most like an output.
+/// Source of the input that is most like the output `from`.
 fn through(session: &Session, from: &Endpoint) -> Option<Endpoint> {
     let of = session.graph();
     let kind = session.project.catalog.of(of.nodes.get(&from.node)?)?;
@@ -325,7 +325,7 @@ fn through(session: &Session, from: &Endpoint) -> Option<Endpoint> {
     wires.first().map(|wire| wire.from.clone())
 }
 
-/// Makes a node another kind; wires and values that fit stay, by name or else in order.
+/// Changes a node's kind; wires and values that fit stay, matched by name or else in order.
 pub(crate) fn swap(session: &Session, id: &NodeId, kind: &Kind) -> Option<Edit> {
     let of = session.graph();
     let graph = session.graph_id();
@@ -374,7 +374,8 @@ pub(crate) fn swap(session: &Session, id: &NodeId, kind: &Kind) -> Option<Edit> 
     Some(Edit::Group { edits })
 }
 
-/// Values that the new kind does not know, or knows as something else, go.
+/// Edits of a node's values for its new kind: values without an input of the same name and type are
+/// cleared; the code of a custom node and the names of lights get defaults.
 fn swap_values(
     session: &Session,
     id: &NodeId,
@@ -418,13 +419,13 @@ fn swap_values(
     edits
 }
 
-/// The type of an output of the graph that is open.
+/// Type of an output of the graph that is open.
 fn type_of(session: &Session, from: &Endpoint) -> Option<Type> {
     let kind = session.project.catalog.of(session.graph().nodes.get(&from.node)?)?;
     (!kind.is_reroute).then(|| Some(kind.outputs[kind.output(from.port.as_str())?].ty.clone()))?
 }
 
-/// Whether an input of the graph that is open takes a type; what is not known takes any.
+/// True if an input of the graph that is open takes a type; an unknown input takes any.
 fn takes(session: &Session, to: &Endpoint, ty: &Type) -> bool {
     let kind =
         session.graph().nodes.get(&to.node).and_then(|node| session.project.catalog.of(node));
@@ -432,7 +433,7 @@ fn takes(session: &Session, to: &Endpoint, ty: &Type) -> bool {
     port.is_none_or(|port| port.takes(ty))
 }
 
-/// Nodes that these lead to or come from, and they themselves.
+/// The nodes given and all nodes upstream or downstream of them.
 pub(crate) fn stream(session: &Session, nodes: &[NodeId], is_up: bool) -> Vec<NodeId> {
     let mut next: HashMap<&NodeId, Vec<&NodeId>> = HashMap::new();
     for wire in &session.graph().wires {
@@ -449,7 +450,7 @@ pub(crate) fn stream(session: &Session, nodes: &[NodeId], is_up: bool) -> Vec<No
     found.into_iter().cloned().collect()
 }
 
-/// Around rectangles.
+/// Bounds of all rectangles.
 pub(crate) fn around(rects: impl Iterator<Item = Rect>) -> Rect {
     rects.fold(Rect::NOTHING, |all, rect| all.union(rect))
 }

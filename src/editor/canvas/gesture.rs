@@ -1,4 +1,4 @@
-//! What a hand does on the canvas: the wheel, clicks, and which drag begins where.
+//! Gestures on the canvas: the wheel, clicks, and the drag that begins at each place.
 
 use eframe::egui;
 use std::collections::HashSet;
@@ -15,60 +15,64 @@ use crate::drawing::{NODE_WIDTH, ROW_HEIGHT, TITLE_HEIGHT};
 use crate::ids::{FrameId, NodeId, NoteId};
 use crate::state::session::Session;
 
-/// A drag that is going on.
+/// Drag that is under way.
 #[derive(Default)]
 pub(super) enum Gesture {
-    /// None.
+    /// No drag.
     #[default]
     Idle,
     /// The view follows the pointer.
     Pan,
-    /// A rectangle from a point of the graph; with the nodes that were selected before.
+    /// Rectangle of selection, from a point of the graph; `before` are the nodes that were selected
+    /// before the drag.
     Box { from: Pos2, before: Vec<NodeId> },
-    /// A loop around nodes, in points of the graph; with the nodes that were selected before.
+    /// Loop of selection around nodes, in points of the graph; `before` are the nodes that were
+    /// selected before the drag.
     Lasso { path: Vec<Pos2>, before: Vec<NodeId> },
-    /// A stroke that cuts the wires it crosses, in points of the graph.
+    /// Stroke that cuts the wires it crosses, in points of the graph.
     Cut { path: Vec<Pos2> },
     /// Nodes follow the pointer.
     Move(Move),
-    /// A note follows the pointer, or its right edge does.
+    /// A note follows the pointer, or its right edge does where `is_resize` is set.
     Note { id: NoteId, from: Pos2, by: Vec2, is_resize: bool },
-    /// A wire's loose end follows the pointer.
+    /// The loose end of a wire follows the pointer.
     Wire(WireDrag),
 }
 
-/// Nodes that follow the pointer, and what would become of them now.
+/// Drag of nodes, and the effects that letting go would have.
 #[derive(Default)]
 pub(super) struct Move {
     pub(super) nodes: HashSet<usize>,
-    /// Where the pointer took hold, in points of the graph, and how far the nodes went.
+    /// Point where the pointer took hold, in points of the graph, and the distance that the nodes
+    /// have moved.
     pub(super) from: Pos2,
     pub(super) by: Vec2,
-    /// Lines that edges lie on: across or not, where, from where to where.
+    /// Guide lines that edges lie on: true for upright, the line's coordinate, and the range that
+    /// it spans.
     pub(super) guides: Vec<(bool, f32, [f32; 2])>,
-    /// The wire that the node would be put into, by index in the table.
+    /// Wire that the node would be put into, by index in the table.
     pub(super) into: Option<usize>,
-    /// The wire that would join it to a node nearby: output and input.
+    /// Wire that would join the node to a neighbor: output and input.
     pub(super) joins: Option<(Socket, Socket)>,
-    /// The frame that it would lie in.
+    /// Frame that the nodes would lie in.
     pub(super) frame: Option<FrameId>,
-    /// Whether frames may be left and joined: a frame that is dragged as a whole is not.
+    /// True while a frame is dragged as a whole; its nodes then neither leave nor join frames.
     pub(super) is_frame: bool,
 }
 
-/// A wire with a loose end.
+/// Drag of a wire's loose end.
 pub(super) struct WireDrag {
-    /// The end that stays.
+    /// End of the wire that stays.
     pub(super) fixed: Socket,
-    /// The wire of the graph that was picked up, by index.
+    /// Wire of the graph that was picked up, by index; `None` for a new wire.
     pub(super) picked: Option<usize>,
-    /// The socket that it would snap to.
+    /// Socket that the loose end would snap to.
     pub(super) target: Option<Socket>,
 }
 
 impl Canvas {
-    /// The wheel zooms about the pointer; middle, right or space drags move the view; a right drag
-    /// with Ctrl cuts.
+    /// Moves the view: the wheel zooms about the pointer; drags with the middle or right button or
+    /// with space pan. A right drag with Ctrl cuts wires.
     pub(super) fn navigate(&mut self, ui: &Ui, response: &Response, pointer: Option<Pos2>) {
         if let Some(at) = pointer.filter(|_| self.palette.is_none()) {
             let (scroll, pinch) =
@@ -99,7 +103,7 @@ impl Canvas {
         }
     }
 
-    /// Clicks and drags.
+    /// Handles clicks and drags.
     pub(super) fn gestures(
         &mut self,
         ui: &Ui,
@@ -141,7 +145,7 @@ impl Canvas {
         }
     }
 
-    /// The frame or note under the pointer.
+    /// Frame or note under the pointer.
     fn item_of(&self, hit: Option<Hit>) -> Option<Item> {
         match hit? {
             Hit::Frame(index) => Some(Item::Frame(self.table.frames[index].id.clone())),
@@ -224,7 +228,7 @@ impl Canvas {
         let from = self.view.to_graph(origin);
         self.gesture = match self.hit(origin) {
             Some(Hit::Socket(socket)) => Gesture::Wire(self.start_wire(socket)),
-            // A group's ends have places of their own.
+            // The places of a group's ends are computed, so that a drag there pans the view.
             Some(Hit::Node(index)) if self.table.nodes[index].is_end => Gesture::Pan,
             Some(Hit::Node(index)) => {
                 let id = &self.table.nodes[index].id;
@@ -277,7 +281,7 @@ impl Canvas {
         Loose { end: self.endpoint(socket), ty, accepts, is_output: socket.is_output }
     }
 
-    /// Takes the Tab key before it moves the focus, while the pointer is on the canvas.
+    /// Takes the Tab key before egui moves the focus by it, while the pointer is on the canvas.
     pub(crate) fn claim_tab(&mut self, ui: &Ui) {
         let is_here = ui
             .input(|input| input.pointer.hover_pos())
@@ -291,7 +295,7 @@ impl Canvas {
         }
     }
 
-    /// Shows the search, and adds what is chosen.
+    /// Shows the search for nodes, and adds the chosen node.
     pub(super) fn show_palette(&mut self, ui: &Ui, session: &Session, out: &mut Vec<Command>) {
         let Some(palette) = &mut self.palette else { return };
         let kind = match palette.show(ui, self.view.screen, &session.project.catalog) {
@@ -310,7 +314,7 @@ impl Canvas {
         let mut at = self.view.to_graph(palette.at);
         let fit = palette.loose.as_ref().and_then(|loose| Some((loose, loose.fit(&kind)?.0)));
         if let Some((loose, port)) = fit {
-            // The socket comes to lie where the wire was let go.
+            // The new node's socket comes to lie where the wire was let go.
             let row = if loose.is_output { kind.outputs.len() + port } else { port };
             at.y -= TITLE_HEIGHT + ROW_HEIGHT * (row as f32 + 0.5);
             if !loose.is_output {

@@ -1,4 +1,4 @@
-//! Names and notes that are edited where they stand.
+//! Names and notes that are edited in place, on the canvas.
 
 use eframe::egui;
 use eframe::egui::{Area, Id, Key, Modifiers, Order, Rect, TextEdit, Ui, WidgetInfo, vec2};
@@ -9,7 +9,7 @@ use crate::drawing::{NODE_WIDTH, TEXT_SIZE, TITLE_HEIGHT};
 use crate::ids::{FrameId, NodeId, NoteId};
 use crate::state::session::Session;
 
-/// Something on the canvas that has a text.
+/// Item of the canvas that has a text.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Item {
     Node(NodeId),
@@ -17,7 +17,7 @@ pub(crate) enum Item {
     Note(NoteId),
 }
 
-/// A text that is being edited.
+/// Text that is being edited in place.
 pub(super) struct Editing {
     item: Item,
     text: String,
@@ -25,7 +25,7 @@ pub(super) struct Editing {
 }
 
 impl Canvas {
-    /// The text of an item, if it is there.
+    /// Text of an item; `None` if the item does not exist.
     fn text_of(session: &Session, item: &Item) -> Option<String> {
         let graph = session.graph();
         match item {
@@ -35,7 +35,7 @@ impl Canvas {
         }
     }
 
-    /// Where it is edited, on the screen.
+    /// Rectangle of an item's text field, on the screen.
     fn place_of(&self, item: &Item) -> Option<Rect> {
         let rect = match item {
             Item::Node(id) => {
@@ -48,12 +48,13 @@ impl Canvas {
         Some(self.view.rect_to_screen(rect))
     }
 
-    /// Shows the field of what is being edited.
+    /// Shows the text field of the item that is being edited.
     pub(super) fn edit_in_place(&mut self, ui: &Ui, session: &Session, out: &mut Vec<Command>) {
         if let Some(item) = self.edit_when_there.take() {
             match Self::text_of(session, &item).filter(|_| !session.is_read_only()) {
                 Some(text) => self.editing = Some(Editing { item, text, is_new: true }),
-                // It is there in the next frame, if at all.
+                // The item may have been made in this frame by a command that is not applied yet:
+                // look again in the next frame, and no longer than that.
                 None => self.edit_when_there = Some(item).filter(|_| !out.is_empty()),
             }
         }
@@ -73,7 +74,7 @@ impl Canvas {
         }
     }
 
-    /// Whether the text is done.
+    /// Shows the text field at `place`; returns true once the edit is done.
     fn show_field(&mut self, ui: &Ui, place: Rect) -> bool {
         let Some(editing) = &mut self.editing else { return false };
         let is_note = matches!(editing.item, Item::Note(_));

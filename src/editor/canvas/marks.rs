@@ -1,5 +1,4 @@
-//! What nodes are marked with: errors and warnings with what would mend them, and why a node adds
-//! nothing.
+//! Marks on nodes: errors and warnings with their fixes, and the reasons why nodes have no effect.
 
 use std::collections::HashMap;
 
@@ -9,21 +8,21 @@ use crate::ids::NodeId;
 use crate::state::fixes::{self, Fix};
 use crate::state::session::Session;
 
-/// What is wrong with a node.
+/// Problem of a node, as marked on the node.
 pub(super) struct Mark {
     pub(super) severity: Severity,
     pub(super) text: String,
     pub(super) fixes: Vec<Fix>,
 }
 
-/// Why a node adds nothing.
+/// Reason why a node adds nothing to the result.
 pub(super) struct Idle {
-    /// In a word or two, for the node itself.
+    /// Reason in one or two words, shown on the node.
     pub(super) word: &'static str,
     pub(super) reason: String,
 }
 
-/// The worst problem of each node of the open graph, and the text of all of them.
+/// Worst problem of each node of the open graph, with the texts of all its problems.
 pub(super) fn marks(session: &Session) -> HashMap<NodeId, Mark> {
     let mut marks: HashMap<NodeId, Mark> = HashMap::new();
     for problem in session.all_problems().filter(|problem| problem.severity > Severity::Note) {
@@ -32,7 +31,7 @@ pub(super) fn marks(session: &Session) -> HashMap<NodeId, Mark> {
         let text = crate::state::problem_text::sentence(problem);
         let fixes = if path.last() == Some(id) { fixes::of(session, problem) } else { Vec::new() };
         match marks.get_mut(id) {
-            // A group that is used more than once has the same problem as often.
+            // A group that is used several times reports the same problem for each use.
             Some(mark) if mark.text.contains(&text) => {}
             Some(mark) => {
                 mark.severity = mark.severity.max(problem.severity);
@@ -48,7 +47,7 @@ pub(super) fn marks(session: &Session) -> HashMap<NodeId, Mark> {
     marks
 }
 
-/// Nodes of the open graph that the compiler found to add nothing, with its reason.
+/// Nodes of the open graph that the compiler found to add nothing, with the reasons.
 pub(super) fn idle(session: &Session) -> HashMap<NodeId, Idle> {
     let mut found = HashMap::new();
     let Some(shader) = session.baked().filter(|_| session.wire().is_none()) else { return found };
@@ -59,7 +58,7 @@ pub(super) fn idle(session: &Session) -> HashMap<NodeId, Idle> {
             by_step.entry(id).or_default().push(removal);
         }
     }
-    // A group is idle where nothing of it is left in the shader.
+    // A group is idle only where no node within it is left in the shader.
     let mut is_left: std::collections::HashSet<&NodeId> = std::collections::HashSet::new();
     for path in shader.spans.nodes().filter(|path| path.ids().starts_with(here)) {
         is_left.extend(path.ids().get(here.len()));
@@ -82,7 +81,7 @@ pub(super) fn idle(session: &Session) -> HashMap<NodeId, Idle> {
             );
         }
     }
-    // What drives keys is read before there is a fragment.
+    // Nodes that drive keys are evaluated before the shader runs, and so count as used.
     for driving in session.driving_nodes() {
         found.remove(&driving);
     }
@@ -91,18 +90,19 @@ pub(super) fn idle(session: &Session) -> HashMap<NodeId, Idle> {
 
 const UNUSED: &str = "unused";
 
-/// What a proof is called on a node; `None` where the node still gives its value.
+/// Short word for a proof, shown on a node; `None` where the node still gives its value.
 fn word(removal: &Removal) -> Option<&'static str> {
     match removal.proof {
         Proof::Unreachable => Some(UNUSED),
         Proof::ZeroWeight | Proof::NoEffect => Some("no effect"),
-        // Bounds also prove that something is the same everywhere, which is then its value.
+        // Bounds also prove that a value is the same everywhere; the node then still gives that
+        // value.
         Proof::Ranges if !removal.reason.contains("everywhere") => Some("no effect"),
         _ => None,
     }
 }
 
-/// What is said of a node from which no wire leads to the output.
+/// Reason of a node from which no wire leads to the output.
 pub(super) fn unwired() -> Idle {
     Idle { word: UNUSED, reason: "Nothing that reaches the output uses it.".to_owned() }
 }

@@ -1,4 +1,4 @@
-//! The shapes that the canvas is made of, written straight into one mesh with antialiased edges.
+//! Shapes of the canvas, written straight into one mesh with antialiased edges.
 
 use eframe::egui::epaint::{Mesh, Vertex};
 use eframe::egui::{Color32, Galley, Pos2, Rect, Vec2, pos2, vec2};
@@ -6,14 +6,14 @@ use eframe::egui::{Color32, Galley, Pos2, Rect, Vec2, pos2, vec2};
 use super::table::point_at;
 use crate::drawing::SocketShape;
 
-/// How many straight pieces keep a curve within `tolerance` of itself.
+/// Number of straight pieces that keep within `tolerance` of a curve, 1 to 64.
 fn pieces(c: &[Pos2; 4], tolerance: f32) -> usize {
     let a = (c[0].to_vec2() - 2.0 * c[1].to_vec2() + c[2].to_vec2()).length();
     let b = (c[1].to_vec2() - 2.0 * c[2].to_vec2() + c[3].to_vec2()).length();
     ((0.75 * a.max(b) / tolerance).sqrt().ceil() as usize).clamp(1, 64)
 }
 
-/// A curve as a ribbon with soft edges; pieces outside `clip` are left out.
+/// Adds a curve as a ribbon with soft edges; pieces outside `clip` are left out.
 pub(crate) fn ribbon(
     mesh: &mut Mesh,
     c: &[Pos2; 4],
@@ -67,7 +67,7 @@ pub(crate) fn ribbon(
     }
 }
 
-/// A convex outline, filled, with a soft edge one point wide.
+/// Adds a filled convex outline with a soft edge one point wide.
 pub(crate) fn convex(mesh: &mut Mesh, outline: &[Pos2], center: Pos2, color: Color32) {
     let first = mesh.vertices.len() as u32;
     let n = outline.len() as u32;
@@ -83,7 +83,7 @@ pub(crate) fn convex(mesh: &mut Mesh, outline: &[Pos2], center: Pos2, color: Col
     }
 }
 
-/// A socket's shape around its centre.
+/// Adds a socket's shape around its center.
 pub(crate) fn socket(
     mesh: &mut Mesh,
     shape: SocketShape,
@@ -99,13 +99,13 @@ pub(crate) fn socket(
     convex(mesh, &outline[..points.len()], center, color);
 }
 
-/// A rectangle on whole points, without soft edges: four vertices.
+/// Adds a rectangle on whole points, without soft edges: four vertices.
 pub(crate) fn plain(mesh: &mut Mesh, r: Rect, color: Color32) {
     let min = pos2(r.min.x.round(), r.min.y.round());
     mesh.add_colored_rect(Rect::from_min_size(min, r.size().round().max(vec2(1.0, 1.0))), color);
 }
 
-/// A rectangle with round corners, where `top` and `bottom` say whether those are round.
+/// Adds a rectangle whose corners are round at the top, the bottom, or both.
 pub(crate) fn rounded(
     mesh: &mut Mesh,
     r: Rect,
@@ -144,11 +144,11 @@ pub(crate) fn rounded(
     }
 }
 
-/// Copies a galley's glyphs: what egui's tessellator does, without a shape for each line. `uv` is
-/// one over the size of the font image; `pixels` are the screen's for each point.
+/// Copies a galley's glyphs as egui's tessellator does, but without a shape for each line. `uv` is
+/// one over the size of the font image; `pixels` is the number of pixels per point.
 pub(crate) fn glyphs(mesh: &mut Mesh, at: Pos2, galley: &Galley, uv: Vec2, pixels: f32) {
-    // On whole pixels, as the tessellator does it, or glyphs blur and catch specks of their
-    // neighbours.
+    // Glyphs lie on whole pixels, as in the tessellator; otherwise they blur and catch specks of
+    // their neighbors.
     let at = pos2((at.x * pixels).round() / pixels, (at.y * pixels).round() / pixels);
     for row in &galley.rows {
         let from = &row.visuals.mesh;

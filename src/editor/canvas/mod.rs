@@ -1,5 +1,5 @@
-//! The node canvas. It owns no graph: it reads the document, keeps a table derived from it, draws
-//! what is in view as one mesh, and returns what the artist's hand asks for.
+//! The node canvas. The canvas owns no graph: it reads the document, keeps a table derived from it,
+//! draws the visible part as one mesh, and returns the commands that the artist's gestures ask for.
 //!
 //! One widget covers the canvas, and what lies under the pointer is found in the table; 5,000 nodes
 //! as widgets of their own would cost tens of milliseconds a frame (docs/decisions.md has the
@@ -43,16 +43,17 @@ use palette::Palette;
 use table::{Hit, Socket, Table};
 use view::View;
 
-/// As many nodes in view are named for screen readers; a far view of more is a picture, not a form.
+/// Largest number of nodes in view that are named for screen readers; a far view of more nodes is a
+/// picture, not a form.
 const MAX_NAMED: usize = 120;
 
-/// Sockets are named while no more nodes than this are in view.
+/// Largest number of nodes in view at which their sockets are named too.
 const MAX_WITH_SOCKETS: usize = 30;
 
-/// What is told to who would change a group of the library.
+/// Message for attempts to change a group of the library.
 const READ_ONLY: &str = "This group is of the library: make it the look's own to change it";
 
-/// The canvas and what it remembers between frames.
+/// The canvas and its state between frames.
 #[derive(Default)]
 pub struct Canvas {
     view: View,
@@ -63,23 +64,24 @@ pub struct Canvas {
     palette: Option<Palette>,
     marks: HashMap<NodeId, Mark>,
     marks_revision: Option<ProblemsRevision>,
-    /// How full the font image was, pixels a point, and whether the theme was dark.
+    /// Fill ratio of the font image, pixels per point, and true for a dark theme.
     fonts: (f32, f32, bool),
     document: Option<DocumentNumber>,
-    /// Which graph is open, and where others were left.
+    /// Groups through which the open graph is reached, and the views (zoom and center) in which
+    /// other graphs were left.
     place: Vec<NodeId>,
     views: HashMap<Vec<NodeId>, (f32, Pos2)>,
-    /// Nodes that add nothing.
+    /// Nodes that add nothing, with the reasons.
     idle: HashMap<NodeId, Idle>,
-    /// The frame or the note that is selected.
+    /// Frame or note that is selected.
     item: Option<Item>,
     editing: Option<Editing>,
-    /// What is to be edited in place once it is there.
+    /// Item to edit in place as soon as it exists.
     edit_when_there: Option<Item>,
     menu_at: Option<Pos2>,
     menu_hit: Option<Hit>,
     previews: preview::Previews,
-    /// What the command palette asked for.
+    /// Command that the command palette asked for.
     asked: Option<GraphCommand>,
     snaps_to_grid: bool,
     hides_minimap: bool,
@@ -89,7 +91,7 @@ pub struct Canvas {
 }
 
 impl Canvas {
-    /// Shows the canvas in all the room there is.
+    /// Shows the canvas in all available space.
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Node canvas"));
@@ -133,7 +135,7 @@ impl Canvas {
         commands
     }
 
-    /// Shows the canvas and lets what a hand asks for go; for measuring.
+    /// Shows the canvas and drops its commands; for measurements.
     pub fn show_alone(&mut self, ui: &mut Ui, session: &Session) {
         drop(self.show(ui, session));
     }
@@ -151,7 +153,7 @@ impl Canvas {
             group,
             &session.driving_nodes(),
         ) {
-            // Indices are others now.
+            // Indices in the table have changed, so that gestures that hold some must end.
             self.gesture = Gesture::Idle;
             self.menu_hit = None;
         }
@@ -171,7 +173,7 @@ impl Canvas {
             }
             (self.palette, self.editing, self.item) = (None, None, None);
         }
-        // Where the font image was made anew, galleys point at what is no longer there.
+        // When the font image is made anew, galleys refer to glyphs that no longer exist.
         let fill = ui.fonts(|fonts| fonts.font_atlas_fill_ratio());
         let fonts = (fill, ui.pixels_per_point(), ui.visuals().dark_mode);
         if fonts.0 < self.fonts.0 || (fonts.1, fonts.2) != (self.fonts.1, self.fonts.2) {
@@ -191,12 +193,12 @@ impl Canvas {
     }
 
     fn hit(&self, at: Pos2) -> Option<Hit> {
-        // Far away sockets are not drawn, and so not hit.
+        // Sockets are not drawn from afar, and so not hit.
         let radius = if self.view.zoom > 0.25 { 9.0 / self.view.zoom.max(0.6) } else { 0.0 };
         self.table.hit(self.view.to_graph(at), radius)
     }
 
-    /// The sockets that a wire from `fixed` may end at.
+    /// Sockets that a wire from `fixed` may end at.
     fn fitting_sockets(&self, fixed: Socket) -> HashSet<(usize, usize, bool)> {
         let visible = self.view.visible().expand(20.0);
         let near = (0..self.table.nodes.len())
@@ -206,7 +208,7 @@ impl Canvas {
         fits.map(|socket| (socket.node, socket.port, socket.is_output)).collect()
     }
 
-    /// Whether two sockets may be wired.
+    /// True if two sockets may be wired.
     fn fits(&self, a: Socket, b: Socket) -> bool {
         if a.is_output == b.is_output || a.node == b.node {
             return false;
@@ -259,7 +261,7 @@ impl Canvas {
         }
     }
 
-    /// Gives the sockets of nodes in view names, by which wires can be drawn from one to another.
+    /// Gives the sockets of nodes in view names, by which wires can be drawn between them.
     fn name_sockets(&self, ui: &Ui, visible: Rect) {
         let nodes = (0..self.table.nodes.len())
             .filter(|&node| self.table.nodes[node].rect.intersects(visible));
@@ -287,7 +289,7 @@ impl Canvas {
         }
     }
 
-    /// Says what is under the pointer, and what may be done with it.
+    /// Shows a tooltip on the item under the pointer, and sets the hint on possible actions.
     fn tell(&mut self, ui: &Ui, response: &Response, session: &Session) {
         self.hint = self.hint_text().to_owned();
         if self.palette.is_some()
@@ -328,7 +330,7 @@ impl Canvas {
         Some(format!("{} ({ty}){help}", port.label))
     }
 
-    /// What is wrong with a node, or why it adds nothing.
+    /// Problem of a node, or the reason why it adds nothing.
     fn node_text(&self, index: usize) -> Option<String> {
         let row = &self.table.nodes[index];
         if let Some(mark) = self.marks.get(&row.id) {
@@ -341,13 +343,14 @@ impl Canvas {
         self.idle_of(row).map(|idle| idle.reason.clone())
     }
 
-    /// Why a node adds nothing: what the compiler found, or that nothing leads on from it.
+    /// Reason why a node adds nothing: the compiler's finding, or that no output depends on the
+    /// node.
     fn idle_of(&self, row: &table::NodeRow) -> Option<&Idle> {
         static UNWIRED: std::sync::LazyLock<Idle> = std::sync::LazyLock::new(marks::unwired);
         if row.is_unused { Some(&UNWIRED) } else { self.idle.get(&row.id) }
     }
 
-    /// What a wire carries, and what it is made on its way.
+    /// Conversion of a wire's value: its type, the type that it becomes, and any loss.
     fn wire_text(&self, index: usize) -> Option<String> {
         let wire = self.table.wires.get(index)?;
         let becomes = wire.becomes.as_ref()?;
@@ -401,39 +404,39 @@ impl Canvas {
         }
     }
 
-    /// What may be done at the pointer.
+    /// Hint on the actions possible at the pointer.
     pub(crate) fn hint(&self) -> &str {
         &self.hint
     }
 
-    /// Does what is asked for, in the next frame.
+    /// Asks for a command, to be run in the next frame.
     pub(crate) fn ask(&mut self, command: GraphCommand) {
         self.asked = Some(command);
     }
 
-    /// What a node's first output gives, where it is the same everywhere; for tests.
+    /// Value of a node's first output, where it is the same everywhere; for tests.
     pub fn value_text(&self, session: &Session, id: &str) -> Option<&str> {
         self.value_of(session, &id.into())
     }
 
-    /// Whether a node has a picture of what it gives; for tests.
+    /// True if a node shows a ball as the preview of its output; for tests.
     pub fn has_ball(&self, session: &Session, id: &str) -> bool {
         self.ball_of(session, &id.into()).is_some()
     }
 
-    /// Where the title of a frame is on the screen; for tests.
+    /// Rectangle of a frame's title on the screen; for tests.
     pub fn frame_title(&self, id: &str) -> Option<Rect> {
         let frame = self.table.frames.iter().find(|frame| frame.id.as_str() == id)?;
         Some(self.view.rect_to_screen(frame.title_rect()))
     }
 
-    /// Where a note is on the screen; for tests.
+    /// Rectangle of a note on the screen; for tests.
     pub fn note_rect(&self, id: &str) -> Option<Rect> {
         let note = self.table.notes.iter().find(|note| note.id.as_str() == id)?;
         Some(self.view.rect_to_screen(note.rect))
     }
 
-    /// What a node adds nothing for, in a word; for tests.
+    /// Word for the reason why a node adds nothing; for tests.
     pub fn idle_word(&self, id: &str) -> Option<&'static str> {
         let row = &self.table.nodes[self.table.index_of(&id.into())?];
         self.idle_of(row).map(|idle| idle.word)
@@ -444,7 +447,8 @@ impl Canvas {
         self.reveal = Some(id);
     }
 
-    /// A place of the graph for a new node: at a place of the screen, or in the middle of the view.
+    /// Place of the graph for a new node: under a point of the screen, or in the middle of the
+    /// view.
     pub(crate) fn place_for(&self, at: Option<Pos2>) -> Pos2 {
         match at {
             Some(at) => self.view.to_graph(at),
@@ -462,13 +466,13 @@ impl Canvas {
         self.view.fit(self.table.bounds());
     }
 
-    /// Where a node is on the screen; for tests.
+    /// Rectangle of a node on the screen; for tests.
     pub fn node_rect(&self, id: &str) -> Option<Rect> {
         let index = self.table.index_of(&id.into())?;
         Some(self.view.rect_to_screen(self.table.nodes[index].rect))
     }
 
-    /// Where a socket is on the screen; for tests.
+    /// Position of a socket on the screen; for tests.
     pub fn socket(&self, node: &str, port: &str, is_output: bool) -> Option<Pos2> {
         let index = self.table.index_of(&node.into())?;
         let kind = &self.table.nodes[index].kind;
@@ -476,17 +480,17 @@ impl Canvas {
         Some(self.view.to_screen(self.table.place(Socket { node: index, port, is_output })))
     }
 
-    /// The zoom and the point of the graph at the canvas's centre; for tests.
+    /// Zoom, and the point of the graph at the canvas's center; for tests.
     pub fn zoom_and_center(&self) -> (f32, Pos2) {
         (self.view.zoom, self.view.center)
     }
 
-    /// Sets the zoom and the point of the graph at the canvas's centre.
+    /// Sets the zoom and the point of the graph at the canvas's center.
     pub fn set_zoom_and_center(&mut self, zoom: f32, center: Pos2) {
         (self.view.zoom, self.view.center) = (zoom, center);
     }
 
-    /// Whether a node is marked with an error; for tests.
+    /// True if a node is marked with an error; for tests.
     pub fn has_error(&self, id: &str) -> bool {
         self.marks.get(id).is_some_and(|mark| mark.severity == Severity::Error)
     }

@@ -1,5 +1,4 @@
-//! What lies over the canvas: the way into groups, the map of the whole, and the menu of a right
-//! click.
+//! Overlays of the canvas: the path into groups, the map of the whole graph, and the context menu.
 
 use eframe::egui;
 use eframe::egui::epaint::Mesh;
@@ -18,7 +17,7 @@ use crate::library::Library;
 use crate::state::session::Session;
 use crate::widgets::theme;
 
-/// The map's size, on the screen.
+/// Size of the map, in points of the screen.
 const MAP: egui::Vec2 = vec2(168.0, 112.0);
 
 /// Colors for frames and notes: name, straight RGB.
@@ -33,7 +32,7 @@ const TINTS: [(&str, [f64; 3]); 7] = [
 ];
 
 impl Canvas {
-    /// The groups that were opened, and the way back.
+    /// Shows the path of opened groups, and the way back.
     pub(super) fn crumbs(&self, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         let path = session.open_groups();
         if path.is_empty() {
@@ -86,8 +85,8 @@ impl Canvas {
         });
     }
 
-    /// The whole graph, small, in the corner; a drag there moves the view. Only while there is more
-    /// than is in view.
+    /// Shows the whole graph as a small map in the corner; a drag there moves the view. The map
+    /// appears only while part of the graph is out of view.
     pub(super) fn minimap(&mut self, ui: &Ui) {
         let all = self.table.bounds();
         let visible = self.view.visible();
@@ -99,7 +98,7 @@ impl Canvas {
         let place = Rect::from_min_size(screen.max - MAP - vec2(12.0, 12.0), MAP);
         let response = ui.interact(place, ui.scope_id().with("minimap"), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(egui::Role::Image, true, "Map of the graph"));
-        // The view may lie outside of everything.
+        // The view may lie outside of all nodes.
         let world = all.union(visible).expand(40.0);
         let scale = (place.width() / world.width()).min(place.height() / world.height());
         let to_map = |p: Pos2| place.center() + (p - world.center()) * scale;
@@ -135,7 +134,7 @@ impl Canvas {
         );
     }
 
-    /// The menu of a right click.
+    /// Shows the context menu of a right click.
     pub(super) fn menu(
         &mut self,
         ui: &Ui,
@@ -309,13 +308,13 @@ impl Canvas {
     }
 }
 
-/// A color of a document, for the screen.
+/// Converts a color of a document to one of the screen.
 pub(super) fn color(rgb: [f64; 3]) -> Color32 {
     let [r, g, b] = rgb.map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
     Color32::from_rgb(r, g, b)
 }
 
-/// Menu entries in blocks; the one that was chosen.
+/// Shows blocks of menu entries; returns the chosen command.
 fn rows(ui: &mut Ui, blocks: &[&[GraphCommand]]) -> Option<GraphCommand> {
     let mut chosen = None;
     for (index, block) in blocks.iter().enumerate() {
@@ -338,7 +337,7 @@ fn rows(ui: &mut Ui, blocks: &[&[GraphCommand]]) -> Option<GraphCommand> {
     chosen
 }
 
-/// What the groups on a path are called.
+/// Names of the groups on a path.
 fn crumb_names(session: &Session, path: &[NodeId]) -> Vec<String> {
     let mut graph = Some(&session.look().graph);
     let mut names = Vec::with_capacity(path.len());
@@ -357,7 +356,7 @@ fn crumb_names(session: &Session, path: &[NodeId]) -> Vec<String> {
     names
 }
 
-/// Whose the open group is that is not the look's own, and what that means.
+/// Origin of the open group that is not the look's own: a short text, and an explanation.
 fn origin(session: &Session) -> (&'static str, &'static str) {
     let is_own = |id: &str| Library::built_in().groups.contains_key(id);
     match session.graph_id() {

@@ -1,4 +1,4 @@
-//! The search for a node to add.
+//! Search for a node to add.
 
 use eframe::egui;
 use std::sync::Arc;
@@ -17,23 +17,23 @@ const WIDTH: f32 = 300.0;
 const ROW: f32 = 24.0;
 const ROWS: f32 = 11.0;
 
-/// The wire whose other end the new node is to be.
+/// Loose wire that the new node is to be wired to.
 #[derive(Clone, Debug)]
 pub(crate) struct Loose {
     pub(crate) end: Endpoint,
     pub(crate) ty: Type,
-    /// For inputs: every type that is taken.
+    /// Types that the wire's end accepts, where that end is an input.
     pub(crate) accepts: Vec<Type>,
     pub(crate) is_output: bool,
 }
 
 impl Loose {
-    /// The port of `kind` that the wire would lead to, and how well it fits.
+    /// Port of `kind` that the wire would lead to, by index, and how well it fits.
     pub(crate) fn fit(&self, kind: &Kind) -> Option<(usize, f32)> {
         if self.is_output {
             let ports = kind.inputs.iter().enumerate().filter(|(_, port)| port.takes(&self.ty));
             let first = kind.inputs.iter().position(Port::is_wirable);
-            // What a node is about comes in first.
+            // The first wirable input is a node's main input, and weighs more.
             let weight = |index| if Some(index) == first { 1.5 } else { 0.0 };
             return best(
                 ports.map(|(index, port)| (index, fitness(&self.ty, &port.ty) + weight(index))),
@@ -57,7 +57,7 @@ fn fitness(from: &Type, to: &Type) -> f32 {
 }
 
 fn best(ports: impl Iterator<Item = (usize, f32)>) -> Option<(usize, f32)> {
-    // The first of the best, as ports stand in the order of their weight.
+    // Of equally good ports the first wins, as ports stand in the order of their importance.
     ports.fold(None, |best, (index, fit)| match best {
         Some((_, known)) if known >= fit => best,
         _ => Some((index, fit)),
@@ -66,17 +66,17 @@ fn best(ports: impl Iterator<Item = (usize, f32)>) -> Option<(usize, f32)> {
 
 /// An open search.
 pub(crate) struct Palette {
-    /// Where it was opened, on the screen.
+    /// Point where the search was opened, on the screen.
     pub(crate) at: Pos2,
     pub(crate) loose: Option<Loose>,
-    /// The node that is to be swapped for what is chosen, and what it is now.
+    /// Node to be swapped for the chosen kind, and its present kind.
     pub(crate) swaps: Option<(NodeId, Option<Arc<Kind>>)>,
     query: String,
     index: usize,
     is_new: bool,
 }
 
-/// What became of a search.
+/// Outcome of one frame of a search.
 pub(crate) enum Outcome {
     Open,
     Closed,
@@ -88,7 +88,7 @@ impl Palette {
         Self { at, loose, swaps: None, query: String::new(), index: 0, is_new: true }
     }
 
-    /// A search for what a node is to be swapped for.
+    /// Search for a kind to swap a node for.
     pub(crate) fn swapping(at: Pos2, node: NodeId, kind: Option<Arc<Kind>>) -> Self {
         Self { swaps: Some((node, kind)), ..Self::new(at, None) }
     }
@@ -199,7 +199,7 @@ impl Palette {
         chosen
     }
 
-    /// What fits the query, and the wire or the node that is swapped, best first.
+    /// Kinds that fit the query and the loose wire or the swapped node, best first.
     fn found(&self, catalog: &Catalog) -> Vec<Arc<Kind>> {
         let mut found: Vec<(f32, &Arc<Kind>)> = Vec::new();
         for kind in catalog.all() {
@@ -218,14 +218,14 @@ impl Palette {
                 found.push((score + fit * 2.0, kind));
             }
         }
-        // Stable, so that equals stay in the library's order.
+        // The sort is stable, so that equals stay in the library's order.
         found.sort_by(|a, b| b.0.total_cmp(&a.0));
         found.into_iter().map(|(_, kind)| kind.clone()).collect()
     }
 }
 
-/// How much of a node stays when another kind takes its place, from 0 to 1; none where it is the
-/// same kind.
+/// Share of a node's ports that stay when another kind takes its place, 0 to 1; `None` where it is
+/// the same kind.
 fn likeness(old: &Kind, new: &Kind) -> Option<f32> {
     if old.id == new.id {
         return None;
@@ -271,19 +271,19 @@ fn paint_row(ui: &Ui, rect: egui::Rect, kind: &Kind, is_current: bool, is_hovere
     );
 }
 
-/// The first sentence of a help text.
+/// First sentence of a help text.
 fn first_sentence(text: &str) -> &str {
     text.split_inclusive(". ").next().unwrap_or(text).trim()
 }
 
-/// How well a kind answers a query; `None` where it does not. Every word must be found somewhere.
+/// Score of a kind for a query; `None` unless every word of the query is found in the kind.
 fn score(query: &str, kind: &Kind) -> Option<f32> {
     let label = kind.label.to_lowercase();
     let mut sum = 0.0;
     for word in query.to_lowercase().split_whitespace() {
         sum += word_score(word, &label, kind)?;
     }
-    // Of two equals the shorter name is nearer.
+    // Of two equal kinds the one with the shorter name is nearer to the query.
     Some(sum - label.len() as f32 * 0.01 * f32::from(u8::from(!query.is_empty())))
 }
 

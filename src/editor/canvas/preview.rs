@@ -1,9 +1,9 @@
-//! What the outputs of nodes give: a ball shaded by them, or, where it is the same everywhere, the
-//! value in a few letters.
+//! Previews of nodes' outputs: a ball shaded by the output, or, where the output is the same
+//! everywhere, its value in a few letters.
 //!
 //! A thread evaluates one node at a time in the interpreter, on a small grid of points of a ball:
-//! those in view first, and only once nothing was changed for a moment. So neither the window nor
-//! the renderer waits for it.
+//! nodes in view first, and only once nothing was changed for a moment. So neither the window nor
+//! the renderer waits for previews.
 
 use eframe::egui;
 use std::collections::HashMap;
@@ -31,32 +31,33 @@ use crate::state::session::Session;
 use crate::state::worker::{BackgroundJobs, Worker};
 use crate::values::number_text;
 
-/// Points across the ball.
+/// Width of the ball, in samples.
 const SIZE: usize = 48;
-/// Nothing is asked for until the look was left alone for so long, in seconds.
+/// Time without a change to the look before previews are evaluated, in seconds.
 const REST: f64 = 0.35;
-/// Longer looks take too long to compile for each of their nodes.
+/// Largest number of nodes of a look with previews; longer looks take too long to compile for each
+/// of their nodes.
 const MAX_NODES: usize = 1500;
-/// Below this zoom nothing is seen of them.
+/// Zoom below which balls are too small to see.
 const MIN_ZOOM: f32 = 0.18;
-/// In a node's title, in points.
+/// Width of a ball in a node's title, in points of the graph.
 const SIDE: f32 = 22.0;
-/// Between a ball and the sockets beside it, where it takes the place of values that would be too
-/// small to read.
+/// Margin between a ball and the sockets beside it, where the ball takes the place of values that
+/// would be too small to read, in points of the graph.
 const MARGIN: f32 = 18.0;
 
-/// What an output gives.
+/// Preview of an output.
 #[derive(Clone)]
 pub(super) enum Preview {
-    /// A ball.
+    /// Ball shaded by the output.
     Ball(TextureHandle),
-    /// The same everywhere.
+    /// Value that is the same everywhere.
     Value(String),
-    /// It cannot be shown, or not evaluated.
+    /// Output that cannot be shown or evaluated.
     Nothing,
 }
 
-/// What is to be evaluated.
+/// Request to evaluate one node.
 struct Request {
     key: Key,
     look: Arc<Look>,
@@ -65,25 +66,25 @@ struct Request {
     folder: PathBuf,
     root: (NodePath, PortName),
     samples: Arc<Vec<EvalSample>>,
-    /// What the picture is of: its name and its file.
+    /// Document of the picture: its name and its file.
     file: (String, Option<PathBuf>),
 }
 
 struct Answer {
     key: Key,
-    /// Of each point of the ball, with the type; `None` where the look is wrong.
+    /// Value at each point of the ball, with the type; `None` where the look has errors.
     values: Option<(Vec<[f64; 4]>, Type)>,
 }
 
-/// Which node of which state of the look.
+/// Key of a preview: the node, and the state of the look.
 type Key = (NodePath, (DocumentNumber, MeaningRevision));
 
-/// The previews of nodes.
+/// Previews of nodes.
 #[derive(Default)]
 pub(super) struct Previews {
     worker: Option<Worker<Request, Answer>>,
     known: HashMap<NodePath, ((DocumentNumber, MeaningRevision), Preview)>,
-    /// The state that was seen last, since when, and a copy of it.
+    /// State of the look that was seen last, the time it was first seen, and a copy of the look.
     seen: Option<((DocumentNumber, MeaningRevision), f64)>,
     look: Option<((DocumentNumber, MeaningRevision), Arc<Look>)>,
     samples: Option<Arc<Vec<EvalSample>>>,
@@ -101,7 +102,7 @@ impl Previews {
         }
     }
 
-    /// Takes what was evaluated, and asks for what is missing among `visible`.
+    /// Takes finished previews, and requests those that are missing among `visible`.
     fn update(
         &mut self,
         ctx: &Context,
@@ -180,8 +181,8 @@ impl Previews {
 const PIXEL: crate::library::Context = crate::library::Context::named("pixel");
 const MAGNIFICATION: crate::library::Context = crate::library::Context::named("magnification");
 
-/// Points of a ball as the camera sees it, row by row; those of the corners lie on its rim and are
-/// not shown.
+/// Points of a ball as the camera sees it, row by row; points in the corners lie on the ball's rim
+/// and are not shown.
 fn ball() -> Vec<EvalSample> {
     let sample = |index: usize| {
         let along = |i: usize| (i as f64 + 0.5) / SIZE as f64 * 2.0 - 1.0;
@@ -190,7 +191,7 @@ fn ball() -> Vec<EvalSample> {
         let (x, y) = (x / length, y / length);
         let normal = glam::DVec3::new(x, y, (1.0 - x * x - y * y).max(0.0).sqrt()).normalize();
         let uv = glam::DVec2::new(0.5 + x / 2.0, 0.5 - y / 2.0);
-        // A ball as high as the picture.
+        // The position in the picture is that of a ball as high as the picture.
         let pixel = glam::DVec2::new(uv.x, 1.0 - uv.y);
         EvalSample {
             normal,
@@ -224,7 +225,7 @@ fn evaluate(request: Request, assets: &mut Assets) -> Answer {
     Answer { key, values: evaluated }
 }
 
-/// Points as a picture, or as the one value that they all have.
+/// Preview of the values at all points: a picture, or the one value that they share.
 fn show(ctx: &Context, path: &NodePath, values: &[[f64; 4]], ty: &Type) -> Preview {
     let Some(width) = (if *ty == Type::Angle { Some(1) } else { ty.width() }) else {
         return Preview::Nothing;
@@ -256,7 +257,7 @@ fn show(ctx: &Context, path: &NodePath, values: &[[f64; 4]], ty: &Type) -> Previ
             let [r, g, b, a] = value.map(byte);
             Color32::from_rgba_unmultiplied(r, g, b, a)
         }
-        // Directions, from -1 to 1, as normal maps have them.
+        // Directions from -1 to 1 are shown as in normal maps.
         _ => Color32::from_rgb(
             byte(value[0] * 0.5 + 0.5),
             byte(value[1] * 0.5 + 0.5),
@@ -266,7 +267,7 @@ fn show(ctx: &Context, path: &NodePath, values: &[[f64; 4]], ty: &Type) -> Previ
     let pixels = values.iter().enumerate().map(|(index, value)| {
         let along = |i: usize| i as f32 + 0.5 - SIZE as f32 / 2.0;
         let radius = along(index % SIZE).hypot(along(index / SIZE));
-        // A soft rim, one point wide.
+        // The rim is soft, one point wide.
         pixel(value).gamma_multiply((SIZE as f32 / 2.0 - radius).clamp(0.0, 1.0))
     });
     let image = ColorImage::new([SIZE, SIZE], pixels.collect());
@@ -274,7 +275,7 @@ fn show(ctx: &Context, path: &NodePath, values: &[[f64; 4]], ty: &Type) -> Previ
 }
 
 impl Canvas {
-    /// Keeps previews of the nodes in view, and draws the balls.
+    /// Updates the previews of the nodes in view, and draws the balls.
     pub(super) fn draw_previews(&mut self, ui: &Ui, session: &Session) {
         if self.view.zoom < MIN_ZOOM {
             return;
@@ -300,7 +301,7 @@ impl Canvas {
             };
             let (center, side) = place(row, self.view.zoom);
             let is_tagged = row.is_muted || self.idle_of(row).is_some();
-            // What lies on top is drawn already.
+            // A ball under another node is not drawn: balls are painted after all nodes.
             let is_covered =
                 self.table.nodes[index + 1..].iter().any(|other| other.rect.contains(center));
             if !is_tagged && !is_covered {
@@ -312,7 +313,7 @@ impl Canvas {
         }
     }
 
-    /// The value of a node's first output, where it is the same everywhere.
+    /// Value of a node's first output, where it is the same everywhere.
     pub(super) fn value_of(&self, session: &Session, id: &NodeId) -> Option<&str> {
         match self.previews.known.get(&session.path_of(id)) {
             Some((_, Preview::Value(text))) => Some(text),
@@ -320,7 +321,7 @@ impl Canvas {
         }
     }
 
-    /// The ball of a node, for a closer look.
+    /// Ball of a node, for a closer look.
     pub(super) fn ball_of(&self, session: &Session, id: &NodeId) -> Option<&TextureHandle> {
         match self.previews.known.get(&session.path_of(id)) {
             Some((_, Preview::Ball(texture))) => Some(texture),
@@ -339,8 +340,8 @@ impl BackgroundJobs for Canvas {
     }
 }
 
-/// Where a node's ball is and how wide: in the title, or, from afar, all over the node, which is
-/// told apart by it then.
+/// Center and width of a node's ball: in the title, or, from afar, over the whole node, which is
+/// then told apart by its ball.
 fn place(row: &NodeRow, zoom: f32) -> (Pos2, f32) {
     let body = Rect::from_min_max(row.rect.min + vec2(0.0, TITLE_HEIGHT), row.rect.max);
     let side = (body.width() - 2.0 * MARGIN).min(body.height() - 8.0);
@@ -350,12 +351,12 @@ fn place(row: &NodeRow, zoom: f32) -> (Pos2, f32) {
     (body.center(), side)
 }
 
-/// Whether a type has numbers.
+/// True if values of a type consist of numbers that a preview can show.
 fn can_be_shown(ty: &Type) -> bool {
     *ty == Type::Angle || *ty != Type::Mat3 && ty.width().is_some()
 }
 
-/// How large a ball is shown beside the pointer.
+/// Shows a ball enlarged, beside the pointer.
 pub(super) fn large(ui: &mut egui::Ui, texture: &TextureHandle) {
     ui.add(egui::Image::new((texture.id(), vec2(96.0, 96.0))));
 }

@@ -1,8 +1,8 @@
-//! What is derived from one revision of a graph: rectangles, sockets, wires with port names
-//! resolved to places.
+//! Table derived from one revision of a graph: rectangles, sockets, and wires with port names
+//! resolved to indices.
 //!
-//! The document stays the one model; this is thrown away and made again at each revision (0.5 ms
-//! for 5,000 nodes), and moved in place while nodes are dragged.
+//! The document stays the only model; the table is thrown away and made again at each revision (0.5
+//! ms for 5,000 nodes), and moved in place while nodes are dragged.
 
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
@@ -19,12 +19,12 @@ use crate::ids::{FrameId, NodeId, NoteId};
 use crate::library::Type;
 use crate::state::revision::{DocumentNumber, GraphNumber, LookRevision};
 
-/// Between the nodes of a group and its ends.
+/// Gap between the nodes of a group and its two ends, in points of the graph.
 const END_GAP: f32 = 70.0;
-/// Reroutes are followed this far for their type.
+/// Largest number of reroutes that are followed to find a type.
 const MAX_REROUTES: usize = 64;
 
-/// A socket: a node by index, and a port of it by index.
+/// Socket: the index of a node, and the index of one of its ports.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Socket {
     pub(crate) node: usize,
@@ -32,49 +32,49 @@ pub(crate) struct Socket {
     pub(crate) is_output: bool,
 }
 
-/// What lies under the pointer.
+/// Item under the pointer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Hit {
     Socket(Socket),
     Node(usize),
     Wire(usize),
     Note(usize),
-    /// The title of a frame.
+    /// Title of a frame.
     Frame(usize),
 }
 
-/// A node as it is drawn.
+/// Node as drawn.
 pub(crate) struct NodeRow {
     pub(crate) id: NodeId,
     pub(crate) kind: Arc<Kind>,
     pub(crate) title: String,
     pub(crate) rect: Rect,
-    /// For each input whether a wire leads to it.
+    /// For each input, true if a wire leads to it.
     pub(crate) is_wired: Vec<bool>,
-    /// What a reroute passes on.
+    /// Type that a reroute passes on.
     passes: Option<Type>,
     pub(crate) is_collapsed: bool,
     pub(crate) is_muted: bool,
-    /// Whether it is one of the two ends of a group, which are no nodes of the document.
+    /// True for the two ends of a group, which are no nodes of the document.
     pub(crate) is_end: bool,
-    /// Whether nothing that the graph gives depends on it.
+    /// True if no output of the graph depends on the node.
     pub(crate) is_unused: bool,
     pub(crate) text: NodeText,
 }
 
-/// A frame as it is drawn.
+/// Frame as drawn.
 pub(crate) struct FrameRow {
     pub(crate) id: FrameId,
     pub(crate) title: String,
-    /// Straight RGB.
+    /// Color of the frame, straight RGB.
     pub(crate) color: Option<[f64; 3]>,
-    /// Its nodes, by index.
+    /// Nodes of the frame, by index.
     pub(crate) nodes: Vec<usize>,
     pub(crate) rect: Rect,
     pub(crate) text: Line,
 }
 
-/// A note as it is drawn.
+/// Note as drawn.
 pub(crate) struct NoteRow {
     pub(crate) id: NoteId,
     pub(crate) content: String,
@@ -83,44 +83,44 @@ pub(crate) struct NoteRow {
     pub(crate) text: Line,
 }
 
-/// Text that was laid out, with the size in half points.
+/// Text that was laid out, with its size in half points.
 pub(crate) type Line = Option<(i32, Arc<Galley>)>;
 
 impl FrameRow {
-    /// Where it is taken hold of.
+    /// Rectangle of the title, by which a frame is dragged.
     pub(crate) fn title_rect(&self) -> Rect {
         Rect::from_min_max(self.rect.min, pos2(self.rect.max.x, self.rect.min.y + FRAME_TITLE))
     }
 }
 
-/// A wire as it is drawn.
+/// Wire as drawn.
 pub(crate) struct WireRow {
-    /// Its index in the graph.
+    /// Index of the wire in the graph.
     pub(crate) index: usize,
     pub(crate) from: Socket,
     pub(crate) to: Socket,
     pub(crate) bounds: Rect,
-    /// Of what comes out.
+    /// Type of the value that leaves the output.
     pub(crate) ty: Type,
-    /// What it is made, where the input takes something else.
+    /// Type that the value is converted to, where the input takes another.
     pub(crate) becomes: Option<Type>,
 }
 
-/// Nodes and wires in document order.
+/// Nodes, wires, frames and notes of a graph; nodes and wires in document order.
 #[derive(Default)]
 pub(crate) struct Table {
     key: Option<(DocumentNumber, LookRevision, GraphNumber)>,
     pub(crate) nodes: Vec<NodeRow>,
     pub(crate) wires: Vec<WireRow>,
-    /// The largest first.
+    /// Frames, the largest first.
     pub(crate) frames: Vec<FrameRow>,
     pub(crate) notes: Vec<NoteRow>,
     by_id: HashMap<NodeId, usize>,
 }
 
 impl Table {
-    /// Makes the table again if `key` (which document, which revision, which of its graphs) is
-    /// another; `group` is the kind whose graph it is. Whether it was.
+    /// Makes the table again if `key` (document, revision, open graph) differs from the last;
+    /// `group` is the kind whose graph is open. Returns true if the table was made again.
     pub(crate) fn sync(
         &mut self,
         key: (DocumentNumber, LookRevision, GraphNumber),
@@ -139,7 +139,7 @@ impl Table {
             let kind = missing.get(id).or_else(|| catalog.of(node)).cloned();
             let Some(kind) = kind else { continue };
             let height = if node.collapsed { TITLE_HEIGHT } else { height(&kind) };
-            // A position may be any finite number, and beyond f32 nothing can be drawn.
+            // A position may be any finite number, and nothing beyond f32 can be drawn.
             let [x, y] = node.position.map(|x| (x as f32).clamp(-1e7, 1e7));
             let title =
                 if node.name.is_empty() { kind.label.to_string() } else { node.name.clone() };
@@ -169,7 +169,7 @@ impl Table {
         true
     }
 
-    /// The ends of a group lie left and right of all that is in it.
+    /// Adds the ends of a group, left and right of all its nodes.
     fn add_ends(&mut self, ends: [Kind; 2]) {
         let bounds = self.nodes.iter().fold(Rect::NOTHING, |bounds, row| bounds.union(row.rect));
         let bounds = if bounds.is_positive() {
@@ -201,7 +201,7 @@ impl Table {
         }
     }
 
-    /// Moves the ends of a group up or down so that their wires run level, on the whole.
+    /// Moves the ends of a group up or down so that their wires run level on average.
     fn level_ends(&mut self) {
         for end in
             (0..self.nodes.len()).filter(|&index| self.nodes[index].is_end).collect::<Vec<_>>()
@@ -224,7 +224,8 @@ impl Table {
         }
     }
 
-    /// Marks what no output depends on, where there is one, and what drives no keys.
+    /// Marks nodes that no output depends on and that drive no keys; without any output, marks
+    /// none.
     fn find_unused(&mut self, driving: &[NodeId]) {
         let is_output =
             |row: &NodeRow| row.kind.id == "output" || row.is_end && row.kind.outputs.is_empty();
@@ -285,7 +286,7 @@ impl Table {
         self.frames[index].rect = rect;
     }
 
-    /// Lets go of text that was laid out with fonts that are no more.
+    /// Drops text that was laid out with fonts that no longer exist.
     pub(crate) fn forget_text(&mut self) {
         for row in &mut self.nodes {
             row.text = NodeText::default();
@@ -345,7 +346,7 @@ impl Table {
         }
     }
 
-    /// The type of an output; a reroute's is that of what it is given.
+    /// Type of an output; that of a reroute is its source's.
     fn resolved_type(&self, mut socket: Socket, into: &HashMap<usize, usize>) -> Type {
         for _ in 0..MAX_REROUTES {
             if !self.nodes[socket.node].kind.is_reroute {
@@ -363,7 +364,7 @@ impl Table {
             .map_or(Type::Float, |port| port.ty.clone())
     }
 
-    /// The type that a socket gives or takes.
+    /// Type that a socket gives or takes.
     pub(crate) fn socket_type(&self, socket: Socket) -> Type {
         let NodeRow { kind, passes, .. } = &self.nodes[socket.node];
         if kind.is_reroute {
@@ -385,13 +386,13 @@ impl Table {
         self.by_id.get(id).copied()
     }
 
-    /// Moves nodes, while they are dragged.
+    /// Moves nodes while they are dragged.
     pub(crate) fn translate(&mut self, nodes: &HashSet<usize>, delta: Vec2) {
         for &index in nodes {
             self.nodes[index].rect = self.nodes[index].rect.translate(delta);
         }
         for index in 0..self.frames.len() {
-            // One of which nodes stay behind stays too, so that nodes can be taken out of it.
+            // A frame of which nodes stay behind stays too, so that nodes can be dragged out of it.
             if self.frames[index].nodes.iter().all(|node| nodes.contains(node)) {
                 self.fit_frame(index);
             }
@@ -404,7 +405,7 @@ impl Table {
         }
     }
 
-    /// Where a socket is.
+    /// Position of a socket, in points of the graph.
     pub(crate) fn place(&self, socket: Socket) -> Pos2 {
         let row = &self.nodes[socket.node];
         if row.is_collapsed {
@@ -422,7 +423,7 @@ impl Table {
         curve_between(self.place(wire.from), self.place(wire.to))
     }
 
-    /// Around all nodes, frames and notes.
+    /// Bounds of all nodes, frames and notes.
     pub(crate) fn bounds(&self) -> Rect {
         let rects =
             self.nodes.iter().map(|row| row.rect).chain(self.frames.iter().map(|row| row.rect));
@@ -431,13 +432,13 @@ impl Table {
             .fold(Rect::NOTHING, |bounds, rect| bounds.union(rect))
     }
 
-    /// The node that reaches farthest to the right, where a graph ends.
+    /// Rectangle of the node that reaches farthest to the right, where a graph ends.
     pub(crate) fn last(&self) -> Rect {
         let ends = self.nodes.iter().map(|row| row.rect);
         ends.max_by(|a, b| a.max.x.total_cmp(&b.max.x)).unwrap_or(Rect::ZERO)
     }
 
-    /// The sockets of a node that wires may be drawn to.
+    /// Sockets of a node that wires may be drawn to.
     pub(crate) fn sockets(&self, node: usize) -> impl Iterator<Item = Socket> + '_ {
         let kind = &self.nodes[node].kind;
         let outputs =
@@ -446,7 +447,7 @@ impl Table {
         outputs.chain(inputs.map(move |port| Socket { node, port, is_output: false }))
     }
 
-    /// The nearest socket within `radius`.
+    /// Nearest socket within `radius` of a point, among those that fit.
     pub(crate) fn socket_at(
         &self,
         p: Pos2,
@@ -463,7 +464,7 @@ impl Table {
             .map(|(_, s)| s)
     }
 
-    /// The socket, the topmost node or the nearest wire at a point.
+    /// Socket, topmost node or nearest wire at a point.
     pub(crate) fn hit(&self, p: Pos2, radius: f32) -> Option<Hit> {
         if let Some(socket) = self.socket_at(p, radius, |_| true) {
             return Some(Hit::Socket(socket));
@@ -487,30 +488,30 @@ impl Table {
         self.frames.iter().rposition(|frame| frame.title_rect().contains(p)).map(Hit::Frame)
     }
 
-    /// The smallest frame around a point, other than those that hold all of `moved`.
+    /// Smallest frame around a point, other than frames that hold only nodes of `moved`, by index.
     pub(crate) fn frame_at(&self, p: Pos2, moved: &HashSet<usize>) -> Option<usize> {
         self.frames.iter().rposition(|frame| {
             frame.rect.contains(p) && !frame.nodes.iter().all(|node| moved.contains(node))
         })
     }
 
-    /// The frame that a node is in.
+    /// Frame that a node is in, by index.
     pub(crate) fn frame_of(&self, node: usize) -> Option<usize> {
         self.frames.iter().position(|frame| frame.nodes.contains(&node))
     }
 
-    /// The wire into an input, by index.
+    /// Wire into an input, by index.
     pub(crate) fn wire_into(&self, socket: Socket) -> Option<usize> {
         self.wires.iter().position(|wire| wire.to == socket)
     }
 }
 
-/// How high a node of a kind is.
+/// Height of a node of a kind, in points of the graph.
 pub(crate) fn height(kind: &Kind) -> f32 {
     node_height(kind.inputs.len() + kind.outputs.len())
 }
 
-/// From an output to an input, leaving and arriving level.
+/// Bézier curve of a wire from an output to an input, level at both ends.
 pub(crate) fn curve_between(from: Pos2, to: Pos2) -> [Pos2; 4] {
     let reach = vec2(wire_reach(to.x - from.x), 0.0);
     [from, from + reach, to - reach, to]

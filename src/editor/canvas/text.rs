@@ -1,4 +1,4 @@
-//! The text of nodes: laid out for those in view, kept while nothing changes.
+//! Text of nodes: laid out for nodes in view, and kept while nothing changes.
 
 use std::sync::Arc;
 
@@ -13,20 +13,22 @@ use crate::drawing::{NODE_WIDTH, TITLE_HEIGHT};
 use crate::state::revision::LookRevision;
 use crate::widgets::theme::{self, Colors};
 
-/// Everything of a node's text that depends on the font's size.
+/// Text of a node, and all else that depends on the font size.
 #[derive(Default)]
 pub(crate) struct NodeText {
-    /// The size in half points, the revision, and whether there is more than a title.
+    /// State that the text was laid out for: the size in half points, the revision, true if rows
+    /// are shown, the tag, and the value.
     key: Option<(i32, LookRevision, bool, &'static str, Option<String>)>,
-    /// The title comes first. Where, from the node's corner, in points of the graph; and what.
+    /// Lines of text, the title first: the offset from the node's corner in points of the graph,
+    /// and the galley.
     pub(crate) lines: Vec<(Vec2, Arc<Galley>)>,
-    /// What is said of the node beside its title.
+    /// Tag beside the title, such as the reason why the node adds nothing.
     pub(crate) tag: Option<(Vec2, Arc<Galley>)>,
-    /// Colors shown in rows: where their middle is, and straight RGBA.
+    /// Colors shown in rows: the center of each, and straight RGBA.
     pub(crate) swatches: Vec<(Vec2, [f64; 4])>,
 }
 
-/// The least size of a title: below it titles no longer shrink with the view.
+/// Smallest font size of a title: below it titles no longer shrink with the view.
 const LEAST_TITLE: f32 = 10.0;
 
 /// Lays a node's text out anew where the size or the document changed.
@@ -39,7 +41,7 @@ pub(crate) fn lay_out(
     node: &Node,
     (tag, value): (&'static str, Option<&str>),
 ) {
-    // Half points, or zooming would fill the font image.
+    // Sizes are rounded to half points: zooming would otherwise fill the font image.
     let half_points = (theme::TEXT_SIZE * zoom * 2.0).round() as i32;
     let has_rows = has_rows && !row.is_collapsed;
     let key = Some((half_points, revision, has_rows, tag, value.map(str::to_owned)));
@@ -104,7 +106,7 @@ pub(crate) fn lay_out(
     row.text = text;
 }
 
-/// One line, cut off with an ellipsis where it is longer than `width`.
+/// Lays out one line, cut off with an ellipsis where the text is longer than `width`.
 pub(super) fn one_line(
     painter: &Painter,
     text: &str,

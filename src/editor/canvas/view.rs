@@ -1,28 +1,28 @@
-//! From the graph's plane to the screen.
+//! Mapping of the graph's plane to the screen.
 
 use eframe::egui::{Pos2, Rect, Vec2, vec2};
 
-/// How far out and in the canvas goes.
+/// Range of the zoom, in points of the screen per point of the graph.
 const ZOOM: std::ops::RangeInclusive<f32> = 0.03..=3.0;
 
-/// From here on titles and labels can be read.
+/// Zoom from which titles and labels can be read.
 const LEGIBLE: f32 = 0.5;
-/// Room around what is shown, in points of the screen.
+/// Margin around the content that is fitted into the view, in points of the screen.
 const MARGIN: f32 = 30.0;
 
-/// A zoom that the canvas goes to.
+/// Zoom clamped to the canvas's range.
 pub(crate) fn bounded(zoom: f32) -> f32 {
     zoom.clamp(*ZOOM.start(), *ZOOM.end())
 }
 
-/// A pan and a zoom.
+/// View of a graph: a center and a zoom.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct View {
-    /// The point of the graph at the canvas's centre.
+    /// Point of the graph at the canvas's center.
     pub(crate) center: Pos2,
-    /// Points of the screen for each point of the graph.
+    /// Points of the screen per point of the graph.
     pub(crate) zoom: f32,
-    /// Where the canvas is on the screen.
+    /// Rectangle of the canvas on the screen.
     pub(crate) screen: Rect,
 }
 
@@ -45,7 +45,7 @@ impl View {
         self.center + (p - self.screen.center()) / self.zoom
     }
 
-    /// What of the graph is in view.
+    /// Part of the graph that is in view.
     pub(crate) fn visible(self) -> Rect {
         Rect::from_min_max(self.to_graph(self.screen.min), self.to_graph(self.screen.max))
     }
@@ -55,14 +55,14 @@ impl View {
         self.center -= delta / self.zoom;
     }
 
-    /// Zooms; what lies under `at` stays there.
+    /// Zooms; the point of the graph under `at` stays there.
     pub(crate) fn zoom_about(&mut self, at: Pos2, factor: f32) {
         let fixed = self.to_graph(at);
         self.zoom = (self.zoom * factor).clamp(*ZOOM.start(), *ZOOM.end());
         self.center += fixed - self.to_graph(at);
     }
 
-    /// Shows all of `bounds`, not larger than life.
+    /// Shows all of `bounds`, at a zoom of at most 1.
     pub(crate) fn fit(&mut self, bounds: Rect) {
         if !bounds.is_finite() || !bounds.is_positive() {
             (self.center, self.zoom) = (Pos2::ZERO, 1.0);
@@ -74,8 +74,9 @@ impl View {
         self.center = bounds.center();
     }
 
-    /// Shows a graph that was just opened: all of `bounds` where that can be read, or else the
-    /// right end, where the picture comes out at `last`, as large as can be read.
+    /// Shows a graph that was just opened: all of `bounds` where text can be read at that zoom;
+    /// otherwise the right end, where the picture comes out at `last`, at the least zoom that can
+    /// be read.
     pub(crate) fn begin(&mut self, bounds: Rect, last: Rect) {
         self.fit(bounds);
         if self.zoom >= LEGIBLE {
@@ -91,7 +92,7 @@ impl View {
         }
     }
 
-    /// Moves as little as brings `bounds` into view.
+    /// Centers the view on `bounds` unless they are in view; zooms in first where the view is far.
     pub(crate) fn reveal(&mut self, bounds: Rect) {
         if self.zoom < 0.4 {
             self.zoom = 0.8;

@@ -1,5 +1,5 @@
-//! Where the light comes from and where the eye is, as translucent arrows to the middle of the
-//! tile.
+//! Directions to the light and to the eye, drawn as translucent arrows that end at the middle of
+//! the tile.
 
 use eframe::egui::{Color32, Painter, Pos2, Shape, Stroke, Ui, Vec2};
 use glam::DVec3;
@@ -7,12 +7,12 @@ use glam::DVec3;
 use super::tilt::Tilt;
 use crate::widgets::theme;
 
-/// How long an arrow is that lies across, of the tile's size on the screen.
+/// Length of an arrow that lies flat, as a part of the tile's size on the screen.
 const LENGTH: f32 = 0.62;
-/// What is seen from its end is a ring.
+/// Length below which an arrow is seen end-on and drawn as a ring, in points.
 const SHORT: f32 = 14.0;
 
-/// Paints the way from the light, and from the eye where that is wanted.
+/// Paints the arrow from the light, and the one from the eye where `eye` is given.
 pub(super) fn paint(ui: &Ui, painter: &Painter, tilt: &Tilt, light: DVec3, eye: Option<DVec3>) {
     let bounds = tilt.bounds();
     let length = bounds.width().max(bounds.height()) * LENGTH;
@@ -28,7 +28,7 @@ enum Head {
     Eye,
 }
 
-/// An arrow that ends at the middle of the tile and begins where its light or eye is.
+/// Paints an arrow that begins on the side of its light or eye and ends at the middle of the tile.
 fn arrow(painter: &Painter, middle: Pos2, from: Vec2, color: Color32, head: Head) {
     let ink = color.gamma_multiply(0.75);
     let start = middle + from;

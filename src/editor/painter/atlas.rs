@@ -1,4 +1,4 @@
-//! Small pictures of all samples in one texture.
+//! Thumbnails of all samples in one texture.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -11,27 +11,28 @@ use crate::document::{Address, Tile};
 use crate::state::painting::work::OpenPainting;
 use crate::widgets::rows::fitted;
 
-/// The side of a small picture, in texels.
+/// Side of a thumbnail, in texels.
 const SIDE: usize = 16;
-/// Small pictures in a row of the texture.
+/// Number of thumbnails in a row of the texture.
 const COLUMNS: usize = 64;
-/// More samples than these have none.
+/// Largest number of samples that have thumbnails.
 const MOST: usize = COLUMNS * 128;
-/// Where more than so many are new, the texture is made anew.
+/// Number of new tiles above which the whole texture is made anew.
 const MOST_NEW: usize = 64;
 
-/// Small pictures, each tile once.
+/// Thumbnails of samples, each tile once.
 #[derive(Default)]
 pub(super) struct Atlas {
     slots: HashMap<*const Tile, usize>,
-    /// What the pointers above lead to, for as long as they are known. `None` where a slot is free.
+    /// Tiles that the pointers above lead to, held so that the pointers stay valid. `None` where a
+    /// slot is free.
     tiles: Vec<Option<Arc<Tile>>>,
     texture: Option<TextureHandle>,
     version: u64,
 }
 
 impl Atlas {
-    /// Brings the pictures up to date. Work in progress is shown once it is done.
+    /// Brings the thumbnails up to date; a stroke under way is shown once it is done.
     pub(super) fn update(&mut self, ctx: &Context, work: &OpenPainting, is_painting: bool) {
         if self.version == work.version() || is_painting {
             return;
@@ -72,7 +73,7 @@ impl Atlas {
         }
     }
 
-    /// Makes all pictures anew, each where its tile comes first.
+    /// Makes all thumbnails anew, in the order in which their tiles first occur.
     fn make(&mut self, ctx: &Context, work: &OpenPainting) {
         self.slots.clear();
         self.tiles.clear();
@@ -83,7 +84,7 @@ impl Atlas {
                 self.tiles.push(Some(tile.clone()));
             }
         }
-        // One row more leaves room for strokes.
+        // One row more than needed leaves room for later strokes.
         let rows = self.tiles.len() / COLUMNS + 1;
         let size = [COLUMNS * SIDE, rows * SIDE];
         let mut pixels = vec![Color32::TRANSPARENT; size[0] * size[1]];
@@ -102,7 +103,8 @@ impl Atlas {
         }
     }
 
-    /// Paints the small picture of a sample, if there is one, in the shape that the tile has.
+    /// Paints the thumbnail of a sample, in the shape that the tile has. Returns false if the
+    /// sample has no thumbnail.
     pub(super) fn paint(
         &self,
         painter: &Painter,
@@ -117,7 +119,7 @@ impl Atlas {
         };
         let [width, height] = texture.size().map(|side| side as f32);
         let from = pos2((slot % COLUMNS * SIDE) as f32, (slot / COLUMNS * SIDE) as f32);
-        // Half a texel inside, so that neighbours do not shine in.
+        // The rectangle is inset by half a texel, so that neighboring thumbnails do not bleed in.
         let uv = |at: Pos2| pos2(at.x / width, at.y / height);
         let uv = Rect::from_min_max(
             uv(from + eframe::egui::vec2(0.5, 0.5)),
@@ -128,12 +130,12 @@ impl Atlas {
     }
 }
 
-/// The small picture of a tile, row by row.
+/// Thumbnail of a tile, row by row.
 fn small(tile: &Tile) -> Vec<Color32> {
     (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| sampled(tile, x, y))).collect()
 }
 
-/// The texel in the middle of a part of a tile.
+/// Texel in the middle of the part of a tile that one texel of the thumbnail covers.
 fn sampled(tile: &Tile, x: usize, y: usize) -> Color32 {
     let at = |place: usize, side: u32| (place as i64 * 2 + 1) * i64::from(side) / (2 * SIDE as i64);
     let [r, g, b, a] = tile.texel(at(x, tile.size()[0]), at(y, tile.size()[1]));

@@ -1,5 +1,5 @@
-//! The open look becomes an HCBTF: which grid, and which light goes around the tile, is asked for
-//! first, then the file.
+//! Baking of the open look to an HCBTF: a dialog asks for the grid and for the light that goes
+//! around the tile, then for the file.
 
 use eframe::egui::{
     self, Button, CollapsingHeader, Color32, ComboBox, Id, Modal, RichText, Sense, Ui, WidgetInfo,
@@ -21,14 +21,14 @@ use crate::widgets::confirm;
 use crate::widgets::rows::{fitted, lead, picture_frame, whole};
 use crate::widgets::theme;
 
-/// The side of a preview, in points.
+/// Side of a preview, in points.
 const SIDE: f32 = 110.0;
 
-/// What is asked.
+/// Choices in the dialog for baking.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct BakeDialog {
     grid: Grid,
-    /// The one that was chosen; the first one else.
+    /// Light that was chosen; `None` for the first directional light.
     light: Option<LightId>,
 }
 
@@ -39,7 +39,7 @@ impl Default for BakeDialog {
 }
 
 impl BakeDialog {
-    /// The job, as the session stands now; why not otherwise.
+    /// Job that bakes the session's look as it is now, or the reason why it cannot be baked.
     pub(super) fn job(
         &self,
         session: &Session,
@@ -60,7 +60,7 @@ impl BakeDialog {
     }
 }
 
-/// The look as it is, whatever is shown alone or muted in the picture.
+/// The look as it is in the document, without the soloing and muting of the picture.
 fn setup(session: &Session) -> SetupLook {
     SetupLook {
         look: session.look().clone(),
@@ -69,7 +69,8 @@ fn setup(session: &Session) -> SetupLook {
     }
 }
 
-/// Asks, while `asked` is there. `is_filling` says that what the look shows is not there yet.
+/// Shows the dialog while `asked` is set. `is_filling` says that rules still fill a painting that
+/// the look shows.
 pub(super) fn show(
     ui: &Ui,
     asked: &mut Option<BakeDialog>,
@@ -142,7 +143,7 @@ pub(super) fn show(
     out
 }
 
-/// How long it takes, how much it writes, and what it will be like.
+/// Shows the time that baking takes, the amount it writes, and previews of the result.
 fn before_baking(
     ui: &mut Ui,
     preview: &mut Preview,
@@ -211,12 +212,12 @@ fn before_baking(
     ui.label(RichText::new(text).color(theme::of(ui).dim).small());
 }
 
-/// How many views are baked at a time.
+/// Number of views that are baked at a time.
 fn cores() -> usize {
     std::thread::available_parallelism().map_or(1, std::num::NonZero::get)
 }
 
-/// Which light goes around.
+/// Shows the choice of the light that goes around.
 fn light(ui: &mut Ui, session: &Session, chosen: &mut Option<LightId>) {
     let lights = &session.look().lights;
     let moving = || lights.iter().filter(|(_, light)| light.kind == LightKind::Directional);

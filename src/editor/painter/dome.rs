@@ -1,4 +1,4 @@
-//! The hemisphere over the tile, seen from above: the light and the eye are dragged on it. The
+//! The hemisphere over the tile, seen from above, on which the light and the eye are dragged. The
 //! middle is the normal, the rim the horizon; u points right and v up.
 
 use eframe::egui::{Color32, CursorIcon, Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
@@ -9,18 +9,18 @@ use crate::document::{Address, Direction, Directions};
 use crate::state::painting::work::{OpenPainting, State};
 use crate::widgets::theme;
 
-/// The rim, from the edge of the room, in points.
+/// Distance of the rim from the edge of the widget, in points.
 const MARGIN: f32 = 12.0;
 const HANDLE: f32 = 7.0;
 
-/// Which of both is dragged.
+/// Handle that is dragged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum HeldHandle {
     Light,
     View,
 }
 
-/// Shows the hemisphere this wide; the sample that a hand dragged to.
+/// Shows the hemisphere, `side` points wide. Returns the sample that was dragged to.
 pub(super) fn show(
     ui: &mut Ui,
     work: &OpenPainting,
@@ -109,8 +109,8 @@ fn paint_ground(ui: &Ui, rect: Rect, radius: f32) {
     );
 }
 
-/// The directions that there are; larger where something is painted for them together with the
-/// other one at work.
+/// Draws the directions of a grid as dots; larger where a sample is painted for the direction
+/// together with the other direction at work.
 fn dots(
     ui: &Ui,
     work: &OpenPainting,
@@ -118,7 +118,7 @@ fn dots(
     is_view: bool,
     screen: &impl Fn(DVec2) -> Pos2,
 ) {
-    /// More are a haze.
+    /// Largest number of directions that are drawn; more are a haze.
     const MOST: usize = 1200;
     if directions.count() > MOST {
         return;

@@ -1,5 +1,5 @@
-//! The tile as the eye sees it, to be painted on: tilted and turned, with copies around it, the
-//! ways to the light and the eye, and the brush's true shape under the pointer.
+//! The tile as the eye sees it, to be painted on: tilted and turned, with copies around it, arrows
+//! to the light and the eye, and the brush's true shape under the pointer.
 
 use eframe::egui;
 use eframe::egui::epaint::{Mesh, Vertex};
@@ -21,43 +21,43 @@ use crate::document::{Address, HcbtfAngle};
 use crate::state::painting::work::OpenPainting;
 use crate::widgets::theme;
 
-/// The tile fills so much of the room when it is fitted, so that some of its copies are seen.
+/// Part of the room that the tile fills when it is fitted, so that some of its copies are seen.
 const FITTED: f64 = 0.6;
-/// Points a texel, at least and at most.
+/// Range of the zoom, in points per texel.
 const ZOOM: std::ops::RangeInclusive<f64> = 0.05..=200.0;
-/// The side of a square of the ground that shows through what is transparent, in points.
+/// Side of a square of the checkerboard that shows through transparent texels, in points.
 const CHECK: f32 = 8.0;
 
-/// How the tile is shown, and what the pointer is at.
+/// Display of the tile, and the pointer's gesture on it.
 pub(super) struct Easel {
-    /// Points a texel; `None` to fit the room.
+    /// Points per texel; `None` to fit the room.
     zoom: Option<f64>,
-    /// From the middle of the room to the middle of the tile, in points.
+    /// Vector from the middle of the room to the middle of the tile, in points.
     pan: Vec2,
     pub(super) is_flat: bool,
     pub(super) shows_copies: bool,
     pub(super) shows_arrows: bool,
-    /// How much of the neighbours is seen through the tile.
+    /// Opacity of the neighboring samples over the tile, 0 to 1.
     pub(super) onion: f32,
-    /// Which way the neighbours lie.
+    /// Angle along which the neighboring samples lie.
     pub(super) onion_along: HcbtfAngle,
     going: Option<TileGesture>,
     tile: TileTexture,
     neighbours: [TileTexture; 2],
     checks: Option<TextureHandle>,
-    /// As it lay in the last frame.
+    /// Placement of the tile in the last frame.
     tilt: Option<Tilt>,
     has_pointer: bool,
-    /// What was taken in of this frame, until it is drawn.
+    /// Input of this frame, kept until the frame is drawn.
     scene: Option<EaselScene>,
     pub(super) hint: String,
 }
 
-/// What one frame draws: the room, and what is under the pointer.
+/// Input of one frame: the room, and what is under the pointer.
 struct EaselScene {
     room: Rect,
     pointer: Option<Pos2>,
-    /// A sample that is only looked at, in place of the one at work.
+    /// Sample that is only looked at, in place of the one at work.
     peek: Option<Address>,
 }
 
@@ -84,8 +84,8 @@ impl Default for Easel {
 }
 
 impl Easel {
-    /// Takes in what the pointer does on the tile, which has all the room there is. `peek` is shown
-    /// in place of the sample at work.
+    /// Handles the pointer on the tile, which takes all available space. `peek` is shown in place
+    /// of the sample at work.
     pub(super) fn interact(
         &mut self,
         ui: &mut Ui,
@@ -166,8 +166,8 @@ impl Easel {
         }
     }
 
-    /// The wheel zooms about the pointer; middle, right or space drags move the tile. Returns
-    /// whether it lies elsewhere.
+    /// Moves the view: the wheel zooms about the pointer; drags with the middle or right button or
+    /// with space move the tile. Returns true if the view has changed.
     fn navigate(&mut self, ui: &Ui, response: &Response, tilt: &Tilt, room: Rect) -> bool {
         let before = (self.zoom, self.pan);
         if let Some(at) = response.hover_pos() {
@@ -261,28 +261,29 @@ impl Easel {
         (self.zoom, self.pan) = (None, Vec2::ZERO);
     }
 
-    /// It is not seen any more.
+    /// Notes that the tile is no longer shown.
     pub(super) fn leave(&mut self) {
         (self.has_pointer, self.tilt) = (false, None);
         self.hint.clear();
     }
 
-    /// Whether the pointer is over it, so that keys are meant for it.
+    /// True while the pointer is over the tile, so that keys are meant for painting.
     pub(super) fn has_pointer(&self) -> bool {
         self.has_pointer
     }
 
-    /// Whether something is painted at this moment.
+    /// True while a gesture on the tile is under way.
     pub(super) fn is_painting(&self) -> bool {
         self.going.is_some()
     }
 
-    /// Where a place of the tile is on the screen, in texels from its upper left corner.
+    /// Position on the screen of a place of the tile, given in texels from the tile's upper left
+    /// corner.
     pub(super) fn screen(&self, texel: [f64; 2]) -> Option<Pos2> {
         self.tilt.map(|tilt| tilt.screen(texel.into()))
     }
 
-    /// What the keys over it ask for.
+    /// Commands of the keys that are pressed over the tile.
     pub(super) fn keys(&self, ui: &Ui) -> Vec<Command> {
         let is_free =
             self.has_pointer && !keyboard::is_keyboard_taken(ui.ctx()) && self.going.is_none();
@@ -290,7 +291,7 @@ impl Easel {
     }
 }
 
-/// What people call a sample.
+/// Name of a sample for people: the directions of its light and its view.
 pub(super) fn name_of(work: &OpenPainting, address: Address) -> String {
     let grid = work.grid();
     format!(
@@ -300,7 +301,7 @@ pub(super) fn name_of(work: &OpenPainting, address: Address) -> String {
     )
 }
 
-/// The two samples beside one, along an angle.
+/// The two samples next to a sample along an angle.
 fn neighbours(work: &OpenPainting, at: Address, along: HcbtfAngle) -> [Address; 2] {
     let grid = work.grid();
     let ways = match along {
@@ -331,7 +332,7 @@ fn quads(
     painter.add(Shape::mesh(mesh));
 }
 
-/// What shows through where the tile is transparent.
+/// Draws the checkerboard that shows through transparent texels.
 fn ground(painter: &Painter, checks: TextureId, corners: [Pos2; 4]) {
     let mut mesh = Mesh::with_texture(checks);
     let uvs = corners.map(|corner| (corner.to_vec2() / (2.0 * CHECK)).to_pos2());
@@ -346,7 +347,7 @@ fn add_quad(mesh: &mut Mesh, corners: [Pos2; 4], uvs: [Pos2; 4], color: Color32)
     mesh.add_triangle(first, first + 2, first + 3);
 }
 
-/// The brush as it lies on the tile.
+/// Draws the brush's outline as it lies on the tile.
 fn cursor(ui: &Ui, painter: &Painter, tilt: &Tilt, tools: &Tools, at: Pos2) {
     if !tools.kind.has_brush() {
         let icon =

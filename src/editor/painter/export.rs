@@ -1,5 +1,5 @@
-//! What is painted leaves for other programs, filled by its rules: on a thread of its own, since it
-//! may be thousands of images.
+//! Export of the painted samples, filled by their rules, to other programs: on a thread of its own,
+//! since there may be thousands of images.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -11,7 +11,7 @@ use crate::hcbtf::fill::fill;
 use crate::progress::Progress;
 use crate::state::worker::Worker;
 
-/// An HCBTF as it was when it was asked for.
+/// Request to export an HCBTF in its state at the time.
 struct ExportRequest {
     hcbtf: Arc<Hcbtf>,
     form: Form,
@@ -20,28 +20,28 @@ struct ExportRequest {
     progress: Progress,
 }
 
-/// The thread that does it.
+/// Thread that exports.
 pub(super) struct Exports {
     worker: Worker<Vec<ExportRequest>, Vec<String>>,
     progress: Progress,
 }
 
 impl Exports {
-    /// `wake` is called from another thread when something is written.
+    /// `wake` is called from another thread when an export is written.
     pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
         let work = |jobs: Vec<ExportRequest>| jobs.iter().map(run).collect();
         Self { worker: Worker::new("export painting", wake, work), progress: Progress::new() }
     }
 
-    /// Writes all samples in a form; a texture as it is to be stored.
+    /// Writes all samples in a form; `storage` applies to a texture.
     pub(super) fn write(&self, hcbtf: Arc<Hcbtf>, form: Form, storage: Storage, to: PathBuf) {
         let job = ExportRequest { hcbtf, form, storage, to, progress: self.progress.clone() };
-        // Nothing that waits is dropped.
+        // Requests that wait are kept, none is dropped.
         self.worker
             .request(|waiting| waiting.unwrap_or_default().into_iter().chain([job]).collect());
     }
 
-    /// What to tell of what was written since the last call.
+    /// Message about the exports that were written since the last call.
     pub(super) fn told(&self) -> Option<String> {
         self.worker.answers().into_iter().flatten().last()
     }
@@ -79,8 +79,9 @@ fn run(job: &ExportRequest) -> String {
     }
 }
 
-/// Where it goes: what a folder holds of an earlier export may have been painted on since, so the
-/// next goes into a folder in it. About a file the dialog has asked.
+/// Place for an export. Images of an earlier export in the folder may have been painted on since,
+/// so that the next export goes into a subfolder. Overwriting a file was confirmed in the file
+/// dialog.
 fn free(form: Form, to: &Path) -> PathBuf {
     if form != Form::Folder || exchange::in_the_way(form, to).is_empty() {
         return to.to_owned();
@@ -105,7 +106,7 @@ mod tests {
         assert_eq!(next, to.path().join("export-2"));
         std::fs::create_dir(&next).unwrap();
         assert_eq!(free(Form::Folder, to.path()), to.path().join("export-3"));
-        // The dialog asks about files.
+        // The file dialog confirms the overwriting of files.
         assert_eq!(free(Form::Sheet, &to.path().join(&image)), to.path().join(&image));
     }
 }

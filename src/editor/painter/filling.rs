@@ -1,6 +1,6 @@
-//! What the rules make of the samples that nobody painted: worked out on a thread of its own, the
-//! newest wish first. The sample at work is worked out beside the others, so that it is seen at
-//! once however long they take.
+//! Filling of unpainted samples by the rules: computed on a thread of its own, the newest request
+//! first. A second thread computes the sample at work, so that it is seen at once however long the
+//! others take.
 
 use std::sync::{Arc, Weak};
 
@@ -19,40 +19,41 @@ struct FillRequest {
 }
 
 struct FillResult {
-    /// What it was asked for.
+    /// HCBTF that was filled.
     of: Arc<Hcbtf>,
     number: u64,
     filled: Result<Arc<FilledSamples>, NotFilled>,
 }
 
-/// One sample, ahead of the rest.
+/// Result for one sample, ahead of the rest.
 struct SampleResult {
     of: Arc<Hcbtf>,
     address: Address,
     tile: Option<Arc<Tile>>,
 }
 
-/// Fills what is not painted.
+/// Threads that fill unpainted samples, and their requests.
 pub(super) struct Filling {
     worker: Worker<FillRequest, FillResult>,
     ahead: Worker<(FillRequest, Address), SampleResult>,
-    /// What was asked for last.
+    /// HCBTF of the last request.
     asked: Option<Arc<Hcbtf>>,
-    /// What was filled last.
+    /// HCBTF that was filled last.
     has: Option<Arc<Hcbtf>>,
-    /// Which sample was asked for last, ahead of the rest, and of what.
+    /// Sample that was requested last, ahead of the rest, and its HCBTF.
     asked_ahead: Option<(Arc<Hcbtf>, Address)>,
     progress: Progress,
-    /// Of the one sample, which is no part of how far the others are.
+    /// Progress of the sample ahead, which does not count in the progress of the others.
     progress_ahead: Progress,
-    /// Why nothing could be filled.
+    /// Reason why nothing could be filled.
     pub(super) problem: Option<Diagnostic>,
 }
 
 impl Filling {
-    /// `wake` is called from another thread when something is filled.
+    /// `wake` is called from another thread when samples are filled.
     pub(super) fn new(wake: impl Fn() + Clone + Send + 'static) -> Self {
-        // A stroke changes little of what was filled before, which whoever shows it keeps.
+        // A stroke changes little of the last result, so that the worker starts from it. The
+        // reference is weak: the result lives as long as it is shown.
         let mut before: (Arc<Hcbtf>, Weak<FilledSamples>) =
             (Arc::new(Hcbtf::new(Grid::THESIS)), Weak::new());
         let work = move |wish: FillRequest| {
@@ -82,8 +83,8 @@ impl Filling {
         }
     }
 
-    /// Takes what was filled, and asks for what is not yet, where the device can hold it. Returns
-    /// whether there is something new.
+    /// Takes filled samples, and requests those that are missing, where the device can hold them.
+    /// Returns true if there are new ones.
     pub(super) fn tick(&mut self, work: &mut OpenPainting, device: &Device) -> bool {
         let mut is_new = self.take_ahead(work);
         let number = work.number();
@@ -106,7 +107,7 @@ impl Filling {
         if !work.rules_wait()
             && !self.asked.as_ref().is_some_and(|asked| Arc::ptr_eq(asked, work.shown()))
         {
-            // Other rules make what is being filled useless; one more texel does not.
+            // Other rules make the filling under way useless; one more texel does not.
             let is_other =
                 self.asked.as_ref().is_none_or(|asked| asked.rules != work.shown().rules);
             if is_other {
@@ -126,7 +127,7 @@ impl Filling {
         self.progress_ahead.stop();
     }
 
-    /// Asks for the sample at work, while the others are not done.
+    /// Requests the sample at work, while the others are not done.
     fn ask_ahead(&mut self, work: &OpenPainting) {
         let (shown, at) = (work.shown(), work.at());
         let is_asked =
@@ -145,7 +146,7 @@ impl Filling {
     fn take_ahead(&self, work: &mut OpenPainting) -> bool {
         let mut is_new = false;
         for SampleResult { of, address, tile } in self.ahead.answers() {
-            // Once the others are there too it is one of them.
+            // Once the others are there too, the sample is one of them.
             let is_late = self.has.as_ref().is_some_and(|has| Arc::ptr_eq(has, &of));
             if let Some(tile) = tile.filter(|_| Arc::ptr_eq(&of, work.shown()) && !is_late) {
                 work.set_ahead(address, tile);
@@ -155,13 +156,13 @@ impl Filling {
         is_new
     }
 
-    /// What the rules have made of all that is shown now, if they have.
+    /// Samples that the rules filled, if they are those of all that is shown now.
     pub(super) fn of(&self, work: &OpenPainting) -> Option<Arc<FilledSamples>> {
         let is_it = self.has.as_ref().is_some_and(|has| Arc::ptr_eq(has, work.shown()));
         work.filled().filter(|_| is_it).cloned()
     }
 
-    /// The share that is filled, while that goes on.
+    /// Share that is filled, 0 to 1; `None` while nothing is being filled.
     pub(super) fn share(&self) -> Option<f64> {
         self.worker.is_busy().then(|| self.progress.share())
     }
@@ -203,7 +204,7 @@ mod tests {
         work.go_to(at);
         let alone = |work: &OpenPainting| sample(work.hcbtf(), at, &Progress::new()).unwrap();
         assert!(!filling.tick(&mut work, &Device::guaranteed()));
-        // All that is taken is the one, whether the others are done or not.
+        // The result ahead is only taken, and the others are not, whether they are done or not.
         filling.ahead.wait();
         assert!(filling.take_ahead(&mut work) && work.filled().is_none());
         assert!(work.tile(at).is_some());
@@ -213,10 +214,10 @@ mod tests {
         assert!(filling.tick(&mut work, &Device::guaranteed()));
         assert_eq!(work.tile(at).cloned(), alone(&work));
         assert_eq!(work.tile(at), work.filled().and_then(|filled| filled.tile(at)));
-        // Once all are there no more is asked for, wherever one goes.
+        // Once all samples are there, moving to another sample requests nothing more.
         work.go_to(Address::default());
         assert!(!filling.tick(&mut work, &Device::guaranteed()) && !filling.is_busy());
-        // Another rule is seen at once as well.
+        // The effect of another rule is seen at once as well.
         let before = work.tile(Address::default()).cloned();
         let rule = Rule::Strokes(Box::new(Strokes::preset("Pencil")));
         work.apply(HcbtfEdit::SetRule { index: 0, rule }, None, 0).unwrap();

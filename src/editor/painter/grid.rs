@@ -1,5 +1,5 @@
-//! How finely an HCBTF is divided, asked for before one is made or divided otherwise; what that
-//! takes is told at once.
+//! Dialog for the grid of an HCBTF, asked for before one is made or divided otherwise; shows the
+//! memory that the grid takes.
 
 use std::sync::Arc;
 
@@ -15,19 +15,19 @@ use crate::widgets::confirm;
 use crate::widgets::rows::lead;
 use crate::widgets::theme;
 
-/// The width of labels before fields, in points.
+/// Width of labels before fields, in points.
 pub(super) const LEAD: f32 = 48.0;
 
-/// What is asked.
+/// Choices in the dialog for a grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct GridDialog {
     grid: Grid,
-    /// Whether what is open is divided otherwise, in place of something new.
+    /// True to divide the open HCBTF otherwise, false to make a new one.
     changes: bool,
 }
 
 impl GridDialog {
-    /// What to begin with: as what is open is divided, or as the thesis divides.
+    /// Dialog that begins with the grid of the open HCBTF, or with that of the thesis.
     pub(super) fn of(work: Option<&OpenPainting>, changes: bool) -> Self {
         Self {
             grid: work.map_or(Grid::THESIS, |work| *work.grid()),
@@ -36,7 +36,7 @@ impl GridDialog {
     }
 }
 
-/// Asks, while `asked` is there.
+/// Shows the dialog while `asked` is set.
 pub(super) fn show(
     ui: &Ui,
     asked: &mut Option<GridDialog>,
@@ -89,7 +89,7 @@ pub(super) fn show(
     out
 }
 
-/// How many painted samples have no place in another grid.
+/// Number of painted samples that have no place in another grid.
 fn lost(work: &OpenPainting, grid: &Grid) -> usize {
     let stays = |(address, tile): &(&Address, &Arc<Tile>)| {
         grid.contains(**address) && tile.size() == grid.size
@@ -98,7 +98,7 @@ fn lost(work: &OpenPainting, grid: &Grid) -> usize {
     painted.len() - painted.iter().filter(stays).count()
 }
 
-/// What becomes of what is painted.
+/// Text on which painted samples stay in another grid.
 fn what_stays(work: &OpenPainting, grid: &Grid) -> String {
     let all = work.hcbtf().painted.len();
     match (lost(work, grid), all) {
@@ -117,14 +117,14 @@ fn what_stays(work: &OpenPainting, grid: &Grid) -> String {
     }
 }
 
-/// The fields of a grid.
+/// Shows the fields of a grid.
 pub(super) fn fields(ui: &mut Ui, grid: &mut Grid) {
     size(ui, &mut grid.size);
     directions(ui, "Lights", &mut grid.light);
     directions(ui, "Views", &mut grid.view);
 }
 
-/// The fields of a tile's size.
+/// Shows the fields of a tile's size.
 pub(super) fn size(ui: &mut Ui, size: &mut [u32; 2]) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
@@ -140,7 +140,7 @@ pub(super) fn size(ui: &mut Ui, size: &mut [u32; 2]) {
     });
 }
 
-/// How many rings and steps there are.
+/// Shows the fields for the numbers of rings and steps.
 pub(super) fn directions(ui: &mut Ui, name: &str, directions: &mut Directions) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;

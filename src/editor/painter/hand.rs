@@ -1,5 +1,4 @@
-//! What the pointer does on the tile: strokes, lines, fills and picked colors, each one step of
-//! undo.
+//! The pointer on the tile: strokes, lines, fills and picked colors, each one step of undo.
 
 use std::sync::Arc;
 
@@ -13,28 +12,29 @@ use crate::document::{Address, Hcbtf, HcbtfEdit, Tile};
 use crate::hcbtf::paint::{self, Flood, Stroke};
 use crate::state::painting::work::OpenPainting;
 
-/// What the pointer is at.
+/// Gesture of the pointer that is under way.
 pub(super) enum TileGesture {
-    /// A stroke over a sample.
+    /// Stroke over a sample.
     Stroke { stroke: Box<Stroke>, of: StrokeBase },
-    /// A line that is not drawn yet: it ends where the pointer is let go.
+    /// Line that is not drawn yet: it ends where the pointer is let go.
     Line { from: DVec2, of: StrokeBase },
-    /// Colors are taken for as long as the pointer is down.
+    /// Picking of colors, for as long as the pointer is down.
     Pick,
 }
 
-/// What a stroke lies over.
+/// State of the sample that a stroke lies over.
 pub(super) struct StrokeBase {
     address: Address,
     before: Arc<Tile>,
-    /// Everything as it was, where another step of this frame is not done yet.
+    /// HCBTF as shown when the stroke began, where another step of the same frame is not applied
+    /// yet.
     over: Option<Arc<Hcbtf>>,
 }
 
-/// What is painted as the events of a frame leave it: the strokes before are not applied yet.
+/// The painting as the events of a frame leave it; the strokes before are not applied yet.
 struct LivePainting<'a> {
     work: &'a OpenPainting,
-    /// The stroke that is shown from now on, where that is another.
+    /// Stroke that is shown from now on, where it differs from the session's.
     stroke: Option<Option<(Address, Arc<Tile>)>>,
 }
 
@@ -43,7 +43,7 @@ impl LivePainting<'_> {
         self.stroke = Some(stroke);
     }
 
-    /// The tile that a hand paints on: what is shown at a sample, or nothing at all.
+    /// Tile that a gesture paints on: the one shown at a sample, or an empty tile.
     fn tile_at(&self, address: Address) -> Arc<Tile> {
         let tile = match &self.stroke {
             Some(stroke) => self.work.tile_with(stroke.as_ref(), address),
@@ -52,7 +52,7 @@ impl LivePainting<'_> {
         tile.cloned().unwrap_or_else(|| Arc::new(Tile::filled(self.work.grid().size, [0; 4])))
     }
 
-    /// Everything as it is shown.
+    /// HCBTF as it is shown.
     fn shown(&self) -> Arc<Hcbtf> {
         match &self.stroke {
             Some(stroke) => Arc::new(self.work.hcbtf_with(stroke.as_ref())),
@@ -75,8 +75,8 @@ impl StrokeBase {
         }
     }
 
-    /// The step of undo, if anything is another now. A stroke that leaves no trace paints nothing.
-    /// What was painted is shown from now on: another step of the same frame lies over it.
+    /// Step of undo for the finished tile, if the tile has changed; a stroke that leaves no trace
+    /// paints nothing. The tile is shown from now on: another step of the same frame lies over it.
     fn done(self, tile: Tile, painting: &mut LivePainting<'_>) -> Option<Command> {
         if tile == *self.before {
             return None;
@@ -88,8 +88,8 @@ impl StrokeBase {
     }
 }
 
-/// Does what the pointer asks for on the tile as it lies now: event by event, so that a click
-/// counts that is over within a frame, and two of them make two steps.
+/// Applies the pointer's events to the tile as it lies now: event by event, so that a click that is
+/// over within a frame counts, and two of them make two steps.
 pub(super) fn paint(
     ui: &Ui,
     response: &Response,
@@ -104,7 +104,7 @@ pub(super) fn paint(
     if escape && going.take().is_some() {
         return vec![Command::Paint(PaintCommand::ShowStroke(None))];
     }
-    // What is pressed and let go within a frame is not down any more.
+    // A button that is pressed and let go within a frame is no longer down.
     let is_quick = !is_down && (response.clicked() || response.hovered());
     let is_over = response.is_pointer_button_down_on() || is_quick;
     let pressure = tools.pen.unwrap_or(1.0);
@@ -136,24 +136,25 @@ pub(super) fn paint(
         }
     }
     hand.go_on();
-    // Where nobody told that it was let go, as outside the window.
+    // No event tells of a button that is let go outside the window.
     if !is_down {
         hand.release(last);
     }
-    // The stroke is shown before the steps are done, each of which ends what is shown.
+    // The stroke is shown before the steps are applied, as each step ends the stroke that is shown.
     let stroke = hand.painting.stroke.map(PaintCommand::ShowStroke).map(Command::Paint);
     stroke.into_iter().chain(hand.out).collect()
 }
 
-/// What the pointer does in a frame, and what comes of it.
+/// Handler of the pointer's events in a frame, with the resulting commands.
 struct Events<'a> {
     tilt: &'a Tilt,
     going: &'a mut Option<TileGesture>,
     tools: &'a mut Tools,
     painting: LivePainting<'a>,
-    /// Where the pointer went since the last button.
+    /// Path of the pointer since the last button event.
     path: Vec<Pos2>,
-    /// How hard the pen is pressed: what a tablet told last, until the pen goes up.
+    /// Pressure of the pen: the last value of the tablet, until the pen goes up; 0 to 1, 1 without
+    /// a pen.
     pressure: f64,
     out: Vec<Command>,
 }
@@ -214,7 +215,7 @@ impl Events<'_> {
         None
     }
 
-    /// Takes in where the pointer went.
+    /// Continues the gesture along the pointer's path.
     fn go_on(&mut self) {
         let path = std::mem::take(&mut self.path);
         let Some(last) = path.last().map(|at| self.tilt.texel(*at)) else { return };
@@ -284,7 +285,7 @@ fn pick(painting: &LivePainting<'_>, at: DVec2, tools: &mut Tools) {
     }
 }
 
-/// The texel at a place; beyond the edges that of a copy, if there are any.
+/// Texel at a place; beyond the edges the texel of a copy, where `wraps` is set.
 fn texel(at: DVec2, size: [u32; 2], wraps: bool) -> Option<[u32; 2]> {
     let sides = size.map(i64::from);
     let place = [at.x.floor() as i64, at.y.floor() as i64];

@@ -1,4 +1,4 @@
-//! The tools' icons, drawn by lines.
+//! Icons of the tools, drawn by lines.
 
 use eframe::egui::{
     Color32, Painter, Pos2, Response, Role, Sense, Shape, Stroke, Ui, WidgetInfo, vec2,
@@ -7,10 +7,10 @@ use eframe::egui::{
 use crate::commands::PaintTool;
 use crate::widgets::theme;
 
-/// The side of a tool's button, in points.
+/// Side of a tool's button, in points.
 const SIDE: f32 = 28.0;
 
-/// A tool's button.
+/// Shows a tool's button.
 pub(super) fn button(ui: &mut Ui, kind: PaintTool, is_on: bool) -> Response {
     let (rect, response) = ui.allocate_exact_size(vec2(SIDE, SIDE), Sense::click());
     response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_on, kind.label()));

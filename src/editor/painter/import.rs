@@ -1,5 +1,5 @@
-//! Painted pictures of other programs become an HCBTF: what they are is asked for first, then where
-//! they are.
+//! Import of painted pictures from other programs as an HCBTF: a dialog asks for the form of the
+//! pictures, then for the files.
 
 use std::path::Path;
 
@@ -16,10 +16,10 @@ use crate::widgets::confirm;
 use crate::widgets::theme;
 
 impl PictureImport {
-    /// The HCBTF of the pictures there, with what was odd about them.
+    /// Reads the pictures at `from` as an HCBTF, with warnings about odd ones.
     ///
     /// # Errors
-    /// Everything that keeps them from being used, and where it is stopped.
+    /// All problems that prevent the import, and a stop by the user.
     pub(super) fn read(
         self,
         from: &Path,
@@ -28,13 +28,13 @@ impl PictureImport {
         let Self { form, light, view, gap, is_tiling } = self;
         let grid = exchange::fitted(from, form, Grid { size: Grid::THESIS.size, light, view }, gap);
         let (hcbtf, notes) = exchange::import(from, form, grid, gap, progress)?.into_parts();
-        // What Chiaro wrote tells by itself whether it repeats.
+        // Pictures that Chiaro wrote say themselves whether they repeat.
         let is_tiling = if exchange::tells_all(from, form) { hcbtf.is_tiling } else { is_tiling };
         Ok(Warned::new(Hcbtf { is_tiling, ..hcbtf }, notes))
     }
 }
 
-/// What people call a form, and what it is.
+/// Name of a form, and its description.
 fn told(form: Form) -> (&'static str, &'static str) {
     match form {
         Form::Folder => (
@@ -61,7 +61,7 @@ fn told(form: Form) -> (&'static str, &'static str) {
     }
 }
 
-/// Asks what is imported, while `asked` is there. The pictures themselves are asked for next.
+/// Shows the dialog while `asked` is set. The pictures themselves are asked for next.
 pub(super) fn show(ui: &Ui, asked: &mut Option<PictureImport>) -> Option<Command> {
     let mut import = (*asked)?;
     let mut out = None;

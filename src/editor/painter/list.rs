@@ -1,4 +1,4 @@
-//! The painted samples as a list: sorted by light or by view, each with what can be done with it.
+//! List of the painted samples: sorted by light or by view, each with its actions.
 
 use eframe::egui::{FontId, Rect, Role, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2};
 
@@ -14,7 +14,7 @@ use crate::widgets::theme;
 
 const ROW: f32 = 30.0;
 
-/// How the list is sorted.
+/// Order of the list.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Order {
     #[default]
@@ -22,7 +22,7 @@ pub(super) enum Order {
     Light,
 }
 
-/// Lists what is painted. `peek` is set while a hand only looks.
+/// Lists the painted samples. `peek` is set while a sample is only looked at.
 pub(super) fn show(
     ui: &mut Ui,
     work: &OpenPainting,
@@ -122,7 +122,7 @@ fn row(
     response.on_hover_text("Click to work at it; hold Alt to only look at it");
 }
 
-/// Copies what is seen at a sample to another.
+/// Command that copies the tile seen at a sample to another sample.
 pub(super) fn copy_to(work: &OpenPainting, from: Address, to: Address) -> Option<Command> {
     let edit = match work.hcbtf().painted(from) {
         Some(_) => HcbtfEdit::CopyTile { from, to },

@@ -1,5 +1,5 @@
-//! HCBTFs that are made of other things, on a thread of their own: of pictures, of a painted tile,
-//! of a look. How far that is is told, and it can be stopped.
+//! HCBTFs made from other sources, on a thread of their own: from pictures, from a painted tile,
+//! from a look. The progress is shown, and the work can be stopped.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -22,17 +22,17 @@ use crate::reference::bake_look;
 use crate::state::worker::Worker;
 use crate::widgets::theme;
 
-/// While something is made the window looks again after so many seconds.
+/// Interval at which the window is redrawn while an HCBTF is made, in seconds.
 const AGAIN: f32 = 0.1;
 
-/// What is asked for.
+/// Request to make an HCBTF.
 pub(super) enum MakeRequest {
     Import {
         import: PictureImport,
         from: PathBuf,
     },
-    /// A tile of patches of another; `filled` is what its rules made, where that is known. Also the
-    /// sample `at` as it will look.
+    /// Synthesis of a tile from patches of another; `filled` are the samples that its rules filled,
+    /// where known. The sample `at` is also computed as it will look.
     Synthesize {
         hcbtf: Arc<Hcbtf>,
         filled: Option<Arc<FilledSamples>>,
@@ -42,7 +42,7 @@ pub(super) enum MakeRequest {
     Bake(Box<Bake>),
 }
 
-/// A look that is baked onto a tile, into a file.
+/// Request to bake a look onto a tile, into a file.
 pub(super) struct Bake {
     pub(super) setup: SetupLook,
     pub(super) library: Arc<Library>,
@@ -52,27 +52,27 @@ pub(super) struct Bake {
     pub(super) to: PathBuf,
 }
 
-/// A new tile, and one sample of it as it will look.
+/// New tile, and one sample of it as it will look.
 pub(crate) type SynthesizedTile = (Arc<Hcbtf>, Option<Arc<Tile>>);
 
-/// What came of it.
+/// Result of a request.
 pub(crate) enum MadePainting {
     Imported {
         from: PathBuf,
         made: Result<Warned<Hcbtf>, Vec<Diagnostic>>,
     },
-    /// Another tile.
+    /// Synthesized tile.
     Tile {
         made: Result<SynthesizedTile, Diagnostic>,
     },
-    /// The file has so many samples.
+    /// Baked file, with the number of its samples.
     Baked {
         to: PathBuf,
         made: Result<usize, Vec<Diagnostic>>,
     },
 }
 
-/// How far it is: what is made ready, then what is made of it.
+/// Progress of the two stages: of preparing the sources, then of making the HCBTF.
 type Stages = [Progress; 2];
 
 struct Task {
@@ -81,16 +81,16 @@ struct Task {
     number: u64,
 }
 
-/// What is being made.
+/// Work under way.
 struct MakeProgress {
     title: String,
     stages: Stages,
-    /// Whether the window waits for it.
+    /// True if the window waits for the result, behind a dialog.
     is_waited_for: bool,
     since: Clock,
 }
 
-/// The thread, and what it is at.
+/// Thread that makes HCBTFs, and its work under way.
 pub(super) struct Making {
     worker: Worker<Task, (u64, MadePainting)>,
     number: u64,
@@ -98,13 +98,13 @@ pub(super) struct Making {
 }
 
 impl Making {
-    /// `wake` is called from another thread when something is made.
+    /// `wake` is called from another thread when an HCBTF is made.
     pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
         let work = |task: Task| (task.number, task.job.done(&task.stages));
         Self { worker: Worker::new("making an HCBTF", wake, work), number: 0, going: None }
     }
 
-    /// Begins, in place of what is being made.
+    /// Begins a job, in place of the one under way.
     pub(super) fn begin(&mut self, job: MakeRequest) {
         self.stop();
         self.number += 1;
@@ -120,26 +120,26 @@ impl Making {
         self.worker.request(|_| task);
     }
 
-    /// Gives up what is being made: nothing comes of it.
+    /// Gives up the work under way; its result is dropped.
     pub(super) fn stop(&mut self) {
         if let Some(going) = self.going.take() {
             going.stages.iter().for_each(Progress::stop);
         }
     }
 
-    /// What was made since the last call, if nobody has given it up.
+    /// Result of the last job, if the job was not given up.
     pub(super) fn made(&mut self) -> Option<MadePainting> {
         let (_, made) =
             self.worker.answers().into_iter().find(|(number, _)| *number == self.number)?;
         self.going.take().map(|_| made)
     }
 
-    /// The share that is done, while something is made.
+    /// Share that is done, 0 to 1; `None` while no job is under way.
     pub(super) fn share(&self) -> Option<f64> {
         self.going.as_ref().map(|going| stage(&going.stages).1)
     }
 
-    /// Shows what the window waits for, in front of everything else.
+    /// Shows the job that the window waits for, in a dialog in front of everything else.
     pub(super) fn show(&mut self, ui: &Ui) {
         let Some(MakeProgress { title, stages, is_waited_for: true, since }) = &self.going else {
             return;
@@ -175,13 +175,14 @@ impl Drop for Making {
     }
 }
 
-/// Shows a share, and looks again soon.
+/// Shows a progress bar, and redraws it soon.
 pub(super) fn bar(ui: &mut Ui, share: f64) {
     ui.add(ProgressBar::new(share as f32).show_percentage());
     ui.ctx().request_repaint_after_secs(AGAIN);
 }
 
-/// What is told of the time that is left, once so much is done after so many seconds.
+/// Text on the time that is left, from the share that is done and the seconds since the start;
+/// empty at the start, while no estimate is good.
 fn left(share: f64, seconds: f64) -> String {
     match share > 0.02 && seconds > 2.0 {
         true => format!(": about {} left", told_seconds(seconds * (1.0 - share) / share)),
@@ -189,7 +190,7 @@ fn left(share: f64, seconds: f64) -> String {
     }
 }
 
-/// A time for people, in one unit.
+/// Duration for people, in one unit.
 pub(super) fn told_seconds(seconds: f64) -> String {
     match seconds {
         _ if seconds < 1.0 => "a second".to_owned(),
@@ -199,7 +200,7 @@ pub(super) fn told_seconds(seconds: f64) -> String {
     }
 }
 
-/// What is being done, and the share of it.
+/// Name of the stage under way, and the share of it that is done.
 fn stage([ready, made]: &Stages) -> (&'static str, f64) {
     match made.steps() {
         [_, 0] => ("Making ready what it is made of", ready.share()),

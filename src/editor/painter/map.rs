@@ -1,6 +1,6 @@
 //! All samples at a glance: views across, lights down, each ring of directions apart from the next.
 //! A full square is painted, a smaller one filled by a rule, a point is empty; where there is room
-//! each shows its picture.
+//! each sample shows its thumbnail.
 
 use eframe::egui::{
     Color32, FontId, Pos2, Rect, Response, RichText, Role, ScrollArea, Sense, Slider, Stroke,
@@ -16,30 +16,30 @@ use crate::hcbtf::Provenance;
 use crate::state::painting::work::{OpenPainting, State};
 use crate::widgets::theme;
 
-/// Between the rings, in points.
+/// Gap between rings, in points.
 const GAP: f32 = 3.0;
 /// Room for the names of rings, in points.
 const HEAD: f32 = 24.0;
 const TOP: f32 = 14.0;
-/// Cells with pictures are as large at least, in points.
+/// Smallest side of a cell that shows its thumbnail, in points.
 const PICTURE: f32 = 13.0;
-/// Cells can be hit from this size on, in points.
+/// Smallest side of a cell that can be hit, in points.
 const LEAST: f32 = 8.0;
 const LARGEST: f32 = 56.0;
 
-/// How the map is shown.
+/// Display of the map.
 #[derive(Default)]
 pub(super) struct Map {
-    /// The side of a cell; `None` to fit the width.
+    /// Side of a cell in points; `None` to fit the width.
     side: Option<f32>,
-    /// Where the first cell lies, and how large cells are, in the last frame.
+    /// Position of the first cell and the side of cells, in the last frame.
     laid: Option<(Pos2, f32)>,
     grid: Option<crate::document::Grid>,
-    /// The cell whose menu is open.
+    /// Cell whose menu is open.
     menu: Option<Address>,
 }
 
-/// Where a direction stands in a row of cells, in points: rings are apart.
+/// Offset of a direction in a row of cells, in points: rings are apart.
 fn offset(directions: Directions, direction: Direction, side: f32) -> f32 {
     directions.index(direction) as f32 * side + direction.theta as f32 * GAP
 }
@@ -48,7 +48,7 @@ fn length(directions: Directions, side: f32) -> f32 {
     directions.distinct_count() as f32 * side + (directions.theta.max(1) - 1) as f32 * GAP
 }
 
-/// The direction at a place in a row of cells.
+/// Direction at an offset in a row of cells.
 fn at(directions: Directions, place: f32, side: f32) -> Option<Direction> {
     directions.distinct().find(|direction| {
         let from = offset(directions, *direction, side);
@@ -57,7 +57,7 @@ fn at(directions: Directions, place: f32, side: f32) -> Option<Direction> {
 }
 
 impl Map {
-    /// Shows the map. `peek` is set while a hand only looks.
+    /// Shows the map. `peek` is set while a sample is only looked at.
     pub(super) fn show(
         &mut self,
         ui: &mut Ui,
@@ -70,7 +70,8 @@ impl Map {
         let room = ui.available_width() - HEAD - 14.0;
         let gaps = (grid.view.theta.max(1) - 1) as f32 * GAP;
         let across = ((room - gaps) / grid.view.distinct_count() as f32).clamp(4.0, LARGEST);
-        // All of it where that leaves cells that can be hit; else one scrolls downward.
+        // All rows are fitted where that leaves cells that can be hit; otherwise the map scrolls
+        // downward.
         let rows = ui.available_height() - TOP - 40.0 - (grid.light.theta.max(1) - 1) as f32 * GAP;
         let fitting = across.min((rows / grid.light.distinct_count() as f32).max(LEAST));
         ui.horizontal_wrapped(|ui| {
@@ -109,7 +110,7 @@ impl Map {
         );
     }
 
-    /// Where the cell of a sample is on the screen.
+    /// Rectangle of a sample's cell on the screen.
     pub(super) fn cell(&self, address: Address) -> Option<Rect> {
         let ((origin, side), grid) = self.laid.zip(self.grid)?;
         let address = address.canonical();
@@ -191,7 +192,7 @@ fn menu(ui: &mut Ui, work: &OpenPainting, address: Address, out: &mut Vec<Comman
     }
 }
 
-/// What the marks mean, and how many there are of each.
+/// Shows the meaning of the marks, and the number of samples of each.
 fn legend(ui: &mut Ui, work: &OpenPainting) {
     let painted = work.hcbtf().painted.len();
     let filled = work.filled().map_or(0, |filled| {
@@ -220,7 +221,7 @@ fn legend(ui: &mut Ui, work: &OpenPainting) {
     ui.label(RichText::new("eye across, light down").color(colors.dim)).on_hover_text(help);
 }
 
-/// The names of rings: how far the direction is from the normal.
+/// Draws the names of rings: the angle between the direction and the normal.
 fn heads(ui: &Ui, work: &OpenPainting, rect: Rect, origin: Pos2, side: f32) {
     let grid = work.grid();
     let font = FontId::proportional(theme::SMALL_TEXT - 1.0);
@@ -235,7 +236,8 @@ fn heads(ui: &Ui, work: &OpenPainting, rect: Rect, origin: Pos2, side: f32) {
                 true => pos2(origin.x + from, rect.top()),
                 false => pos2(rect.left(), origin.y + from),
             };
-            // The normal is one cell, which has no room for a name where cells are small.
+            // The ring of the normal is a single cell, which has no room for a name where cells are
+            // small.
             let has_room = theta > 0 || side > 24.0 || !is_across && side > 10.0;
             if has_room {
                 let text = format!("{angle:.0}°");

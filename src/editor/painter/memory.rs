@@ -1,5 +1,4 @@
-//! What an HCBTF takes in memory: told before its rules run, and before one of another grid is
-//! made.
+//! Memory that an HCBTF takes: shown before its rules run, and before one of another grid is made.
 
 use std::sync::{Arc, Weak};
 
@@ -14,20 +13,20 @@ use crate::state::painting::work::OpenPainting;
 use crate::state::worker::Worker;
 use crate::widgets::theme;
 
-/// Of which grid, the bytes of all tiles, and what each storage takes.
+/// Measured memory: the grid, the bytes of all tiles, and the need of each storage.
 pub(super) type Measured = (Grid, u64, Vec<Need>);
 
-/// What is taken, as far as it is known, and what the device holds.
+/// Memory taken, as far as measured, and the device's limits.
 pub(super) struct Memory {
     pub(super) device: Device,
-    /// To measure the storages all tiles are compared, which takes longer than a frame.
+    /// Worker that measures the storages: all tiles are compared, which takes longer than a frame.
     worker: Worker<Arc<FilledSamples>, Measured>,
     asked: Weak<FilledSamples>,
     known: Option<Measured>,
 }
 
 impl Memory {
-    /// `wake` is called from another thread when something is measured.
+    /// `wake` is called from another thread when a measurement is done.
     pub(super) fn new(device: Device, wake: impl Fn() + Send + 'static) -> Self {
         let measure = |filled: Arc<FilledSamples>| {
             let needs = needs(&filled.grid(), |address| filled.tile(address));
@@ -41,7 +40,7 @@ impl Memory {
         }
     }
 
-    /// What the samples take, once that is measured; asks for it where it is not.
+    /// Memory that the samples take, once measured; requests the measurement where it is missing.
     pub(super) fn measured(&mut self, work: &OpenPainting) -> Option<&Measured> {
         self.known = self.worker.answers().pop().or(self.known.take());
         let filled = work.filled().filter(|_| !work.is_live());
@@ -53,7 +52,7 @@ impl Memory {
         self.known.as_ref().filter(|(of, ..)| of == work.grid())
     }
 
-    /// Shows what the samples take, folded to a line.
+    /// Shows the memory that the samples take, in a collapsible section.
     pub(super) fn show(&mut self, ui: &mut Ui, work: &OpenPainting) {
         let grid = *work.grid();
         let title = format!("Memory: up to {} on the GPU", bytes(layers_bytes(&grid, false)));
@@ -80,7 +79,7 @@ impl Memory {
     }
 }
 
-/// What a grid takes, in a few words.
+/// Memory that a grid takes, in a few words.
 pub(super) fn in_short(grid: &Grid) -> String {
     let most = needs_at_most(grid);
     let compact = most
@@ -91,8 +90,8 @@ pub(super) fn in_short(grid: &Grid) -> String {
     format!("{raw} filled, {gpu} on the GPU, compact at most {}", bytes(compact))
 }
 
-/// What a grid takes at most in each storage, what it takes `now` where that is known, and whether
-/// the device holds it.
+/// Shows a table of the memory that a grid takes at most in each storage, of that taken `now` where
+/// known, and of whether the device holds it.
 pub(super) fn table(ui: &mut Ui, grid: &Grid, now: Option<(u64, &[Need])>, device: &Device) {
     let dim = theme::of(ui).dim;
     Table::new("storages").num_columns(4).spacing([10.0, 2.0]).show(ui, |ui| {
@@ -149,10 +148,10 @@ pub(super) fn table(ui: &mut Ui, grid: &Grid, now: Option<(u64, &[Need])>, devic
     ui.label(RichText::new(text).color(dim).small());
 }
 
-/// What a device says of what it cannot hold.
+/// Word for a storage that the device cannot hold.
 const UNFIT: &str = "does not fit";
 
-/// What a storage is called.
+/// Name of a storage.
 pub(super) fn named(storage: Storage) -> &'static str {
     match storage {
         Storage::Quick => "Quick",

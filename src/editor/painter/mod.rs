@@ -1,12 +1,13 @@
-//! The painting workspace: an HCBTF is painted on, its samples are gone through, and rules fill the
-//! rest.
+//! The painting workspace: painting on an HCBTF, going through its samples, and filling the rest by
+//! rules.
 //!
-//! A [`OpenPainting`] is the document with its past, kept by the session as looks and scenes are. Five
-//! panels show it: `easel` with the tools above it is the tile as the eye sees it, `map` is all of
-//! its lights and views at a glance, `sheet` is them as one picture, `dome` with `list` where the
-//! light and the eye are, and `rules` is what fills them. A stroke changes what is shown here and
-//! now; once it ends it is an [`HcbtfEdit`], which [`App`](crate::App) applies. What is painted
-//! stands in the viewport at once: the session gives it to whoever draws, in place of the file.
+//! An [`OpenPainting`] is the document with its history, kept by the session as looks and scenes
+//! are. Five panels show it: `easel`, with the tools above it, shows the tile as the eye sees it;
+//! `map` all lights and views at a glance; `sheet` all samples as one picture; `dome` with `list`
+//! the directions of the light and the eye; and `rules` the rules that fill the rest. A stroke
+//! changes the shown state at once; once it ends it becomes an [`HcbtfEdit`], which
+//! [`App`](crate::App) applies. The painting appears in the viewport at once: the session gives it
+//! to the renderer in place of the file.
 
 mod arrows;
 mod atlas;
@@ -58,7 +59,7 @@ use crate::widgets::theme;
 pub(crate) use making::MadePainting;
 pub(crate) use start::{ShownPainting, shown};
 
-/// The workspace, and what it remembers between frames.
+/// The workspace and its state between frames.
 pub struct Painting {
     tools: tools::Tools,
     easel: easel::Easel,
@@ -70,28 +71,28 @@ pub struct Painting {
     filling: filling::Filling,
     exports: export::Exports,
     memory: memory::Memory,
-    /// Which grid, while that is asked for.
+    /// Dialog for a grid, while it is open.
     grid: Option<grid::GridDialog>,
     making: making::Making,
-    /// What is to be imported, while that is asked for; the same of a new tile, and of a look that
-    /// is baked.
+    /// Dialog for an import, while it is open; likewise the dialogs for a new tile and for a look
+    /// to bake.
     import: Option<PictureImport>,
     synthesis: Option<synthesis::SynthesisDialog>,
     baking: Option<baking::BakeDialog>,
-    /// What is baked once it has a file.
+    /// Bake that waits for its file.
     bakes: Option<baking::BakeDialog>,
     preview: preview::Preview,
-    /// How a texture is to be stored, while that is asked for.
+    /// Storage of an exported texture, while its dialog is open.
     storing: Option<Storage>,
     seen: visibility::PaintingVisibility,
-    /// The sample that is only looked at, and the one for the next frame.
+    /// Sample that is only looked at, and the one for the next frame.
     peek: Option<Address>,
     next_peek: Option<Address>,
 }
 
 impl Painting {
-    /// `wake` is called from another thread when rules have filled something, or something was
-    /// exported. `device` is what it is drawn with.
+    /// `wake` is called from another thread when rules have filled samples, or an export is done.
+    /// `device` gives the limits of the GPU that the painting is drawn with.
     pub(crate) fn new(device: Device, wake: impl Fn() + Send + Clone + 'static) -> Self {
         Self {
             tools: tools::Tools::default(),
@@ -118,54 +119,54 @@ impl Painting {
         }
     }
 
-    /// Asks what is to be imported.
+    /// Opens the dialog for an import.
     pub(crate) fn ask_import(&mut self) {
         self.import = Some(PictureImport::default());
     }
 
-    /// Asks how finely something new is divided, or how what is open is to be.
+    /// Opens the dialog for the grid of a new painting, or of the open one if `changes` is set.
     pub(crate) fn ask_grid(&mut self, session: &Session, changes: bool) {
         self.grid = Some(grid::GridDialog::of(session.painting(), changes));
     }
 
-    /// Asks for a new tile of patches of what is painted.
+    /// Opens the dialog for a new tile made of patches of the painted one.
     pub(crate) fn ask_synthesis(&mut self, session: &Session) {
         let work = session.painting();
         self.synthesis =
             work.map(|work| synthesis::SynthesisDialog::of(work, self.filling.of(work)));
     }
 
-    /// Asks onto which grid the open look is to be baked.
+    /// Opens the dialog for the grid that the open look is to be baked onto.
     pub(crate) fn ask_bake(&mut self) {
         self.baking = Some(baking::BakeDialog::default());
     }
 
-    /// Asks how a texture is to be stored.
+    /// Opens the dialog for the storage of an exported texture.
     pub(crate) fn ask_texture(&mut self) {
         self.storing = Some(Storage::default());
     }
 
-    /// Remembers what is to be baked until there is a file for it.
+    /// Keeps the bake until its file is chosen.
     pub(crate) fn hold_bake(&mut self) {
         self.bakes = self.baking.take();
     }
 
-    /// Bakes the open look as was asked for.
+    /// Bakes the open look with the choices of the dialog.
     ///
     /// # Errors
-    /// Why it cannot be.
+    /// The reason why the look cannot be baked.
     pub(crate) fn bake(&mut self, session: &Session, to: PathBuf) -> Result<(), String> {
         let Some(asked) = self.bakes.take() else { return Ok(()) };
         self.making.begin(asked.job(session, to)?);
         Ok(())
     }
 
-    /// Makes an HCBTF of pictures.
+    /// Makes an HCBTF from pictures.
     pub(crate) fn import(&mut self, import: PictureImport, from: PathBuf) {
         self.making.begin(making::MakeRequest::Import { import, from });
     }
 
-    /// What was made since the last call, and is to be opened.
+    /// HCBTF that was made since the last call, and is to be opened.
     pub(crate) fn made(&mut self) -> Option<MadePainting> {
         match self.making.made()? {
             MadePainting::Tile { made } => {
@@ -178,15 +179,15 @@ impl Painting {
         }
     }
 
-    /// Whether one of this grid can be painted here.
+    /// Checks that a painting of this grid fits the device.
     ///
     /// # Errors
-    /// What the device cannot hold, and what to take less of.
+    /// The limit of the device that the grid exceeds, and how to reduce the grid.
     pub(crate) fn check(&self, grid: &Grid) -> Result<(), Diagnostic> {
         self.memory.device.check_painted(grid)
     }
 
-    /// What is asked for in front of everything else, while it is.
+    /// Shows the dialog that is open, in front of everything else.
     pub(crate) fn ask(&mut self, ui: &Ui, session: &Session) -> Option<Command> {
         self.making.show(ui);
         let (work, device) = (session.painting(), &self.memory.device);
@@ -200,36 +201,36 @@ impl Painting {
             .or_else(|| storing::show(ui, &mut self.storing, work, &mut self.memory))
     }
 
-    /// Writes what is painted in another program's form.
+    /// Writes the painting in another program's form.
     pub(crate) fn export(&self, session: &Session, form: Form, storage: Storage, to: PathBuf) {
         if let Some(work) = session.painting() {
             self.exports.write(work.shown().clone(), form, storage, to);
         }
     }
 
-    /// What to tell of exports that are done.
+    /// Message about exports that are done.
     pub(crate) fn exported(&self) -> Option<String> {
         self.exports.told()
     }
 
-    /// What is due once a frame, whichever panels are seen.
+    /// Work that is due once a frame, whichever panels are seen.
     pub(crate) fn tick(&mut self, session: &Session) -> PaintingUpdate {
         self.peek = self.next_peek.take();
         self.seen.tick(session)
     }
 
-    /// Takes what rules filled, and asks for what they have not. Returns whether there is something
-    /// new.
+    /// Takes samples that rules filled, and requests the missing ones. Returns true if there are
+    /// new ones.
     pub(crate) fn fill(&mut self, work: &mut OpenPainting) -> bool {
         self.filling.tick(work, &self.memory.device)
     }
 
-    /// What is painted, where the open look shows that.
+    /// The open painting, where the open look shows it.
     fn shown<'s>(&self, session: &'s Session) -> Option<&'s OpenPainting> {
         session.painting().filter(|_| self.seen.is_shown())
     }
 
-    /// Shows the tools, and takes in what the pointer and the keys do on the tile.
+    /// Shows the tools, and handles the pointer and the keys on the tile.
     pub(crate) fn interact(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut out = Vec::new();
         let Some(work) = self.shown(session) else {
@@ -245,7 +246,7 @@ impl Painting {
         out
     }
 
-    /// Shows the tile as the eye sees it, or what there is to begin with.
+    /// Shows the tile as the eye sees it, or the ways to begin a painting.
     pub(crate) fn show_tile(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut out = Vec::new();
         match self.shown(session) {
@@ -255,7 +256,7 @@ impl Painting {
         out
     }
 
-    /// Shows all lights and views of what is painted at a glance.
+    /// Shows all lights and views of the painting at a glance.
     pub(crate) fn show_samples(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut out = Vec::new();
         match self.shown(session) {
@@ -268,7 +269,7 @@ impl Painting {
         out
     }
 
-    /// Shows all of what is painted and filled in one picture.
+    /// Shows all painted and filled samples in one picture.
     pub(crate) fn show_sheet(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut out = Vec::new();
         match self.shown(session) {
@@ -278,7 +279,7 @@ impl Painting {
         out
     }
 
-    /// Shows where the light and the eye are, and what is painted already.
+    /// Shows the directions of the light and the eye, and the list of painted samples.
     pub(crate) fn show_directions(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut out = Vec::new();
         let Some(work) = self.shown(session) else {
@@ -309,7 +310,7 @@ impl Painting {
         out
     }
 
-    /// Which sample is at work, and how it is shown.
+    /// Shows the sample at work, and the options of its display.
     fn options(
         &mut self,
         ui: &mut Ui,
@@ -361,13 +362,13 @@ impl Painting {
             slider.widget_info(|| WidgetInfo::slider(true, f64::from(easel.onion), "Onion skin"));
             slider.on_hover_text(help);
         });
-        // A row of its own, as a list does not wrap with the others.
+        // The list of angles has a row of its own, as it does not wrap with the other widgets.
         if self.easel.onion > 0.0 {
             rules::along(ui, "neighbours by", &mut self.easel.onion_along);
         }
     }
 
-    /// Does what is asked for of the tools and of how the tile is shown.
+    /// Applies a command on the tools or on the display of the tile.
     pub(crate) fn apply(&mut self, command: &PaintCommand) {
         match command {
             PaintCommand::TakeTool(tool) => self.tools.take(*tool),
@@ -381,32 +382,33 @@ impl Painting {
         }
     }
 
-    /// What may be done at the pointer; empty while it is elsewhere.
+    /// Hint on the actions possible at the pointer; empty while the pointer is not over the tile.
     pub(crate) fn hint(&self) -> &str {
         &self.easel.hint
     }
 
-    /// Whether the pointer is over the tile, so that keys are meant for it.
+    /// True while the pointer is over the tile, so that keys are meant for painting.
     pub(crate) fn has_pointer(&self) -> bool {
         self.easel.has_pointer()
     }
 
-    /// Nothing of it is seen.
+    /// Notes that no panel of the workspace is shown.
     pub(crate) fn rest(&mut self) {
         self.easel.leave();
     }
 
-    /// Where a place of the tile is on the screen, in texels from its upper left corner; for tests.
+    /// Position on the screen of a place of the tile, given in texels from the tile's upper left
+    /// corner; for tests.
     pub fn screen(&self, texel: [f64; 2]) -> Option<Pos2> {
         self.easel.screen(texel)
     }
 
-    /// Where the cell of a sample is on the map; for tests.
+    /// Rectangle of a sample's cell on the map; for tests.
     pub fn cell(&self, address: Address) -> Option<Rect> {
         self.map.cell(address)
     }
 
-    /// Where a texel of a sample is on the sheet of all; for tests.
+    /// Position of a sample's texel on the sheet; for tests.
     pub fn on_sheet(&self, address: Address, texel: [u32; 2]) -> Option<Pos2> {
         self.sheet.screen(address, texel)
     }
@@ -427,12 +429,12 @@ impl BackgroundJobs for Painting {
     }
 }
 
-/// So many of something, in words.
+/// Number with a noun in the singular or plural.
 pub(crate) fn counted(count: usize, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
-/// The sample that is one step from the one at work, by the eye or by the light.
+/// Sample that is one step from the one at work, by the eye or by the light.
 pub(crate) fn stepped(work: &OpenPainting, heading: Heading, is_view: bool) -> Address {
     let (grid, at) = (work.grid(), work.at());
     match is_view {

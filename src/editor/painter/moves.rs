@@ -1,11 +1,11 @@
-//! Ways through the directions of a light or a view, by keys and by names.
+//! Steps between the directions of a light or a view, and their names.
 
 use crate::commands::Heading;
 use crate::document::{Direction, Directions};
 
-/// The direction one step away: left and right go around the normal, down goes toward the horizon,
-/// up toward the normal. At the normal, where there is nowhere to go around to, left and right lead
-/// off it to their own side of the hemisphere.
+/// Direction one step away: left and right go around the normal, down goes toward the horizon, up
+/// toward the normal. At the normal, which has no steps around it, left and right lead off to their
+/// own side of the hemisphere.
 pub(super) fn step(directions: Directions, from: Direction, way: Heading) -> Direction {
     let Direction { theta, phi } = from.canonical();
     let steps = directions.phi.max(1);
@@ -16,7 +16,7 @@ pub(super) fn step(directions: Directions, from: Direction, way: Heading) -> Dir
     let next = match way {
         Heading::Left if theta > 0 => Direction { theta, phi: (phi + steps - 1) % steps },
         Heading::Right if theta > 0 => Direction { theta, phi: (phi + 1) % steps },
-        // From v, which points up, toward u, which points right.
+        // The turn is measured from v, which points up, toward u, which points right.
         Heading::Right => off(0.25),
         Heading::Left => off(0.75),
         Heading::Up => Direction { theta: theta.saturating_sub(1), phi },
@@ -25,7 +25,7 @@ pub(super) fn step(directions: Directions, from: Direction, way: Heading) -> Dir
     next.canonical()
 }
 
-/// What people call a direction: how far from the normal, and where around it, in degrees.
+/// Name of a direction for people: the angle from the normal, and the angle around it, in degrees.
 pub(super) fn name(directions: Directions, direction: Direction) -> String {
     let [theta, phi] = directions.angles(direction.canonical()).map(f64::to_degrees);
     match direction.theta {
@@ -34,8 +34,8 @@ pub(super) fn name(directions: Directions, direction: Direction) -> String {
     }
 }
 
-/// The direction whose place on the hemisphere, seen from above, is nearest: u to the right, v up,
-/// the horizon at 1.
+/// Direction whose place on the hemisphere, seen from above, is nearest: u to the right, v up, the
+/// horizon at 1.
 pub(super) fn nearest(directions: Directions, place: glam::DVec2) -> Direction {
     let rings = directions.theta.max(2) - 1;
     let theta =
@@ -46,7 +46,7 @@ pub(super) fn nearest(directions: Directions, place: glam::DVec2) -> Direction {
     Direction { theta, phi }.canonical()
 }
 
-/// Where a direction lies on the hemisphere seen from above.
+/// Place of a direction on the hemisphere seen from above: u to the right, v up, the horizon at 1.
 pub(super) fn place(directions: Directions, direction: Direction) -> glam::DVec2 {
     let [theta, phi] = directions.angles(direction.canonical());
     glam::DVec2::new(phi.sin(), phi.cos()) * theta / std::f64::consts::FRAC_PI_2

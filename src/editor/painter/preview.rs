@@ -1,5 +1,5 @@
-//! What a look will be like on a tile: a sample under two lights, baked beside the window before
-//! all are; and how long all will take, by how long these took.
+//! Preview of a look baked to a tile: a sample under two lights, baked on a thread before all
+//! samples are, and an estimate of the time that all will take, by the time of these two.
 
 use std::sync::Arc;
 
@@ -15,32 +15,32 @@ use crate::reference::bake_look;
 use crate::state::revision::{DocumentNumber, MeaningRevision};
 use crate::state::worker::Worker;
 
-/// A preview has at most so many texels along a side: what is made should be there at once.
+/// Largest side of a preview, in texels: it should be there at once.
 const MOST_SIDE: u32 = 96;
 
-/// Straight above, halfway down and at the horizon.
+/// Lights of the preview: straight above, halfway down and at the horizon.
 const LIGHTS: Directions = Directions { theta: 3, phi: 1 };
 
-/// What is previewed: another one is another picture.
+/// Inputs of a preview: any change makes another picture.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct PreviewInputs {
-    /// The look's document, how often it changed its meaning, and what is painted.
+    /// Look's document, the revision of its meaning, and the version of the painting.
     pub(super) look: (DocumentNumber, MeaningRevision, Option<u64>),
     pub(super) size: [u32; 2],
     pub(super) light: LightId,
 }
 
-/// A look that is baked.
+/// Look to bake.
 pub(super) struct PreviewRequest {
     pub(super) setup: SetupLook,
     pub(super) library: Arc<Library>,
     pub(super) painting: Option<Overlay>,
 }
 
-/// Seen from straight above, under a light straight above and one halfway down.
+/// Samples seen from straight above, under a light straight above and one halfway down.
 pub(super) struct PreviewTiles {
     pub(super) tiles: [Arc<Tile>; 2],
-    /// How long a texel of a sample took on one core.
+    /// Time per texel of a sample on one core, in seconds.
     seconds: f64,
 }
 
@@ -49,7 +49,7 @@ struct PreviewResult {
     made: Result<PreviewTiles, Diagnostic>,
 }
 
-/// The thread that makes it, and what it made last.
+/// Thread that makes previews, and its last result.
 pub(super) struct Preview {
     worker: Worker<(PreviewInputs, PreviewRequest, Progress), PreviewResult>,
     asked: Option<PreviewInputs>,
@@ -59,7 +59,7 @@ pub(super) struct Preview {
 }
 
 impl Preview {
-    /// `wake` is called from another thread when there is a new one.
+    /// `wake` is called from another thread when there is a new preview.
     pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
         let work = |(of, job, progress): (PreviewInputs, PreviewRequest, Progress)| PreviewResult {
             made: job.done(&of, &progress),
@@ -74,7 +74,7 @@ impl Preview {
         }
     }
 
-    /// What it will be like, once that is known; asks for it where it is not.
+    /// Preview for the inputs `of`, once it is made; requests the preview where it is missing.
     pub(super) fn of(
         &mut self,
         of: &PreviewInputs,
@@ -91,7 +91,7 @@ impl Preview {
         self.done.as_ref().filter(|done| done.of == *of).map(|done| &done.made)
     }
 
-    /// Nobody asks any more.
+    /// Stops the preview and drops its result, as no dialog asks for it any more.
     pub(super) fn stop(&mut self) {
         self.progress.stop();
         (self.asked, self.done) = (None, None);
@@ -113,7 +113,7 @@ impl Drop for Preview {
 }
 
 impl PreviewTiles {
-    /// How many seconds all samples of a grid will take, as many views at a time as there are
+    /// Seconds that all samples of a grid will take, with as many views at a time as there are
     /// cores.
     pub(super) fn seconds_of(&self, grid: &Grid, cores: usize) -> f64 {
         let views = grid.view.distinct_count() as f64;
@@ -147,7 +147,7 @@ impl PreviewRequest {
     }
 }
 
-/// A smaller tile of the same shape, where one is too large.
+/// Size of a tile, reduced in the same proportions to at most `MOST_SIDE`.
 fn reduced(size: [u32; 2]) -> [u32; 2] {
     let longer = size[0].max(size[1]);
     match longer > MOST_SIDE {
@@ -168,7 +168,7 @@ mod tests {
         assert_eq!(reduced([4000, 1]), [96, 1]);
         let tile = Arc::new(Tile::filled([1, 1], [0; 4]));
         let seen = PreviewTiles { tiles: [tile.clone(), tile], seconds: 1e-6 };
-        // 51 views of 51 lights of 32 x 32 texels: 51 turns on one core, 13 on four.
+        // The grid has 51 views of 51 lights of 32 x 32 texels: 51 turns on one core, 13 on four.
         let one = seen.seconds_of(&Grid::THESIS, 1);
         assert!((one - 51.0 * 51.0 * 1024.0 * 1e-6).abs() < 1e-9, "{one}");
         assert!((seen.seconds_of(&Grid::THESIS, 4) / one - 13.0 / 51.0).abs() < 1e-9);

@@ -1,9 +1,9 @@
-//! All of an HCBTF as the thesis flattens it into one picture (thesis 10.2, figure 24): every texel
-//! of the tile is a block of all its lights and views. It is zoomed and moved about; under the
-//! pointer its address is told, and a click goes there.
+//! All samples of an HCBTF in one picture, as the thesis flattens it (thesis 10.2, figure 24):
+//! every texel of the tile is a block of all its lights and views. The sheet is zoomed and moved
+//! about; the address under the pointer is shown, and a click goes to that sample.
 //!
-//! Only what is seen is made, in pixels of the screen, when it changes: the whole may be larger
-//! than any texture.
+//! Only the visible part is drawn, in pixels of the screen, when it changes: the whole sheet may be
+//! larger than any texture.
 
 use eframe::egui::{
     Color32, ColorImage, FontId, PointerButton, Pos2, Rect, Response, RichText, Role, Sense,
@@ -17,34 +17,35 @@ use crate::hcbtf::sheet::{SheetTexel, column, held, place, row, size};
 use crate::state::painting::work::{OpenPainting, State};
 use crate::widgets::theme;
 
-/// Points a texel of the sheet, at most.
+/// Largest zoom, in points per texel of the sheet.
 const CLOSEST: f64 = 64.0;
-/// So much of the room the whole sheet takes when it is fitted.
+/// Part of the room that the whole sheet takes when it is fitted.
 const FITTED: f64 = 0.96;
-/// Where a pixel shows more texels than one, it is the mean of so many along each side at most.
+/// Largest number of texels along each side that are averaged for a pixel, where a pixel covers
+/// several.
 const MOST_AVERAGED: usize = 4;
-/// Lines between blocks are drawn where these are so many points wide.
+/// Width of a block from which lines between blocks are drawn, in points.
 const LINED: f64 = 12.0;
-/// The texels of the sample at work are marked where they are so many points wide.
+/// Width of a texel from which the texels of the sample at work are marked, in points.
 const MARKED: f64 = 3.0;
-/// The grey that shows through what is transparent.
+/// Gray value that shows through transparent texels, 0 to 255.
 const NOTHING: u32 = 38;
 
-/// How the sheet is shown.
+/// Display of the sheet.
 #[derive(Default)]
 pub(super) struct Sheet {
-    /// Points a texel; `None` to fit the room.
+    /// Points per texel; `None` to fit the room.
     zoom: Option<f64>,
-    /// From the middle of the room to the middle of the sheet, in points.
+    /// Vector from the middle of the room to the middle of the sheet, in points.
     pan: Vec2,
     texture: Option<TextureHandle>,
-    /// What the texture shows.
+    /// Inputs of the picture in the texture.
     made: Option<SheetInputs>,
-    /// Where the sheet lay in the last frame.
+    /// Placement of the sheet in the last frame.
     laid: Option<(SheetPlacement, Grid)>,
 }
 
-/// What decides how the picture of the sheet looks.
+/// Inputs that the picture of the sheet depends on.
 #[derive(Clone, Copy, PartialEq)]
 struct SheetInputs {
     version: u64,
@@ -52,13 +53,13 @@ struct SheetInputs {
     pixels: [usize; 2],
 }
 
-/// Where the sheet lies on the screen.
+/// Placement of the sheet on the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct SheetPlacement {
     room: Rect,
-    /// The upper left corner of the sheet.
+    /// Upper left corner of the sheet.
     origin: Pos2,
-    /// Points a texel.
+    /// Points per texel.
     zoom: f64,
 }
 
@@ -72,7 +73,7 @@ impl SheetPlacement {
         [f64::from(by.x) / self.zoom, f64::from(by.y) / self.zoom]
     }
 
-    /// The texels that are seen: from and to, along x and y.
+    /// Range of visible texels, from and to, along x and along y.
     fn seen(&self, size: [u32; 2]) -> [[u32; 2]; 2] {
         let (from, to) = (self.texel(self.room.min), self.texel(self.room.max));
         [0, 1].map(|axis| {
@@ -82,7 +83,8 @@ impl SheetPlacement {
 }
 
 impl Sheet {
-    /// Shows the sheet in all the room there is. While a stroke goes on it stays as it is.
+    /// Shows the sheet in all available space. While a stroke is under way the picture stays as it
+    /// is.
     pub(super) fn show(
         &mut self,
         ui: &mut Ui,
@@ -146,7 +148,7 @@ impl Sheet {
         }
     }
 
-    /// The wheel zooms about the pointer; drags move the sheet.
+    /// Moves the view: the wheel zooms about the pointer; drags move the sheet.
     fn navigate(
         &mut self,
         ui: &Ui,
@@ -179,7 +181,7 @@ impl Sheet {
         lay(self.zoom.unwrap_or(fit), self.pan)
     }
 
-    /// Where a texel of a sample is on the screen.
+    /// Position of a sample's texel on the screen.
     pub(super) fn screen(&self, address: Address, texel: [u32; 2]) -> Option<Pos2> {
         let (laid, grid) = self.laid?;
         let [x, y] = place(&grid, address, texel.map(|place| place as usize));
@@ -192,7 +194,7 @@ fn texel_at(laid: &SheetPlacement, at: Pos2) -> Option<[u32; 2]> {
     (x >= 0.0 && y >= 0.0).then_some([x as u32, y as u32])
 }
 
-/// What is seen of the sheet, a color a pixel.
+/// Picture of the visible part of the sheet, one color per pixel.
 fn picture(work: &OpenPainting, laid: &SheetPlacement, pixels: [usize; 2]) -> ColorImage {
     let grid = *work.grid();
     let tiles = tiles(work, &grid);
@@ -200,7 +202,7 @@ fn picture(work: &OpenPainting, laid: &SheetPlacement, pixels: [usize; 2]) -> Co
     let step = f64::from(laid.room.width()) / pixels[0] as f64 / laid.zoom;
     let count = (step.ceil() as usize).clamp(1, MOST_AVERAGED);
     let from = laid.texel(laid.room.min);
-    // What is met along an axis: for each pixel the texels that it averages.
+    // Each pixel averages `count` texels along an axis; `place` is the coordinate of one of them.
     let place = |axis: usize, index: usize| {
         let at = from[axis] + step * (index as f64 + 0.5) / count as f64;
         (at >= 0.0).then_some(at as u32)
@@ -232,7 +234,7 @@ fn picture(work: &OpenPainting, laid: &SheetPlacement, pixels: [usize; 2]) -> Co
     ColorImage::new(pixels, colors)
 }
 
-/// The texels of every sample, by the rings of view and light and then by their steps.
+/// Texels of every sample, by the rings of view and light and then by their steps.
 fn tiles<'w>(work: &'w OpenPainting, grid: &Grid) -> Vec<Option<&'w [[u8; 4]]>> {
     let directions = |theta, phi| Direction { theta, phi };
     let rings =
@@ -248,7 +250,7 @@ fn tiles<'w>(work: &'w OpenPainting, grid: &Grid) -> Vec<Option<&'w [[u8; 4]]>> 
     all.map(tile).collect()
 }
 
-/// The mean of texels over what shows through them.
+/// Mean of texels over the gray that shows through them.
 #[derive(Default)]
 struct Mean {
     sum: [u32; 3],
@@ -264,7 +266,7 @@ impl Mean {
         self.count += 1;
     }
 
-    /// Nothing outside the sheet.
+    /// Mean color; transparent outside the sheet.
     fn color(&self) -> Color32 {
         let Some([r, g, b]) =
             (self.count > 0).then(|| self.sum.map(|sum| (sum / self.count) as u8))
@@ -275,7 +277,7 @@ impl Mean {
     }
 }
 
-/// Lines between the blocks, and between the views of a block where there is room.
+/// Draws lines between the blocks, and between the views of a block where there is room.
 fn lines(ui: &Ui, laid: &SheetPlacement, grid: &Grid) {
     let painter = ui.painter_at(laid.room);
     let whole = size(grid);
@@ -301,7 +303,7 @@ fn lines(ui: &Ui, laid: &SheetPlacement, grid: &Grid) {
     }
 }
 
-/// Marks the texels of the sample at work that are seen.
+/// Marks the visible texels of the sample at work.
 fn mark(ui: &Ui, laid: &SheetPlacement, grid: &Grid, at: Address) {
     if laid.zoom < MARKED {
         return;
@@ -330,7 +332,8 @@ fn outline(ui: &Ui, laid: &SheetPlacement, texel: [u32; 2], color: Color32) {
     painter.rect_stroke(rect, 0.0, Stroke::new(1.0, color), StrokeKind::Outside);
 }
 
-/// What lies under the pointer: where in the six dimensions, which color, and how it came about.
+/// Description of the texel under the pointer: its place in the six dimensions, its color, and its
+/// origin.
 fn tell(work: &OpenPainting, held: &SheetTexel) -> [String; 3] {
     let SheetTexel { address, texel: [x, y], is_copy } = *held;
     let grid = work.grid();

@@ -1,4 +1,4 @@
-//! What the panel shows while the open look shows nothing that is open to be painted.
+//! Start page of the panel, shown while the open look shows no painting that is open.
 
 use std::path::PathBuf;
 
@@ -14,10 +14,10 @@ use crate::state::scene::real;
 use crate::state::session::Session;
 use crate::widgets::theme;
 
-/// What a look is painted with can be this many HCBTFs; more are painted from the inspector.
+/// Largest number of HCBTFs offered here; more are opened from the inspector.
 const MOST_SHEETS: usize = 4;
 
-/// Shows what to begin with: what the open look shows, what is open beside it, or something new.
+/// Shows the ways to begin: the HCBTFs of the open look, the open painting, or a new one.
 pub(super) fn show(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     ScrollArea::vertical().auto_shrink([false, false]).id_salt("begin to paint").show(ui, |ui| {
         ui.vertical_centered(|ui| {
@@ -33,17 +33,17 @@ fn wide(ui: &mut Ui, label: &str) -> Response {
     ui.add_sized([400.0, 30.0], Button::new(label))
 }
 
-/// An HCBTF that the open look shows, and that is not open to be painted.
+/// HCBTF that the open look shows, and that is not open to be painted.
 pub(crate) struct ShownPainting {
-    /// What asks for it.
+    /// Label of the button that opens the HCBTF.
     pub(crate) label: String,
     pub(crate) help: &'static str,
     pub(crate) path: PathBuf,
-    /// What people call it.
+    /// Name of the HCBTF for people.
     pub(crate) name: String,
 }
 
-/// What the open look shows that is not open to be painted.
+/// HCBTFs that the open look shows and that are not open.
 pub(crate) fn shown(session: &Session) -> Vec<ShownPainting> {
     let mut names = sheets(session.look(), &session.project.catalog);
     names.retain(|name| !name.is_empty() && name != UNSAVED_HCBTF);
@@ -72,7 +72,7 @@ pub(crate) fn shown(session: &Session) -> Vec<ShownPainting> {
         .collect()
 }
 
-/// What the other panels say meanwhile: what the look shows, and where that is opened.
+/// Short text for the other panels: the HCBTFs that the look shows, and where to open them.
 pub(super) fn in_short(session: &Session) -> String {
     let shown = shown(session);
     let names: Vec<_> = shown.iter().map(|shown| shown.name.as_str()).collect();
@@ -97,7 +97,7 @@ pub(super) fn in_short(session: &Session) -> String {
     }
 }
 
-/// Names as people list them.
+/// List of names, as written in a sentence.
 fn listed(names: &[&str]) -> String {
     match names {
         [] => String::new(),
@@ -106,7 +106,7 @@ fn listed(names: &[&str]) -> String {
     }
 }
 
-/// What the open look shows, and what is open that it does not show.
+/// Shows the HCBTFs of the open look, and the open painting that the look does not show.
 fn of_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     let shown = shown(session);
     let names: Vec<_> = shown.iter().map(|shown| shown.name.as_str()).collect();
@@ -151,7 +151,7 @@ fn of_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     }
 }
 
-/// Something new, in a look of its own.
+/// Shows the buttons for a new painting, in a look of its own.
 fn anew(ui: &mut Ui, out: &mut Vec<Command>) {
     ui.heading("Paint a surface");
     ui.add_space(4.0);

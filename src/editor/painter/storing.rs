@@ -1,5 +1,5 @@
-//! How a texture is stored that leaves as KTX2: what each way is and what it takes is told before
-//! it is written.
+//! Dialog for the storage of a texture exported as KTX2: explains each storage and the memory it
+//! takes.
 
 use eframe::egui::{Grid as Table, Id, Modal, RichText, Ui};
 
@@ -13,7 +13,7 @@ use crate::state::painting::work::OpenPainting;
 use crate::widgets::confirm;
 use crate::widgets::theme;
 
-/// Asks, while `asked` is there.
+/// Shows the dialog while `asked` is set.
 pub(super) fn show(
     ui: &Ui,
     asked: &mut Option<Storage>,
@@ -63,7 +63,7 @@ pub(super) fn show(
     out
 }
 
-/// The storages: what each takes, once that is measured, and what it is.
+/// Shows the storages: the memory that each takes, once measured, and its explanation.
 fn choices(ui: &mut Ui, work: &OpenPainting, memory: &mut Memory, chosen: &mut Storage) {
     let known = memory.measured(work).map(|(_, _, needs)| needs.clone());
     let most = needs_at_most(work.grid());

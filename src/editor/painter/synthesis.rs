@@ -1,5 +1,5 @@
-//! A new tile of patches of the painted one: how it is laid is asked for, and it is seen before it
-//! is taken. What is painted stays as it is.
+//! Dialog for a new tile made of patches of the painted one: asks for the layout and shows the new
+//! tile before it is taken. The painted tile stays as it is.
 
 use std::sync::Arc;
 
@@ -22,17 +22,17 @@ use crate::widgets::confirm;
 use crate::widgets::rows::lead;
 use crate::widgets::theme;
 
-/// The side of a picture in points.
+/// Side of a picture, in points.
 const SIDE: f32 = 220.0;
 
-/// What is asked, and what came of the last answer.
+/// Choices in the dialog, and the result of the last ones.
 pub(super) struct SynthesisDialog {
     how: Synthesis,
-    /// What it is laid of, as it was when the dialog was opened.
+    /// HCBTF that patches are taken from, in its state when the dialog was opened.
     of: Arc<Hcbtf>,
     filled: Option<Arc<FilledSamples>>,
     at: Address,
-    /// What was asked for last.
+    /// Choices of the last request.
     asked: Option<Synthesis>,
     made: Option<Result<SynthesizedTile, Diagnostic>>,
     before: TileTexture,
@@ -47,13 +47,13 @@ impl SynthesisDialog {
         Self { how, of, filled, at: work.at(), asked: None, made: None, before, after }
     }
 
-    /// Takes what was made.
+    /// Takes the result.
     pub(super) fn take(&mut self, made: Result<SynthesizedTile, Diagnostic>) {
         self.made = Some(made);
     }
 }
 
-/// Asks, while `asked` is there; `work` is what is painted.
+/// Shows the dialog while `asked` is set; `work` is the open painting.
 pub(super) fn show(
     ui: &Ui,
     asked: &mut Option<SynthesisDialog>,
@@ -81,7 +81,7 @@ pub(super) fn show(
         ui.horizontal(|ui| {
             let before =
                 own.map(|tile| (state.before.of(ui.ctx(), "painted tile", &tile), tile.size()));
-            // Texels of both are as large.
+            // Both pictures show texels at the same size.
             let most = state.how.size.into_iter().chain(state.of.grid.size).max().unwrap_or(1);
             picture(ui, "Painted", before, most);
             let after = new.map(|tile| (state.after.of(ui.ctx(), "new tile", &tile), tile.size()));
@@ -138,13 +138,13 @@ pub(super) fn show(
     out
 }
 
-/// What can be begun with.
+/// New HCBTF, once it is made and fits the device.
 fn ready(asked: &SynthesisDialog, device: &Device) -> Option<Arc<Hcbtf>> {
     let (hcbtf, _) = asked.made.as_ref()?.as_ref().ok()?;
     device.check_painted(&hcbtf.grid).is_ok().then(|| hcbtf.clone())
 }
 
-/// What came of it, in words, and whether it went wrong.
+/// Text on the result, and true if it is an error.
 fn told(asked: &SynthesisDialog, device: &Device) -> (String, bool) {
     let grid = Grid { size: asked.how.size, ..asked.of.grid };
     let refused = device.check_painted(&grid).err();
@@ -191,8 +191,8 @@ fn fields(ui: &mut Ui, asked: &mut SynthesisDialog) {
     });
 }
 
-/// A tile, twice beside and below itself, so that its seams are seen; one of `most` texels along a
-/// side would fill it.
+/// Shows a tile repeated twice in each direction, so that its seams are seen; a tile with `most`
+/// texels along a side fills the picture.
 fn picture(ui: &mut Ui, name: &str, tile: Option<(TextureId, [u32; 2])>, most: u32) {
     let (rect, response) = ui.allocate_exact_size(vec2(SIDE, SIDE), Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(eframe::egui::Role::Image, true, name));

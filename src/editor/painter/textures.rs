@@ -1,5 +1,5 @@
-//! Tiles as textures of the window: each texel crisp. Of a stroke only what it changed goes to the
-//! GPU.
+//! Tiles as textures of the window, with crisp texels. Of a stroke, only the changed part is
+//! uploaded to the GPU.
 
 use std::sync::Arc;
 
@@ -7,7 +7,7 @@ use eframe::egui::{ColorImage, Context, TextureHandle, TextureId, TextureOptions
 
 use crate::document::Tile;
 
-/// One tile's texture, and the tile that it shows.
+/// Texture of one tile, and the tile that it shows.
 #[derive(Default)]
 pub(super) struct TileTexture {
     handle: Option<TextureHandle>,
@@ -15,7 +15,7 @@ pub(super) struct TileTexture {
 }
 
 impl TileTexture {
-    /// The texture, brought up to date.
+    /// Texture of `tile`, brought up to date.
     pub(super) fn of(&mut self, ctx: &Context, name: &str, tile: &Arc<Tile>) -> TextureId {
         let is_it = self.tile.as_ref().is_some_and(|shown| Arc::ptr_eq(shown, tile));
         match &mut self.handle {
@@ -43,12 +43,12 @@ impl TileTexture {
     }
 }
 
-/// A tile as an image of the window.
+/// Image of a tile for the window.
 pub(super) fn image(tile: &Tile) -> ColorImage {
     ColorImage::from_rgba_unmultiplied(tile.size().map(|side| side as usize), tile.bytes())
 }
 
-/// A rectangle of a tile as an image of the window.
+/// Image of a rectangle of a tile for the window.
 fn part(tile: &Tile, [x, y, width, height]: [u32; 4]) -> ColorImage {
     let [x, y, width, height] = [x, y, width, height].map(|side| side as usize);
     let stride = 4 * tile.size()[0] as usize;
@@ -57,7 +57,7 @@ fn part(tile: &Tile, [x, y, width, height]: [u32; 4]) -> ColorImage {
     ColorImage::from_rgba_unmultiplied([width, height], &bytes)
 }
 
-/// No blur between texels.
+/// Texture options without blur between magnified texels.
 pub(super) fn options() -> TextureOptions {
     TextureOptions { minification: eframe::egui::TextureFilter::Linear, ..TextureOptions::NEAREST }
 }

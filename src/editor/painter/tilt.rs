@@ -1,5 +1,5 @@
-//! How the tile lies on the screen: turned and tilted as the eye sees it, without perspective, so
-//! that one affine map leads from texels to points, and back under the pointer.
+//! Placement of the tile on the screen: turned and tilted as the eye sees it, without perspective,
+//! so that one affine map leads from texels to points, and back under the pointer.
 //!
 //! The eye's own direction along the surface points down the screen, as the near edge of a sheet on
 //! a table does. Seen along the normal, or flat, v points up.
@@ -9,30 +9,30 @@ use glam::{DVec2, DVec3};
 
 use crate::document::{Direction, Grid};
 
-/// However low the eye stands, the tile is seen at least this high, of its height: it can still be
-/// painted on.
+/// Least height at which the tile is seen, as a part of its full height: the tile can still be
+/// painted on however low the eye stands.
 const LEAST_HEIGHT: f64 = 0.22;
 
-/// From texels to points of the screen.
+/// Map from texels to points of the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Tilt {
-    /// The middle of the tile on the screen.
+    /// Middle of the tile on the screen.
     pub(super) middle: Pos2,
-    /// Half the tile's size in texels.
+    /// Half the tile's size, in texels.
     half: DVec2,
-    /// Where one texel to the right goes, and one downward, in points.
+    /// Vectors of one texel to the right and one downward, in points.
     right: DVec2,
     down: DVec2,
-    /// Along the surface toward the eye (u, v), and the angle between the eye and the normal, as
-    /// shown.
+    /// Direction along the surface toward the eye (u, v), and the angle between the eye and the
+    /// normal, as shown.
     toward: DVec2,
     theta: f64,
-    /// Points a texel.
+    /// Points per texel.
     scale: f64,
 }
 
 impl Tilt {
-    /// The tile of a grid as a view sees it, its middle at a place of the screen, a texel this many
+    /// Tile of a grid as a view sees it: its middle at a point of the screen, a texel `scale`
     /// points wide.
     pub(super) fn new(
         grid: &Grid,
@@ -48,8 +48,8 @@ impl Tilt {
             false => (theta, DVec2::new(phi.sin(), phi.cos())),
         };
         let height = theta.cos().max(LEAST_HEIGHT);
-        // Where a place (u, v) goes: across by what is at a right angle to the eye, down by what
-        // comes nearer to it.
+        // A place (u, v) goes across by its part at a right angle to the eye's direction, and down
+        // by its part along that direction, toward the eye.
         let across = DVec2::new(-toward.y, toward.x);
         let of = |place: DVec2| DVec2::new(place.dot(across), place.dot(toward) * height) * scale;
         Self {
@@ -63,14 +63,14 @@ impl Tilt {
         }
     }
 
-    /// A place in texels, from the upper left corner of the tile, on the screen.
+    /// Point of the screen at a place in texels, from the upper left corner of the tile.
     pub(super) fn screen(&self, texel: DVec2) -> Pos2 {
         let from_middle = texel - self.half;
         let by = self.right * from_middle.x + self.down * from_middle.y;
         self.middle + vec2(by.x as f32, by.y as f32)
     }
 
-    /// A point of the screen in texels; it may lie on a copy beside the tile.
+    /// Place in texels at a point of the screen; it may lie on a copy beside the tile.
     pub(super) fn texel(&self, at: Pos2) -> DVec2 {
         let by = at - self.middle;
         let by = DVec2::new(f64::from(by.x), f64::from(by.y));
@@ -78,7 +78,7 @@ impl Tilt {
         DVec2::new(by.perp_dot(self.down), self.right.perp_dot(by)) / area + self.half
     }
 
-    /// The corners of the copy of the tile that lies so many tiles to the right and down.
+    /// Corners of the copy of the tile that lies `copy` tiles to the right and down.
     pub(super) fn corners(&self, copy: [i32; 2]) -> [Pos2; 4] {
         let from = DVec2::new(f64::from(copy[0]), f64::from(copy[1])) * self.half * 2.0;
         let to = from + self.half * 2.0;
@@ -86,8 +86,8 @@ impl Tilt {
             .map(|corner| self.screen(corner))
     }
 
-    /// Where the tip of a vector from the middle of the tile is seen: along u, along v, along the
-    /// normal, in points.
+    /// Tip of a vector from the middle of the tile as seen on the screen, in points; the vector is
+    /// along u, along v and along the normal.
     pub(super) fn tip(&self, vector: DVec3) -> Vec2 {
         let across = DVec2::new(-self.toward.y, self.toward.x);
         let along = vector.truncate();
@@ -95,7 +95,7 @@ impl Tilt {
         vec2(along.dot(across) as f32, down as f32)
     }
 
-    /// The outline of a brush at a place, as wide as this in texels, as it is seen.
+    /// Outline of a brush at a place as seen on the screen; the diameter is in texels.
     pub(super) fn outline(&self, at: DVec2, diameter: f64) -> Vec<Pos2> {
         const POINTS: u32 = 48;
         let point = |index: u32| {
@@ -105,8 +105,8 @@ impl Tilt {
         (0..POINTS).map(point).collect()
     }
 
-    /// The copies of the tile that are seen in a rectangle, the tile itself first; never more than
-    /// a few hundred.
+    /// Copies of the tile that are seen in a rectangle, the tile itself first; at most a few
+    /// hundred.
     pub(super) fn copies(&self, room: Rect) -> Vec<[i32; 2]> {
         const MOST: i32 = 8;
         let seen = [room.left_top(), room.right_top(), room.right_bottom(), room.left_bottom()];
@@ -119,12 +119,12 @@ impl Tilt {
         std::iter::once([0, 0]).chain(all.filter(|copy| *copy != [0, 0])).collect()
     }
 
-    /// Points a texel.
+    /// Points per texel.
     pub(super) fn scale(&self) -> f64 {
         self.scale
     }
 
-    /// A rectangle around the tile on the screen.
+    /// Bounding rectangle of the tile on the screen.
     pub(super) fn bounds(&self) -> Rect {
         let corners = self.corners([0, 0]);
         corners.into_iter().fold(Rect::from_min_max(corners[0], corners[0]), |rect, corner| {
@@ -169,7 +169,7 @@ mod tests {
                 normal.x.abs() < 1e-6 && normal.y < 0.0,
                 "what stands on the tile points up: {normal:?}"
             );
-            // Nothing is mirrored.
+            // The map does not mirror.
             assert!(tilt.right.perp_dot(tilt.down) > 0.0);
         }
         // An eye on the side of -v sees v up, and the tile unturned.

@@ -1,4 +1,4 @@
-//! The tools, the brush and the colors, above the tile.
+//! Toolbar above the tile: the tools, the brush and the colors.
 
 use eframe::egui::{
     Color32, DragValue, Rect, Role, Sense, Slider, Stroke, StrokeKind, Ui, WidgetInfo,
@@ -13,14 +13,14 @@ use crate::hcbtf::paint::{Pressure, Symmetry};
 use crate::widgets::color;
 use crate::widgets::theme;
 
-/// The side of a color of the palette, in points.
+/// Side of a color of the palette, in points.
 const SWATCH: f32 = 16.0;
-/// The widest soft edges that a fill goes under, in texels.
+/// Widest soft edge that a fill goes under, in texels.
 const MOST_EDGE: u32 = 64;
-/// How much the wheel changes the value of the color at hand, a point.
+/// Change of the current color's value per point of the wheel.
 const WHEEL: f32 = 0.0012;
 
-/// Shows the tools and what they are set to.
+/// Shows the tools and their settings.
 pub(super) fn show(ui: &mut Ui, tools: &mut Tools) {
     ui.horizontal_wrapped(|ui| {
         for kind in PaintTool::ALL {
@@ -110,7 +110,7 @@ fn symmetry(ui: &mut Ui, symmetry: &mut Symmetry) {
     }
 }
 
-/// A part of a whole, shown in percent.
+/// Shows a field for a fraction, in percent.
 fn part(ui: &mut Ui, label: &str, help: &str, value: &mut f64) {
     let mut percent = *value * 100.0;
     let drag =
@@ -129,7 +129,7 @@ fn named(ui: &mut Ui, label: &str, help: &str, drag: DragValue<'_>) -> bool {
     .inner
 }
 
-/// The color at hand and the other one, and the button that swaps them.
+/// Shows the current color and the other one, and the button that swaps them.
 fn colors(ui: &mut Ui, tools: &mut Tools) {
     for (index, name) in [(0, "Color at hand"), (1, "Other color")] {
         let color = tools.colors[index].map(|channel| f64::from(channel) / 255.0);
@@ -144,7 +144,8 @@ fn colors(ui: &mut Ui, tools: &mut Tools) {
     }
 }
 
-/// Colors to choose from: a click takes one, the wheel makes the color at hand brighter or darker.
+/// Shows a palette of colors: a click takes one, the wheel makes the current color brighter or
+/// darker.
 fn palette(ui: &mut Ui, tools: &mut Tools) {
     let (rows, columns) = (2, PALETTE.len() / 2);
     let size = vec2(columns as f32 * SWATCH, rows as f32 * SWATCH);

@@ -1,4 +1,4 @@
-//! What the hand holds: the tool, its brush, two colors and what it is mirrored across.
+//! Settings of painting: the tool, its brush, two colors and the symmetry.
 
 use std::sync::Arc;
 
@@ -6,10 +6,10 @@ use crate::commands::PaintTool;
 use crate::document::Tile;
 use crate::hcbtf::paint::{Brush, Flood, Pressure, Symmetry, Tool};
 
-/// The largest brush, in texels.
+/// Largest brush, in texels.
 pub(super) const LARGEST: f64 = 512.0;
 
-/// Colors to begin with: greys, earths, greens, blues, and what is bright.
+/// Colors of the palette: grays, earths, greens, blues, and bright colors.
 pub(super) const PALETTE: [[u8; 3]; 20] = [
     [0x14, 0x12, 0x18],
     [0x4a, 0x48, 0x50],
@@ -33,28 +33,28 @@ pub(super) const PALETTE: [[u8; 3]; 20] = [
     [0xf7, 0xdb, 0x4b],
 ];
 
-/// What the hand holds.
+/// Settings of painting.
 #[derive(Clone, Debug)]
 pub(super) struct Tools {
     pub(super) kind: PaintTool,
-    /// The tool to go back to after a color was picked.
+    /// Tool to return to after a color was picked.
     before: PaintTool,
-    /// The brush's diameter in texels.
+    /// Diameter of the brush, in texels.
     pub(super) size: f64,
     pub(super) hardness: f64,
     pub(super) opacity: f64,
     pub(super) flow: f64,
     pub(super) pressure: Pressure,
-    /// How hard a pen is pressed, from 0 to 1, while one is down.
+    /// Pressure of the pen, 0 to 1; `None` while no pen is down.
     pub(super) pen: Option<f64>,
-    /// The color at hand and the other one.
+    /// Current color and the other one.
     pub(super) colors: [[u8; 4]; 2],
     pub(super) symmetry: Symmetry,
-    /// How far a color may be from another to be filled with it.
+    /// Largest difference of a color from the one clicked at which a fill covers it, 0 to 1.
     pub(super) tolerance: f64,
-    /// How far a fill goes under soft edges, in texels.
+    /// Distance that a fill goes under soft edges, in texels.
     pub(super) edge: u32,
-    /// What the stamp lays down.
+    /// Tile that the stamp lays down.
     pub(super) stamp: Option<Arc<Tile>>,
 }
 
@@ -87,7 +87,7 @@ impl Tools {
         self.kind = kind;
     }
 
-    /// The color was picked: the tool from before is at hand again.
+    /// Takes a picked color, and returns to the tool from before.
     pub(super) fn picked(&mut self, color: [u8; 4]) {
         if color[3] > 0 {
             self.colors[0] = color;
@@ -103,7 +103,7 @@ impl Tools {
         self.size = (self.size + if is_larger { step } else { -step }).clamp(1.0, LARGEST);
     }
 
-    /// Makes the color at hand brighter or darker; its hue stays.
+    /// Makes the current color brighter or darker; its hue stays.
     pub(super) fn change_value(&mut self, by: f32) {
         let [r, g, b, a] = self.colors[0];
         let mut hsva = eframe::egui::ecolor::Hsva::from_srgb([r, g, b]);
@@ -112,7 +112,7 @@ impl Tools {
         self.colors[0] = [r, g, b, a];
     }
 
-    /// The brush for a stroke; a stamp without a tile paints.
+    /// Brush for a stroke; the stamp tool without a tile paints.
     pub(super) fn brush(&self) -> Brush {
         let tool = match (self.kind, &self.stamp) {
             (PaintTool::Erase, _) => Tool::Erase,

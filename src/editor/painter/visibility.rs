@@ -1,5 +1,5 @@
-//! Where what is painted is seen: whether the open look shows it, and where in the picture the
-//! sample at work is.
+//! Visibility of the painting: whether the open look shows it, and where in the picture the sample
+//! at work is.
 
 use std::path::{Path, PathBuf};
 
@@ -12,20 +12,19 @@ use crate::state::painting::{PaintingUpdate, look};
 use crate::state::revision::{DocumentNumber, MeaningRevision, PictureRevision};
 use crate::state::session::Session;
 
-/// What is known of it.
+/// Visibility of the painting, as far as known.
 #[derive(Default)]
 pub(super) struct PaintingVisibility {
-    /// Whether the sample at work is marked in the picture.
+    /// True if the sample at work is marked in the picture.
     marks: bool,
-    /// Whether what is open shows what is painted, and of what that is known: to find out, files
-    /// are looked at.
+    /// True if the open look shows the painting, with the inputs that this was found for: finding
+    /// out reads files.
     shown: Option<(VisibilityInputs, bool)>,
-    /// The view that the picture had before it was turned to a sample on a flat square, and of
-    /// which document.
+    /// View of the picture before it was turned to a sample on a flat square, and its document.
     turned_from: Option<(DocumentNumber, Box<Orbit>)>,
 }
 
-/// For as long as it stays as it is, what is painted is shown or not.
+/// Inputs of the visibility: while they stay the same, so does the visibility.
 #[derive(Clone, PartialEq)]
 struct VisibilityInputs {
     look: (DocumentNumber, MeaningRevision, Option<PathBuf>),
@@ -50,7 +49,7 @@ impl VisibilityInputs {
 }
 
 impl PaintingVisibility {
-    /// What is due once a frame.
+    /// Updates the visibility, once a frame.
     pub(super) fn tick(&mut self, session: &Session) -> PaintingUpdate {
         let now = VisibilityInputs::now(session);
         if self.shown.as_ref().is_none_or(|(of, _)| *of != now) {
@@ -62,12 +61,12 @@ impl PaintingVisibility {
         PaintingUpdate { is_shown: self.is_shown(), is_marked: self.marks && self.is_shown() }
     }
 
-    /// Whether what is open shows what is painted, as of the last tick.
+    /// True if the open look shows the painting, as of the last tick.
     pub(super) fn is_shown(&self) -> bool {
         self.shown.as_ref().is_some_and(|(_, is_shown)| *is_shown)
     }
 
-    /// What marks the sample at work in the picture.
+    /// Shows the button that marks the sample at work in the picture.
     pub(super) fn mark(&mut self, ui: &mut Ui) {
         let help = "Tints the sample at work in the picture. It is seen only where the light and \
                     the eye stand to the \
@@ -77,7 +76,7 @@ impl PaintingVisibility {
         ui.toggle_value(&mut self.marks, "Where it shows").on_hover_text(help);
     }
 
-    /// What turns the picture to the sample at work, and back.
+    /// Shows the buttons that turn the picture to the sample at work, and back.
     pub(super) fn turn(
         &mut self,
         ui: &mut Ui,

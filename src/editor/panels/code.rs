@@ -1,5 +1,5 @@
-//! The generated WGSL: colored, with the lines of the selected nodes marked; a click on a line
-//! selects its node.
+//! Generated WGSL, with syntax highlighting and marks on the lines of the selected nodes; a click
+//! on a line selects its node.
 
 use eframe::egui;
 use std::ops::Range;
@@ -28,7 +28,7 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
     },
 );
 
-/// The panel and what it knows of the shader that it shows.
+/// The panel, with the shader that it shows.
 #[derive(Default)]
 pub(crate) struct Code {
     shader: Option<Arc<CompiledShader>>,
@@ -119,7 +119,7 @@ impl Code {
         });
     }
 
-    /// The lines that came from the selected nodes.
+    /// Lines that were generated for the selected nodes.
     fn marked_lines(&self, shader: &CompiledShader, selected: &[NodeId]) -> Vec<usize> {
         let line_of = |offset: usize| {
             self.lines.partition_point(|line| line.start <= offset).saturating_sub(1)
@@ -161,7 +161,7 @@ impl Code {
     }
 }
 
-/// What a word of WGSL is.
+/// Syntactic kind of a word of WGSL.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Word {
     Keyword,
@@ -199,7 +199,7 @@ const KEYWORDS: &[&str] = &[
     "diagnostic",
 ];
 
-/// A line with its number, colored.
+/// Layout of a line with its number, with syntax highlighting.
 fn job(number: usize, line: &str, colors: &Colors) -> LayoutJob {
     let font = FontId::monospace(12.0);
     let mut job = LayoutJob::default();
@@ -214,7 +214,7 @@ fn job(number: usize, line: &str, colors: &Colors) -> LayoutJob {
     job
 }
 
-/// A line in pieces of one kind.
+/// Line split into pieces of one kind each.
 fn pieces(line: &str) -> Vec<(&str, Word)> {
     let mut pieces = Vec::new();
     let mut rest = line;

@@ -1,5 +1,5 @@
-//! Everything that the picture may cost: what runs, what still stands from before, what was
-//! dropped, and the proof.
+//! Everything that the picture may cost: effects that run, those kept from before, those dropped,
+//! and the proof.
 
 use eframe::egui;
 use eframe::egui::{Color32, FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
@@ -32,12 +32,12 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
 const ROW: f32 = 20.0;
 const STATES: [EffectState; 3] = [EffectState::Runs, EffectState::Cached, EffectState::Dropped];
 
-/// What the panel remembers.
+/// State of the panel.
 pub(crate) struct Effects {
-    /// What the lines below were made of.
+    /// Effects that the lines below were made from.
     of: Arc<Vec<Effect>>,
     lines: Vec<Line>,
-    /// Which states are listed, in the order of [`STATES`].
+    /// True for each state that is listed, in the order of [`STATES`].
     is_listed: [bool; 3],
 }
 
@@ -53,7 +53,7 @@ impl Default for Effects {
 }
 
 impl Effects {
-    /// Lists `effects`, by kind; a click on one that is a node's leads there.
+    /// Lists `effects`, by kind; a click on the effect of a node leads to the node.
     pub(crate) fn show(&mut self, ui: &mut Ui, effects: Option<&Arc<Vec<Effect>>>) -> Vec<Command> {
         let Some(effects) = effects else {
             hint(ui, "This window has no GPU, so that it draws nothing");
@@ -86,7 +86,7 @@ impl Effects {
         commands
     }
 
-    /// How many are in each state; a click hides or shows them.
+    /// Shows the number of effects in each state; a click hides or shows those.
     fn filters(&mut self, ui: &mut Ui) {
         let mut is_changed = false;
         ui.horizontal(|ui| {
@@ -228,8 +228,7 @@ fn row(ui: &mut Ui, effect: &Effect) -> Option<Command> {
     node.filter(|_| clicked).map(|id| Command::Show(NodePath::root(id)))
 }
 
-/// The weightiest part of what an effect costs, in few letters; what would be saved stands after a
-/// minus.
+/// Main part of an effect's cost, in few letters; a saving has a minus before it.
 fn short_cost(effect: &Effect) -> String {
     let cost = &effect.cost;
     let short = match (cost.milliseconds, cost.operations) {

@@ -1,4 +1,4 @@
-//! What is fitted to the light that is painted on the picture.
+//! Panel of the look's fit to the light that is painted on the picture.
 
 use super::table::{PanelPlace, PanelRow};
 use crate::commands::PanelId;

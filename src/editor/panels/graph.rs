@@ -1,4 +1,4 @@
-//! The graph of the look, with what is dragged onto it.
+//! Panel of the look's graph, which takes nodes that are dragged onto it.
 
 use super::library;
 use super::table::{PanelPlace, PanelRow, Stack};

@@ -1,4 +1,5 @@
-//! Everything that was done, by what undo calls it; a click goes there and back.
+//! History of the document: every step by its name in undo; a click goes to the state after that
+//! step.
 
 use eframe::egui;
 use eframe::egui::{
@@ -23,14 +24,14 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
 
 const ROW: f32 = 22.0;
 
-/// The panel, and which place it showed last.
+/// The panel, and the place that it showed last.
 #[derive(Default)]
 pub(crate) struct History {
     shown: Option<(DocumentNumber, usize)>,
 }
 
 impl History {
-    /// Lists the steps, the first at the top; those that were taken back are dim.
+    /// Lists the steps, the first at the top; steps that were undone are dim.
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let labels: Vec<&str> = session.steps().collect();
         let place = session.place();

@@ -1,6 +1,6 @@
-//! The panels of the window. Each is a value: a [`PanelRow`] that says what it is called, what it is
-//! for, where it lies, what it draws and which threads work for it. A new panel is a file with a
-//! row, and a line in [`PANELS`].
+//! Panels of the window. Each is a value: a [`PanelRow`] with its name, its help, its place, the
+//! function that draws it and the threads that work for it. A new panel is a file with a row, and a
+//! line in [`PANELS`].
 
 pub(crate) mod code;
 pub(crate) mod cost;
@@ -53,7 +53,7 @@ pub(crate) static PANELS: &[PanelRow] = &[
     fit::PANEL,
 ];
 
-/// The row of a panel.
+/// Row of a panel.
 pub(crate) fn row_of(id: PanelId) -> Option<&'static PanelRow> {
     PANELS.iter().find(|row| row.id == id)
 }

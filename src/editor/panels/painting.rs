@@ -1,4 +1,4 @@
-//! The panels that an HCBTF is painted in.
+//! Panels in which an HCBTF is painted.
 
 use super::table::{PanelPlace, PanelRow, Presence};
 use crate::commands::PanelId;

@@ -1,4 +1,4 @@
-//! The picture of the look, with its tools.
+//! Panel of the look's picture, with its tools.
 
 use super::table::{PanelPlace, PanelRow, Stack};
 use crate::commands::PanelId;

@@ -1,4 +1,4 @@
-//! The values that the probe reads.
+//! Panel of the values that the probe reads.
 
 use super::table::{PanelPlace, PanelRow};
 use crate::commands::PanelId;

@@ -1,5 +1,6 @@
-//! Everything that is wrong, worst first: what, where (a click leads there), what to do, and a
-//! button that does it where one edit is enough. The status bar counts it and says the first.
+//! List of all problems, worst first: the problem, its place (a click leads there), hints, and a
+//! button for the fix where one edit is enough. The status bar shows their number and the first of
+//! them.
 
 use eframe::egui;
 use eframe::egui::{
@@ -23,12 +24,12 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
     |_, ui, context| show(ui, context.session),
 );
 
-/// As many problems are listed; mending those shows the others.
+/// Largest number of problems that are listed; fixing those shows the others.
 const MAX_LISTED: usize = 100;
-/// Worst first.
+/// Severities, worst first.
 const SEVERITIES: [Severity; 3] = [Severity::Error, Severity::Warning, Severity::Note];
 
-/// Lists everything that is wrong.
+/// Lists all problems.
 pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
     let mut sorted: Vec<&Diagnostic> = session.all_problems().collect();
     if sorted.is_empty() {
@@ -77,7 +78,7 @@ fn row(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Comma
                 place(ui, session, problem, out);
                 ui.label(plain(&problem.message)).on_hover_text(format!("Code {}", problem.code));
             });
-            // What the button does need not be asked.
+            // A hint is left out where the button offers the same fix.
             let is_asked = |hint: &&String| mended.is_none() || !hint.starts_with("did you mean");
             for hint in problem.hints.iter().filter(is_asked) {
                 ui.label(RichText::new(plain(hint)).small().color(theme::of(ui).dim));
@@ -100,12 +101,12 @@ fn row(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Comma
     ui.add_space(4.0);
 }
 
-/// A text without the marks of code, which are for terminals.
+/// Text without the marks of code, which are meant for terminals.
 fn plain(text: &str) -> String {
     text.replace('`', "\"")
 }
 
-/// Where the problem is: a node that a click leads to, a line of a file.
+/// Shows the place of a problem: a node that a click leads to, or a line of a file.
 fn place(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Command>) {
     if let Some(path) = &problem.place.node
         && let Some(node) = path.outermost()
@@ -148,7 +149,7 @@ fn color(severity: Severity, colors: &Colors) -> egui::Color32 {
     }
 }
 
-/// A severity's mark, told by shape as well as by color.
+/// Shows the mark of a severity, told by shape as well as by color.
 fn mark(ui: &mut Ui, severity: Severity) -> Response {
     let (rect, response) = ui.allocate_exact_size(vec2(14.0, 18.0), Sense::hover());
     let (at, ink) = (rect.center(), color(severity, theme::of(ui)));
@@ -172,7 +173,7 @@ fn mark(ui: &mut Ui, severity: Severity) -> Response {
     response
 }
 
-/// How many there are of each severity.
+/// Shows the number of problems of each severity.
 fn counts(ui: &mut Ui, problems: &[&Diagnostic]) {
     for severity in SEVERITIES {
         let count = problems.iter().filter(|problem| problem.severity == severity).count();
@@ -185,10 +186,12 @@ fn counts(ui: &mut Ui, problems: &[&Diagnostic]) {
     }
 }
 
-/// For the status bar: how many there are, and the worst in words. A click opens the panel.
+/// Shows the number of problems, and the worst in words, for the status bar. A click opens the
+/// panel.
 pub(crate) fn status(ui: &mut Ui, session: &Session) -> Option<Command> {
     let problems: Vec<&Diagnostic> = session.all_problems().collect();
-    // The first of the worst.
+    // `max_by_key` takes the last of equals, so that the reversed order gives the first of the
+    // worst.
     let first = problems.iter().rev().max_by_key(|problem| problem.severity)?;
     let start = ui.cursor().min;
     let room = ui.available_width() * 0.6;

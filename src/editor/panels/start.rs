@@ -1,6 +1,6 @@
-//! What a newcomer sees first, and whoever opens the window without a file: a new look, the tour,
-//! what was open before, and all examples as pictures. It lies where the panels are, and leaves as
-//! soon as anything is opened or made.
+//! Start page, for newcomers and for everyone who opens the window without a file: a new look, the
+//! tour, recent files, and all examples as pictures. The page takes the place of the panels, and
+//! leaves as soon as a document is opened or made.
 
 use std::path::PathBuf;
 
@@ -20,49 +20,50 @@ use crate::state::session::Session;
 use crate::widgets::rows::whole;
 use crate::widgets::theme;
 
-/// Around everything, in points; less in a narrow window.
+/// Margin around the page, in points; less in a narrow window.
 const MARGIN: f32 = 36.0;
-/// Wider the page does not become.
+/// Largest width of the page, in points.
 const WIDEST: f32 = 1380.0;
-/// From this width on, what to begin with stands beside the title.
+/// Width from which on the tiles stand beside the title, in points.
 const WIDE: f32 = 1130.0;
-/// Between cards.
+/// Gap between cards, in points.
 const GAP: f32 = 14.0;
-/// The least width of a look's picture, in points, and the side that it is drawn with, in pixels.
+/// Least width of a look's picture, in points; below, the side that the picture is drawn with, in
+/// pixels.
 const CARD: f32 = 200.0;
 const SIDE: f32 = 320.0;
-/// The side of the program's icon.
+/// Side of the program's icon, in points.
 const LOGO: f32 = 72.0;
-/// The size of a tile, in points.
+/// Size of a tile, in points.
 const TILE: egui::Vec2 = vec2(204.0, 72.0);
-/// As many of the files opened before are shown.
+/// Largest number of recent files that are shown.
 const MOST_RECENT: usize = 12;
 
-/// The page, and what it knows of looks.
+/// The page, and its cards.
 #[derive(Default)]
 pub(crate) struct Start {
     examples: Vec<Card>,
     recent: Vec<Recent>,
-    /// How often what is held back of them had changed when they were read.
+    /// Number of changes to the record of crashes when the recent files were read.
     crashes: u64,
     logo: Option<TextureHandle>,
-    /// Whether it was seen in the last frame; each time it comes it begins at its top.
+    /// True if the page was shown in the last frame; each time it appears it begins at its top.
     is_seen: bool,
 }
 
-/// A file that was open before.
+/// File that was opened before.
 struct Recent {
     path: PathBuf,
-    /// `None` where the file is gone.
+    /// Card of the file; `None` where the file is gone.
     card: Option<Card>,
 }
 
-/// Something to begin with.
+/// Tile: a way to begin.
 struct Tile {
     title: &'static str,
     text: &'static str,
     command: Command,
-    /// Whether it is what a newcomer is led to.
+    /// True for the tile that newcomers are led to.
     is_first: bool,
 }
 
@@ -105,7 +106,7 @@ pub(crate) fn show(
 }
 
 impl Start {
-    /// Learns what was opened before. Files are read when that changes.
+    /// Updates the recent files. Files are read only when the list changes.
     fn know_recent<'p>(
         &mut self,
         files: impl Iterator<Item = (&'p PathBuf, bool)>,
@@ -126,7 +127,8 @@ impl Start {
         }
     }
 
-    /// Forgets what files held, so that they are read anew when the page is shown the next time.
+    /// Forgets the content of the files, so that they are read anew when the page is shown the next
+    /// time.
     pub(crate) fn rest(&mut self) {
         self.recent.clear();
         self.is_seen = false;
@@ -161,14 +163,14 @@ impl Start {
         out
     }
 
-    /// The title, and what to begin with; the first tile.
+    /// Shows the title and the tiles; returns the response of the first tile.
     fn head(&mut self, ui: &mut Ui, width: f32, out: &mut Vec<Command>) -> Response {
         let mut first = None;
         ui.horizontal_top(|ui| {
             self.title(ui);
             let beside = width - ui.cursor().min.x + ui.min_rect().left();
             if width >= WIDE {
-                // What to begin with ends where the cards end.
+                // The tiles end at the right where the cards end.
                 let tiles = (TILE.x + GAP) * TILES.len() as f32;
                 ui.add_space((beside - tiles - 2.0 * GAP).max(0.0));
                 ui.vertical(|ui| {
@@ -249,7 +251,7 @@ impl Start {
     }
 }
 
-/// Shows the tiles, so many beside each other; the first one's response.
+/// Shows the tiles, `columns` beside each other; returns the response of the first tile.
 fn tiles_in(
     ui: &mut Ui,
     columns: usize,
@@ -312,7 +314,7 @@ impl Tile {
     }
 }
 
-/// Things beside each other, and room below.
+/// Shows items beside each other, and a gap below.
 fn in_row<T>(ui: &mut Ui, row: &[T], mut show: impl FnMut(&mut Ui, &T)) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = GAP;
@@ -336,7 +338,8 @@ fn heading(ui: &mut Ui, title: &str, help: &str) {
     ui.add_space(GAP);
 }
 
-/// Where nothing has the keyboard, an arrow key begins at the first tile; from there egui goes on.
+/// Moves the focus to the first tile on an arrow key, where no widget has the focus; from there
+/// egui handles the arrow keys.
 fn take_focus(ui: &Ui, first: &Response) {
     let arrows = [Key::ArrowDown, Key::ArrowRight];
     let is_free = ui.memory(|memory| memory.focused().is_none());
@@ -344,7 +347,7 @@ fn take_focus(ui: &Ui, first: &Response) {
         && arrows.iter().any(|key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, *key)))
     {
         first.request_focus();
-        // egui would go on by the same key.
+        // egui would otherwise move the focus once more by the same key.
         ui.memory_mut(|memory| memory.move_focus(egui::FocusDirection::None));
     }
 }

@@ -1,5 +1,5 @@
-//! What a panel is: a row with its name, what it is for, where it lies, what it draws and the jobs
-//! that it has on other threads.
+//! Definition of a panel: a row with its name, its help, its place, the function that draws it and
+//! its jobs on other threads.
 
 use eframe::egui::Ui;
 
@@ -9,29 +9,29 @@ use crate::state::safety::Safety;
 use crate::state::session::Session;
 use crate::state::worker::BackgroundJobs;
 
-/// What a panel shows: it changes nothing of that.
+/// State that a panel shows and does not change.
 #[derive(Clone, Copy)]
 pub(crate) struct PanelContext<'a> {
     pub(crate) session: &'a Session,
     pub(crate) safety: &'a Safety,
 }
 
-/// Draws a panel.
+/// Function that draws a panel.
 type Draw = fn(&mut Workbench, &mut Ui, PanelContext<'_>) -> Vec<Command>;
-/// Does what is due once a frame, before anything is drawn.
+/// Function that is called once a frame, before anything is drawn.
 type EachFrame = fn(&mut Workbench, &Ui, &Session, Presence) -> Vec<Command>;
-/// The threads that work for a panel.
+/// Accessor of the threads that work for a panel.
 type Jobs = fn(&Workbench) -> &dyn BackgroundJobs;
 
-/// A panel of the window.
+/// Panel of the window.
 pub(crate) struct PanelRow {
     pub(crate) id: PanelId,
-    /// The text of its tab.
+    /// Text of the panel's tab.
     pub(crate) label: &'static str,
     pub(crate) help: &'static str,
     pub(crate) place: PanelPlace,
-    /// Takes in what the pointer does, before the panel is drawn: what that changes of the view and
-    /// of strokes is drawn already.
+    /// Function that handles the pointer before the panel is drawn, so that its changes to the view
+    /// and to strokes are drawn in the same frame.
     pub(crate) interact: Option<Draw>,
     pub(crate) draw: Draw,
     pub(crate) each_frame: Option<EachFrame>,
@@ -62,48 +62,48 @@ impl PanelRow {
     }
 }
 
-/// How far a panel is there in a frame.
+/// Visibility of a panel in a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Presence {
-    /// Closed.
+    /// Closed panel.
     Absent,
-    /// Behind another's tab, or behind the start page.
+    /// Panel behind another's tab, or behind the start page.
     Hidden,
     Seen,
 }
 
-/// Panels that lie in one another's place, each behind its tab.
+/// Stack of panels in one place, each behind its tab.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Stack {
-    /// Above on the left.
+    /// Top left.
     Picture,
     /// Below the picture.
     BelowPicture,
-    /// In the middle.
+    /// Center.
     Graph,
-    /// Above on the right.
+    /// Top right.
     Document,
-    /// Below on the right.
+    /// Bottom right.
     Inspector,
 }
 
-/// Where a panel lies.
+/// Place of a panel.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PanelPlace {
-    /// Its stack in a new window; none for a panel that is closed there.
+    /// Stack of the panel in a new window; `None` for a panel that is closed there.
     pub(crate) stack: Option<Stack>,
-    /// Whether a new layout for painting has it in front.
+    /// True if a new layout for painting has the panel in front.
     pub(crate) is_for_painting: bool,
-    /// Where it comes back to when it was closed: beside the first of these that is there.
+    /// Panels beside one of which a closed panel reopens: the first that is open.
     pub(crate) beside: &'static [PanelId],
-    /// Whether it comes back below the graph, where there is room for that.
+    /// True if a closed panel reopens below the graph, where there is room.
     pub(crate) is_below_graph: bool,
-    /// Whether it fills its room to the edges.
+    /// True if the panel fills its area to the edges.
     pub(crate) fills_room: bool,
 }
 
 impl PanelPlace {
-    /// Closed in a new window, and beside nothing.
+    /// Place of a panel that is closed in a new window, with no others to reopen beside.
     pub(crate) const CLOSED: Self = Self {
         stack: None,
         is_for_painting: false,
@@ -111,7 +111,7 @@ impl PanelPlace {
         is_below_graph: false,
         fills_room: false,
     };
-    /// With those below the picture that tell of the look.
+    /// Place below the picture, with the panels that tell of the look.
     pub(crate) const BELOW_PICTURE: Self = Self {
         stack: Some(Stack::BelowPicture),
         beside: &[
@@ -125,13 +125,13 @@ impl PanelPlace {
         ],
         ..Self::CLOSED
     };
-    /// With those below the picture that draw curves.
+    /// Place below the picture, with the panels that draw curves.
     pub(crate) const BELOW_PICTURE_WITH_CURVES: Self = Self {
         stack: Some(Stack::BelowPicture),
         beside: &[PanelId::PROFILE, PanelId::KEYS, PanelId::CODE, PanelId::EFFECTS],
         ..Self::CLOSED
     };
-    /// With those on the right that list what a document has.
+    /// Place on the right, with the panels that list the parts of a document.
     pub(crate) const WITH_DOCUMENT: Self = Self {
         stack: Some(Stack::Document),
         beside: &[
@@ -145,7 +145,7 @@ impl PanelPlace {
         ..Self::CLOSED
     };
 
-    /// The same, but closed in a new window.
+    /// The same place, but closed in a new window.
     pub(crate) const fn closed(self) -> Self {
         Self { stack: None, ..self }
     }

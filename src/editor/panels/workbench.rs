@@ -1,4 +1,4 @@
-//! What panels and tools remember between frames.
+//! State that panels and tools keep between frames.
 
 use std::any::{Any, TypeId};
 use std::collections::HashMap;
@@ -15,7 +15,7 @@ use crate::tools::PictureTools;
 use crate::viewport::Viewport;
 use crate::viewport::picture::Picture;
 
-/// The parts of the window that panels draw, with their threads.
+/// Parts of the window that panels draw, with their threads.
 pub(crate) struct Workbench {
     pub(crate) canvas: Canvas,
     pub(crate) viewport: Viewport,
@@ -24,12 +24,13 @@ pub(crate) struct Workbench {
     pub(crate) cost: Cost,
     pub(crate) painting: Painting,
     pub(crate) thumbs: Thumbs,
-    /// What the other panels remember.
+    /// State of the other panels.
     pub(crate) memory: PanelMemory,
 }
 
 impl Workbench {
-    /// `wake` is called from other threads when there is news; what goes on is noted in `crashes`.
+    /// `wake` is called from other threads when they have results; the drawing of thumbnails is
+    /// noted in `crashes`.
     pub(crate) fn new(
         picture: Option<Picture>,
         crashes: CrashLog,
@@ -49,7 +50,7 @@ impl Workbench {
         }
     }
 
-    /// Whether a thread works for a panel.
+    /// True if a thread works for a panel.
     pub(crate) fn is_busy(&self) -> bool {
         PANELS.iter().filter_map(|row| row.jobs).any(|jobs| jobs(self).is_busy())
     }
@@ -60,14 +61,14 @@ impl Workbench {
     }
 }
 
-/// What panels remember, each by a type of its own.
+/// State of panels, each of a type of its own.
 #[derive(Default)]
 pub(crate) struct PanelMemory {
     states: HashMap<TypeId, Box<dyn Any>>,
 }
 
 impl PanelMemory {
-    /// What is remembered of this type; its default at first.
+    /// State of this type; its default at first.
     pub(crate) fn of<T: Default + 'static>(&mut self) -> &mut T {
         let state = self.states.entry(TypeId::of::<T>()).or_insert_with(|| Box::<T>::default());
         state.downcast_mut().unwrap_or_else(|| unreachable!("a type is the key of its own"))

@@ -1,4 +1,4 @@
-//! Lines and handles on the object, which the viewport draws: whether they are shown.
+//! Switch of the lines and handles on the object, which the viewport draws.
 
 use super::table::{SwitchPlace, ToolRow};
 use crate::commands::{Command, ViewCommand, table};

@@ -1,5 +1,5 @@
-//! Tools of the picture. Each is a value: a [`ToolRow`] with its switch, its controls and what it
-//! does over the picture. A new tool is a file with a row, and a line in [`TOOLS`].
+//! Tools of the picture. Each is a value: a [`ToolRow`] with its switch, its controls and its
+//! overlay of the picture. A new tool is a file with a row, and a line in [`TOOLS`].
 
 pub(crate) mod fitting;
 mod handles;
@@ -18,11 +18,10 @@ use probe::Probe;
 pub(crate) use table::{PictureContext, SwitchPlace, ToolRow};
 use wipe::Wipe;
 
-/// All tools, in the order of their switches; what is shown over the picture lies the other way
-/// round.
+/// All tools, in the order of their switches; their overlays lie in reverse order.
 pub(crate) static TOOLS: &[ToolRow] = &[handles::TOOL, probe::TOOL, fitting::TOOL, wipe::TOOL];
 
-/// The tools of the picture, and what they remember.
+/// Tools of the picture, and their state.
 pub(crate) struct PictureTools {
     pub(crate) has_handles: bool,
     pub(crate) probe: Probe,
@@ -31,7 +30,7 @@ pub(crate) struct PictureTools {
 }
 
 impl PictureTools {
-    /// `wake` is called from other threads when there is news.
+    /// `wake` is called from other threads when they have results or progress.
     pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Clone + Send + Sync + 'static) -> Self {
         Self {
             has_handles: true,
@@ -41,30 +40,30 @@ impl PictureTools {
         }
     }
 
-    /// The tool that has the pointer over the picture to itself.
+    /// Tool that has the pointer over the picture to itself.
     pub(crate) fn with_pointer(&self) -> Option<&'static ToolRow> {
         TOOLS.iter().find(|tool| tool.takes_pointer && (tool.is_on)(self))
     }
 
-    /// Shows what turns tools on and off, of those with their switch there.
+    /// Shows the switches of the tools whose switch is at `place`.
     pub(crate) fn switches(&mut self, ui: &mut Ui, place: SwitchPlace, out: &mut Vec<Command>) {
         for tool in TOOLS.iter().filter(|tool| tool.place == place) {
             (tool.switch)(self, ui, out);
         }
     }
 
-    /// Shows the rows of controls of tools that have one.
+    /// Shows the rows of controls of the tools that have one.
     pub(crate) fn bars(&mut self, ui: &mut Ui, session: &Session) {
         TOOLS.iter().rev().filter_map(|tool| tool.bar).for_each(|bar| bar(self, ui, session));
     }
 
-    /// Takes in what the pointer does over the picture.
+    /// Handles the pointer over the picture.
     pub(crate) fn interact(&mut self, ui: &Ui, context: &PictureContext<'_>) -> Vec<Command> {
         let interact = TOOLS.iter().filter_map(|tool| tool.interact);
         interact.filter_map(|interact| interact(self, ui, context)).collect()
     }
 
-    /// Shows what tools have over the picture.
+    /// Shows the tools' overlays of the picture.
     pub(crate) fn over(
         &mut self,
         ui: &mut Ui,

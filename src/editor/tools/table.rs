@@ -1,4 +1,4 @@
-//! What a tool of the picture is: a row with its name, what turns it on, and what it does over the
+//! Definition of a tool of the picture: a row with its name, its switch, and its overlay of the
 //! picture.
 
 use eframe::egui::{Pos2, Rect, Response, Ui};
@@ -12,16 +12,16 @@ pub(crate) struct PictureContext<'a> {
     pub(crate) session: &'a Session,
     pub(crate) response: &'a Response,
     pub(crate) rect: Rect,
-    /// Over the picture, while nothing is dragged there.
+    /// Position of the pointer over the picture; `None` during a drag.
     pub(crate) pointer: Option<Pos2>,
 }
 
-/// Where a tool's switch is.
+/// Place of a tool's switch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum SwitchPlace {
-    /// In the bar above the picture.
+    /// The bar above the picture.
     Bar,
-    /// Among its options.
+    /// The options of the picture.
     Options,
 }
 
@@ -33,23 +33,23 @@ type ShowOver = fn(&mut PictureTools, &mut Ui, &PictureContext<'_>, &mut Vec<Com
 type ShowMark = fn(&PictureTools, &Ui, Rect);
 type Hint = fn(&PictureTools) -> &str;
 
-/// A tool of the picture.
+/// Tool of the picture.
 pub(crate) struct ToolRow {
     pub(crate) place: SwitchPlace,
     pub(crate) is_on: Is,
-    /// Whether the pointer over the picture is the tool's alone while it is on.
+    /// True if the tool has the pointer over the picture to itself while it is on.
     pub(crate) takes_pointer: bool,
-    /// Shows what turns it on and off.
+    /// Shows the switch that turns the tool on and off.
     pub(crate) switch: ShowSwitch,
     /// Shows a row of controls below the bar.
     pub(crate) bar: Option<ShowBar>,
-    /// Takes in what the pointer does, before anything is drawn.
+    /// Handles the pointer, before anything is drawn.
     pub(crate) interact: Option<Interact>,
-    /// Shows what is over the picture, below lines and handles.
+    /// Shows the overlay of the picture, below lines and handles.
     pub(crate) over: Option<ShowOver>,
     /// Marks the picture above all else.
     pub(crate) mark: Option<ShowMark>,
-    /// What may be done at the pointer, while the tool has it.
+    /// Hint on the actions possible at the pointer, while the tool has the pointer.
     pub(crate) hint: Option<Hint>,
 }
 

@@ -1,9 +1,10 @@
 //! Arrows on the surface toward the eye and the lights, as an HCBTF lookup there sees them (thesis
 //! Appendix B).
 //!
-//! A light's arrow points at it. The eye's would be a point, seen from the eye itself; so its trace
-//! on the surface is shown, as long as the eye stands low, and the light's trace too: those are the
-//! directions that samples go by. They stand at sparse places, and larger under the pointer.
+//! A light's arrow points at the light. The eye's arrow would be a point, seen from the eye itself;
+//! so its trace on the surface is shown, as long as the eye stands low, and the light's trace too:
+//! those are the directions by which samples are found. Arrows stand at sparse places, and larger
+//! ones under the pointer.
 
 use eframe::egui::{Color32, Pos2, Rect, Stroke, Ui};
 use glam::DVec3;
@@ -16,28 +17,28 @@ use crate::document::LightKind;
 use crate::state::session::Session;
 use crate::widgets::theme;
 
-/// How far sparse places are from one another, in points.
+/// Distance between sparse places, in points.
 const APART: f32 = 72.0;
-/// How long an arrow is, in radii of what is seen; and under the pointer.
+/// Length of an arrow at a sparse place and under the pointer, in radii of the visible bounds.
 const LENGTHS: [f64; 2] = [0.09, 0.2];
-/// Traces shorter than this, in points, are a point.
+/// Length below which a trace counts as a point, in points.
 const SHORTEST: f32 = 2.0;
-/// The eye's color, and how much of an arrow and of a trace covers what is below.
+/// Color of the eye's arrows, and the opacities of an arrow and of a trace.
 const EYE: Color32 = Color32::from_rgb(110, 190, 255);
 const STRENGTHS: [f32; 2] = [0.85, 0.45];
 
-/// An arrow on the screen.
+/// Arrow on the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Arrow {
     pub(super) from: Pos2,
     pub(super) to: Pos2,
-    /// Whether it lies on the surface.
+    /// True if the arrow lies on the surface.
     is_trace: bool,
-    /// `None` for the eye's own.
+    /// Color of the arrow's light; `None` for the eye's own arrow.
     light: Option<Color32>,
 }
 
-/// The arrows at sparse places, then those at the pointer.
+/// Arrows at sparse places, then those at the pointer.
 pub(super) fn of(
     session: &Session,
     surface: &Surface,
@@ -73,7 +74,7 @@ pub(super) fn of(
             let toward =
                 if *is_directional { light.direction() } else { light.position() - position };
             let toward = toward.normalize_or_zero();
-            // From below the surface no light comes.
+            // Light from below the surface does not reach it.
             if toward.dot(normal) > 0.0 {
                 push(trace(toward), true, Some(*color));
                 push(toward, false, Some(*color));

@@ -1,4 +1,4 @@
-//! The picture itself, or what stands in its place.
+//! The picture itself, or a stand-in.
 
 use eframe::egui::{self, Rect, Ui, vec2};
 
@@ -44,7 +44,7 @@ pub(super) fn show_picture(
     }
 }
 
-/// Where there is no GPU: a ball, so that camera and lights can be turned all the same.
+/// Draws a ball where there is no GPU, so that the camera and the lights can still be turned.
 pub(super) fn stand_in(ui: &Ui, rect: Rect, session: &Session) {
     let radius = session.view.orbit.radius_in_picture() as f32 * rect.height();
     ui.painter().circle(

@@ -1,4 +1,4 @@
-//! What is above the picture: the mesh that the look is seen on, and how it is seen.
+//! Bar above the picture: the mesh that the look is seen on, and the options of the display.
 
 use eframe::egui;
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
@@ -21,7 +21,7 @@ use crate::widgets::color;
 use crate::widgets::theme;
 
 impl Viewport {
-    /// The mesh that the look is seen on, and how it stands.
+    /// Shows the choice of the mesh, and its orientation.
     pub(super) fn bar(
         &mut self,
         ui: &mut Ui,
@@ -114,7 +114,7 @@ impl Viewport {
         self.exports(ui, out);
     }
 
-    /// What changes how the picture is shown, in this window only.
+    /// Shows the options of the picture's display, which apply to this window only.
     fn display(&mut self, ui: &mut Ui, view: &mut Orbit) {
         let backdrop = Scene::default().backdrop.unwrap_or([0.0, 0.0, 0.0, 1.0]);
         ui.horizontal(|ui| {
@@ -125,7 +125,8 @@ impl Viewport {
                 view.backdrop = is_own.then_some(backdrop);
             }
         });
-        // Here and not behind a swatch: a menu is closed by what opens over it.
+        // The color is picked here and not behind a swatch: a popup over the menu would close the
+        // menu.
         if let Some(color) = &mut view.backdrop
             && let Some([r, g, b, _]) = color::pick(ui, *color)
         {
@@ -220,9 +221,10 @@ impl Viewport {
     }
 }
 
-/// The height of the list of meshes, in points: all of them, and the way to one's own file.
+/// Height of the list of meshes, in points: room for all of them, and for the entry that opens a
+/// file.
 const MESHES: f32 = 420.0;
-/// The largest picture that is saved, in pixels along a side.
+/// Largest side of a picture that is saved, in pixels.
 const MOST_SIDE: u32 = 8192;
 
 fn mesh_choice(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
@@ -255,16 +257,16 @@ fn mesh_choice(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     combo.response.labelled_by(label.id);
 }
 
-/// What is told over the top of the picture, which stays where it is when that comes and goes: a
-/// wire that is shown in its place, layers and lights that are shown alone.
+/// Shows notices over the top of the picture, which does not move when they come and go: of a wire
+/// that is viewed in place of the picture, and of soloed or muted layers and lights.
 pub(super) fn over_top(ui: &mut Ui, rect: Rect, session: &Session, out: &mut Vec<Command>) {
     if session.wire().is_none() && session.solo().is_empty() {
         return;
     }
     let id = ui.scope_id().with("told over the picture");
     let room = Rect::from_min_max(rect.min + vec2(8.0, 8.0), pos2(rect.max.x - 8.0, rect.max.y));
-    // Its height is known from the frame before. What is pressed beside its buttons does nothing to
-    // the picture below.
+    // The height is that of the frame before. Presses beside the buttons must not reach the picture
+    // below.
     let height: f32 = ui.data(|data| data.get_temp(id)).unwrap_or(30.0);
     ui.interact(
         Rect::from_min_size(room.min, vec2(room.width(), height)),
@@ -279,7 +281,7 @@ pub(super) fn over_top(ui: &mut Ui, rect: Rect, session: &Session, out: &mut Vec
     ui.data_mut(|data| data.insert_temp(id, shown.response.rect.height()));
 }
 
-/// Says that a wire is shown in place of the picture, and leads back.
+/// Says that a wire is viewed in place of the picture, with a button that leads back.
 fn wire_bar(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) -> Option<()> {
     let wire = session.wire()?;
     let node = node_at(session.look(), &session.project.library, wire.node.ids())?;

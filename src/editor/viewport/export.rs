@@ -1,5 +1,5 @@
-//! Pictures that leave the window, made on a thread of their own: a screenshot of any size, and the
-//! look baked to the image of a ball (a LitSphere). Reference images come in the same way.
+//! Export of pictures from the window, on a thread of its own: a screenshot of any size, and the
+//! look baked to the image of a ball (a LitSphere). Reference images are read by the same thread.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -18,16 +18,15 @@ use crate::state::orbit::Orbit;
 use crate::state::snapshot::RenderSnapshot;
 use crate::state::worker::Worker;
 
-/// A baked ball's radius over the image's width: what a LitSphere node takes where nothing else is
-/// said.
+/// Radius of a baked ball, as a part of the image's width: the default of a LitSphere node.
 const BALL_RADIUS: f64 = 0.49;
-/// What is nearer to the ball's rim than this, in pixels, takes the color from here: the rim
-/// itself is half backdrop.
+/// Distance from the ball's rim, in pixels, within which colors are taken from this distance: the
+/// rim itself is half backdrop.
 const RIM: f64 = 1.25;
-/// Reference images are shown with at most so many pixels along a side.
+/// Largest side of a reference image as shown, in pixels.
 const MOST_SHOWN: u32 = 4096;
 
-/// Where it goes.
+/// Destination of a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Destination {
     File(PathBuf),
@@ -39,7 +38,7 @@ enum PictureExportRequest {
     Read(PathBuf),
 }
 
-/// What became of a job.
+/// Result of a request.
 pub(super) enum PictureExportResult {
     Saved(PathBuf),
     Copied(ColorImage),
@@ -47,13 +46,13 @@ pub(super) enum PictureExportResult {
     Failed(Diagnostic),
 }
 
-/// The thread that does it.
+/// Thread that exports pictures.
 pub(super) struct Exports {
     worker: Worker<Vec<PictureExportRequest>, Vec<PictureExportResult>>,
 }
 
 impl Exports {
-    /// `wake` is called from another thread when something is done. Without a `gpu` nothing is
+    /// `wake` is called from another thread when a request is done. Without a `gpu` no pictures are
     /// drawn.
     pub(super) fn new(gpu: Option<Gpu>, wake: impl Fn() + Send + 'static) -> Self {
         let mut drawer =
@@ -69,7 +68,7 @@ impl Exports {
         Self { worker: Worker::waiting("export", wake, work) }
     }
 
-    /// Draws and saves or copies.
+    /// Draws a picture, and saves or copies it.
     pub(super) fn draw(&self, export: PictureExport, still: RenderSnapshot, to: Destination) {
         self.add(PictureExportRequest::Draw { export, still: Box::new(still), to });
     }
@@ -80,7 +79,7 @@ impl Exports {
     }
 
     fn add(&self, job: PictureExportRequest) {
-        // Nothing that waits is dropped.
+        // Requests that wait are kept, none is dropped.
         self.worker
             .request(|waiting| waiting.unwrap_or_default().into_iter().chain([job]).collect());
     }
@@ -115,8 +114,8 @@ async fn run(
             let picture = drawer.draw(export, *still).await?;
             match to {
                 Destination::File(path) => {
-                    // The dialog has asked about what is there; but the picture must not take what
-                    // it is made of.
+                    // Overwriting was confirmed in the dialog; but the picture must not replace a
+                    // file that it is made from.
                     let mut outputs = Outputs::new(true);
                     drawer.assets.files().for_each(|path| outputs.reads(path));
                     outputs.write(&path, OutputKind::PICTURE, &picture.to_png()?)?;
@@ -134,7 +133,7 @@ async fn run(
     }
 }
 
-/// An image as the window shows it: of a large one every second, third... pixel.
+/// Image as the window shows it: of a large one every second, third... pixel.
 fn shown(size: [u32; 2], rgba: &[u8]) -> ColorImage {
     let step = size[0].max(size[1]).div_ceil(MOST_SHOWN).max(1);
     let small = size.map(|side| side.div_ceil(step));
@@ -169,7 +168,7 @@ impl Drawer {
         let mut planner = Planner::new(std::mem::take(&mut self.assets));
         let drawn = self.try_draw(&mut planner, &still, export, size).await;
         self.assets = planner.assets;
-        // The list of problems tells all of them; one is enough to say why.
+        // The list of problems shows all of them; one is enough for the reason here.
         let picture = drawn.map_err(|mut problems| {
             if problems.is_empty() {
                 Diagnostic::error("no-picture", "nothing was drawn")
@@ -197,7 +196,7 @@ impl Drawer {
     }
 }
 
-/// The same lights and direction of view, on a ball that fills the picture.
+/// View with the same lights and direction, on a ball that fills the picture.
 fn before_a_ball(orbit: &Orbit) -> Orbit {
     let distance = orbit.distance.max(2.0);
     let height = 1.0 / BALL_RADIUS;
@@ -214,8 +213,8 @@ fn before_a_ball(orbit: &Orbit) -> Orbit {
     }
 }
 
-/// A ball's picture with the colors of its rim all around, so that no filter mixes in what is
-/// outside.
+/// Picture of a ball with the colors of its rim continued outward, so that no filter mixes in the
+/// backdrop.
 fn filled(mut picture: Picture) -> Picture {
     let size = f64::from(picture.size[0]);
     let (center, radius) = (0.5 * size, BALL_RADIUS * size - RIM);
@@ -232,7 +231,7 @@ fn filled(mut picture: Picture) -> Picture {
         if distance <= radius {
             continue;
         }
-        // Between four pixels, all of them within the rim.
+        // The color is interpolated between four pixels, all of them within the rim.
         let (x, y) = (center + dx / distance * radius - 0.5, center + dy / distance * radius - 0.5);
         let (s, t) = ((x - x.floor()) as f32, (y - y.floor()) as f32);
         let mix =

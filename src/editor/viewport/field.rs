@@ -1,5 +1,4 @@
-//! The angle u of a layer at every pixel of a surface, and the lines along which it is equal (BADF
-//! figure 3).
+//! Angle u of a layer at every pixel of a surface, and the lines of equal angle (BADF figure 3).
 
 use std::collections::HashMap;
 
@@ -10,17 +9,17 @@ use super::surface::Surface;
 use crate::compile::LightValues;
 use crate::document::{Light, LightKind};
 
-/// What an angle is where nothing is.
+/// Angle of a pixel that shows no surface.
 const NOTHING: f32 = f32::NAN;
 
-/// The angle, after the warp, of each pixel; NaN where nothing is.
+/// Angle of each pixel after the warp; NaN where no surface is.
 #[derive(Debug, Default)]
 pub(super) struct Field {
     size: [usize; 2],
     pub(super) angles: Vec<f32>,
 }
 
-/// Toward a light, from any place.
+/// Direction or position of a light.
 enum Toward {
     Far(Vec3),
     Near(Vec3),
@@ -35,14 +34,14 @@ impl Toward {
     }
 }
 
-/// A light as it is in a view.
+/// Values of a light in a view.
 pub(super) fn light_values(light: &Light, illumination: DQuat, surface: &Surface) -> LightValues {
     LightValues::new(light, illumination, surface.camera_from_world())
 }
 
 impl Field {
-    /// The angle of a layer lit by `light`, and the pixel nearest to the light with its angle
-    /// before the warp.
+    /// Angles of a layer lit by `light`, and the pixel nearest to the light with its angle before
+    /// the warp.
     pub(super) fn new(
         surface: &Surface,
         layer: &Layer,
@@ -80,7 +79,8 @@ impl Field {
         {
             let (slope, amount) = (slope as f32, amount as f32);
             for (angle, kappa) in angles.iter_mut().zip(kappa) {
-                // As angle_shifted does, so that what is lit throughout is so in the picture.
+                // The warp is that of `angle_shifted`, so that fully lit parts are the same as in
+                // the picture.
                 *angle =
                     (*angle - (kappa * slope).tanh() * amount).clamp(0.0, std::f32::consts::PI);
             }
@@ -88,8 +88,8 @@ impl Field {
         (Self { size: surface.size, angles }, least)
     }
 
-    /// The angle at a place of the picture, in parts of its size, between pixels where they are of
-    /// one piece; the nearest there is where nothing is.
+    /// Angle at a place of the picture, in parts of its size: interpolated between pixels of one
+    /// piece of surface; otherwise that of the nearest pixel that has one.
     pub(super) fn at(&self, surface: &Surface, place: [f32; 2]) -> Option<f32> {
         let [width, height] = self.size;
         let (x, y) = (place[0] * width as f32 - 0.5, place[1] * height as f32 - 0.5);
@@ -105,8 +105,8 @@ impl Field {
         surface.nearest(place).map(|pixel| self.angles[pixel])
     }
 
-    /// The lines along which the angle is `level`, in parts of the picture's size. What is hidden
-    /// is left out, and no line crosses from one piece of surface to another behind it.
+    /// Lines along which the angle is `level`, in parts of the picture's size. Hidden parts are
+    /// left out, and no line crosses from one piece of surface to another behind it.
     pub(super) fn lines(&self, surface: &Surface, level: f32) -> Vec<Line> {
         let [width, height] = self.size;
         let mut joints = Joints::default();
@@ -121,8 +121,8 @@ impl Field {
                 {
                     continue;
                 }
-                // The edges of a cell, clockwise from the upper one; an edge is named by its pixel
-                // and direction.
+                // Edges of a cell run clockwise from the upper one; an edge is named by its pixel
+                // and its direction.
                 let edges = [2 * first, 2 * (first + 1) + 1, 2 * (first + width), 2 * first + 1];
                 let crossed = (0..4).filter(|&edge| above[edge] != above[(edge + 1) % 4]);
                 let crossed: Vec<usize> = crossed.map(|edge| edges[edge]).collect();
@@ -162,31 +162,33 @@ impl Field {
     }
 }
 
-/// A line of equal angle.
+/// Line of equal angle.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Line {
-    /// In parts of the picture's size.
+    /// Points of the line, in parts of the picture's size.
     pub(super) points: Vec<[f32; 2]>,
     pub(super) is_closed: bool,
 }
 
-/// Whether a pixel, its right, its lower and its lower right neighbour are of one piece.
+/// True if a pixel, its right, its lower and its lower right neighbor belong to one piece of
+/// surface.
 fn is_cell(surface: &Surface, first: usize) -> bool {
     let links = &surface.links;
     links[first] == 3 && links[first + 1] & 2 != 0 && links[first + surface.size[0]] & 1 != 0
 }
 
-/// u without the loss that an arc cosine has near 0 and pi.
+/// Angle between two unit vectors, without the loss of precision that an arc cosine has near 0 and
+/// pi.
 fn between(d: Vec3, l: Vec3) -> f32 {
     let cosine = d.dot(l);
     if cosine.abs() < 0.99 { cosine.acos() } else { f32::atan2(d.cross(l).length(), cosine) }
 }
 
-/// Crossed edges and the at most two that each is joined to.
+/// Crossed edges, each with the at most two that it is joined to.
 #[derive(Default)]
 struct Joints {
     of: HashMap<usize, [Option<usize>; 2]>,
-    /// In the order in which they were found, so that lines are the same each time.
+    /// Edges in the order in which they were found, so that lines are the same each time.
     order: Vec<usize>,
 }
 
@@ -202,7 +204,7 @@ impl Joints {
         }
     }
 
-    /// Open chains first, then closed ones.
+    /// Chains of joined edges; the flag is true for closed ones. Open chains come first.
     fn chains(mut self) -> Vec<(Vec<usize>, bool)> {
         let order = std::mem::take(&mut self.order);
         let mut chains = Vec::new();
@@ -228,8 +230,8 @@ impl Joints {
     }
 }
 
-/// The direction of a light that puts the middle of what a layer lights at a pixel: toward the
-/// light, world space.
+/// Direction of a light that puts the middle of the layer's lit part at a pixel: toward the light,
+/// world space.
 pub(super) fn direction_at(
     surface: &Surface,
     pixel: usize,
@@ -241,7 +243,7 @@ pub(super) fn direction_at(
     match shading {
         ShadingType::Diffuse => normal,
         ShadingType::Specular | ShadingType::HalfVector => 2.0 * normal.dot(view) * normal - view,
-        // The light is read in camera axes, where it is what it is in its own.
+        // The normal in camera axes is compared with the light in its own frame.
         ShadingType::ScreenAligned => {
             light.own_from_world.transpose() * (surface.camera_from_world() * normal)
         }

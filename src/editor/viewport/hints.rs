@@ -1,4 +1,4 @@
-//! What may be done at the pointer, in words.
+//! Hints on the actions possible at the pointer.
 
 use eframe::egui::{Pos2, Rect};
 
@@ -6,7 +6,7 @@ use super::{Drag, Handles, Viewport, is_on_object, layer};
 use crate::state::session::Session;
 
 impl Viewport {
-    /// What may be done at the pointer over the picture, or is done by the drag that goes on.
+    /// Hint on the actions possible at the pointer over the picture, or on the drag under way.
     pub(super) fn hint_at(
         &self,
         pointer: Option<Pos2>,

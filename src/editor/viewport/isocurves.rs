@@ -1,8 +1,7 @@
-//! The widget of BADF figure 3: a layer's offset, fall-off and cut-off as lines on the surface,
-//! dragged there.
+//! Widget of BADF figure 3: a layer's offset, fall-off and cut-off as lines on the surface, which
+//! are dragged there.
 //!
-//! Lines that lie on each other are one thing to the hand, and move together; Ctrl pulls one of
-//! them off.
+//! Lines that coincide are grabbed together and move together; Ctrl pulls one of them off.
 
 use std::sync::Arc;
 
@@ -22,67 +21,67 @@ use crate::state::session::Session;
 use crate::values;
 use crate::widgets::theme;
 
-/// So near to a line, in points, the hand is on it.
+/// Distance within which a line is hit, in points.
 const REACH: f32 = 7.0;
-/// Lines nearer to each other than this, in radians, are one.
+/// Distance below which lines coincide, in radians.
 const TOGETHER: f64 = 1e-6;
-/// Lines shorter than this, in points, are noise of the mesh.
+/// Length below which a line is noise of the mesh, in points.
 const SHORTEST: f32 = 9.0;
-/// A ring stands for an offset whose line is shorter than this, in points.
+/// Length of an offset's line below which a ring stands for it, in points.
 const RING_BELOW: f32 = 48.0;
-/// An offset beyond this has no ring, however short its line: its end is not seen.
+/// Offset beyond which there is no ring, however short the line, in radians: its end is out of
+/// view.
 const RING_WITHIN: f64 = 0.5;
-/// The radius of that ring, in points.
+/// Radius of the ring, in points.
 pub(super) const RING: f32 = 14.0;
-/// Where angles are told near the middle of what is lit, that lies no farther from the light than
-/// this.
+/// Largest angle from the light at which the middle of the lit part counts as visible, in radians.
 const NEAR_MIDDLE: f32 = 0.15;
 
 /// Lines of one angle.
 #[derive(Debug)]
 struct Track {
-    /// The curves that lie here, in order.
+    /// Curves that have this angle, in order.
     curves: Vec<Curve>,
     level: f64,
     lines: Vec<Line>,
 }
 
-/// What lines were made of: the same again is known.
+/// Inputs of the lines: for the same inputs the known lines are used.
 #[derive(Clone, Debug, PartialEq)]
 struct IsocurveInputs {
     layer: Layer,
     light: LightValues,
 }
 
-/// Curves in the hand.
+/// Curves that are dragged.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct HeldCurve {
     curves: Vec<Curve>,
-    /// Whether one of them is to be pulled off, as soon as it shows which.
+    /// True if one of the curves is to be pulled off, as soon as the drag shows which.
     splits: bool,
-    /// Where they were when they were taken, in radians.
+    /// Angle of the curves when the drag began, in radians.
     level: f64,
 }
 
-/// The widget and what it keeps between frames.
+/// The widget and its state between frames.
 #[derive(Default)]
 pub(super) struct Isocurves {
     made: Option<IsocurveInputs>,
     surface: Option<Arc<Surface>>,
     field: Field,
     tracks: Vec<Track>,
-    /// The place of the pixel nearest to the light, in parts of the picture, where the light is
-    /// near it.
+    /// Place of the pixel nearest to the light, in parts of the picture's size; `None` where no
+    /// pixel is near the light.
     middle: Option<[f32; 2]>,
 }
 
 impl Isocurves {
-    /// Forgets the lines: nothing is selected that has any.
+    /// Drops the lines, as nothing that has any is selected.
     pub(super) fn clear(&mut self) {
         *self = Self::default();
     }
 
-    /// Makes the lines anew where that is needed.
+    /// Makes the lines anew where their inputs have changed.
     pub(super) fn update(&mut self, session: &Session, surface: &Arc<Surface>, layer: &Layer) {
         let Some(light) = session.light(&layer.light) else { return self.clear() };
         let light = light_values(light, session.view.orbit.illumination, surface);
@@ -124,18 +123,18 @@ impl Isocurves {
         self.made = Some(IsocurveInputs { layer: layer.clone(), light });
     }
 
-    /// Where the middle of what is lit is on the screen, where that is seen.
+    /// Middle of the lit part on the screen, where visible.
     pub(super) fn middle(&self, rect: Rect) -> Option<Pos2> {
         self.middle.map(|place| on_screen(rect, place))
     }
 
-    /// The angle at a point of the screen, in radians.
+    /// Angle at a point of the screen, in radians.
     fn angle_at(&self, rect: Rect, at: Pos2) -> Option<f64> {
         let place = [(at.x - rect.min.x) / rect.width(), (at.y - rect.min.y) / rect.height()];
         self.field.at(self.surface.as_ref()?, place).map(f64::from)
     }
 
-    /// The curves under the hand.
+    /// Curves under the pointer.
     pub(super) fn hit(&self, rect: Rect, at: Pos2, splits: bool) -> Option<HeldCurve> {
         let distance = |track: &Track| {
             let lines = track.lines.iter().filter(|line| length(line, rect) >= SHORTEST);
@@ -158,14 +157,14 @@ impl Isocurves {
         })
     }
 
-    /// A ring stands for an offset that is next to nothing.
+    /// True if a ring stands for an offset whose line is too short.
     fn has_ring(&self, track: &Track, rect: Rect) -> bool {
         track.curves[0] == Curve::Offset
             && track.level < RING_WITHIN
             && track.lines.iter().map(|line| length(line, rect)).sum::<f32>() < RING_BELOW
     }
 
-    /// Brings what is held to a point of the screen.
+    /// Moves the dragged curves to a point of the screen.
     pub(super) fn drag(
         &self,
         held: &mut HeldCurve,
@@ -180,7 +179,7 @@ impl Isocurves {
             if away.abs() < 0.01 {
                 return None;
             }
-            // Inward goes the first, outward the last.
+            // A drag inward pulls the first curve off, a drag outward the last.
             let one = if away < 0.0 { held.curves.first() } else { held.curves.last() };
             held.curves = one.copied().into_iter().collect();
             held.splits = false;
@@ -196,7 +195,7 @@ impl Isocurves {
         Some(Command::EditHeld(Id::unique("isocurve"), edit))
     }
 
-    /// What a drag of these curves does.
+    /// Hint on the drag of these curves.
     pub(super) fn hint(&self, held: &HeldCurve) -> String {
         let names = names(&held.curves);
         let what = match held.curves[..] {
@@ -217,8 +216,8 @@ impl Isocurves {
         format!("Drag {names}: {what}{more}{left_out}")
     }
 
-    /// Draws the lines; `marked` is in the hand or under it, `is_near` whether the hand is over the
-    /// picture.
+    /// Draws the lines; `marked` are dragged or under the pointer, and `is_near` is true while the
+    /// pointer is over the picture.
     pub(super) fn paint(&self, ui: &Ui, rect: Rect, marked: Option<&HeldCurve>, is_near: bool) {
         let painter = ui.painter_at(rect);
         let is_marked = |track: &Track| {
@@ -249,7 +248,7 @@ impl Isocurves {
         }
     }
 
-    /// Names and angles, each on its own line where that is farthest from the light.
+    /// Draws names and angles, each on its own line where that is farthest from the light.
     fn labels(&self, painter: &Painter, rect: Rect, marked: Option<&HeldCurve>) {
         let middle = self.middle(rect).unwrap_or(rect.left_top());
         let away = (rect.center() - middle).normalized();
@@ -336,7 +335,7 @@ fn paint_line(
     ));
     let color = |curve: Curve| theme::curve(curve as usize).gamma_multiply(strength);
     painter.add(shape(points.to_vec(), Stroke::new(width, color(curves[0]))));
-    // What lies on it is seen between its dashes.
+    // Curves that coincide are shown between the dashes of one another.
     let (dash, count) = (9.0, curves.len() as f32);
     for (index, curve) in curves.iter().enumerate().skip(1) {
         let mut path = points.to_vec();

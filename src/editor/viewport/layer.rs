@@ -1,4 +1,4 @@
-//! What is selected, as far as it can be handled on the object: a layer's light, profile, warp and
+//! The selected layer, as far as it can be edited on the object: its light, profile, warp and
 //! colors.
 
 use std::f64::consts::PI;
@@ -10,10 +10,10 @@ use crate::library::Type;
 use crate::state::session::Session;
 use crate::values;
 
-/// How many reroutes a wire is followed through.
+/// Largest number of reroutes that a wire is followed through.
 const MOST_REROUTES: usize = 64;
 
-/// Which direction of the surface a light is held against.
+/// Direction of the surface that the angle to the light is measured from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ShadingType {
     Diffuse,
@@ -33,7 +33,7 @@ impl ShadingType {
         })
     }
 
-    /// What lies where the angle is 0.
+    /// Name of the place where the angle is 0.
     pub(super) fn middle(self) -> &'static str {
         match self {
             Self::Diffuse | Self::ScreenAligned => "bright middle",
@@ -42,19 +42,20 @@ impl ShadingType {
     }
 }
 
-/// An input with its value.
+/// Input with its value.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Setting<T> {
     pub(super) target: Target,
-    /// As it is now, which is what is drawn.
+    /// Present value, which is drawn.
     pub(super) value: T,
-    /// As it is where a hand sets it: something else where keys are blended.
+    /// Value that an edit would change: that of the current key; differs from `value` where keys
+    /// are blended.
     pub(super) at_key: T,
-    /// Whether it comes from a wire, so that no hand sets it.
+    /// True if the value comes from a wire, so that it cannot be set.
     pub(super) is_wired: bool,
 }
 
-/// What a layer's curves are.
+/// Curve of a layer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Curve {
     Offset,
@@ -82,33 +83,32 @@ impl Curve {
     }
 }
 
-/// A layer that is selected: a group with the inputs of a layer, or a profile with what feeds it.
+/// Selected layer: a group with the inputs of a layer, or a profile with the nodes that feed it.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Layer {
     pub(super) node: NodeId,
     pub(super) name: String,
     pub(super) light: LightId,
     pub(super) shading: ShadingType,
-    /// Offset, fall-off and cut-off, in radians, as the document has them.
+    /// Offset, fall-off and cut-off in radians, as in the document.
     pub(super) shape: [Setting<f64>; 3],
     pub(super) slope: Option<Setting<f64>>,
     pub(super) amount: Option<Setting<f64>>,
-    /// Convex and concave.
+    /// Colors of the convex and the concave side, with their names.
     pub(super) colors: Vec<(&'static str, Setting<[f64; 4]>)>,
-    /// Slope and amount, where they are known.
+    /// Slope and amount, where known.
     pub(super) warp: Option<(f64, f64)>,
-    /// What the curves leave out.
+    /// Effects that the curves do not show.
     pub(super) leaves_out: Option<&'static str>,
 }
 
 impl Layer {
-    /// Offset, fall-off and cut-off as the profile has them: in order, from 0 to pi (docs/math.md
-    /// D2).
+    /// Offset, fall-off and cut-off as the profile uses them: in order, 0 to pi (docs/math.md D2).
     pub(super) fn angles(&self) -> [f64; 3] {
         self.in_order(|setting| setting.value)
     }
 
-    /// The same where a hand sets them.
+    /// Angles that an edit would change: those of the current key.
     pub(super) fn angles_at_key(&self) -> [f64; 3] {
         self.in_order(|setting| setting.at_key)
     }
@@ -124,7 +124,7 @@ impl Layer {
     }
 }
 
-/// A node with its kind, in the graph that is open.
+/// Node with its kind, in the graph that is open.
 struct Place<'a> {
     session: &'a Session,
     graph: &'a Graph,
@@ -140,7 +140,7 @@ impl<'a> Place<'a> {
         Some(Self { session, graph, id, node, kind: session.project.catalog.of(node)? })
     }
 
-    /// What is wired to an input, through reroutes.
+    /// Node that is wired to an input, through reroutes.
     fn feeds(&self, port: &str) -> Option<Self> {
         let mut wire = self.graph.wire_into(self.id, &port.into())?;
         for _ in 0..MOST_REROUTES {
@@ -203,7 +203,7 @@ impl<'a> Place<'a> {
         Some([self.number("offset")?, self.number("falloff")?, self.number("cutoff")?])
     }
 
-    /// Whether an input has the surface's own curvature, or normal.
+    /// True if an input has the surface's own curvature, or normal.
     fn is_plain(&self, port: &str, kind: &str) -> bool {
         !self.is_wired(port)
             || self.feeds(port).is_some_and(|from| {
@@ -213,15 +213,15 @@ impl<'a> Place<'a> {
     }
 }
 
-/// The layer of the nodes selected last, if there is one.
+/// Layer of the node that was selected last, if there is one.
 pub(super) fn selected(session: &Session) -> Option<Layer> {
     if session.is_read_only() {
         return None;
     }
     let place = Place::of(session, session.selection.nodes.last()?)?;
     group(&place).or_else(|| profile(&place)).or_else(|| {
-        // An angle, a light or a warp of plain nodes: what it feeds is meant, if that is one
-        // profile.
+        // A node for an angle, a light or a warp stands for the profile that it feeds, if that is
+        // exactly one.
         let fed = |from: &Place<'_>| {
             let mut wires = from.graph.wires.iter().filter(|wire| wire.from.node == *from.id);
             let mut to = wires.by_ref().map(|wire| wire.to.node.clone()).collect::<Vec<_>>();
@@ -234,7 +234,7 @@ pub(super) fn selected(session: &Session) -> Option<Layer> {
     })
 }
 
-/// The light that is selected: a layer's, or that of a Light node.
+/// Selected light: that of a layer, or that of a Light node.
 pub(super) fn selected_light(session: &Session) -> Option<LightId> {
     Place::of(session, session.selection.nodes.last()?)?.light()
 }

@@ -1,9 +1,9 @@
-//! Lights on the object: needles that show where they come from, and handles that are dragged.
+//! Lights on the object: needles that show their directions, and handles that are dragged.
 //!
-//! The middle of what a light lights is dragged over the surface: the light turns so that the
-//! middle is under the pointer. Beyond the outline it goes on behind the object. A needle's end is
-//! dragged around the object like a bead on a ball; taken over the rim and back, it is on the other
-//! side.
+//! The middle of a light's lit part is dragged over the surface: the light turns so that the middle
+//! is under the pointer. Beyond the outline the middle goes on behind the object. The end of a
+//! needle is dragged around the object like a bead on a ball; a drag over the rim and back leads to
+//! the other side.
 
 use eframe::egui;
 use eframe::egui::{Color32, Id, Pos2, Rect, Stroke, Ui, vec2};
@@ -21,22 +21,22 @@ use crate::state::orbit::Orbit;
 use crate::state::session::Session;
 use crate::widgets::theme;
 
-/// Where needles begin and end, in radii of the object.
+/// Beginning and end of a needle, in radii of the object.
 const NEEDLE: [f64; 2] = [1.06, 1.25];
-/// So near to a handle, in points, the hand is on it.
+/// Distance within which a handle is hit, in points.
 const REACH: f32 = 8.0;
 
-/// How a light is held.
+/// Handle by which a light is dragged.
 #[derive(Clone, Debug, PartialEq)]
 enum Grip {
-    /// By the middle of what it lights.
+    /// The middle of the light's lit part.
     Middle(ShadingType),
-    /// By its needle's end; whether that is behind the object, and whether the hand has left the
-    /// ball.
+    /// The end of the light's needle: whether it is behind the object, and whether the drag has
+    /// left the ball.
     Needle { is_behind: bool, is_outside: bool },
 }
 
-/// A light in the hand.
+/// Light that is dragged.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct HeldLight {
     pub(super) light: LightId,
@@ -44,17 +44,17 @@ pub(super) struct HeldLight {
 }
 
 impl HeldLight {
-    /// Holds a light by the middle of what it lights.
+    /// Drag of a light by the middle of its lit part.
     pub(super) fn by_middle(light: LightId, shading: ShadingType) -> Self {
         Self { light, grip: Grip::Middle(shading) }
     }
 
-    /// Whether it is held by the middle of what it lights.
+    /// True for a drag by the middle of the lit part.
     pub(super) fn is_by_middle(&self) -> bool {
         matches!(self.grip, Grip::Middle(_))
     }
 
-    /// What a drag does.
+    /// Hint on the drag.
     pub(super) fn hint(&self, session: &Session) -> String {
         let name = session
             .lamp(&self.light)
@@ -77,7 +77,7 @@ impl HeldLight {
     }
 }
 
-/// A light as it is while the camera stands so.
+/// Values of a light at the present place of the camera.
 pub(super) fn resolved(light: &Light, orbit: &Orbit) -> LightValues {
     let (right, up) = orbit.right_and_up();
     LightValues::new(
@@ -87,7 +87,7 @@ pub(super) fn resolved(light: &Light, orbit: &Orbit) -> LightValues {
     )
 }
 
-/// The light whose needle's end is under the pointer.
+/// Light whose needle ends under the pointer.
 pub(super) fn hit(session: &Session, rect: Rect, at: Pos2) -> Option<HeldLight> {
     let lights = session.shining().filter(|(_, light)| light.kind == LightKind::Directional);
     let (center, radius) = session.ball();
@@ -102,7 +102,7 @@ pub(super) fn hit(session: &Session, rect: Rect, at: Pos2) -> Option<HeldLight> 
     Some(HeldLight { light: light.clone(), grip: Grip::Needle { is_behind, is_outside: false } })
 }
 
-/// Turns what is held so that it is at a point of the screen.
+/// Turns the dragged light so that its handle is at a point of the screen.
 pub(super) fn drag(
     held: &mut HeldLight,
     session: &Session,
@@ -117,7 +117,7 @@ pub(super) fn drag(
         Grip::Needle { is_behind, is_outside } => {
             let (toward, is_on_ball) =
                 on_ball(&session.view.orbit, session.ball(), rect, at, *is_behind);
-            // Over the rim and back is the other side.
+            // A drag over the rim and back leads to the other side.
             if is_on_ball && *is_outside {
                 *is_behind = !*is_behind;
             }
@@ -139,7 +139,8 @@ pub(super) fn drag(
     (new != old).then(|| set().held(Id::unique("light on the object")))
 }
 
-/// Toward a light whose middle is at a point of the screen, and the place on the surface there.
+/// Direction to a light whose middle is at a point of the screen, and the position on the surface
+/// there.
 fn at_surface(
     surface: &Surface,
     shading: ShadingType,
@@ -154,7 +155,8 @@ fn at_surface(
     if surface.is_at(place) || matches!(shading, ShadingType::Specular | ShadingType::HalfVector) {
         return Some((toward, position));
     }
-    // Beyond the outline the light goes on behind: a quarter turn in a quarter of the picture.
+    // Beyond the outline the light goes on behind the object: a quarter turn per quarter of the
+    // picture's height.
     let [x, y] = surface.place_of(pixel);
     let rim = rect.min + vec2(x * rect.width(), y * rect.height());
     let beyond = f64::from((at.distance(rim) / (rect.height() * 0.25)).min(1.0))
@@ -164,15 +166,15 @@ fn at_surface(
         _ => surface.toward_viewer(pixel).as_dvec3(),
     };
     let aside = (toward - back * toward.dot(back)).try_normalize()?;
-    // On a coarse grid the outline's last pixel may face the viewer a little still; from there on
-    // it is one turn.
+    // On a coarse grid the outline's last pixel may still face the viewer a little; the angle
+    // behind is counted from there, and both together are a half turn.
     let start = toward.angle_between(back).min(std::f64::consts::FRAC_PI_2);
     let angle = start + beyond * (std::f64::consts::PI - start) / std::f64::consts::FRAC_PI_2;
     Some((back * angle.cos() + aside * angle.sin(), position))
 }
 
-/// The direction of the ball of needles' ends at a point of the screen, and whether the ball is
-/// there at all; else that of its rim.
+/// Direction on the ball of the needles' ends at a point of the screen, and true if the ball is
+/// there; otherwise the direction of the ball's rim.
 fn on_ball(
     orbit: &Orbit,
     (center, radius): (DVec3, f64),
@@ -192,7 +194,7 @@ fn on_ball(
         }
         Projection::Orthographic => (eye + plane * camera.height, -backward),
     };
-    // As if the ball were in the middle of the world, and of radius 1.
+    // The ball is mapped to the origin, with radius 1.
     let origin = (origin - center) / radius;
     let along = -origin.dot(ray);
     let nearest = origin + ray * along;
@@ -204,7 +206,7 @@ fn on_ball(
     ((nearest + ray * half).try_normalize().unwrap_or(backward), true)
 }
 
-/// Shows where the directional lights come from: a needle from the object's outside toward each.
+/// Shows the directions of the directional lights: a needle from outside the object toward each.
 pub(super) fn paint_needles(
     ui: &Ui,
     rect: Rect,
@@ -231,7 +233,7 @@ pub(super) fn paint_needles(
     }
 }
 
-/// A sun at the middle of what a light lights.
+/// Draws a sun at the middle of a light's lit part.
 pub(super) fn paint_middle(ui: &Ui, rect: Rect, at: Pos2, is_held: bool) {
     let painter = ui.painter_at(rect);
     let color = if is_held { Color32::WHITE } else { theme::SUN };
@@ -247,7 +249,7 @@ pub(super) fn paint_middle(ui: &Ui, rect: Rect, at: Pos2, is_held: bool) {
     }
 }
 
-/// Whether the sun at `middle` is under the pointer.
+/// True if the sun at `middle` is under the pointer.
 pub(super) fn is_at_middle(middle: Option<Pos2>, at: Pos2) -> bool {
     middle.is_some_and(|middle| middle.distance(at) <= REACH)
 }

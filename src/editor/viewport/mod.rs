@@ -1,9 +1,9 @@
-//! The look on an object: drag beside the object to orbit, on it to turn the lights; the wheel
-//! comes nearer.
+//! Viewport: the look on an object. A drag beside the object orbits, a drag on it turns the lights;
+//! the wheel moves the camera nearer.
 //!
-//! `surface` knows what is seen at each pixel; on it `isocurves` draws the selected layer's lines,
-//! which are dragged there, `lights` the handles of lights, and `strip` the values that have no
-//! place on the object.
+//! `surface` holds the visible surface at each pixel; on it `isocurves` draws the selected layer's
+//! lines, which are dragged there, `lights` the handles of lights, and `strip` the values that have
+//! no place on the object.
 
 mod arrows;
 mod backdrop;
@@ -50,10 +50,10 @@ use place::{is_on_object, place_in, project};
 use show::{Place as ReferencePlace, Reference};
 use surface::{Key as SurfaceKey, Surface, Surfaces};
 
-/// How fast the turntable turns, in turns of the picture's height a second.
+/// Speed of the turntable, as a horizontal drag in heights of the picture per second.
 const TURNTABLE: f64 = -0.25;
 
-/// What a drag that is going on does.
+/// Drag that is under way.
 #[derive(Clone, Debug, PartialEq)]
 enum Drag {
     Camera,
@@ -63,43 +63,43 @@ enum Drag {
     Light(lights::HeldLight),
 }
 
-/// What a drag that is given up goes back to.
+/// State that a cancelled drag goes back to.
 struct DragStart {
     view: Orbit,
-    /// How many steps of the look were done.
+    /// Number of steps of the history that were done.
     place: usize,
 }
 
-/// The viewport and what it remembers between frames.
+/// The viewport and its state between frames.
 pub struct Viewport {
     drag: Option<Drag>,
-    /// How everything was when the drag began.
+    /// State when the drag began.
     before: Option<DragStart>,
     rect: Option<Rect>,
-    /// What was taken in of this frame, until it is drawn.
+    /// Input of this frame, kept until the frame is drawn.
     scene: Option<ViewportScene>,
     hint: String,
-    /// The object of a scene under the pointer.
+    /// Object of a scene under the pointer.
     hovered: Option<ObjectId>,
     surfaces: Surfaces,
     isocurves: Isocurves,
-    /// Whether arrows toward the eye and the lights are shown, and those of the last frame.
+    /// True if arrows toward the eye and the lights are shown; then the arrows of the last frame.
     has_arrows: bool,
     arrows: Vec<arrows::Arrow>,
     turns: bool,
-    /// In stops; for this window only.
+    /// Exposure in stops; for this window only.
     exposure: f32,
     exports: Exports,
     preparing: preparing::Preparing,
     reference: Option<Reference>,
-    /// The side of baked images, in pixels.
+    /// Side of baked images, in pixels.
     bake_side: u32,
 }
 
-/// What one frame draws: where the picture is, and what is under the pointer.
+/// Input of one frame: the place of the picture, and what is under the pointer.
 struct ViewportScene {
     rect: Rect,
-    /// The room of a reference image beside the picture.
+    /// Area of a reference image beside the picture.
     beside: Option<Rect>,
     response: Response,
     pointer: Option<Pos2>,
@@ -107,18 +107,18 @@ struct ViewportScene {
     hovered: Option<objects::HoveredObject>,
 }
 
-/// What is shown on the object this time.
+/// Handles on the object in this frame.
 struct Handles {
     surface: Option<Arc<Surface>>,
     layer: Option<Layer>,
-    /// Whether lines and handles are shown.
+    /// True if lines and handles are shown.
     is_on: bool,
-    /// Where objects are, where that is news.
+    /// Places of the objects, where they have changed.
     places: Option<Vec<ObjectPlace>>,
 }
 
 impl Viewport {
-    /// `wake` is called from another thread when there is something new to show.
+    /// `wake` is called from another thread when a surface or an export is done.
     pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Clone + Send + 'static) -> Self {
         Self {
             drag: None,
@@ -140,8 +140,8 @@ impl Viewport {
         }
     }
 
-    /// Shows the bars, and takes in what the pointer and the keys do over the picture, which has all
-    /// the room there is. The camera and the lights belong to the window, not to the look.
+    /// Shows the bars, and handles the pointer and the keys over the picture, which takes all
+    /// available space. The camera and the lights belong to the window, not to the look.
     pub(crate) fn interact(
         &mut self,
         ui: &mut Ui,
@@ -159,7 +159,7 @@ impl Viewport {
         let response = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Picture"));
         self.rect = Some(rect);
-        // By the pixels that are drawn, so that it is the picture that others draw of the scene.
+        // The aspect ratio is that of whole pixels, as in the picture that is drawn of the scene.
         let [width, height] = picture_size(rect, ui.pixels_per_point()).map(f64::from);
         view.fit_into(width / height);
         spots::note(ui, Spot::Picture, rect);
@@ -180,7 +180,7 @@ impl Viewport {
         if response.clicked() && is_free {
             out.extend(objects::pick(session, handles.surface.as_deref(), hovered.as_ref()));
         }
-        // Where the hand paints, only what else turns the camera turns it.
+        // While the pointer paints, only the other ways to turn the camera remain.
         let is_alt = ui.input(|input| input.modifiers.alt);
         let is_stroke =
             self.drag.is_none() && response.dragged_by(PointerButton::Primary) && !is_alt;
@@ -192,14 +192,14 @@ impl Viewport {
         self.turn(ui, &mut view);
         out.extend(tools.interact(ui, &context));
         if view != session.view.orbit {
-            // What is asked for by name, as to turn all back, comes after.
+            // Commands by name, such as the reset of the view, apply after the drag.
             out.insert(0, Command::View(ViewCommand::TurnTo(Box::new(view))));
         }
         self.scene = Some(ViewportScene { rect, beside, response, pointer, handles, hovered });
         out
     }
 
-    /// Draws the picture, and what is over it.
+    /// Draws the picture and its overlays.
     pub(crate) fn show(
         &mut self,
         ui: &mut Ui,
@@ -237,7 +237,7 @@ impl Viewport {
         let is_free = self.drag.is_none() && handles.is_on && owner.is_none() && response.hovered();
         let hovered = pointer.filter(|_| is_free);
         let hovered = hovered.and_then(|at| self.grip(ui, rect, at, session, &handles));
-        // The hint of a drag stands before that of the brush, and not before that of the probe.
+        // The hint of a drag goes before that of the brush, but not before that of the probe.
         let is_told = |tool: &&ToolRow| tool.mark.is_some() || self.drag.is_none();
         self.hint = match owner.filter(is_told).and_then(|tool| tool.hint) {
             Some(hint) => hint(tools).to_owned(),
@@ -275,11 +275,11 @@ impl Viewport {
         out
     }
 
-    /// Finds out what is handled, and brings its lines up to date.
+    /// Finds the handles of the selection, and brings its lines up to date.
     fn handles(&mut self, rect: Rect, session: &Session, is_on: bool, is_free: bool) -> Handles {
         let layer = layer::selected(session).filter(|_| is_on && is_free);
         let wants_lines = is_on && (layer.is_some() || layer::selected_light(session).is_some());
-        // Of a scene one wants to know what is where, in any case.
+        // In a scene the surface is needed in any case, to find the object under the pointer.
         if !(wants_lines || self.has_arrows || session.stage().is_some()) || rect.area() < 16.0 {
             self.isocurves.clear();
             return Handles { surface: None, layer, is_on, places: None };
@@ -302,7 +302,7 @@ impl Viewport {
         Handles { surface, layer, is_on, places }
     }
 
-    /// What there is to be taken at a point of the screen.
+    /// Drag that would begin at a point of the screen.
     fn grip(
         &self,
         ui: &Ui,
@@ -318,6 +318,7 @@ impl Viewport {
         if let Some((light, shading)) = chosen {
             let is_there =
                 handles.surface.as_ref().is_some_and(|surface| surface.is_at(place_in(rect, at)));
+            // Shift takes the middle from any point of the object, as it may lie out of sight.
             if modifiers.shift && is_there || lights::is_at_middle(self.isocurves.middle(rect), at)
             {
                 return Some(Drag::Light(lights::HeldLight::by_middle(light, shading)));
@@ -436,7 +437,8 @@ impl Viewport {
         }
         let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
         let factor = f64::from((-scroll / 300.0).exp() / pinch);
-        // Strokes belong to the view that they were painted in, which a wheel leaves too easily.
+        // Strokes belong to the view that they were painted in, which the wheel would leave too
+        // easily.
         let is_held = fitting.is_on() && !session.sketch().is_empty();
         if factor != 1.0 && !is_held {
             view.dolly(factor);
@@ -460,40 +462,41 @@ impl Viewport {
         self.turns = false;
     }
 
-    /// Whether something is dragged on the picture.
+    /// True while a drag on the picture is under way.
     pub(crate) fn is_dragging(&self) -> bool {
         self.drag.is_some()
     }
 
-    /// Gives a drag up. Returns where camera and lights were when it began, and whether the last
-    /// step of the look is the drag's, and is to be taken back too.
+    /// Cancels the drag. Returns the camera and the lights at its beginning, and true if the last
+    /// step of the history is the drag's and is to be undone too.
     pub(crate) fn give_up(&mut self, session: &Session) -> Option<(Orbit, bool)> {
         self.drag = None;
         let before = self.before.take()?;
         Some((before.view, session.place() == before.place + 1))
     }
 
-    /// What may be done at the pointer; empty while it is elsewhere.
+    /// Hint on the actions possible at the pointer; empty while the pointer is not over the
+    /// picture.
     pub(crate) fn hint(&self) -> &str {
         &self.hint
     }
 
-    /// The object of a scene that was under the pointer in the last frame.
+    /// Object of a scene that was under the pointer in the last frame.
     pub(crate) fn hovered(&self) -> Option<&ObjectId> {
         self.hovered.as_ref()
     }
 
-    /// How wide the picture is, in parts of its height.
+    /// Width of the picture, in heights.
     pub(crate) fn aspect(&self) -> f64 {
         objects::aspect(self.rect)
     }
 
-    /// Where the picture is on the screen; for tests.
+    /// Rectangle of the picture on the screen; for tests.
     pub fn rect(&self) -> Option<Rect> {
         self.rect
     }
 
-    /// Points of a line of the selected layer on the screen, by its input's name (`offset`,
+    /// Points on the screen of a line of the selected layer, by its input's name (`offset`,
     /// `falloff`, `cutoff`); for tests.
     pub fn curve(&self, port: &str) -> Vec<Pos2> {
         let curve = Curve::ALL.into_iter().find(|curve| curve.port() == port);
@@ -503,23 +506,24 @@ impl Viewport {
             .unwrap_or_default()
     }
 
-    /// Where the arrows toward the eye and the lights begin and end on the screen; for tests.
+    /// Ends on the screen of the arrows toward the eye and the lights; for tests.
     pub fn arrows(&self) -> impl Iterator<Item = [Pos2; 2]> {
         self.arrows.iter().map(|arrow| [arrow.from, arrow.to])
     }
 
-    /// Where the middle of what the selected layer's light lights is on the screen; for tests.
+    /// Position on the screen of the middle of the part lit by the selected layer's light; for
+    /// tests.
     pub fn middle(&self) -> Option<Pos2> {
         self.isocurves.middle(self.rect?)
     }
 
-    /// Writes a picture of what is shown.
+    /// Writes the present picture to a file.
     pub(crate) fn export(&mut self, session: &Session, export: PictureExport, path: PathBuf) {
         self.exports.draw(export, session.snapshot(), Destination::File(path));
     }
 
-    /// Copies the picture to the clipboard, as large as it is on the screen, or of a usual size
-    /// where it never was there.
+    /// Copies the picture to the clipboard, at its size on the screen, or at a default size before
+    /// it was shown.
     pub(crate) fn copy(&mut self, session: &Session, scale: f32) {
         self.exports.draw(
             PictureExport::Picture(self.size_in_pixels(scale)),
@@ -528,7 +532,7 @@ impl Viewport {
         );
     }
 
-    /// How large the picture is on the screen, or a usual size where it never was there.
+    /// Size of the picture on the screen, or a default size before it was shown.
     pub(crate) fn size_in_pixels(&self, scale: f32) -> [u32; 2] {
         self.rect.map_or([800, 800], |rect| picture_size(rect, scale)).map(|side| side.max(1))
     }

@@ -1,5 +1,5 @@
-//! The objects of a scene in the picture: what is under the pointer, what a click selects, and
-//! quiet marks.
+//! Objects of a scene in the picture: the object under the pointer, selection by clicks, and
+//! unobtrusive marks.
 
 use eframe::egui;
 use eframe::egui::{Align2, FontId, Pos2, Rect, Stroke, Ui, pos2, vec2};
@@ -13,13 +13,13 @@ use crate::state::scene::file_label;
 use crate::state::session::Session;
 use crate::widgets::theme;
 
-/// How long a corner's lines are, in points.
+/// Length of a corner's lines, in points.
 const CORNER: f32 = 10.0;
 
-/// What is under the pointer.
+/// Object under the pointer.
 pub(super) struct HoveredObject {
     piece: Piece,
-    /// What the look is called.
+    /// Name of the object's look.
     look: String,
 }
 
@@ -28,7 +28,7 @@ impl HoveredObject {
         &self.piece.object
     }
 
-    /// What is told of it.
+    /// Hint on the object.
     pub(super) fn hint(&self) -> String {
         let Self { piece: Piece { object, is_open, .. }, look } = self;
         match is_open {
@@ -38,13 +38,13 @@ impl HoveredObject {
     }
 }
 
-/// How wide a picture is, in parts of its height.
+/// Width of a picture, in heights.
 pub(super) fn aspect(rect: Option<Rect>) -> f64 {
     rect.filter(|rect| rect.is_positive())
         .map_or(1.0, |rect| f64::from(rect.width() / rect.height()))
 }
 
-/// The object of a scene at the pointer.
+/// Object of a scene under the pointer.
 pub(super) fn seen(
     session: &Session,
     surface: Option<&Surface>,
@@ -58,7 +58,7 @@ pub(super) fn seen(
     Some(HoveredObject { piece, look })
 }
 
-/// What a click asks for: the object that is seen, with its look; or, beside all, none.
+/// Command of a click: selects the object under the pointer, with its look, or nothing.
 pub(super) fn pick(
     session: &Session,
     surface: Option<&Surface>,
@@ -73,7 +73,7 @@ pub(super) fn pick(
     }))
 }
 
-/// Marks the object that is selected by corners around it, and names the one under the pointer.
+/// Marks the selected object by corners around it, and names the one under the pointer.
 pub(super) fn paint(
     ui: &Ui,
     rect: Rect,

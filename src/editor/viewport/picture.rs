@@ -1,6 +1,6 @@
-//! The picture in the viewport: planned and drawn on a thread of its own, on the window's device,
-//! so that neither a slow GPU nor a shader being built holds up a hand. The newest wish wins; what
-//! was drawn last stays until then.
+//! Picture in the viewport: planned and drawn on a thread of its own, on the window's device, so
+//! that neither a slow GPU nor a shader being built holds up the pointer. The newest request wins;
+//! the last picture stays until it is drawn.
 
 use std::path::PathBuf;
 use std::sync::{Arc, Weak};
@@ -23,7 +23,7 @@ use crate::state::session::{DrawableLook, Session};
 use crate::state::snapshot::RenderSnapshot;
 use crate::state::worker::Worker;
 
-/// What a picture is of: with another look or another mesh it is another one.
+/// Subject of a picture: another document or another mesh is another subject.
 #[derive(Clone, PartialEq)]
 struct Subject {
     document: DocumentNumber,
@@ -39,30 +39,30 @@ impl Subject {
     }
 }
 
-/// What is missing for the first picture of what is open.
+/// Part that is missing for the first picture of the open document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum MissingPicture {
-    /// The look is being compiled.
+    /// Compiled look.
     Shader,
-    /// It is being drawn.
+    /// Drawing of the picture.
     Picture,
-    /// Nothing is done: there is something wrong with it.
+    /// Fix of the problems: nothing is under way.
     Mended,
 }
 
-/// What is to be drawn.
+/// Request for a picture.
 struct PictureRequest {
     subject: Subject,
     showing: DrawableLook,
     still: RenderSnapshot,
     size: [u32; 2],
-    /// Whether its effects are to be told.
+    /// True if the picture's effects are to be reported.
     tells_effects: bool,
-    /// The name and the file of what it is of, where that is drawn for the first time.
+    /// Name and file of the document, where it is drawn for the first time.
     first_of: Option<(String, Option<PathBuf>)>,
 }
 
-/// What a picture was wished for: the same again needs no new one.
+/// Inputs of the last request: for the same inputs no new picture is needed.
 #[derive(PartialEq)]
 struct PictureInputs {
     picture: PictureRevision,
@@ -73,19 +73,19 @@ struct PictureInputs {
     tells_effects: bool,
 }
 
-/// What was drawn: a texture where it could be.
+/// Drawn picture; without a texture where it could not be drawn.
 struct DrawnPicture {
     subject: Subject,
     texture: Option<wgpu::TextureView>,
-    /// What was made ready for it, and need not be made for the next one.
+    /// Resources that were made for the picture, and need not be made for the next one.
     ready: Option<Ready>,
     problems: Vec<Diagnostic>,
     effects: Option<Vec<Effect>>,
-    /// Lives until the GPU has done what was handed to it, where that was for the first time.
+    /// Lives until the GPU has done the picture's work, where that work was the first of its kind.
     unfinished: Option<Weak<CrashMark>>,
 }
 
-/// What takes long to make: a shader's pipelines, and what a mesh is on the GPU.
+/// Resources that take long to make: a shader's pipelines, and a mesh on the GPU.
 #[derive(Clone)]
 struct Ready {
     shader: Arc<CompiledShader>,
@@ -109,32 +109,33 @@ impl Ready {
     }
 }
 
-/// How long a frame waits for the picture of its own edit to be handed to the GPU. With everything
-/// ready that takes a few milliseconds; a software GPU draws on the same cores, and takes its time.
+/// Longest time that a frame waits until the picture of its own edit is handed to the GPU. With
+/// everything ready that takes a few milliseconds; a software GPU draws on the same cores, and
+/// takes its time.
 const HURRY: Duration = Duration::from_millis(60);
-/// After so many frames whose picture came too late, waiting is given up for a while.
+/// Number of frames with late pictures after which waiting is given up for a while.
 const MOST_LATE: u32 = 4;
-/// Frames that take longer than this, in seconds, are too slow for a hand at work.
+/// Duration above which frames are too slow for dragging, in seconds.
 const SLOW: f32 = 1.0 / 25.0;
-/// Frames that take less leave room for a finer picture.
+/// Duration below which frames leave room for a finer picture, in seconds.
 const QUICK: f32 = 1.0 / 100.0;
-/// As many slow frames in a row make the picture coarser.
+/// Number of slow frames in a row that make the picture coarser.
 const PATIENCE: u32 = 2;
-/// As many quick ones finer.
+/// Number of quick frames in a row that make the picture finer.
 const TRUST: u32 = 20;
-/// The coarsest picture, in parts of the screen's pixels along each side.
+/// Factor between pixels of the screen and of the coarsest picture, along each side.
 const COARSEST: u32 = 4;
 
-/// How coarse a picture may be drawn while a hand is at work, so that it keeps up with the hand.
+/// Coarseness of the picture during drags, so that it keeps up with the pointer.
 #[derive(Debug)]
 struct Pace {
-    /// 1 at rest.
+    /// Present coarseness; 1 at rest.
     coarseness: u32,
-    /// What the last hand came to: the next one begins with it.
+    /// Coarseness at the end of the last drag; the next one begins with it.
     last: u32,
     slow: u32,
     quick: u32,
-    /// Whether the last frame asked for a picture: only then its time tells anything.
+    /// True if the last frame requested a picture: only then does its duration tell anything.
     has_wished: bool,
 }
 
@@ -165,50 +166,51 @@ impl Pace {
     }
 }
 
-/// The viewport's picture.
+/// Picture of the viewport.
 pub(crate) struct Picture {
     state: RenderState,
     gpu: Gpu,
     worker: Worker<PictureRequest, DrawnPicture>,
     texture: Option<TextureId>,
-    /// What it shows.
+    /// Subject of the picture that is shown.
     shown: Option<Subject>,
     wished: Option<PictureInputs>,
     pace: Pace,
-    /// What the last picture was drawn with.
+    /// Resources that the last picture was drawn with.
     ready: Option<Ready>,
-    /// Whether all that is asked for needs only to be drawn: nothing is to be built, and no mesh to
+    /// True if all that is requested needs only to be drawn: nothing is to be built, and no mesh to
     /// be read.
     is_quick: bool,
-    /// The longest that a frame waits.
+    /// Longest time that a frame waits for the picture of its own edit.
     pub(crate) patience: Duration,
-    /// How many frames in a row went without the picture of their own edit.
+    /// Number of frames in a row that went without the picture of their own edit.
     late: u32,
-    /// The size that was asked for last, before it was made coarser.
+    /// Size that was requested last, before it was made coarser, in pixels.
     size: [u32; 2],
-    /// Lives while the GPU is at something that it never drew before: the compilers of drivers may
-    /// be at work as well.
+    /// Lives while the GPU does work of a kind that it never did before: compilers of drivers may
+    /// be running as well.
     unfinished: Weak<CrashMark>,
-    /// How many pictures were asked for.
+    /// Number of pictures that were requested.
     pub(crate) wishes: u64,
-    /// What keeps the picture from being drawn, or was odd about it.
+    /// Problems that keep the picture from being drawn, or warnings about it.
     pub(crate) problems: Vec<Diagnostic>,
-    /// Whether somebody wants to know what the picture costs.
+    /// True if the cost of the picture is to be reported.
     pub(crate) tells_effects: bool,
-    /// What the last picture of a look at rest cost, where that was wanted.
+    /// Effects of the last picture of a look at rest, where they were requested.
     pub(crate) effects: Arc<Vec<Effect>>,
 }
 
 impl Picture {
-    /// A picture on the window's device. `wake` is called from another thread when there is a new
-    /// one; what goes on is noted in `crashes`.
+    /// Creates a picture on the window's device. `wake` is called from another thread when there is
+    /// a new one; the drawing is noted in `crashes`.
     pub(crate) fn new(
         state: RenderState,
         crashes: CrashLog,
         wake: impl Fn() + Send + 'static,
     ) -> Self {
         let gpu = Gpu::new(state.device.clone(), state.queue.clone(), state.adapter.get_info());
-        // Lights are edited: a look is not compiled anew when one goes out.
+        // Only whole objects are culled: lights are edited, and a look must not be compiled anew
+        // when one goes out.
         let planner = Planner::default().culling(Cull::Objects);
         let renderer = Renderer::new(gpu.clone());
         let mut artist = Artist { renderer, planner, provided: None, library: None, crashes };
@@ -239,9 +241,9 @@ impl Picture {
         &self.gpu
     }
 
-    /// Asks for a picture of `size` pixels if anything changed, and returns the newest there is.
-    /// While a hand is at work the picture may be coarser, if frames come too slowly otherwise;
-    /// `dt` is how long the last one took, in seconds.
+    /// Requests a picture of `size` pixels if anything changed, and returns the newest. During a
+    /// drag (`is_at_work`) the picture may be coarser, if frames come too slowly otherwise; `dt` is
+    /// the duration of the last frame, in seconds.
     pub(crate) fn update(
         &mut self,
         session: &Session,
@@ -256,10 +258,9 @@ impl Picture {
         self.texture
     }
 
-    /// Asks for what an edit of this very frame changes, and waits until it is handed to the GPU,
-    /// where that needs only to be drawn. The GPU does what it is given in order, so that this
-    /// frame shows the picture already: it need not be finished, only be handed over before the
-    /// frame is.
+    /// Requests the picture of an edit of this very frame, and waits until it is handed to the GPU,
+    /// if it needs only to be drawn. The GPU works in order, so that this frame shows the picture
+    /// already: the picture need not be finished, only be handed over before the frame is.
     pub(crate) fn hurry(&mut self, session: &Session) {
         self.pace.has_wished |= self.ask(session);
         if !self.worker.is_busy() {
@@ -324,40 +325,40 @@ impl Picture {
         false
     }
 
-    /// How many times coarser than the screen the picture is; 1 at rest.
+    /// Factor between pixels of the screen and of the picture, along each side; 1 at rest.
     pub(crate) fn coarseness(&self) -> u32 {
         self.pace.coarseness
     }
 
-    /// Whether one is being made.
+    /// True while a picture is being made.
     pub(crate) fn is_busy(&self) -> bool {
         self.worker.is_busy()
     }
 
-    /// Whether the GPU is at something that it never drew before; asks, and does not wait.
+    /// True while the GPU does work of a kind that it never did before; polls without waiting.
     pub(crate) fn is_unfinished(&self) -> bool {
         if self.unfinished.strong_count() > 0 {
-            // A device that is lost calls back as well.
+            // A lost device calls back as well.
             let _ = self.state.device.poll(wgpu::PollType::Poll);
         }
         self.unfinished.strong_count() > 0
     }
 
-    /// Whether there is one.
+    /// True if there is a picture.
     pub(crate) fn is_there(&self) -> bool {
         self.texture.is_some()
     }
 
-    /// What is missing for the first picture of what is open, while the one that is there shows
-    /// something else.
+    /// Part that is missing for the first picture of the open document, while the picture shows
+    /// another subject.
     pub(crate) fn awaited(&self, session: &Session) -> Option<MissingPicture> {
         let subject = Subject::of(session);
         let shown = self.shown.as_ref().filter(|shown| **shown != subject && self.is_there())?;
         if session.is_compiling() {
             return Some(MissingPicture::Shader);
         }
-        // One that is drawn and not taken yet is awaited, too: a sign that goes and comes again
-        // would flicker.
+        // A picture that is drawn and not taken yet counts as awaited too: a sign that goes and
+        // comes again would flicker.
         if self.worker.owes() {
             return Some(MissingPicture::Picture);
         }
@@ -367,7 +368,7 @@ impl Picture {
         is_broken.then_some(MissingPicture::Mended)
     }
 
-    /// Waits for it.
+    /// Waits for the picture.
     pub(crate) fn wait(&self) {
         self.worker.wait();
         if self.unfinished.strong_count() > 0 {
@@ -395,13 +396,13 @@ impl Picture {
     }
 }
 
-/// Lives on the thread.
+/// State of the thread that draws.
 struct Artist {
     renderer: Renderer,
     planner: Planner,
-    /// The shader that the planner was given last.
+    /// Shader that the planner was given last, with its look.
     provided: Option<(Arc<CompiledShader>, Arc<Look>)>,
-    /// The nodes that the planner compiled with.
+    /// Library that the planner compiled with.
     library: Option<Arc<Library>>,
     crashes: CrashLog,
 }
@@ -439,7 +440,7 @@ impl Artist {
         }
     }
 
-    /// Keeps a mark until the GPU has done everything that was handed to it. Some drivers compile
+    /// Keeps a mark until the GPU has done all work that was handed to it. Some drivers compile
     /// only then.
     fn hand_to_gpu(&self, going: CrashMark) -> Weak<CrashMark> {
         let going = Arc::new(going);
@@ -448,8 +449,8 @@ impl Artist {
         unfinished
     }
 
-    /// Draws, and tells the effects where they are wanted and the look is at rest: of a look that
-    /// is being edited nothing is left out, which would only flicker.
+    /// Draws, and reports the effects where they are requested and the look is at rest: while a
+    /// look is edited nothing is left out, as that would only flicker.
     async fn try_draw(
         &mut self,
         wish: &PictureRequest,
@@ -482,8 +483,8 @@ impl Artist {
                 .on_submitted_work_done(|| milestones::reached("first picture"));
         }
         if let Some(effects) = &mut effects {
-            // Once more with a clock, everything anew: what was drawn just now may have been
-            // little, or the first time.
+            // The whole picture is drawn once more with timestamps: the drawing before may have
+            // been partial, or the first of its kind.
             let times = self.renderer.measure(&plan).await.map_err(|error| vec![error.into()])?;
             set_times(effects, &times);
         }
@@ -491,7 +492,7 @@ impl Artist {
     }
 }
 
-/// Whether a planner that knows the keys of one knows those of the other.
+/// True if a planner that knows the keys of one look knows those of the other.
 fn same_keys(a: &Look, b: &Look) -> bool {
     (&a.direction_keys, &a.time_keys, &a.exposed) == (&b.direction_keys, &b.time_keys, &b.exposed)
 }
@@ -516,7 +517,7 @@ mod tests {
         assert_eq!(frames(false, 0.1, 1), 1, "at rest it is whole");
         assert_eq!(frames(true, 0.016, 1), 4, "the next hand begins where the last one ended");
         assert_eq!(frames(true, 0.005, TRUST), 2);
-        // A hand that rests in between took no long frame.
+        // A drag that rests in between has no long frame.
         pace.has_wished = false;
         pace.tell(true, 3.0);
         assert_eq!(pace.slow, 0);

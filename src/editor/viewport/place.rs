@@ -1,4 +1,4 @@
-//! Where things are on the screen: points of the picture and of the world.
+//! Places on the screen: of points of the picture and of the world.
 
 use eframe::egui::{Pos2, Rect, vec2};
 use glam::DVec3;
@@ -7,13 +7,13 @@ use super::Handles;
 use crate::document::Projection;
 use crate::state::session::Session;
 
-/// A point of the screen in parts of the picture's size.
+/// Point of the screen in parts of the picture's size.
 pub(super) fn place_in(rect: Rect, at: Pos2) -> [f32; 2] {
     [(at.x - rect.min.x) / rect.width(), (at.y - rect.min.y) / rect.height()]
 }
 
-/// Whether a point of the screen is on the object, or near enough: its bounding sphere has radius
-/// 1.
+/// True if a point of the screen is on the object, or within its bounding sphere, of radius 1,
+/// while no surface is known.
 pub(super) fn is_on_object(at: Pos2, rect: Rect, session: &Session, handles: &Handles) -> bool {
     if let Some(surface) = &handles.surface {
         return surface.piece_at(place_in(rect, at)).is_some();
@@ -26,7 +26,7 @@ pub(super) fn is_on_object(at: Pos2, rect: Rect, session: &Session, handles: &Ha
     at.distance(center) < radius * 0.92
 }
 
-/// A point of the world on the screen; `None` behind the eye.
+/// Position of a point of the world on the screen; `None` behind the eye.
 pub(super) fn project(point: DVec3, rect: Rect, session: &Session) -> Option<Pos2> {
     let view = &session.view.orbit;
     let (right, up) = view.right_and_up();

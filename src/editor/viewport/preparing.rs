@@ -1,5 +1,5 @@
-//! The sign that the picture of what was just opened is on its way: the old picture steps back
-//! behind it. What comes quickly has none, so that nothing flickers, and it fades in calmly.
+//! Sign that the picture of a document just opened is being made; the old picture fades behind it.
+//! Quick pictures get no sign, so that nothing flickers, and the sign fades in slowly.
 
 use std::time::Duration;
 
@@ -9,25 +9,24 @@ use crate::state::session::Session;
 use crate::viewport::picture::{MissingPicture, Picture};
 use crate::widgets::theme;
 
-/// What takes no longer, in seconds, has no sign.
+/// Time for which no sign is shown, in seconds.
 const CALM: f64 = 0.35;
-/// For so long it fades in, in seconds.
+/// Time in which the sign fades in, in seconds.
 const FADE: f64 = 0.3;
-/// How far the old picture steps back.
+/// Opacity of the veil over the old picture, 0 to 1.
 const VEIL: f32 = 0.6;
-/// The room for the sign, and its wheel, in points.
+/// Size of the sign, and of its wheel, in points.
 const SIGN: Vec2 = vec2(340.0, 84.0);
 const WHEEL: f32 = 22.0;
 
-/// Since when a picture is awaited, in seconds of the window's clock.
+/// Time since which a picture is awaited, in seconds of the window's clock.
 #[derive(Debug, Default)]
 pub(super) struct Preparing {
     since: Option<f64>,
 }
 
 impl Preparing {
-    /// How plainly the sign is seen, from 0 to 1, and for how long, in seconds, nothing of it will
-    /// be.
+    /// Opacity of the sign, 0 to 1, and the time until it begins to show, in seconds.
     fn tell(&mut self, is_awaited: bool, now: f64) -> (f32, f64) {
         if !is_awaited {
             self.since = None;
@@ -37,7 +36,7 @@ impl Preparing {
         (((age - CALM) / FADE).clamp(0.0, 1.0) as f32, (CALM - age).max(0.0))
     }
 
-    /// Shows the sign over the picture, once that is awaited for a while.
+    /// Shows the sign over the picture, once a picture has been awaited for a while.
     pub(super) fn show(&mut self, ui: &mut Ui, rect: Rect, session: &Session, picture: &Picture) {
         let awaited = picture.awaited(session);
         let is_made = matches!(awaited, Some(MissingPicture::Shader | MissingPicture::Picture));

@@ -1,26 +1,25 @@
-//! How the picture is laid into the window: display exposure, and a reference image over it or
-//! beside it.
+//! Display of the picture in the window: exposure, and a reference image over it or beside it.
 
 use eframe::egui;
 use eframe::egui::{Color32, Rect, TextureHandle, TextureId, Ui, Vec2, pos2, vec2};
 
 use crate::widgets::theme;
 
-/// What a display's brightness is of the light: about this power.
+/// Exponent of a display's transfer function, approximately.
 const DISPLAY_GAMMA: f32 = 2.2;
-/// Exposures go this far up and down, in stops.
+/// Largest exposure up and down, in stops.
 pub(super) const MOST_STOPS: f32 = 4.0;
 
-/// Where a reference image is.
+/// Place of a reference image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Place {
-    /// Left of the picture, as large.
+    /// Left of the picture, at the same size.
     Beside,
-    /// Over the picture, seen through.
+    /// Over the picture, translucent.
     Over,
 }
 
-/// An image to work from.
+/// Reference image to work from.
 pub(super) struct Reference {
     pub(super) name: String,
     pub(super) texture: TextureHandle,
@@ -29,7 +28,7 @@ pub(super) struct Reference {
 }
 
 impl Reference {
-    /// Splits the room: the picture's part of it, and the image's where that is beside.
+    /// Splits the available area: the picture's part, and the part of an image beside it.
     pub(super) fn split(&self, room: Rect) -> (Rect, Option<Rect>) {
         match self.place {
             Place::Over => (room, None),
@@ -40,7 +39,7 @@ impl Reference {
         }
     }
 
-    /// Shows it, whole, in the middle of `rect`.
+    /// Shows the whole image, centered in `rect`.
     pub(super) fn paint(&self, ui: &Ui, rect: Rect) {
         let size = self.texture.size_vec2();
         let scale = (rect.size() / size.max(Vec2::splat(1.0))).min_elem();
@@ -64,8 +63,8 @@ fn whole() -> Rect {
     Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0))
 }
 
-/// Shows a picture brighter or darker by so many stops. The texture stays as it is: it is laid on
-/// by a part, or several times, which a display's power law allows.
+/// Shows a picture brighter or darker by `stops`. The texture stays as it is: it is drawn in part,
+/// or several times, which a display's power law allows.
 pub(super) fn paint_exposed(ui: &Ui, texture: TextureId, rect: Rect, stops: f32) {
     let painter = ui.painter_at(rect);
     let mut gain = (stops / DISPLAY_GAMMA).exp2();
@@ -78,7 +77,7 @@ pub(super) fn paint_exposed(ui: &Ui, texture: TextureId, rect: Rect, stops: f32)
     );
     gain -= 1.0;
     while gain > 1.0 / 255.0 {
-        // Without alpha a color is added.
+        // A color without alpha is added.
         let part = (gain.min(1.0) * 255.0).round() as u8;
         painter.image(
             texture,

@@ -1,4 +1,4 @@
-//! The bar that tells what is shown alone or left out.
+//! Bar that tells which layers and lights are soloed or muted.
 
 use eframe::egui;
 use eframe::egui::{RichText, Ui};
@@ -9,7 +9,7 @@ use crate::state::session::Session;
 use crate::state::solo::{OF_THE_WINDOW, Solo};
 use crate::widgets::theme;
 
-/// Says what is shown alone or left out, and leads back. Nothing while everything is shown.
+/// Shows the bar, with a button that leads back; nothing while everything is shown.
 pub(crate) fn show(ui: &mut Ui, session: &Session) -> Option<Command> {
     let text = sentence(session)?;
     let mut command = None;
@@ -38,7 +38,7 @@ pub(crate) fn show(ui: &mut Ui, session: &Session) -> Option<Command> {
     command
 }
 
-/// What is shown alone and what is left out, in words.
+/// Sentence on the soloed and the muted layers and lights.
 fn sentence(session: &Session) -> Option<String> {
     let solo = session.solo();
     if solo.is_empty() {

@@ -1,6 +1,6 @@
-//! The selected layer's values at hand in a corner of the picture: its angles, where no line of
-//! them is seen, its colors and its warp. They would lie over the object's feet, so that of all
-//! this only a tab is seen until the pointer comes to it.
+//! Strip of the selected layer's values in a corner of the picture: its angles, where no line shows
+//! them, its colors and its warp. The strip would cover the object's feet, so that only a tab is
+//! shown until the pointer comes near.
 
 use eframe::egui;
 use eframe::egui::{
@@ -14,20 +14,20 @@ use crate::state::session::Session;
 use crate::widgets::color;
 use crate::widgets::theme;
 
-/// Pictures lower than this, in points, have no room for it.
+/// Least height of a picture with a strip, in points.
 const LEAST_HEIGHT: f32 = 200.0;
 
-/// As near as this, in points, the pointer keeps it open.
+/// Distance within which the pointer keeps the strip open, in points.
 const NEAR: f32 = 20.0;
 
-/// Whether the strip is open, and which of its widgets there are.
+/// True while the strip is open, and the ids of its widgets.
 #[derive(Clone, Default)]
 struct StripState {
     is_open: bool,
     widgets: Vec<Id>,
 }
 
-/// Shows the strip, or its tab while nobody is there.
+/// Shows the strip, or its tab while the pointer is elsewhere.
 pub(super) fn show(
     ui: &mut Ui,
     rect: Rect,
@@ -43,8 +43,8 @@ pub(super) fn show(
     let state = ui.scope_id().with("strip is open");
     let seen: StripState = ui.data(|data| data.get_temp(state)).unwrap_or_default();
     let known: Option<Vec2> = ui.data(|data| data.get_temp(id));
-    // What is open stays so while the pointer is near, a widget of it has the keyboard, or a hand
-    // is at something.
+    // An open strip stays open while the pointer is near, while one of its widgets has the focus,
+    // or during a drag.
     let strip = Rect::from_min_size(
         pos2(room.left(), room.bottom() - known.map_or(64.0, |size| size.y)),
         known.unwrap_or(room.size()),
@@ -67,13 +67,13 @@ pub(super) fn show(
         if now.is_open {
             ui.ctx().request_repaint();
         }
-        // The keyboard that came to the tab goes on to the first of the values.
+        // The focus goes on from the tab to the first of the values.
         now.widgets.push(tab.id);
     }
     ui.data_mut(|data| data.insert_temp(state, now));
 }
 
-/// What is seen of it from afar: whose values there are.
+/// Shows the tab of the closed strip, with the layer's name.
 fn tab(ui: &mut Ui, room: Rect, id: Id, layer: &Layer) -> Response {
     let font = egui::TextStyle::Body.resolve(ui.style());
     let colors = theme::of(ui);
@@ -101,10 +101,10 @@ fn tab(ui: &mut Ui, room: Rect, id: Id, layer: &Layer) -> Response {
     response.on_hover_text("The layer's angles, colors and shape, while the pointer is here")
 }
 
-/// From one dot of the tab to the next, in points.
+/// Distance between neighboring dots of the tab, in points.
 const DOT: f32 = 10.0;
 
-/// All of the strip; `widgets` are those of it that the keyboard reaches.
+/// Shows the whole strip; `widgets` collects the ids of widgets that take the focus.
 fn open(
     ui: &mut Ui,
     room: Rect,
@@ -114,10 +114,10 @@ fn open(
     widgets: &mut Vec<Id>,
     out: &mut Vec<Command>,
 ) {
-    // Its height is known from the frame before.
+    // The height is that of the frame before.
     let size: Vec2 = ui.data(|data| data.get_temp(id)).unwrap_or(vec2(room.width(), 64.0));
     let at = Align2::LEFT_BOTTOM.align_size_within_rect(vec2(room.width(), size.y), room);
-    // What is pressed beside its widgets does nothing to the picture below.
+    // Presses beside the widgets must not reach the picture below.
     let known = Rect::from_min_size(at.min, size);
     ui.interact(known, id.with("ground"), egui::Sense::click_and_drag());
     let builder = UiBuilder::new().id_salt("strip").max_rect(at);

@@ -1,8 +1,8 @@
-//! What the viewport sees, pixel by pixel, for the widgets on it: positions, normals, curvature.
+//! Visible surface, pixel by pixel, for the widgets on it: positions, normals, curvature.
 //!
-//! Made on a thread of its own by the reference's rasteriser, whenever mesh, camera or size change;
-//! lights and layers change nothing here. It is coarser than the picture ([`MOST`]), which curves
-//! that are interpolated hardly show.
+//! The surface is made on a thread of its own by the reference's rasterizer, whenever mesh, camera
+//! or size change; it does not depend on lights and layers. It is coarser than the picture
+//! ([`MOST`]), which interpolated curves hardly show.
 
 use std::sync::Arc;
 
@@ -24,31 +24,32 @@ use crate::state::session::Session;
 use crate::state::snapshot::RenderSnapshot;
 use crate::state::worker::Worker;
 
-/// As many pixels are looked at, or a few more: half of those of 500 by 500 along each side.
+/// Approximate largest number of pixels: half of those of 500 by 500 along each side.
 const MOST: f32 = 62_500.0;
-/// How many times what the slope explains two neighbours may differ in depth and still be of one
-/// surface.
+/// Largest deviation of the depth step between two neighbors of one surface from the step that
+/// their slope predicts, in pixels times one plus the slope.
 const TOLERANCE: f32 = 2.5;
-/// Beyond this a slope explains every step.
+/// Least cosine between normal and view that is used: at a steeper slope every step in depth would
+/// be explained.
 const LEAST_FACING: f32 = 0.05;
 
-/// What a surface is of: the same again is known.
+/// Inputs of a surface: for the same inputs the known surface is used.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Key {
     mesh: String,
     z_is_up: bool,
     stage: Option<PictureRevision>,
-    /// How often files have changed, meshes among them.
+    /// Number of changes to files, meshes among them.
     files: FilesRevision,
     camera: Camera,
     size: [u32; 2],
 }
 
 impl Key {
-    /// Of a picture of so many points.
+    /// Key for a picture of this size in points.
     pub(super) fn new(session: &Session, points: eframe::egui::Vec2) -> Self {
         let (orbit, files) = (&session.view.orbit, session.files());
-        // Neither lights nor values change where anything is.
+        // Neither lights nor values move objects.
         let stage = session.stage().map(|stage| stage.staged().shape());
         let scale = (MOST / (points.x * points.y).max(1.0)).sqrt().min(1.0);
         let size =
@@ -64,46 +65,47 @@ impl Key {
     }
 }
 
-/// A grid of pixels of what is seen. Lists have a pixel each, rows from the top.
+/// Grid of pixels of the visible surface. Lists have one entry per pixel, rows from the top.
 #[derive(Debug)]
 pub(super) struct Surface {
     pub(super) key: Key,
     /// Pixels along x and y.
     pub(super) size: [usize; 2],
-    /// World space, unit; 0 where nothing is, or what does not wear the open look.
+    /// Unit normals in world space; 0 where there is no object, or one that does not wear the open
+    /// look.
     pub(super) normals: Vec<Vec3>,
-    /// World space.
+    /// Positions in world space.
     pub(super) positions: Vec<Vec3>,
-    /// Whether the pixel to the right (bit 0) and the one below (bit 1) belong to the same piece of
-    /// surface.
+    /// Links of each pixel: bit 0 if the pixel to the right, bit 1 if the one below belongs to the
+    /// same piece of surface.
     pub(super) links: Vec<u8>,
-    /// In 1/viewport-height, convex positive; where it was asked for.
+    /// Curvature in 1/viewport-height, convex positive, where requested.
     pub(super) kappa: Option<Vec<f32>>,
     pub(super) view: View,
-    /// What there is to be seen.
+    /// Parts of objects that are visible.
     pub(super) pieces: Arc<Pieces>,
 }
 
-/// A part of an object.
+/// Part of an object.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Piece {
     pub(super) object: ObjectId,
     pub(super) material: String,
-    /// Whether it wears the open look.
+    /// True if the part wears the open look.
     pub(super) is_open: bool,
 }
 
-/// What is seen at each pixel, and where all objects are.
+/// Part visible at each pixel, and the places of all objects.
 #[derive(Debug, Default)]
 pub(super) struct Pieces {
     all: Vec<Piece>,
-    /// For each pixel a piece's number from 1 on; 0 where nothing is.
+    /// Number of each pixel's part, from 1 on; 0 where there is none.
     seen: Vec<u16>,
     pub(super) placed: Vec<ObjectPlace>,
 }
 
 impl Surface {
-    /// Unit, from a pixel's place toward the viewer, world space.
+    /// Direction from a pixel's position toward the viewer, unit, world space.
     pub(super) fn toward_viewer(&self, pixel: usize) -> Vec3 {
         if self.view.is_perspective {
             (self.view.eye.as_vec3() - self.positions[pixel]).normalize_or(Vec3::Z)
@@ -121,8 +123,8 @@ impl Surface {
         self.normals[pixel] != Vec3::ZERO
     }
 
-    /// The pixel at a place of the picture, in parts of its size, or the nearest that shows
-    /// anything.
+    /// Pixel at a place of the picture, in parts of its size, or the nearest that shows the open
+    /// look.
     pub(super) fn nearest(&self, place: [f32; 2]) -> Option<usize> {
         let [width, height] = self.size;
         let at = [place[0] * width as f32 - 0.5, place[1] * height as f32 - 0.5];
@@ -142,7 +144,7 @@ impl Surface {
         covered.min_by(|a, b| distance(a).total_cmp(&distance(b)))
     }
 
-    /// The pixel at a place of the picture, in parts of its size.
+    /// Pixel at a place of the picture, in parts of its size.
     pub(super) fn pixel_at(&self, place: [f32; 2]) -> Option<usize> {
         let [x, y] = [place[0] * self.size[0] as f32, place[1] * self.size[1] as f32];
         let is_inside =
@@ -150,19 +152,19 @@ impl Surface {
         is_inside.then(|| y as usize * self.size[0] + x as usize)
     }
 
-    /// Whether an object that wears the open look is at a place of the picture, in parts of its
+    /// True if an object that wears the open look is at a place of the picture, in parts of its
     /// size.
     pub(super) fn is_at(&self, place: [f32; 2]) -> bool {
         self.pixel_at(place).is_some_and(|pixel| self.is_covered(pixel))
     }
 
-    /// What is at a place of the picture, in parts of its size, whatever it wears.
+    /// Part of an object at a place of the picture, in parts of its size, whatever look it wears.
     pub(super) fn piece_at(&self, place: [f32; 2]) -> Option<&Piece> {
         let number = *self.pieces.seen.get(self.pixel_at(place)?)?;
         self.pieces.all.get(usize::from(number).checked_sub(1)?)
     }
 
-    /// The corners, in parts of the picture's size, of a box around what is seen of an object.
+    /// Corners, in parts of the picture's size, of a box around the visible part of an object.
     pub(super) fn box_of(&self, object: &ObjectId) -> Option<[[f32; 2]; 2]> {
         let width = self.size[0];
         let is_it: Vec<bool> =
@@ -182,7 +184,7 @@ impl Surface {
         (least[0] < most[0]).then(|| [part(least), part(most)])
     }
 
-    /// The middle of a pixel, in parts of the picture's size.
+    /// Center of a pixel, in parts of the picture's size.
     pub(super) fn place_of(&self, pixel: usize) -> [f32; 2] {
         let [width, height] = self.size;
         [
@@ -198,7 +200,7 @@ struct SurfaceRequest {
     with_kappa: bool,
 }
 
-/// Makes surfaces in the background.
+/// Thread that makes surfaces, with the last one.
 pub(super) struct Surfaces {
     worker: Worker<SurfaceRequest, Option<Arc<Surface>>>,
     asked: Option<(Key, bool)>,
@@ -206,7 +208,7 @@ pub(super) struct Surfaces {
 }
 
 impl Surfaces {
-    /// `wake` is called from another thread when there is a new one.
+    /// `wake` is called from another thread when there is a new surface.
     pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
         let mut assets = Assets::default();
         let mut last: Option<Arc<Surface>> = None;
@@ -224,7 +226,7 @@ impl Surfaces {
         Self { worker: Worker::new("surface", wake, work), asked: None, last: None }
     }
 
-    /// Asks for a surface where that is needed; the one there is, if it is of this moment.
+    /// Requests a surface where needed; returns the last one, if it is of this moment.
     pub(super) fn update(
         &mut self,
         key: &Key,
@@ -252,7 +254,7 @@ impl Surfaces {
     }
 }
 
-/// `None` where there is no mesh: the picture tells why.
+/// Surface for a request; `None` where there is no mesh: the picture shows why.
 fn make(wish: &SurfaceRequest, assets: &mut Assets) -> Option<Surface> {
     let setup = wish.still.setup(assets).ok()?.value;
     let surface = surface_of(&setup, &wish.key).ok()?;
@@ -264,7 +266,7 @@ fn surface_of(setup: &Setup, key: &Key) -> Result<Surface, Diagnostic> {
     let reach = |object: &SetupObject| object.center().length() + object.radius();
     let radius = setup.objects.iter().map(reach).fold(1e-6, f64::max);
     let view = View::new(&setup.scene.camera, size, DVec3::ZERO, radius);
-    // What wears nothing is not drawn.
+    // Parts that wear no look are not drawn.
     let parts = |object: &SetupObject| -> Vec<usize> {
         (0..object.mesh.parts.len()).filter(|&part| object.looks[part].is_some()).collect()
     };
@@ -334,8 +336,8 @@ fn placed(object: &SetupObject) -> ObjectPlace {
     }
 }
 
-/// Which neighbours lie on one piece of surface: those no farther apart in depth than their slopes
-/// explain.
+/// Links between neighbors on one piece of surface: those no farther apart in depth than their
+/// slopes explain.
 fn links(
     normals: &[Vec3],
     positions: &[Vec3],
@@ -366,7 +368,7 @@ fn links(
     (0..width * height).map(linked).collect()
 }
 
-/// The same with curvature, by the very pass that the picture has it from.
+/// The surface with curvature, measured by the same pass as in the picture.
 fn with_kappa(surface: &Surface) -> Surface {
     let Surface { key, size, normals, positions, links, view, pieces, .. } = surface;
     Surface {
@@ -381,13 +383,13 @@ fn with_kappa(surface: &Surface) -> Surface {
     }
 }
 
-/// The pass that draws normals, and the one that measures their curvature.
+/// Passes that draw normals and measure their curvature.
 const NORMALS: PassId = PassId::named("normals");
 const CURVATURE: PassId = PassId::named("curvature");
 
 fn kappa(surface: &Surface) -> Result<Vec<f32>, Diagnostic> {
     let (size, view) = (surface.key.size, surface.view);
-    // Normal, object number and depth, as the pass that draws normals makes them.
+    // The texels hold normal, object number and depth, as the pass that draws normals makes them.
     let mut drawn = Texels::new(size, 5);
     let rotation = view.rotation();
     for (pixel, (normal, position)) in surface.normals.iter().zip(&surface.positions).enumerate() {
@@ -415,10 +417,10 @@ fn kappa(surface: &Surface) -> Result<Vec<f32>, Diagnostic> {
     Ok(texels.values.iter().map(|&x| x as f32).collect())
 }
 
-/// Numbers of a fragment: normal, position, and which piece it is of.
+/// Number of values of a fragment: normal, position, and number of the part.
 const NUMBERS: usize = 7;
 
-/// Draws a piece's normals and positions, world space, and its number.
+/// Shader that draws a part's normals and positions, world space, and its number.
 struct Plain<'a> {
     object: &'a SetupObject,
     number: usize,
@@ -482,7 +484,7 @@ impl FragmentStage for PlainVertexStage<'_> {
                 .copy_from_slice(&batch.varying(component)[..batch.lanes()]);
         }
         out.channel_mut(6)[..batch.lanes()].fill(self.0.number as f64);
-        // Backs are seen with their normals turned around, as looks see them.
+        // Back faces have their normals turned around, as looks see them.
         for lane in (0..batch.lanes()).filter(|lane| batch.front() >> lane & 1 == 0) {
             (0..3).for_each(|component| out.channel_mut(component)[lane] *= -1.0);
         }

@@ -1,5 +1,5 @@
-//! The rules that fill what is not painted, in their order: each with its fields and with what it
-//! fills.
+//! The rules that fill unpainted samples, in their order: each with its fields and with the number
+//! of samples it fills.
 
 mod relief;
 mod strokes;
@@ -22,13 +22,13 @@ use crate::widgets::color;
 use crate::widgets::rows::lead;
 use crate::widgets::theme;
 
-/// The width of labels before fields, in points: the longest is "Ground ambient".
+/// Width of labels before fields, in points: the longest label is "Ground ambient".
 const LEAD: f32 = 96.0;
 
-/// While rules are at work the window looks again after so many seconds.
+/// Interval at which the window is redrawn while rules fill samples, in seconds.
 const AGAIN: f32 = 0.1;
 
-/// The angles, in the order of the boxes.
+/// Angles of an HCBTF with their labels, in the order of the check boxes.
 pub(super) const ANGLES: [(HcbtfAngle, &str); 4] = [
     (HcbtfAngle::LightTheta, "Light's height"),
     (HcbtfAngle::LightPhi, "Light's way around"),
@@ -36,7 +36,7 @@ pub(super) const ANGLES: [(HcbtfAngle, &str); 4] = [
     (HcbtfAngle::ViewPhi, "Eye's way around"),
 ];
 
-/// What a rule does, for whoever looks at the window.
+/// Explanation of a rule for the user.
 fn help(rule: &Rule) -> &'static str {
     match rule {
         Rule::Copy { .. } => "Fills everything that is empty with one painting",
@@ -61,12 +61,12 @@ fn help(rule: &Rule) -> &'static str {
     }
 }
 
-/// The same with its name in files.
+/// Explanation of a rule, with its name in files.
 fn tip(rule: &Rule) -> String {
     format!("{}\nIn files and at the command line: {}", help(rule), rule.word())
 }
 
-/// One of each kind, to be added.
+/// New rules to add, one of each kind.
 fn fresh(work: &OpenPainting) -> Vec<Rule> {
     let from = work.at();
     vec![
@@ -85,7 +85,7 @@ fn fresh(work: &OpenPainting) -> Vec<Rule> {
     ]
 }
 
-/// Shows the rules. `share` is how much is filled while that goes on.
+/// Shows the rules. `share` is the part that is filled, 0 to 1, while filling is under way.
 pub(super) fn show(
     ui: &mut Ui,
     work: &OpenPainting,
@@ -155,7 +155,7 @@ pub(super) fn show(
     });
 }
 
-/// How many samples each rule fills or changes.
+/// Number of samples that each rule fills or changes.
 fn counts(work: &OpenPainting) -> Vec<usize> {
     let mut counts = vec![0; work.hcbtf().rules.len()];
     let Some(filled) = work.filled() else { return counts };
@@ -244,7 +244,7 @@ fn card(
     ui.add_space(2.0);
 }
 
-/// The fields of a rule; who changed one.
+/// Shows the fields of a rule. Returns the id of the widget that changed one.
 fn fields(ui: &mut Ui, work: &OpenPainting, rule: &mut Rule) -> Option<Id> {
     match rule {
         Rule::Copy { from } => sample(ui, work, from),
@@ -336,7 +336,7 @@ fn lock(ui: &mut Ui, angles: &mut Vec<HcbtfAngle>) -> Option<Id> {
     ui.horizontal_wrapped(|ui| {
         for (angle, label) in ANGLES {
             let mut is_on = angles.contains(&angle);
-            // A rule that locks nothing is none.
+            // At least one angle stays locked: a rule that locks none does nothing.
             let is_last = is_on && angles.len() == 1;
             let response = ui.add_enabled(!is_last, Checkbox::new(&mut is_on, label));
             let help = "Where this angle alone differs, the painting is the same";
@@ -353,7 +353,7 @@ fn lock(ui: &mut Ui, angles: &mut Vec<HcbtfAngle>) -> Option<Id> {
     changed
 }
 
-/// Which of the angles.
+/// Shows the choice of an angle.
 pub(super) fn along(ui: &mut Ui, label: &str, angle: &mut HcbtfAngle) -> Option<Id> {
     let before = *angle;
     let name = |angle: HcbtfAngle| {
@@ -371,7 +371,7 @@ pub(super) fn along(ui: &mut Ui, label: &str, angle: &mut HcbtfAngle) -> Option<
     })
 }
 
-/// Which painting a rule copies.
+/// Shows the fields for the sample that a rule copies.
 pub(super) fn sample(ui: &mut Ui, work: &OpenPainting, from: &mut Address) -> Option<Id> {
     let mut changed = None;
     let before = *from;

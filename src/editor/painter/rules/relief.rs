@@ -1,4 +1,4 @@
-//! The card of a relief: what it is of, its light, what shines, and how it is drawn.
+//! Card of a relief rule: its pattern, its light, its gloss, and its style of drawing.
 
 use std::ops::RangeInclusive;
 
@@ -9,7 +9,7 @@ use crate::document::relief::{Channel, Finish, Glint, Illumination, PRESETS, Pat
 use crate::document::{Address, Relief};
 use crate::widgets::rows::lead;
 
-/// Shows the fields of a relief; who changed one.
+/// Shows the fields of a relief. Returns the id of the widget that changed one.
 pub(super) fn fields(ui: &mut Ui, work: &OpenPainting, relief: &mut Relief) -> Option<Id> {
     let mut fields = Fields { changed: presets(ui, work, relief) };
     let section = |ui: &mut Ui, title: &str, is_open: bool, add: &mut dyn FnMut(&mut Ui)| {
@@ -34,7 +34,7 @@ pub(super) fn fields(ui: &mut Ui, work: &OpenPainting, relief: &mut Relief) -> O
     fields.changed
 }
 
-/// Buttons that make it another relief.
+/// Shows buttons that replace the relief with a preset.
 fn presets(ui: &mut Ui, work: &OpenPainting, relief: &mut Relief) -> Option<Id> {
     let mut changed = None;
     ui.horizontal_wrapped(|ui| {
@@ -65,7 +65,7 @@ fn presets(ui: &mut Ui, work: &OpenPainting, relief: &mut Relief) -> Option<Id> 
     changed
 }
 
-/// Fields one below the other, and which of them was changed.
+/// Fields one below the other, with the id of the widget that was changed.
 struct Fields {
     changed: Option<Id>,
 }
@@ -217,7 +217,7 @@ impl Fields {
         }
     }
 
-    /// The rows of a pattern with windows or arches; nothing of other patterns.
+    /// Shows the rows of a pattern with windows or arches, and no rows for other patterns.
     fn building(&mut self, ui: &mut Ui, pattern: &mut Pattern) {
         match pattern {
             Pattern::Facade {

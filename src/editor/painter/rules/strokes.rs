@@ -1,4 +1,4 @@
-//! The fields of strokes that stand on the tile.
+//! Fields of a rule of strokes that stand on the tile.
 
 use std::ops::RangeInclusive;
 
@@ -16,7 +16,7 @@ const SHAPES: [(StrokeShape, &str); 3] = [
     (StrokeShape::Dot, "Dots: flat rounds"),
 ];
 
-/// The fields; who changed one.
+/// Shows the fields. Returns the id of the widget that changed one.
 pub(super) fn fields(ui: &mut Ui, strokes: &mut Strokes) -> Option<Id> {
     let mut changed = beginning(ui, strokes);
     let mut seed = f64::from(strokes.seed);
@@ -87,7 +87,7 @@ pub(super) fn fields(ui: &mut Ui, strokes: &mut Strokes) -> Option<Id> {
     changed
 }
 
-/// The menu of strokes to begin with.
+/// Shows the menu of presets to begin with.
 fn beginning(ui: &mut Ui, strokes: &mut Strokes) -> Option<Id> {
     let mut taken = None;
     let menu = ui.menu_button("Begin with", |ui| {
@@ -119,7 +119,7 @@ fn counted(bundle: &Bundle) -> String {
     }
 }
 
-/// All of a bundle.
+/// Shows all fields of a bundle.
 fn all_of(ui: &mut Ui, bundle: &mut Bundle) -> Option<Id> {
     let placed = placement(ui, bundle);
     let formed = form(ui, bundle);
@@ -278,7 +278,7 @@ fn tones(ui: &mut Ui, tones: &mut Option<StrokeTones>) -> Option<Id> {
             &mut tones.growth,
             0.0..=1.0,
         ));
-        // Between equal tones there is nothing.
+        // The tones must differ, as there is no range between equal ones.
         if (tones.first - tones.all).abs() < 0.01 {
             let is_dark = was.first >= was.all;
             tones.all = if is_dark { tones.first - 0.01 } else { tones.first + 0.01 };
@@ -303,7 +303,7 @@ fn drag(
     })
 }
 
-/// From a number to another.
+/// Shows the two fields of a range of numbers.
 fn pair(ui: &mut Ui, label: &str, help: &str, values: &mut [f64; 2], most: f64) -> Option<Id> {
     let mut changed = None;
     line(ui, label, help, |ui, _| {
@@ -322,7 +322,7 @@ fn pair(ui: &mut Ui, label: &str, help: &str, values: &mut [f64; 2], most: f64) 
     changed
 }
 
-/// An angle in degrees, kept in radians.
+/// Shows a field for an angle, in degrees; the value is in radians.
 fn angle(
     ui: &mut Ui,
     label: &str,

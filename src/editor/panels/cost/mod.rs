@@ -1,5 +1,5 @@
-//! What accuracy costs in time: the look and each of its nodes in each tier, measured in the
-//! background when that is asked for. A click on a tier adopts it.
+//! Cost of accuracy in time: the look and each of its nodes in each tier, measured in the
+//! background on request. A click on a tier adopts it.
 
 mod panel;
 mod plot;
@@ -18,7 +18,8 @@ use crate::state::snapshot::RenderSnapshot;
 use crate::state::worker::{BackgroundJobs, Worker};
 pub(super) use panel::PANEL;
 
-/// How often each variant is drawn: enough for an interval, and no long wait.
+/// Number of times that each variant is drawn: enough for a confidence interval, without a long
+/// wait.
 const ROUNDS: usize = 15;
 
 struct MeasureRequest {
@@ -32,7 +33,7 @@ struct Measurement {
     result: Result<Report, Vec<Diagnostic>>,
 }
 
-/// What figures are about: tiers and places of nodes change nothing of them.
+/// Inputs of a measurement: tiers and positions of nodes do not change its figures.
 #[derive(Clone, PartialEq)]
 struct Measured {
     look: Look,
@@ -51,22 +52,22 @@ impl Measured {
     }
 }
 
-/// The panel and what was measured last.
+/// The panel and the last measurement.
 pub struct Cost {
     worker: Option<Worker<MeasureRequest, Measurement>>,
     /// Called from another thread when there is more progress to show.
     wake: Arc<dyn Fn() + Send + Sync>,
     progress: Progress,
     done: Option<Measurement>,
-    /// What is plotted.
+    /// Subject that is plotted: the look or a node.
     subject: Subject,
-    /// Whether what was measured is still so, by the revision that this was found for.
+    /// True if the last measurement still holds, with the revision that this was found for.
     is_current: (Option<(DocumentNumber, LookRevision)>, bool),
 }
 
 impl Cost {
-    /// Nothing is measured by itself. `wake` is called from another thread when there is news.
-    /// Without a GPU there is nothing to measure.
+    /// Starts no measurement by itself. `wake` is called from another thread when there is progress
+    /// or a result. Without a GPU nothing can be measured.
     pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Clone + Send + Sync + 'static) -> Self {
         let start = |gpu: Gpu| {
             let mut renderer = None;
@@ -84,7 +85,7 @@ impl Cost {
         }
     }
 
-    /// What was measured last.
+    /// Report of the last measurement.
     pub fn report(&self) -> Option<&Report> {
         self.done.as_ref().and_then(|done| done.result.as_ref().ok())
     }
@@ -93,8 +94,8 @@ impl Cost {
         self.stop();
         let wake = self.wake.clone();
         self.progress = Progress::observed(move |_| wake());
-        // Of a scene, what wears the look: only its figures are asked for, and only its tiers can
-        // be chosen.
+        // In a scene only the figures of the open look are asked for, as only its tiers can be
+        // chosen.
         let still = session.snapshot_of(Arc::new(session.look().clone())).alone();
         let job = MeasureRequest { still, size, progress: self.progress.clone() };
         if let Some(worker) = &self.worker {
@@ -106,10 +107,10 @@ impl Cost {
         self.progress.stop();
     }
 
-    /// Takes what was measured, and knows whether it still holds.
+    /// Takes a finished measurement, and finds out whether the last one still holds.
     fn update(&mut self, session: &Session) {
         for done in self.worker.as_ref().map(Worker::answers).unwrap_or_default() {
-            // What was stopped leaves what was measured before.
+            // A measurement that was stopped leaves the one before in place.
             let is_stopped =
                 done.result.as_ref().is_err_and(|problems| Stopped::is_among(problems));
             if !is_stopped {
@@ -144,8 +145,8 @@ impl Drop for Cost {
     }
 }
 
-/// The edit that adopts a row's tier, as one step; `None` where it already is so, or the row is no
-/// choice.
+/// Edit that adopts a row's tier, as one step; `None` where the look has that tier already, or
+/// where the row is not a choice.
 fn adopt(look: &Look, row: &Row) -> Option<Edit> {
     let tier = row.tier?;
     let set = |id: &crate::ids::NodeId, tier| Edit::SetTier {
@@ -181,7 +182,8 @@ async fn measure(
     window: &Gpu,
     job: &MeasureRequest,
 ) -> Measurement {
-    // A device of its own: the window's may have no timestamps, and has a window to draw.
+    // The measurement has a device of its own: the window's may have no timestamps, and is busy
+    // with drawing the window.
     let renderer = match renderer {
         Some(renderer) => renderer,
         None => {

@@ -1,4 +1,4 @@
-//! The table of figures.
+//! Table of measured figures.
 
 use eframe::egui;
 use eframe::egui::{FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
@@ -28,11 +28,11 @@ pub(in crate::panels) const PANEL: PanelRow = PanelRow::new(
 .with_jobs(|bench| &bench.cost);
 
 const ROW: f32 = 20.0;
-/// Where columns begin, in parts of the width.
+/// Left ends of the columns, as parts of the width.
 const COLUMNS: [f32; 5] = [0.0, 0.22, 0.56, 0.7, 0.84];
 
 impl Cost {
-    /// The button, the plot and the table. `size` is the picture's, in pixels.
+    /// Shows the button, the plot and the table. `size` is the picture's, in pixels.
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session, size: [u32; 2]) -> Vec<Command> {
         self.update(session);
         if self.worker.is_none() {
@@ -123,12 +123,12 @@ fn name(subject: &Subject) -> String {
     }
 }
 
-/// Whether the look has this row's tier now.
+/// True if the look has this row's tier now.
 fn in_use(session: &Session, row: &Row) -> bool {
     row.tier.is_some() && subject_is_there(session, row) && adopt(session.look(), row).is_none()
 }
 
-/// Whether the look still has what this row measured.
+/// True if the look still has the node that this row measured.
 fn subject_is_there(session: &Session, row: &Row) -> bool {
     match &row.subject {
         Subject::Whole => true,
@@ -143,7 +143,8 @@ fn column(rect: Rect, index: usize) -> Rect {
     Rect::from_min_max(pos2(x(COLUMNS[index]), rect.top()), pos2(x(end) - 6.0, rect.bottom()))
 }
 
-/// The rows, by subject. A click on a subject plots it; one on a tier adopts that.
+/// Shows the rows, by subject. A click on a subject plots it; a click on a tier returns the row
+/// whose tier is to be adopted.
 fn table(
     ui: &mut Ui,
     session: &Session,
@@ -218,7 +219,7 @@ fn figures(ui: &mut Ui, session: &Session, row: &Row) -> bool {
     cell(ui, first, word, FontId::proportional(theme::TEXT_SIZE), theme::of(ui).text);
     let time = &row.time;
     let is_noise = matches!(row.subject, Subject::Node { .. }) && time.is_noise();
-    // As many places as the interval is sure of.
+    // Only as many decimals are shown as the interval supports.
     let places = if time.high - time.low > 1.0 {
         0
     } else if time.high - time.low > 0.1 {
@@ -247,7 +248,7 @@ fn figures(ui: &mut Ui, session: &Session, row: &Row) -> bool {
     clicked
 }
 
-/// A row in words.
+/// Description of a row in words.
 pub(super) fn told(row: &Row, is_used: bool) -> String {
     let mut text = format!("{}, {}", name(&row.subject), tier_word(row.tier));
     text += &format!(

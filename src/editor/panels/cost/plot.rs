@@ -1,5 +1,5 @@
-//! Error against time, both logarithmic: points by tier, the line of 1/255, and the front of what
-//! nothing beats.
+//! Plot of error against time, both logarithmic: points by tier, the line of 1/255, and the front
+//! of the tiers that no other beats in both.
 
 use eframe::egui;
 use eframe::egui::{Align2, FontId, Pos2, Rect, Sense, Shape, Stroke, Ui, pos2, vec2};
@@ -9,14 +9,14 @@ use crate::accuracy::Row;
 use crate::accuracy::report::{pareto_front, tier_word};
 use crate::widgets::theme;
 
-/// In points; it leaves room for the table.
+/// Range of the plot's height, in points; it leaves room for the table.
 const HEIGHT: std::ops::RangeInclusive<f32> = 110.0..=260.0;
-/// What f32 cannot tell from 0 is drawn here.
+/// Least error of the plot: smaller ones, which f32 cannot tell from 0, are drawn there.
 const LEAST_ERROR: f64 = 1e-8;
 const LEAST_TIME: f64 = 1e-3;
 const VISIBLE: f64 = 1.0 / 255.0;
 
-/// An axis over powers of ten.
+/// Logarithmic axis.
 struct Axis {
     low: f64,
     high: f64,
@@ -30,7 +30,7 @@ impl Axis {
         let high = numbers.fold(f64::NEG_INFINITY, f64::max).log10();
         let (low, high) =
             if low.is_finite() && high.is_finite() { (low, high) } else { (-1.0, 1.0) };
-        // Room around, and never so narrow that noise fills the plot.
+        // The range has a margin, and is never so narrow that noise fills the plot.
         let spare = (0.15 * (high - low)).max(0.15);
         Self { low: low - spare, high: high + spare, from, to }
     }
@@ -40,7 +40,7 @@ impl Axis {
         self.from + share as f32 * (self.to - self.from)
     }
 
-    /// Where lines are drawn: powers of ten, and 2 and 5 times those where there is room.
+    /// Positions of grid lines: powers of ten, and 2 and 5 times those where there is room.
     fn ticks(&self) -> Vec<f64> {
         let decades = self.high - self.low;
         let steps: &[f64] = if decades < 1.5 { &[1.0, 2.0, 5.0] } else { &[1.0] };
@@ -52,7 +52,7 @@ impl Axis {
     }
 }
 
-/// Plots the rows of one subject, and returns the one that was clicked.
+/// Plots the rows of one subject, and returns the row that was clicked.
 pub(super) fn show(
     ui: &mut Ui,
     rows: &[&Row],
@@ -81,8 +81,8 @@ pub(super) fn show(
     let place = |row: &Row| pos2(x.at(time(row)), y.at(error(row)));
     let front: Vec<Pos2> = pareto_front(rows).into_iter().map(|index| place(rows[index])).collect();
     ui.painter().add(Shape::line(front, Stroke::new(1.0, theme::of(ui).dim)));
-    // Points are widgets of their own, so that keys and screen readers come to them; where they
-    // overlap, the nearest.
+    // Points are widgets of their own, so that the keyboard and screen readers reach them; where
+    // points overlap, the nearest to the pointer counts.
     let points: Vec<(Pos2, &Row)> = rows.iter().map(|row| (place(row), *row)).collect();
     let touch = |(index, (at, row)): (usize, &(Pos2, &Row))| {
         let reach = Rect::from_center_size(*at, vec2(20.0, 20.0));
@@ -120,7 +120,8 @@ pub(super) fn show(
     clicked
 }
 
-/// The tiers beside their points, each where it covers neither a point nor another name.
+/// Draws the tiers' names beside their points, each where it covers neither a point nor another
+/// name.
 fn name_points(ui: &Ui, inner: Rect, points: &[(Pos2, &Row)]) {
     let mut taken: Vec<Rect> =
         points.iter().map(|(at, _)| Rect::from_center_size(*at, vec2(14.0, 14.0))).collect();

@@ -1,5 +1,5 @@
-//! Panels in which values are drawn and not typed: a layer's profile, values over directions,
-//! values over time.
+//! Panels in which values are drawn instead of typed: the profile of a layer, values over
+//! directions, values over time.
 
 pub(crate) mod keys;
 pub(crate) mod profile;

@@ -1,4 +1,4 @@
-//! The group that is open: its name, and the inputs and outputs that it shows to the outside.
+//! Interface of the open group: its name, and the inputs and outputs that it shows to the outside.
 
 use eframe::egui;
 use eframe::egui::{RichText, TextEdit, Ui};
@@ -11,7 +11,7 @@ use crate::state::interface::{free_port, set};
 use crate::state::session::Session;
 use crate::widgets::theme;
 
-/// Shows the group that is open.
+/// Shows the interface of the open group.
 pub(super) fn show(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     let (GraphId::Definition(id), Some(definition)) = (session.graph_id(), session.definition())
     else {
@@ -81,7 +81,7 @@ fn text_row(
     });
 }
 
-/// How many nodes of the look are of a group.
+/// Number of nodes of the look that use a group.
 fn users(session: &Session, id: &DefinitionId) -> usize {
     let look = session.look();
     let graphs = look.definitions.values().map(|definition| &definition.graph).chain([&look.graph]);
@@ -159,7 +159,7 @@ fn ports(
     ui.add_space(4.0);
 }
 
-/// Removes a port with the wires to it inside.
+/// Edit that removes a port with the wires to it inside.
 fn remove(id: &DefinitionId, definition: &Definition, is_output: bool, index: usize) -> Edit {
     let graph = GraphId::Definition(id.clone());
     let name =

@@ -1,4 +1,4 @@
-//! The inspector: everything of the selected node that can be set, with names, units and help.
+//! Inspector: all values of the selected node that can be set, with names, units and help.
 
 mod interface;
 
@@ -34,7 +34,7 @@ pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
     let selected =
         session.selection.nodes.last().and_then(|id| Some((id, session.graph().nodes.get(id)?)));
     ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
-        // Room for the scroll bar.
+        // The margin is room for the scroll bar.
         ui.set_max_width((ui.available_width() - 8.0).max(0.0));
         if session.is_read_only() {
             let text = "This group is of the library. Make it the look's own to change it.";
@@ -115,10 +115,10 @@ fn show_node(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
     lights_of(ui, subject, out);
 }
 
-/// Inputs from which on there is a search.
+/// Number of inputs from which on there is a search field.
 const LONG: usize = 10;
 
-/// What is searched for in a node with many inputs, in small letters.
+/// Shows the search field of a node with many inputs; returns the query in lower case.
 fn search(ui: &mut Ui, kind: &Kind) -> String {
     if kind.inputs.len() < LONG {
         return String::new();
@@ -228,7 +228,7 @@ fn tier_row(
     );
 }
 
-/// How far a tier may be from the exact one, as its node's file says.
+/// Error of a tier against the exact one, as the node's file states it.
 fn error_of(session: &Session, kind: &Kind, tier: Option<Tier>) -> String {
     let def = session.project.library.nodes.get(&kind.id);
     match tier {
@@ -241,7 +241,7 @@ fn error_of(session: &Session, kind: &Kind, tier: Option<Tier>) -> String {
     }
 }
 
-/// Which output is shown in place of the picture, and how.
+/// Shows the choice of the output that is viewed in place of the picture, and of its display.
 fn shown_row(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: &mut Vec<Command>) {
     if kind.outputs.is_empty() {
         return;
@@ -292,7 +292,7 @@ fn shown_row(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: 
     });
 }
 
-/// The lights that a node names.
+/// Shows the lights that a node names.
 fn lights_of(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
     for port in subject.kind.inputs.iter().filter(|port| port.ty == Type::LightName) {
         let Some(Value::Text(id)) = values::current(port, subject.node.values.get(&port.name))
@@ -319,7 +319,7 @@ fn tier_name(tier: Tier) -> &'static str {
     }
 }
 
-/// Leads to the lights, which have a panel of their own.
+/// Shows a link to the lights, which have a panel of their own.
 fn lights_row(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     row::labelled(ui, "Lights", "What shines on the look", |ui, _| {
         let count = session.look().lights.len();
@@ -330,7 +330,7 @@ fn lights_row(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     });
 }
 
-/// With nothing selected: the look itself.
+/// Shows the look itself, where nothing is selected.
 fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     let look = session.look();
     ui.heading("Look");

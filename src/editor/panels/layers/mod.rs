@@ -1,5 +1,5 @@
-//! The look as a stack of layers, as in a painting program: another view of the graph. What is done
-//! here is done to the nodes and wires, as one undo step each, and what is done there shows here.
+//! The look as a stack of layers, as in a painting program: another view of the graph. Changes here
+//! are edits of the nodes and wires, one undo step each; changes of the graph show here.
 
 mod picture;
 mod presets;
@@ -39,25 +39,25 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
 )
 .with_jobs(|bench| &bench.thumbs);
 
-/// The panel, and what it knows of the graph.
+/// The panel, and the stack that it found in the graph.
 #[derive(Default)]
 pub(crate) struct Layers {
-    /// What the stack was found in.
+    /// Document and revision that the stack was found in.
     of: Option<(DocumentNumber, LookRevision)>,
     stack: Stack,
     renaming: Option<Renaming<NodeId>>,
-    /// The layer that a hand is moving.
+    /// Layer that is being dragged.
     dragged: Option<NodeId>,
-    /// What was selected when it was shown last.
+    /// Node that was selected when the panel was shown last.
     shown_for: Option<NodeId>,
     pictures: HashMap<NodeId, LayerPicture>,
 }
 
-/// The picture of a layer, and the state of the look that it was found to be right in.
+/// Thumbnail of a layer, and the state of the look that it was last found to be right in.
 struct LayerPicture {
     of: (DocumentNumber, LookRevision, u64),
     key: u64,
-    /// What is shown until there is a picture of `key`.
+    /// Thumbnail that is shown until the one of `key` is there.
     shown: Option<u64>,
 }
 
@@ -115,7 +115,7 @@ impl Layers {
         out
     }
 
-    /// Finds the stack anew where the look is another.
+    /// Finds the stack anew where the document or its revision has changed.
     fn sync(&mut self, session: &Session) {
         let of = (session.document_number(), session.revision());
         if self.of != Some(of) {
@@ -192,7 +192,7 @@ impl Layers {
         shown.whole
     }
 
-    /// What can be done with a layer.
+    /// Shows the menu of a layer.
     fn menu(&mut self, ui: &mut Ui, session: &Session, id: &NodeId, out: &mut Vec<Command>) {
         let Some(index) = self.stack.index_of(id) else { return };
         let entry = |ui: &mut Ui, label: &str, help: &str, is_on: bool| {
@@ -241,7 +241,7 @@ impl Layers {
         out.extend(self.stack.reorder(session.look(), index, to).map(Command::Edit));
     }
 
-    /// Keys of the row that has the keyboard.
+    /// Handles the keys of the row that has the focus.
     fn row_keys(
         &mut self,
         ui: &Ui,
@@ -276,7 +276,7 @@ impl Layers {
             self.duplicate(session, index, out);
         }
         if pressed(Modifiers::NONE, Key::Delete) || pressed(Modifiers::NONE, Key::Backspace) {
-            // All that are selected, if it is one of them.
+            // Delete removes all selected layers, if this one is among them.
             let selected: Vec<NodeId> = session
                 .selected()
                 .filter(|id| self.stack.index_of(id).is_some())
@@ -288,7 +288,7 @@ impl Layers {
         undo_keys(ui, out);
     }
 
-    /// The hand that moves a row; a line says where it would come to lie.
+    /// Handles the drag of a row; a line marks the place where the layer would lie.
     fn drag(
         &mut self,
         ui: &Ui,
@@ -324,7 +324,7 @@ impl Layers {
         }
     }
 
-    /// What the lowest layer lies on.
+    /// Shows the ground that the lowest layer lies on.
     fn ground(
         &mut self,
         ui: &mut Ui,
@@ -366,7 +366,7 @@ impl Layers {
         Row { session, id: &ground.node, node, kind }.show_ground(ui, rect, texture, out);
     }
 
-    /// The picture of a layer, if there is one; asks for it once the window rests.
+    /// Thumbnail of a layer, if there is one; requests it once the window rests.
     fn texture(
         &mut self,
         ui: &Ui,
@@ -381,7 +381,7 @@ impl Layers {
         if !is_known {
             thumbs.look_again(ui);
         }
-        // One at a time: while one is being drawn, there is no use in preparing the next.
+        // One thumbnail at a time: while one is being drawn, preparing the next gains nothing.
         if !is_known && thumbs.rests() && !thumbs.is_busy() && session.held().is_none() {
             let look = picture::of(session.look(), id, mode);
             let lifts = mode.is_some_and(|mode| mode == "add" || mode.is_empty());
@@ -403,7 +403,7 @@ impl Layers {
     }
 }
 
-/// What adds a layer of the preset with this name, as the menu does.
+/// Commands that add a layer of the preset with this name, as the menu does.
 pub(crate) fn add_preset(session: &Session, name: &str) -> Vec<Command> {
     let mut out = Vec::new();
     if let Some(preset) = PRESETS.iter().find(|preset| preset.name == name) {
@@ -412,7 +412,7 @@ pub(crate) fn add_preset(session: &Session, name: &str) -> Vec<Command> {
     out
 }
 
-/// Adds a layer over the selected one, and what it lies on where there is nothing.
+/// Adds a layer over the selected one, and a ground below it where there is none.
 fn add(stack: &Stack, session: &Session, preset: &LayerPreset, out: &mut Vec<Command>) {
     let look = session.look();
     let beside = session
@@ -422,7 +422,7 @@ fn add(stack: &Stack, session: &Session, preset: &LayerPreset, out: &mut Vec<Com
         .filter(|id| is_selected(session, id) && stack.index_of(id).is_some());
     let at = match beside.and_then(|id| stack.index_of(id)) {
         Some(index) => index,
-        // Over the ground, where that is selected.
+        // A new layer goes directly over the ground, where the ground is selected.
         None if stack
             .ground
             .as_ref()
@@ -443,7 +443,7 @@ fn add(stack: &Stack, session: &Session, preset: &LayerPreset, out: &mut Vec<Com
     out.push(Command::Show(NodePath::root(id)));
 }
 
-/// A Base for an input that has nothing.
+/// Edits that add a Base node for an input that has no wire.
 fn add_ground(session: &Session, to: Endpoint) -> Vec<Edit> {
     let look = session.look();
     let id = NodeId::new(make_slug("base", |slug| look.graph.nodes.contains_key(slug)));
@@ -460,11 +460,11 @@ fn add_ground(session: &Session, to: Endpoint) -> Vec<Edit> {
     ]
 }
 
-/// The name of an input by which a layer is blended, and that of its strength.
+/// Names of the input that sets a layer's blend mode; below, that of its opacity.
 const MODES: [&str; 2] = ["blend", "mode"];
 const OPACITY: &str = "opacity";
 
-/// Selects nodes of the look's own graph, which is opened where a group's is.
+/// Selects nodes of the look's own graph, which is opened first where a group's is open.
 fn select(session: &Session, ids: Vec<NodeId>, out: &mut Vec<Command>) {
     if !session.open_groups().is_empty() {
         out.push(Command::OpenGraph(Vec::new()));
@@ -472,7 +472,7 @@ fn select(session: &Session, ids: Vec<NodeId>, out: &mut Vec<Command>) {
     out.push(Command::Select(ids));
 }
 
-/// Whether a node of the look's own graph is selected.
+/// True if a node of the look's own graph is selected.
 fn is_selected(session: &Session, id: &NodeId) -> bool {
     session.open_groups().is_empty() && session.selection.nodes.contains(id)
 }

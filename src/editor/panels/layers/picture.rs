@@ -1,5 +1,4 @@
-//! What a layer's small picture shows: the layer alone, over a ground on which its blending is
-//! seen.
+//! Look of a layer's thumbnail: the layer alone, over a ground on which its blending is visible.
 
 use std::collections::{HashMap, HashSet};
 
@@ -8,12 +7,12 @@ use crate::ids::{NodeId, PortName};
 
 use crate::state::stack::BELOW;
 
-/// The ground; no slug of a name begins so.
+/// Id of the ground; no slug of a name begins so.
 const GROUND: &str = "chiaro-ground";
-/// Shows it.
+/// Id of the output node that shows the layer.
 const SHOWN: &str = "chiaro-output";
 
-/// A look with nothing but one layer, or with `ground_of` no mode, with what the stack lies on.
+/// Look with nothing but one layer, or, where `mode` is `None`, with the ground of the stack.
 pub(super) fn of(look: &Look, id: &NodeId, mode: Option<&str>) -> Look {
     let mut shown = Look {
         color_space: look.color_space,
@@ -34,7 +33,7 @@ pub(super) fn of(look: &Look, id: &NodeId, mode: Option<&str>) -> Look {
     };
     add(SHOWN, "output", &[]);
     if let Some(mode) = mode {
-        // What darkens is seen on white, what brightens on black.
+        // Blending that darkens is seen on white, blending that brightens on black.
         let ground = match mode {
             "multiply" | "shade" | "subtract" => 1.0,
             "alpha" => 0.35,
@@ -51,7 +50,7 @@ pub(super) fn of(look: &Look, id: &NodeId, mode: Option<&str>) -> Look {
     shown
 }
 
-/// A node with everything that feeds it; where it is a layer, without what is below it.
+/// Graph of a node with all nodes that feed it; for a layer without those below it.
 fn upstream(graph: &Graph, id: &NodeId, is_layer: bool) -> Graph {
     let mut kept: HashSet<&NodeId> = HashSet::from([id]);
     let mut open = vec![id];

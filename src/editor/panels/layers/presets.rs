@@ -1,5 +1,5 @@
-//! Layers to begin with: what painters and shaders know by name, in the values of the Profile
-//! node's own presets where it has them, and else of the BADF paper's looks.
+//! Layers to begin with: those that painters and shading artists know by name, with the values of
+//! the Profile node's own presets where it has them, and otherwise those of the BADF paper's looks.
 
 use glam::DVec3;
 
@@ -8,19 +8,19 @@ use crate::document::{Edit, Light, Look, Node, Value};
 use crate::ids::{LightId, NodeId, make_slug};
 use crate::state::session::Session;
 
-/// Which of the look's lights a layer is made for.
+/// Light of the look that a layer is made for.
 #[derive(Clone, Copy, PartialEq)]
 enum From {
-    /// That of the selected layer, or else the first one in front.
+    /// Light of the selected layer, or else the first one in front.
     Front,
-    /// The first one behind the object; where there is none, it is added.
+    /// First light behind the object, added where there is none.
     Behind,
 }
 
-/// To a light behind the object, in the camera's axes: right, up and to the eye.
+/// Direction to a light behind the object, in the camera's axes: right, up and to the eye.
 const BACK: DVec3 = DVec3::new(0.85, 0.4, -0.5);
-/// The cosine of the angle from the eye to a light that gives a rim: from one in front there is
-/// none, and what one straight behind lights is not seen.
+/// Range of the cosine of the angle between the eye and a light that gives a rim: a light in front
+/// gives none, and the part lit from straight behind is not seen.
 const RIM: std::ops::Range<f64> = -0.8..0.0;
 
 enum Set {
@@ -28,21 +28,21 @@ enum Set {
     Word(&'static str),
 }
 
-/// A layer to begin with.
+/// Layer to begin with.
 pub(super) struct LayerPreset {
-    /// What it is called, and the layer too.
+    /// Name of the preset, and of the new layer.
     pub(super) name: &'static str,
     pub(super) help: &'static str,
-    /// A preset of the Profile node.
+    /// Preset of the Profile node that supplies values.
     profile: Option<&'static str>,
-    /// Values that it does not have, or other ones. Colors are written as shown.
+    /// Values that the Profile preset lacks, or that replace its own. Colors are written as shown.
     values: &'static [(&'static str, Set)],
     light: From,
 }
 
 use Set::{Number, Word};
 
-/// In the order in which a look is built up: from what lies below to what lies on top.
+/// Presets in the order in which a look is built up: from what lies below to what lies on top.
 pub(super) static PRESETS: [LayerPreset; 6] = [
     LayerPreset {
         name: "Fill",
@@ -115,7 +115,7 @@ pub(super) static PRESETS: [LayerPreset; 6] = [
 ];
 
 impl LayerPreset {
-    /// A node of this preset: what must be there first, its id, and itself.
+    /// New layer of this preset: the edits that must come first, the node's id, and the node.
     pub(super) fn make(
         &self,
         session: &Session,
@@ -149,7 +149,7 @@ impl LayerPreset {
     }
 }
 
-/// The values of one of the Profile node's presets.
+/// Values of one of the Profile node's presets.
 fn profile(catalog: &Catalog, label: &str) -> Vec<(crate::ids::PortName, Value)> {
     let preset = catalog
         .get("profile")
@@ -161,7 +161,7 @@ fn profile(catalog: &Catalog, label: &str) -> Vec<(crate::ids::PortName, Value)>
         .unwrap_or_default()
 }
 
-/// A name that no layer has yet: `Diffuse`, `Diffuse 2`.
+/// Name that no layer has yet: `Diffuse`, `Diffuse 2`.
 fn free_name(look: &Look, name: &str) -> String {
     let is_taken = |name: &str| look.graph.nodes.values().any(|node| node.name == name);
     let numbered = (2..).map(|number| format!("{name} {number}"));
@@ -189,15 +189,15 @@ fn front_light(look: &Look, beside: Option<&NodeId>) -> (LightId, Vec<Edit>) {
     }
 }
 
-/// A light that gives what is seen now a rim, wherever the camera and the illumination frame were
-/// turned.
+/// Light that gives the present view a rim, wherever the camera and the illumination frame were
+/// turned, with the edits that add the light.
 fn back_light(session: &Session) -> (LightId, Vec<Edit>) {
     let (look, view) = (session.look(), &session.view.orbit);
     let eye = view.direction();
     let is_there = |(_, light): &(&LightId, &Light)| {
         let world = view.illumination * DVec3::from(light.direction).normalize_or_zero();
-        // A key light that a hand has turned behind is none: what it lit would lose it when that
-        // hand turns it back.
+        // A key light that was turned behind by hand does not count: turned back, it would take the
+        // rim with it.
         light.direction[2] < 0.0 && RIM.contains(&world.dot(eye))
     };
     if let Some((id, _)) = look.lights.iter().find(is_there) {
@@ -205,7 +205,7 @@ fn back_light(session: &Session) -> (LightId, Vec<Edit>) {
     }
     let (right, up) = view.right_and_up();
     let world = right * BACK.x + up * BACK.y + eye * BACK.z;
-    // Four decimals are finer than any eye, and keep files readable.
+    // Four decimals are finer than the eye can tell, and keep files readable.
     let direction = view.illumination.inverse() * world;
     add_light("back", direction.to_array().map(|part| (part * 1e4).round() / 1e4), look)
 }
@@ -244,8 +244,8 @@ mod tests {
         }
     }
 
-    /// Every value is one that the layer has: a preset that names what is not there would silently
-    /// do less.
+    /// Every value of a preset belongs to an input of the layer: a preset with an unknown input
+    /// would silently do less.
     #[test]
     fn presets_set_what_a_layer_has() {
         let session = Session::new(std::sync::Arc::new(Library::built_in().clone()), || {});

@@ -1,4 +1,4 @@
-//! One row of the stack.
+//! Row of the stack of layers.
 
 use eframe::egui;
 use eframe::egui::{
@@ -19,14 +19,14 @@ use crate::widgets::rows::{ICON, Icon, Renaming, card_ground, icon, picture_fram
 use crate::widgets::spots::{self, Spot};
 use crate::widgets::theme;
 
-/// The height of a row, in points.
+/// Height of a row, in points.
 pub(super) const ROW: f32 = 52.0;
-/// Below this width a row has no picture.
+/// Width below which a row shows no thumbnail, in points.
 const NARROW: f32 = 230.0;
-/// The side of its picture.
+/// Side of a thumbnail, in points.
 pub(super) const PICTURE: f32 = 46.0;
 
-/// A node as a row.
+/// Node shown as a row.
 pub(super) struct Row<'a> {
     pub(super) session: &'a Session,
     pub(super) id: &'a NodeId,
@@ -34,19 +34,19 @@ pub(super) struct Row<'a> {
     pub(super) kind: &'a Kind,
 }
 
-/// What a row answered.
+/// Responses of a row's widgets.
 pub(super) struct RowResponse {
     pub(super) whole: Response,
     pub(super) more: Response,
 }
 
-/// By which a row has the keyboard, wherever it lies.
+/// Id by which a row has the focus, wherever the row lies.
 pub(super) fn focus_id(id: &NodeId) -> Id {
     Id::unique("layer").with(id.as_str())
 }
 
 impl Row<'_> {
-    /// The word of its blend mode.
+    /// Word of the layer's blend mode.
     pub(super) fn mode(&self) -> Option<String> {
         let port = self.mode_port()?;
         match self.session.value_at(&self.target(port)) {
@@ -90,7 +90,8 @@ impl Row<'_> {
         spots::note(ui, Spot::Layer(self.id.clone()), rect);
         card_ground(ui, rect, &whole, is_selected || is_dragged);
         self.select(ui, &whole, out);
-        // What ends a row is in the same column here as in the lists of lights and objects.
+        // The buttons at the right end lie in the same column here as in the lists of lights and
+        // objects.
         let inner = Rect::from_min_max(rect.min + vec2(4.0, 3.0), rect.max - vec2(0.0, 3.0));
         let builder = UiBuilder::new().id_salt(self.id).max_rect(inner);
         let mut child = ui.new_child(builder.layout(Layout::left_to_right(Align::Center)));
@@ -98,7 +99,7 @@ impl Row<'_> {
         ui.spacing_mut().item_spacing.x = 4.0;
         self.eye(ui, &title, out);
         let is_faint = self.is_hidden();
-        // In a narrow panel there is room for what is set, and else for the picture.
+        // A narrow panel has room for the settings alone; a wide one also for the thumbnail.
         if rect.width() > NARROW {
             self.picture(ui, texture, is_faint);
         }
@@ -131,7 +132,7 @@ impl Row<'_> {
         RowResponse { whole: if whole.dragged() { whole } else { whole.on_hover_text(help) }, more }
     }
 
-    /// Shows what the lowest layer lies on.
+    /// Shows the ground that the lowest layer lies on.
     pub(super) fn show_ground(
         &self,
         ui: &mut Ui,
@@ -224,7 +225,7 @@ impl Row<'_> {
         }
     }
 
-    /// The layer alone; until that is drawn, its colors.
+    /// Shows the layer's thumbnail, or its colors until the thumbnail is there.
     fn picture(&self, ui: &mut Ui, texture: Option<TextureId>, is_faint: bool) {
         let (rect, response) = ui.allocate_exact_size(vec2(PICTURE, PICTURE), Sense::hover());
         response.on_hover_ui(|ui| {
@@ -338,7 +339,7 @@ impl Row<'_> {
             ui.add(Label::new(text).truncate()).on_hover_text("A wire decides the opacity");
             return;
         }
-        // Where it is keyed, as it is where it is set.
+        // A keyed value is shown, and set, at the current direction key or at the playhead.
         let target = self.target(port);
         let mut percent = values::number(self.session.value_at(&target).as_ref()) * 100.0;
         let number_width = 46.0;
@@ -361,7 +362,7 @@ impl Row<'_> {
                 info
             });
             if response.changed() && percent.is_finite() {
-                // Whole percents, as nobody sees less, and files stay readable.
+                // Values are whole percents: nobody sees smaller steps, and files stay readable.
                 let value = Value::Number(percent.round() / 100.0);
                 out.push(Command::EditHeld(response.id, self.session.set_at(&target, value)));
             }
@@ -369,7 +370,7 @@ impl Row<'_> {
     }
 }
 
-/// A row of widgets in a part of a row.
+/// Child of `ui` that lays out a row of widgets in `rect`.
 fn row_in(ui: &mut Ui, rect: Rect, salt: &str) -> Ui {
     ui.new_child(
         UiBuilder::new().id_salt(salt).max_rect(rect).layout(Layout::left_to_right(Align::Center)),

@@ -1,5 +1,5 @@
-//! Looks, scenes and paintings as pictures that open when they are pressed: those of files, and the
-//! examples.
+//! Cards: looks, scenes and paintings as pictures that open when they are pressed, from files and
+//! from the examples.
 
 use std::cell::OnceCell;
 use std::path::{Path, PathBuf};
@@ -21,32 +21,32 @@ use crate::widgets::rows::{fitted, picture_frame, row_ground, whole};
 use crate::widgets::text::cell;
 use crate::widgets::theme;
 
-/// The height of a card's name.
+/// Height of a card's name, in points.
 const NAME: f32 = 20.0;
 
-/// Where a look comes from.
+/// Origin of a card's document.
 enum Origin {
-    /// Its number and its name.
+    /// Example, by its number and its path.
     Example(usize, PathBuf),
     File(PathBuf),
 }
 
-/// What a card opens.
+/// Content that a card opens.
 enum Content {
     Look(Arc<Look>),
     Scene,
     Painting(Box<Painting>),
-    /// Opening it tells why.
+    /// File that cannot be read; opening it tells why.
     Unreadable,
-    /// The last program ended while reading it; opening it tells so, and asks.
+    /// File that the program crashed on while reading it; opening it says so, and asks.
     HeldBack,
 }
 
-/// An HCBTF, as its file shows itself.
+/// HCBTF, described by its file's cover.
 struct Painting {
-    /// Its size, in a few words.
+    /// Size of the painting, in a few words.
     size: String,
-    /// The same in more.
+    /// Description of the painting, in more words.
     about: String,
     picture: Option<Picture>,
     texture: OnceCell<TextureHandle>,
@@ -64,7 +64,7 @@ impl Painting {
         Self { size, about, picture, texture: OnceCell::new() }
     }
 
-    /// Its thumbnail, as wide as it is for its height.
+    /// Shows the painting's thumbnail, in its own aspect ratio.
     fn show(&self, ui: &Ui, rect: Rect) {
         let Some(picture) = &self.picture else { return say(ui, rect, "nothing painted") };
         let texture = self.texture.get_or_init(|| {
@@ -80,23 +80,23 @@ impl Painting {
     }
 }
 
-/// A look, a scene or a painting that can be opened.
+/// Card of a look, a scene or a painting that can be opened.
 pub(crate) struct Card {
     origin: Origin,
     pub(crate) name: String,
     content: Content,
     key: u64,
-    /// The side of its picture, in pixels: cards grow with their panel, and their pictures are not
+    /// Side of the picture, in pixels. Cards grow with their panel, and their pictures are not
     /// drawn anew.
     side: f32,
 }
 
 impl Card {
-    /// All examples, with pictures so many pixels wide.
+    /// Cards of all examples, with pictures `side` pixels wide.
     pub(crate) fn examples(side: f32) -> Vec<Self> {
         let card = |index: usize| {
             let Example { stem, path, content } = example(index)?;
-            // "figure1-layers" is shown as what the look calls itself, which people search for too.
+            // "figure1-layers" is shown under the look's own name, which people search for too.
             let figure = stem
                 .strip_prefix("figure")
                 .map(|rest| rest.split_once('-').map_or(rest, |(number, _)| number));
@@ -120,8 +120,8 @@ impl Card {
         (0..count()).filter_map(card).collect()
     }
 
-    /// What a file holds. That it is read is noted in `crashes`, and nothing is read over which the
-    /// last program ended.
+    /// Card of a file. The read is noted in `crashes`, and a file that the program crashed on last
+    /// time is not read.
     pub(crate) fn of_file(path: &Path, side: f32, crashes: &CrashLog) -> Self {
         let origin = Origin::File(path.to_owned());
         if crashes.suspect_in(path).is_some_and(|suspect| suspect.step == Step::Read) {
@@ -147,7 +147,7 @@ impl Card {
         Self { origin, name: name_of(path), content, key, side }
     }
 
-    /// Its file; an example has none.
+    /// Path of the card's file; `None` for an example.
     fn path(&self) -> Option<&Path> {
         match &self.origin {
             Origin::File(path) => Some(path),
@@ -155,12 +155,12 @@ impl Card {
         }
     }
 
-    /// Whether it could be read.
+    /// True if the file could be read.
     pub(crate) fn is_readable(&self) -> bool {
         !matches!(self.content, Content::Unreadable)
     }
 
-    /// Shows it, with a picture of this side in points.
+    /// Shows the card, with a picture of this side in points.
     pub(crate) fn show(
         &self,
         ui: &mut Ui,
@@ -257,12 +257,12 @@ impl Card {
         response.on_hover_text(help)
     }
 
-    /// Over what of it the last program ended.
+    /// Crash that is suspected of this card's document.
     fn suspect(&self, crashes: &CrashLog) -> Option<Suspect> {
         if crashes.is_any() { crashes.suspect(&self.document()?) } else { None }
     }
 
-    /// The document as crashes are remembered of it.
+    /// Document under which crashes are recorded.
     fn document(&self) -> Option<DocumentOrigin> {
         match (&self.content, &self.origin) {
             (Content::Painting(_) | Content::Unreadable, _) => None,
@@ -274,7 +274,7 @@ impl Card {
         }
     }
 
-    /// Asks for its picture.
+    /// Requests the card's picture.
     fn ask(&self, session: &Session, thumbs: &Thumbs) {
         match (&self.content, &self.origin) {
             (Content::Look(look), origin) => {
@@ -300,7 +300,7 @@ impl Card {
     }
 }
 
-/// A file that was open once and is not there any more.
+/// Shows a card for a file that was open once and no longer exists.
 pub(crate) fn show_gone(ui: &mut Ui, path: &Path, side: f32, out: &mut Vec<Command>) {
     let name = name_of(path);
     let (rect, response) = ui.allocate_exact_size(vec2(side, side + NAME), Sense::hover());
@@ -319,23 +319,23 @@ pub(crate) fn show_gone(ui: &mut Ui, path: &Path, side: f32, out: &mut Vec<Comma
     response.on_hover_text(format!("{} was moved or removed", path.display()));
 }
 
-/// What a file is called here.
+/// Name of a file as shown here.
 fn name_of(path: &Path) -> String {
     path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// Where a card's picture is: at the top.
+/// Rectangle of a card's picture: at the top.
 fn picture_of(card: Rect, side: f32) -> Rect {
     Rect::from_min_size(card.min, vec2(side, side))
 }
 
-/// Words in place of a picture.
+/// Shows words in place of a picture.
 fn say(ui: &Ui, picture: Rect, text: &str) {
     let font = FontId::proportional(theme::SMALL_TEXT);
     ui.painter().text(picture.center(), Align2::CENTER_CENTER, text, font, theme::of(ui).dim);
 }
 
-/// A sign in place of a picture over which the last program ended.
+/// Shows a warning sign in place of a picture that the program crashed on.
 fn held_back(ui: &Ui, picture: Rect, step: Step) {
     let colors = theme::of(ui);
     let (center, side) = (picture.center() - vec2(0.0, 14.0), 18.0);
@@ -349,12 +349,12 @@ fn held_back(ui: &Ui, picture: Rect, step: Step) {
     say(ui, picture.translate(vec2(0.0, 12.0)), undone(step));
 }
 
-/// What is not done by itself with a document over which the last program ended.
+/// Words for the step that is skipped for a document that the program crashed on.
 fn undone(step: Step) -> &'static str {
     if step == Step::Read { "not read" } else { "not drawn" }
 }
 
-/// Words over a picture, in its lower left corner.
+/// Shows words over a picture, in its lower left corner.
 fn in_corner(ui: &Ui, picture: Rect, text: &str) {
     let galley = ui.painter().layout_no_wrap(
         text.to_owned(),
@@ -375,8 +375,8 @@ fn name_below(ui: &Ui, card: Rect, picture: Rect, name: &str, color: Color32) {
     cell(ui, rect, name, FontId::proportional(theme::SMALL_TEXT), color);
 }
 
-/// How many cards of at least this side fit beside each other, and how large they then are. Both in
-/// points.
+/// Number of cards that fit beside each other with at least the side `least`, and the side that
+/// they then have, in points.
 pub(crate) fn columns(width: f32, least: f32, gap: f32) -> (usize, f32) {
     let columns = ((width + gap) / (least + gap)).floor().max(1.0);
     (columns as usize, ((width - gap * (columns - 1.0)) / columns).max(1.0))

@@ -1,26 +1,26 @@
-//! The looks and scenes that the window brings along.
+//! Looks and scenes that come with the program.
 
 use std::path::PathBuf;
 
 use crate::document::{Look, Scene};
 use crate::examples::{PREFIX, documents, text};
 
-/// An example that can be opened.
+/// Example that can be opened.
 pub(crate) struct Example {
-    /// What its file is called.
+    /// Stem of the example's file name.
     pub(crate) stem: &'static str,
-    /// How it is named.
+    /// Path under which the example is opened.
     pub(crate) path: PathBuf,
     pub(crate) content: Content,
 }
 
-/// What it holds.
+/// Content of an example.
 pub(crate) enum Content {
     Look(Look),
     Scene(Scene),
 }
 
-/// One of them by its number; `None` where there is none.
+/// Example by its number; `None` where there is none.
 pub(crate) fn example(index: usize) -> Option<Example> {
     let name = documents().nth(index)?;
     let (folder, file) = name.split_once('/')?;
@@ -34,7 +34,7 @@ pub(crate) fn example(index: usize) -> Option<Example> {
     Some(Example { stem, path, content })
 }
 
-/// How many there are.
+/// Number of examples.
 pub(crate) fn count() -> usize {
     documents().count()
 }

@@ -1,5 +1,5 @@
-//! What a look can be made of: nodes by category, and finished looks as pictures. A node is dragged
-//! onto the canvas or added by a click; a look opens as a new one.
+//! Library of everything that a look can be made of: nodes by category, and finished looks as
+//! pictures. A node is dragged onto the canvas or added by a click; a look opens as a new one.
 
 pub(super) mod cards;
 mod examples;
@@ -35,25 +35,25 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
     Vec::new()
 });
 
-/// A node that is being dragged to the canvas: the payload of egui's drag and drop.
+/// Node that is being dragged to the canvas: the payload of egui's drag and drop.
 #[derive(Clone, Debug)]
 pub(crate) struct DraggedKind(pub(crate) String);
 
-/// The least width of a look's picture, in points.
+/// Least width of a look's picture, in points.
 const CARD: f32 = 96.0;
-/// The side of a picture that is drawn, in pixels.
+/// Side of a picture as drawn, in pixels.
 const SIDE: f32 = 200.0;
-/// As many of the files opened before are shown.
+/// Largest number of recent files that are shown.
 const MOST_RECENT: usize = 8;
 
-/// The panel.
+/// The panel of nodes and looks, and its state.
 #[derive(Default)]
 pub(crate) struct Library {
     shows_looks: bool,
     query: String,
     looks: Vec<Card>,
-    /// What was opened before; which files that is, and after how many changes of what is held back
-    /// of them.
+    /// Cards of recent files; then the files they are of, with the number of changes to the record
+    /// of crashes at that time.
     recent: Vec<Card>,
     recent_of: (Vec<PathBuf>, u64),
 }
@@ -80,8 +80,8 @@ impl Library {
         }
     }
 
-    /// Learns what was opened before. Files are read when that changes, which is when one is opened
-    /// or saved.
+    /// Updates the recent files. Files are read only when the list changes, which is when one is
+    /// opened or saved.
     pub(crate) fn know_recent<'p>(
         &mut self,
         files: impl Iterator<Item = (&'p PathBuf, bool)>,
@@ -130,7 +130,7 @@ impl Library {
                 if is_split {
                     hint(ui, title);
                 }
-                // One row of what was opened before; a search finds the others.
+                // Recent files take a single row; a search finds the others.
                 let is_short = *title == "Recent" && is_split && words.is_empty();
                 let rows = if is_short { 1 } else { usize::MAX };
                 for row in found.chunks(columns).take(rows) {
@@ -146,8 +146,7 @@ impl Library {
     }
 }
 
-/// Takes a node that is let go of over `rect`, the canvas; says what would be added while it is
-/// held there.
+/// Takes a node that is dropped over `rect`, the canvas. Returns the kind and the point.
 pub(crate) fn dropped(ui: &Ui, rect: Rect) -> Option<(String, egui::Pos2)> {
     let at = ui.input(|input| input.pointer.latest_pos()).filter(|at| rect.contains(*at))?;
     let held = egui::DragAndDrop::payload::<DraggedKind>(ui.ctx())?;

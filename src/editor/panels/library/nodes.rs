@@ -1,4 +1,4 @@
-//! The nodes of the library.
+//! Nodes of the library.
 
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ use crate::widgets::theme;
 
 const ROW: f32 = 24.0;
 
-/// Lists kinds: by category, or what answers a search, best first.
+/// Lists kinds: by category, or those that match a search, best first.
 pub(super) fn show(ui: &mut Ui, session: &Session, query: &str) -> Vec<Command> {
     let mut out = Vec::new();
     let kinds = || session.project.catalog.all().filter(|kind| !kind.is_missing);
@@ -41,7 +41,7 @@ pub(super) fn show(ui: &mut Ui, session: &Session, query: &str) -> Vec<Command> 
                 categories.push(&kind.category);
             }
         }
-        // Layers and lights are what looks are begun with.
+        // Layers and lights come first, as looks are begun with them.
         categories.sort_by_key(|category| match *category {
             "layer" => 0,
             "light" => 1,
@@ -69,7 +69,7 @@ fn capital(word: &str) -> String {
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
-/// How well a kind answers a search, 0 best; `None` where a word is found nowhere.
+/// Rank of a kind in a search, 0 best; `None` where a word is found nowhere in the kind.
 fn rank(kind: &Kind, query: &str) -> Option<u32> {
     let label = kind.label.to_lowercase();
     let mut sum = 0;
@@ -115,7 +115,7 @@ fn paint(ui: &Ui, rect: Rect, kind: &Kind) {
     let colors = theme::of(ui);
     let chip = Rect::from_min_size(rect.min + vec2(6.0, 5.0), vec2(5.0, ROW - 10.0));
     ui.painter().rect_filled(chip, 2.0, colors.of_category(&kind.category).gamma_multiply(1.5));
-    // The types that come out, as their sockets are colored.
+    // Dots show the types of the outputs, in the colors of their sockets.
     let mut x = rect.right() - 10.0;
     for output in kind.outputs.iter().rev().take(4) {
         ui.painter().circle_filled(pos2(x, rect.center().y), 3.5, colors.of_type(&output.ty));
@@ -126,7 +126,7 @@ fn paint(ui: &Ui, rect: Rect, kind: &Kind) {
     cell(ui, text, &kind.label, FontId::proportional(theme::TEXT_SIZE), colors.text);
 }
 
-/// What is at the pointer while a node is dragged.
+/// Shows a node at the pointer while the node is dragged.
 fn ghost(ui: &Ui, kind: &Kind) {
     let Some(at) = ui.input(|input| input.pointer.latest_pos()) else { return };
     ui.ctx().set_cursor_icon(CursorIcon::Grabbing);

@@ -1,5 +1,5 @@
-//! What adds lights: to the look, and to the scene around it, in place of those that its looks
-//! have.
+//! Menus that add lights: to the look, and to the scene around it, in place of lights that its
+//! looks have.
 
 use eframe::egui::Ui;
 use indexmap::IndexMap;
@@ -12,7 +12,7 @@ use crate::state::reading::light_name;
 use crate::state::session::Session;
 use crate::widgets::text::hint;
 
-/// The menus above the list.
+/// Shows the menus above the list.
 pub(super) fn bar(
     ui: &mut Ui,
     session: &Session,
@@ -71,7 +71,7 @@ pub(super) fn bar(
     ui.add_space(2.0);
 }
 
-/// What can be done with a light because there is a scene.
+/// Shows the entries of a light's menu that apply in a scene.
 pub(super) fn scene_menu(
     ui: &mut Ui,
     session: &Session,
@@ -100,7 +100,7 @@ pub(super) fn scene_menu(
     }
 }
 
-/// The lights of looks that no light of the scene stands in for.
+/// Lights of looks that no light of the scene stands in for.
 fn free<'s>(
     session: &'s Session,
     shared: &'s IndexMap<LightId, SharedLight>,

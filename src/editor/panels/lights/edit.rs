@@ -1,4 +1,4 @@
-//! What a light is: type, frame, and the fields that lights of its type have.
+//! Fields of a light: its type, its frame, and the fields that lights of its type have.
 
 use eframe::egui;
 use eframe::egui::{
@@ -16,18 +16,18 @@ use crate::widgets::color;
 use crate::widgets::theme;
 
 const BALL: f32 = 84.0;
-/// The least that a hand makes of a number that is to be above 0: the narrowest cone, say, in
-/// radians, as one of no width is no light.
+/// Least value set by hand for a number that must be above 0, such as the angle of a cone in
+/// radians: a cone of no width gives no light.
 const LEAST_ABOVE: f64 = 1e-3;
-/// The greatest factor that a slider gives; more can be typed.
+/// Largest factor on a slider; larger ones can be typed.
 const MOST_BY_SLIDER: f64 = 4.0;
-/// What a distance of 0 says.
+/// Text for a distance of 0.
 const OFF: &str = "Off";
 
-/// Everything of a light that can be set but its name.
+/// Shows all fields of a light but its name.
 pub(crate) fn edit(ui: &mut Ui, session: &Session, lamp: &OwnedLight<'_>, out: &mut Vec<Command>) {
     ui.push_id((lamp.owner, lamp.id), |ui| {
-        // Keyed fields are shown, and set, where they are looked at.
+        // Keyed fields are shown, and set, at the current direction key or at the playhead.
         let light = &lamp.as_set(session);
         let mut new = light.clone();
         let mut hand = None;
@@ -39,7 +39,7 @@ pub(crate) fn edit(ui: &mut Ui, session: &Session, lamp: &OwnedLight<'_>, out: &
             hand = hand.or(space(ui, label, &mut new));
         });
         for field in LightField::of(new.kind) {
-            // Keys and parameters are the look's, and so are the marks of them.
+            // Keys and parameters belong to the look, and so do their marks.
             let is_own = lamp.owner == Owner::Look;
             let ty = Type::of_light_field(field);
             let (target, label) = (lamp.target(field.name()), field.label());
@@ -59,7 +59,7 @@ pub(crate) fn edit(ui: &mut Ui, session: &Session, lamp: &OwnedLight<'_>, out: &
     });
 }
 
-/// Edits one field; who changed it.
+/// Shows one field. Returns the id of the widget that changed it.
 fn value(
     ui: &mut Ui,
     label: Id,
@@ -95,7 +95,8 @@ fn value(
     hand
 }
 
-/// Keeps a field that was set above its least number, and those that are to be within it there.
+/// Keeps a field that was set above its least value, and the fields bounded by it within the new
+/// value.
 fn keep_within(field: LightField, light: &mut Light) {
     let Some(number) = field.numbers_mut(light).first_mut() else { return };
     if field.is_above_range() {
@@ -114,7 +115,7 @@ fn rgb(ui: &mut Ui, label: Id, color: &mut [f64; 3], space: ColorSpace) -> Optio
     Some(id)
 }
 
-/// A factor from 0 on; what is no number becomes what it is in a new light.
+/// Shows a factor from 0 on; a factor that is not finite becomes that of a new light.
 fn factor(ui: &mut Ui, label: Id, factor: &mut f64, most: f64, normal: f64) -> Option<Id> {
     ui.spacing_mut().slider_width = (ui.available_width() - 66.0).max(40.0);
     let slider = Slider::new(factor, 0.0..=most.min(MOST_BY_SLIDER));
@@ -124,7 +125,7 @@ fn factor(ui: &mut Ui, label: Id, factor: &mut f64, most: f64, normal: f64) -> O
     response.changed().then_some(response.id)
 }
 
-/// A length in scene units, of which 0 says that there is no such bound.
+/// Shows a length in scene units; 0 stands for no bound.
 fn distance(ui: &mut Ui, label: Id, field: LightField, length: &mut f64) -> Option<Id> {
     let [least, most] = field.range().unwrap_or([0.0, f64::MAX]);
     let mut new = *length;
@@ -201,7 +202,7 @@ fn xyz(ui: &mut Ui, label: Id, numbers: &mut [f64; 3]) -> Option<Id> {
 fn angle(ui: &mut Ui, label: Id, radians: &mut f64, max: f64) -> Option<Id> {
     let mut degrees = radians.to_degrees();
     ui.spacing_mut().slider_width = (ui.available_width() - 66.0).max(40.0);
-    // Without a hand on it a slider must not touch the value, be it only to round it.
+    // Without the pointer on it a slider must not touch the value, not even to round it.
     let slider =
         Slider::new(&mut degrees, 0.0..=max.to_degrees()).clamping(egui::SliderClamping::Edits);
     let response = ui.add(slider.suffix("°").max_decimals(1)).labelled_by(label);
@@ -211,7 +212,7 @@ fn angle(ui: &mut Ui, label: Id, radians: &mut f64, max: f64) -> Option<Id> {
     response.changed().then_some(response.id)
 }
 
-/// All directions on a disc: the distance from its middle is the angle from the viewer.
+/// Shows all directions on a disc: the distance from its center is the angle from the viewer.
 fn ball(ui: &mut Ui, direction: &mut [f64; 3]) -> Option<Id> {
     let (rect, response) = ui.allocate_exact_size(vec2(BALL, BALL), Sense::click_and_drag());
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Direction of the light"));

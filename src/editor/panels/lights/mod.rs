@@ -1,5 +1,5 @@
-//! The lights of the look, and those of the scene around it: which shine, alone or together with
-//! others, and what each is.
+//! Lights of the look, and those of the scene around it: which of them shine, soloed or muted, and
+//! the fields of each.
 
 mod add;
 mod edit;
@@ -37,16 +37,16 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
     |bench, ui, context| bench.memory.of::<Lights>().show(ui, context.session),
 );
 
-/// How wide it is to say who has a light, in points.
+/// Width of the text on the users of a light, in points.
 const USERS: f32 = 50.0;
 
-/// The panel, and what it remembers.
+/// The panel and its state.
 #[derive(Default)]
 pub(crate) struct Lights {
     renaming: Option<Renaming<(Owner, LightId)>>,
-    /// How many nodes of the look name each light.
+    /// Number of the look's nodes that name each light.
     users: HashMap<LightId, usize>,
-    /// What a scene's lights can stand in for; nothing without a scene.
+    /// Lights of looks that lights of the scene can stand in for; empty without a scene.
     shared: IndexMap<LightId, SharedLight>,
     of: Option<(DocumentNumber, LookRevision, Option<PictureRevision>)>,
 }
@@ -62,7 +62,7 @@ impl Lights {
         }
         let of_scene = session.lights_of(Owner::Scene).filter(|lights| !lights.is_empty());
         ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
-            // Room for the scroll bar.
+            // The margin is room for the scroll bar.
             ui.set_max_width(ui.available_width() - 8.0);
             if of_scene.is_some() {
                 let help = "Each stands in place of the light of its id in every look of the scene";
@@ -171,7 +171,7 @@ impl Lights {
         });
     }
 
-    /// Who has it: nodes a look's light, looks a scene's.
+    /// Shows the number of users of a light: nodes for a look's light, looks for a scene's.
     fn users(&self, ui: &mut Ui, lamp: &OwnedLight<'_>, is_replaced: bool) {
         let colors = theme::of(ui);
         let (count, what, none, help) = match lamp.owner {
@@ -207,7 +207,7 @@ impl Lights {
             count => (format!("{count} {what}s"), colors.dim, help),
         };
         let size = vec2(USERS, ui.available_height());
-        // As wide for one as for many, so that what stands beside it is one column.
+        // The width does not depend on the number, so that the widgets beside it form a column.
         ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
             ui.set_min_width(USERS);
             ui.label(RichText::new(text).small().color(color)).on_hover_text(help);
@@ -290,7 +290,7 @@ fn section(ui: &mut Ui, title: &str, help: &str) {
     ui.label(RichText::new(title).small().color(theme::of(ui).dim)).on_hover_text(help);
 }
 
-/// How bright it is, at hand also while the rest is folded away.
+/// Shows the intensity of a light, also while the other fields are folded away.
 fn intensity(ui: &mut Ui, session: &Session, lamp: &OwnedLight<'_>, out: &mut Vec<Command>) {
     let light = &lamp.as_set(session);
     let mut value = light.intensity;
@@ -317,7 +317,7 @@ fn intensity(ui: &mut Ui, session: &Session, lamp: &OwnedLight<'_>, out: &mut Ve
     }
 }
 
-/// The color of a light as it is shown.
+/// Color of a light as shown on the screen.
 fn swatch(light: &Light, space: ColorSpace) -> Color32 {
     let value = Value::Vector(light.color.to_vec());
     let [r, g, b, _] = match space {

@@ -1,4 +1,4 @@
-//! What an object is: mesh, looks by material, place, turn and size.
+//! Fields of an object: mesh, looks by material, position, rotation and scale.
 
 use eframe::egui;
 use eframe::egui::{Checkbox, ComboBox, DragValue, Id, Ui};
@@ -11,25 +11,26 @@ use crate::geometry::SHAPES;
 use crate::ids::ObjectId;
 use crate::state::scene::{OpenScene, file_label, from_degrees, mesh_label, stood_up, to_degrees};
 
-/// The smallest scale: 0 leaves nothing.
+/// Smallest scale: at 0 an object vanishes.
 const LEAST_SCALE: f64 = 1e-3;
 
-/// What is remembered while values are set.
+/// State of the fields between frames.
 #[derive(Default)]
 pub(super) struct Details {
-    /// The turn of an object in degrees, as it was typed: of one rotation there are many.
+    /// Rotation of an object in degrees, as typed, with the object and the quaternion that it
+    /// became: many triples of degrees give the same rotation.
     turned: Option<(ObjectId, [f64; 4], [f64; 3])>,
-    /// Whether the three scales are set one by one.
+    /// True if the three scales are set one by one.
     is_uneven: bool,
 }
 
-/// What a look is called where objects are listed.
+/// Name of a look in the list of objects.
 pub(super) fn look_label(stage: &OpenScene, name: &str) -> String {
     if stage.is_open(name) { stage.open_label() } else { file_label(name) }
 }
 
 impl Details {
-    /// Everything of an object that can be set but its name.
+    /// Shows all fields of an object but its name.
     pub(super) fn show(
         &mut self,
         ui: &mut Ui,
@@ -152,8 +153,8 @@ fn mesh(
     combo.response.labelled_by(label).on_hover_text(&object.mesh);
 }
 
-/// A row for what all materials wear, and where the mesh has several, or the object names some, one
-/// for each.
+/// Shows a row for the look of all materials, and one for each material where the mesh has several
+/// or the object names some.
 fn looks(
     ui: &mut Ui,
     stage: &OpenScene,
@@ -246,7 +247,7 @@ fn number(
     response
 }
 
-/// Three numbers, named after their axes. Returns who changed one.
+/// Shows three numbers, named after their axes. Returns the id of the widget that changed one.
 fn xyz(ui: &mut Ui, name: &str, numbers: &mut [f64; 3], speed: f64, suffix: &str) -> Option<Id> {
     let mut hand = None;
     ui.spacing_mut().item_spacing.x = 4.0;

@@ -1,4 +1,4 @@
-//! The objects of the scene: a row each, and of the selected one all that can be set.
+//! Objects of the scene: a row for each, and all fields of the selected one.
 
 mod details;
 mod parameters;
@@ -31,11 +31,11 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
 
 const ROW: f32 = 40.0;
 
-/// The panel, and what it remembers.
+/// The panel and its state.
 #[derive(Default)]
 pub(crate) struct Objects {
     renaming: Option<Renaming<ObjectId>>,
-    /// The object whose row was brought into view.
+    /// Object whose row was scrolled into view.
     shown_for: Option<ObjectId>,
     details: details::Details,
 }
@@ -62,13 +62,13 @@ impl Objects {
         self.shown_for = selected;
         let mut commands = Vec::new();
         ScrollArea::vertical().auto_shrink([false, false]).id_salt("objects").show(ui, |ui| {
-            // Room for the scroll bar.
+            // The margin is room for the scroll bar.
             ui.set_max_width(ui.available_width() - 8.0);
             ui.spacing_mut().item_spacing.y = 2.0;
             for (id, object) in &stage.scene().objects {
                 let row = self.row(ui, stage, id, object, &mut out, &mut commands);
                 if goal.as_ref() == Some(id) {
-                    // With the first of what is below it.
+                    // The row is scrolled into view with the beginning of the fields below it.
                     ui.scroll_to_rect(row.with_max_y(row.max.y + 3.0 * ROW), None);
                 }
                 if stage.selected().is_some_and(|(selected, _)| selected == id) {
@@ -98,7 +98,8 @@ impl Objects {
             WidgetInfo::selected(Role::ListItem, true, is_selected, format!("Object {id}"))
         });
         card_ground(ui, rect, &response, is_selected);
-        // What ends a row is in the same column here as in the lists of layers and lights.
+        // The buttons at the right end lie in the same column here as in the lists of layers and
+        // lights.
         let inner = egui::Rect::from_min_max(rect.min + vec2(6.0, 2.0), rect.max - vec2(0.0, 2.0));
         let builder = UiBuilder::new().id_salt(("object", id.as_str())).max_rect(inner);
         let mut inner = ui.new_child(builder.layout(Layout::left_to_right(egui::Align::Center)));
@@ -173,11 +174,11 @@ impl Objects {
         } else {
             colors.dim
         });
-        // The row itself is what is clicked.
+        // The label takes no clicks: the row itself does.
         ui.add(Label::new(text).truncate().selectable(false).sense(Sense::empty()));
     }
 
-    /// What it is, in a line.
+    /// Shows the mesh and the looks of an object, in a line.
     fn about(&self, ui: &mut Ui, stage: &OpenScene, object: &Object) {
         let looks: Vec<String> =
             object.looks.values().map(|name| details::look_label(stage, name)).collect();
@@ -224,7 +225,7 @@ impl Objects {
     }
 }
 
-/// What can be done with the scene as a whole.
+/// Shows the menus for the scene as a whole.
 fn bar(ui: &mut Ui, session: &Session, out: &mut Vec<SceneCommand>) {
     ui.horizontal(|ui| {
         let menu = ui.menu_button("Add an object", |ui| {

@@ -1,4 +1,5 @@
-//! What the looks of an object expose: the look's values, and the object's own over them.
+//! Parameters that the looks of an object expose: the looks' values, and the object's own over
+//! them.
 
 use std::borrow::Cow;
 
@@ -17,8 +18,8 @@ use crate::state::session::Session;
 use crate::values;
 use crate::widgets::theme;
 
-/// Lists the parameters by the looks that expose them, and then what the object sets and no look of
-/// it takes.
+/// Lists the parameters by the looks that expose them, then the values of the object that none of
+/// its looks takes.
 pub(super) fn show(
     ui: &mut Ui,
     session: &Session,
@@ -51,7 +52,7 @@ pub(super) fn show(
     }
 }
 
-/// The looks that an object wears, each once, with what they expose.
+/// Looks that an object wears, each once, with the parameters that they expose.
 fn of_looks<'s>(
     session: &Session,
     stage: &'s OpenScene,
@@ -78,7 +79,7 @@ fn heading(ui: &mut Ui, text: &str) {
     ui.label(RichText::new(text).small().color(theme::of(ui).dim));
 }
 
-/// Sets values of one object.
+/// Setter of one object's values.
 struct Setter<'a> {
     stage: &'a OpenScene,
     id: &'a ObjectId,
@@ -135,7 +136,8 @@ impl Setter<'_> {
         }
     }
 
-    /// What none of the looks takes: it may have been exposed once, or be mistyped.
+    /// Shows a value that none of the looks takes: its name may be misspelled, or no longer
+    /// exposed.
     fn unknown(&mut self, ui: &mut Ui, name: &PortName, value: &Value) {
         let port = Port::named(name.as_str());
         let text = RichText::new(name.as_str()).color(theme::of(ui).warning);
@@ -159,15 +161,15 @@ impl Setter<'_> {
         self.out.extend(set.map(|edit| SceneCommand::EditHeld(hand, edit)));
     }
 
-    /// Takes the object's own value away.
+    /// Removes the object's own value.
     fn clear(&mut self, name: &PortName) {
         let edit = self.stage.change(self.id, |object| drop(object.values.shift_remove(name)));
         self.out.extend(edit.map(SceneCommand::Edit));
     }
 }
 
-/// A dot beside what the object sets itself; under the pointer it is an arrow back. Whether it was
-/// pressed.
+/// Shows a dot beside a value that the object sets itself; under the pointer the dot becomes an
+/// arrow back. Returns true if it was pressed.
 fn mark(ui: &mut Ui, size: Vec2, label: &str, help: &str) -> bool {
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, label));

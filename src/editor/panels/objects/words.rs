@@ -1,4 +1,4 @@
-//! What a scene is called and what it shows, in words, as a look has them.
+//! Name and description of a scene, as a look has them.
 
 use eframe::egui::{CollapsingHeader, TextEdit, Ui};
 
@@ -6,7 +6,7 @@ use crate::commands::SceneCommand;
 use crate::document::{Scene, SceneEdit};
 use crate::fields::row::labelled;
 
-/// Shows both, folded to a line.
+/// Shows both fields, in a collapsible section.
 pub(super) fn show(ui: &mut Ui, scene: &Scene, out: &mut Vec<SceneCommand>) {
     let title =
         if scene.name.is_empty() { "Name and about".to_owned() } else { scene.name.clone() };

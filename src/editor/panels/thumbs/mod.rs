@@ -1,5 +1,5 @@
-//! Small pictures of looks and layers, drawn on a thread of their own while the window rests: one
-//! at a time, each kept by what it shows, so that undo and the same layer elsewhere cost nothing.
+//! Thumbnails of looks and layers, drawn on a thread of their own while the window rests: one at a
+//! time, each kept by its content, so that undo and the same layer elsewhere cost nothing.
 
 mod scene;
 
@@ -24,33 +24,33 @@ use crate::state::snapshot::{RenderSnapshot, Reused};
 use crate::state::worker::{BackgroundJobs, Worker};
 pub(crate) use scene::key_of_scene;
 
-/// Each pixel is the mean of so many by so many: highlights are finer than a small picture's
-/// pixels.
+/// Supersampling factor along each side: highlights are finer than the pixels of a thumbnail.
 const FINER: u32 = 2;
-/// The greatest side of a picture, in pixels.
+/// Largest side of a thumbnail, in pixels.
 const MAX_SIDE: u32 = 320;
-/// As many pictures are kept; then all begin anew.
+/// Largest number of thumbnails that are kept; beyond it all are dropped.
 const MOST: usize = 400;
-/// The window rests after so many seconds.
+/// Time without a change after which the window counts as resting, in seconds.
 const REST: f64 = 0.35;
-/// How bright the brightest pixel of a lifted picture is at least, and how much it is lifted at
-/// most.
+/// Least brightness of the brightest pixel of a lifted thumbnail, 0 to 1; below, the largest factor
+/// of lifting.
 const LIFTED: f32 = 0.85;
 const MOST_LIFT: f32 = 8.0;
 
-/// How a small picture is taken.
+/// Framing of a thumbnail.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Shot {
-    /// The whole object.
+    /// Whole object.
     Whole,
-    /// What is in the middle, from near.
+    /// Middle of the object, from near.
     Near,
-    /// The same, brightened until it is plain where anything is, as what adds little is near black.
+    /// Middle of the object from near, brightened until all that the layer adds is visible, as a
+    /// layer that adds little is near black.
     Lifted,
 }
 
 impl Shot {
-    /// From the eye to what it looks at, and how high that is.
+    /// Distance from the eye to its target, and the height of the target, in scene units.
     fn distance_and_height(self) -> (f64, f64) {
         match self {
             Self::Whole => (3.45, -0.04),
@@ -59,24 +59,24 @@ impl Shot {
     }
 }
 
-/// From the eye to the middle of a mesh that may be anything.
+/// Distance from the eye to the middle of an arbitrary mesh, in scene units.
 const NEAR_ANY: f64 = 3.3;
-/// Files of meshes up to so many bytes are read once more for small pictures.
+/// Largest size of a mesh file that is read once more for thumbnails, in bytes.
 const LIGHT: u64 = 4 << 20;
 
-/// What small pictures of layers are drawn on.
+/// Object that thumbnails of layers are drawn on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Stand {
-    /// The mesh that is in the picture.
+    /// Mesh of the picture.
     Mesh,
-    /// The creature, because the mesh in the picture is too heavy, or cannot be read.
+    /// Creature, because the mesh of the picture is too large, or cannot be read.
     Heavy,
-    /// The creature, because a scene may have a mesh for every object.
+    /// Creature, because a scene may have a mesh for every object.
     Scene,
 }
 
 impl Stand {
-    /// Of the picture that a session shows now.
+    /// Object for the picture that a session shows now.
     pub(crate) fn of(session: &Session) -> Self {
         let mesh = &session.view.orbit.mesh;
         let is_light = || std::fs::metadata(mesh).is_ok_and(|file| file.len() <= LIGHT);
@@ -100,40 +100,41 @@ impl Stand {
 
 struct ThumbRequest {
     key: u64,
-    /// The document that it is of.
+    /// Document that the thumbnail is of.
     origin: DocumentOrigin,
     subject: Subject,
     side: u32,
 }
 
-/// What is drawn.
+/// Subject of a thumbnail.
 enum Subject {
     Look(Box<RenderSnapshot>, Shot),
-    /// The scene in a file.
+    /// Scene in a file.
     Scene(PathBuf),
 }
 
 struct ThumbResult {
     key: u64,
-    /// `None` where it cannot be drawn.
+    /// Thumbnail; `None` where it cannot be drawn.
     image: Option<ColorImage>,
 }
 
-/// The small pictures of a window.
+/// Thumbnails of a window.
 pub(crate) struct Thumbs {
     worker: Option<Worker<ThumbRequest, ThumbResult>>,
     pictures: HashMap<u64, Option<TextureHandle>>,
-    /// What the window was when it was looked at last, and since when it is so.
+    /// State of the document when it was seen last, and the time since which it has been so, in
+    /// seconds.
     seen: (DocumentNumber, LookRevision),
     seen_at: f64,
     rests: bool,
-    /// Whether the first large picture is on its way, which wakes the window.
+    /// True while the first large picture is being made, which wakes the window.
     waits: bool,
 }
 
 impl Thumbs {
-    /// `wake` is called from another thread when there is a new one; what goes on is noted in
-    /// `crashes`. Without a GPU there are none.
+    /// `wake` is called from another thread when a thumbnail is drawn; the drawing is noted in
+    /// `crashes`. Without a GPU there are no thumbnails.
     pub(crate) fn new(
         gpu: Option<Gpu>,
         crashes: CrashLog,
@@ -159,7 +160,7 @@ impl Thumbs {
         }
     }
 
-    /// Takes what was drawn, and knows whether the window rests. To be called once a frame.
+    /// Takes finished thumbnails, and finds out whether the window rests. Call once a frame.
     pub(crate) fn update(&mut self, ui: &Ui, session: &Session) {
         for ThumbResult { key, image } in
             self.worker.as_ref().map(Worker::answers).unwrap_or_default()
@@ -183,32 +184,32 @@ impl Thumbs {
         self.rests = now - self.seen_at >= REST;
     }
 
-    /// Whether there is something to draw with, and time to.
+    /// True if thumbnails can be drawn, and the window rests.
     pub(crate) fn rests(&self) -> bool {
         self.rests && self.worker.is_some()
     }
 
-    /// How many there are.
+    /// Number of thumbnails.
     pub(crate) fn count(&self) -> usize {
         self.pictures.len()
     }
 
-    /// Whether there is something to draw with.
+    /// True if thumbnails can be drawn at all, that is, with a GPU.
     pub(crate) fn can_draw(&self) -> bool {
         self.worker.is_some()
     }
 
-    /// A picture that was drawn before.
+    /// Thumbnail that was drawn before.
     pub(crate) fn known(&self, key: u64) -> Option<TextureId> {
         self.pictures.get(&key)?.as_ref().map(TextureHandle::id)
     }
 
-    /// Whether this picture is there, or never will be.
+    /// True if a thumbnail is drawn, or cannot be drawn.
     pub(crate) fn is_done(&self, key: u64) -> bool {
         self.pictures.contains_key(&key)
     }
 
-    /// Looks again once the window rests.
+    /// Requests a repaint for when the window will rest.
     pub(crate) fn look_again(&self, ui: &Ui) {
         if self.worker.is_some() && !self.rests && !self.waits {
             let left = REST - (ui.input(|input| input.time) - self.seen_at);
@@ -216,8 +217,8 @@ impl Thumbs {
         }
     }
 
-    /// Asks for a picture of a look of the document `origin`, `side` pixels wide, if nothing else
-    /// is being drawn; the thread wakes the window when it is there.
+    /// Requests a thumbnail of a look of the document `origin`, `side` pixels wide, if no other is
+    /// being drawn; the thread wakes the window when the thumbnail is there.
     pub(crate) fn ask(
         &self,
         key: u64,
@@ -230,7 +231,8 @@ impl Thumbs {
         self.request(key, origin, side, || {
             let (distance, height) = shot.distance_and_height();
             let orbit = match Stand::of(session) {
-                // The creature's own face is nearer than any mesh's middle.
+                // The creature has a framing of its own, on its face; other meshes are seen from
+                // farther away.
                 Stand::Mesh if shot != Shot::Whole && session.view.orbit.mesh != DEFAULT_MESH => {
                     Orbit {
                         mesh: session.view.orbit.mesh.clone(),
@@ -254,7 +256,7 @@ impl Thumbs {
         });
     }
 
-    /// The same of the scene in a file, as its own camera sees it.
+    /// Requests a thumbnail of the scene in a file, as the scene's own camera sees it.
     pub(crate) fn ask_for_scene(&self, key: u64, path: &Path, side: f32) {
         self.request(
             key,
@@ -293,7 +295,7 @@ impl BackgroundJobs for Thumbs {
     }
 }
 
-/// What tells a picture of a look from another: everything that it is made of, but for names and
+/// Key of a look's thumbnail: a hash of everything that the picture depends on, without names and
 /// places on the canvas.
 pub(crate) fn key_of(look: &Look, shot: Shot, side: f32) -> u64 {
     let mut hasher = DefaultHasher::new();
@@ -309,7 +311,7 @@ pub(crate) fn key_of(look: &Look, shot: Shot, side: f32) -> u64 {
     hasher.finish()
 }
 
-/// The same of a picture of a layer, which stands on what `session` shows.
+/// Key of a layer's thumbnail, which is drawn on the mesh that `session` shows.
 pub(crate) fn key_on(look: &Look, shot: Shot, side: f32, session: &Session) -> u64 {
     let mut hasher = DefaultHasher::new();
     key_of(look, shot, side).hash(&mut hasher);
@@ -319,7 +321,7 @@ pub(crate) fn key_on(look: &Look, shot: Shot, side: f32, session: &Session) -> u
     hasher.finish()
 }
 
-/// Tells one mesh in the picture from another.
+/// Hash of the mesh in the picture.
 pub(crate) fn stage_of(session: &Session) -> u64 {
     let mut hasher = DefaultHasher::new();
     (
@@ -332,7 +334,7 @@ pub(crate) fn stage_of(session: &Session) -> u64 {
     hasher.finish()
 }
 
-/// Lives on the thread.
+/// Renderer of thumbnails, on their thread.
 struct Artist {
     renderer: Renderer,
     planner: Reused,
@@ -359,12 +361,12 @@ impl Artist {
     }
 }
 
-/// The picture at the size that it is shown at, lifted or as it is.
+/// Picture reduced to the size at which it is shown, and lifted if `lifts` is set.
 fn smaller(picture: &Picture, lifts: bool) -> ColorImage {
     let side = picture.size[0] / FINER;
     let pixels = (0..side * side).map(|index| {
         let (x, y) = (index % side * FINER, index / side * FINER);
-        // Premultiplied, so that an edge takes no color from what is not there.
+        // Sums are premultiplied, so that an edge takes no color from transparent pixels.
         let mut sum = [0.0_f32; 4];
         for (dx, dy) in (0..FINER * FINER).map(|part| (part % FINER, part / FINER)) {
             let [r, g, b, a] = picture.pixel(x + dx, y + dy);
@@ -398,7 +400,8 @@ mod tests {
     #[test]
     fn a_smaller_picture_is_the_mean_and_its_brightest_pixel_is_bright() {
         let mut picture = Picture { size: [4, 4], rgba: vec![[0.0, 0.0, 0.0, 1.0]; 16] };
-        // One of the four pixels of the first is 0.8 red, and one of the last is not there.
+        // One of the four pixels of the first block is 0.8 red, and one of the last block is
+        // transparent.
         picture.rgba[0] = [0.8, 0.0, 0.0, 1.0];
         picture.rgba[15] = [1.0, 1.0, 1.0, 0.0];
         let plain = smaller(&picture, false);

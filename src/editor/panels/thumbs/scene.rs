@@ -1,5 +1,4 @@
-//! Small pictures of scenes, from their files: as the scene's own camera sees all of it, in a
-//! square.
+//! Thumbnails of scenes, from their files: all of the scene as its own camera sees it, in a square.
 
 use std::collections::BTreeSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -15,15 +14,14 @@ use crate::frame::{
 };
 use crate::library::Library;
 
-/// Meshes of more bytes than this in all are not read for a small picture.
+/// Largest total size of the meshes that are read for a thumbnail, in bytes.
 const MOST_BYTES: u64 = 128 << 20;
-/// How far everything in the picture reaches, in parts of half its side.
+/// Part of half the picture's side that the whole scene reaches to.
 const FILLED: f64 = 0.94;
-/// The picture is at most so many times as wide as the camera's is high, as it would be in a wide
-/// window, and at least this part of it.
+/// Range of the picture's width, in heights of the camera's picture: at most as in a wide window.
 const ZOOM: [f64; 2] = [0.4, 1.8];
 
-/// What tells a picture of a scene from another: what its file says, and which files it names.
+/// Key of a scene's thumbnail: a hash of the file's content, and of the files that it names.
 pub(crate) fn key_of_scene(path: &Path, scene: &Scene, side: f32) -> u64 {
     let mut hasher = DefaultHasher::new();
     (path, side.round() as u32, scene.to_text()).hash(&mut hasher);
@@ -37,8 +35,8 @@ pub(crate) fn key_of_scene(path: &Path, scene: &Scene, side: f32) -> u64 {
     hasher.finish()
 }
 
-/// What there is to draw of the scene in a file; `None` where there is nothing, or too much. What
-/// it keeps of the scene's files goes with the picture.
+/// Frame plan of the scene in a file; `None` where there is nothing to draw, or too much. Data of
+/// the scene's files is dropped with the picture.
 pub(super) fn plan(path: &Path, options: &PlanOptions) -> Option<FramePlan> {
     let Document::Scene(loaded) = Document::load(&crate::files::Disk, path) else { return None };
     let scene = loaded.value?;
@@ -48,7 +46,7 @@ pub(super) fn plan(path: &Path, options: &PlanOptions) -> Option<FramePlan> {
     }
     let mut planner = Planner::new(Assets::default()).culling(Cull::Objects);
     planner.assets.draft();
-    // What is missing is left out, as in the window.
+    // Missing files are left out, as in the window.
     let mut setup =
         scene_setup(scene, &folder, &loaded.source, None, &mut planner.assets, &mut Vec::new());
     let nodes = folder.join("nodes");
@@ -71,8 +69,8 @@ fn bytes_of_meshes(scene: &Scene, folder: &Path) -> u64 {
         .sum()
 }
 
-/// The scene's camera, zoomed so that all of the scene is in a square picture, and no smaller than
-/// it need be.
+/// Scene's camera, zoomed so that all of the scene is in a square picture, and no smaller than need
+/// be.
 fn fitted(setup: &Setup) -> Camera {
     let camera = setup.scene.camera;
     let view = View::new(&camera, [1, 1], DVec3::ZERO, 1.0);
@@ -81,7 +79,7 @@ fn fitted(setup: &Setup) -> Camera {
         let [right, up] = [0, 1].map(|row| view.rotation().row(row));
         let from_eye = center - view.eye;
         let depth = if view.is_perspective { -from_eye.dot(view.backward) } else { 1.0 };
-        // What is beside the eye, or behind it, has no place in the picture.
+        // Objects beside the eye, or behind it, have no place in the picture.
         let aside = from_eye.dot(right).abs().max(from_eye.dot(up).abs());
         if view.is_perspective && depth <= radius { 0.0 } else { (aside + radius) / depth }
     };

@@ -1,4 +1,4 @@
-//! The brushes, above the picture.
+//! Controls of the brushes, above the picture.
 
 use eframe::egui::{
     self, DragValue, Response, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
@@ -11,13 +11,13 @@ use crate::document::ColorSpace;
 use crate::widgets::color;
 use crate::widgets::theme;
 
-/// A field with its name is no wider, in points.
+/// Largest width of a field with its name, in points.
 const PERCENT: f32 = 110.0;
-/// The width of the button that begins it, in points.
+/// Width of the button at the beginning of the bar, in points.
 const SUN: f32 = 28.0;
 
 impl Fitting {
-    /// What turns painting on and off.
+    /// Shows the button that turns painting on and off.
     pub(crate) fn toggle(&self, ui: &mut Ui, out: &mut Vec<Command>) {
         let help = "Paint on the picture where it should be lighter or darker, and fit the look to \
                     that (L)";
@@ -26,7 +26,7 @@ impl Fitting {
         }
     }
 
-    /// A second row of controls while the picture is painted on.
+    /// Shows a second row of controls while painting is on.
     pub(crate) fn bar(&mut self, ui: &mut Ui) {
         if !self.is_on {
             return;
@@ -67,8 +67,8 @@ impl Fitting {
                 &mut self.tools.hardness,
                 0.0..=1.0,
             );
-            // All tools have all controls: a bar that grew would push the picture, which would be
-            // read anew.
+            // All tools show all controls: a bar that changed its height would resize the picture,
+            // which would then be read anew.
             let has_amount = matches!(self.tools.kind, LightBrush::Light | LightBrush::Dark);
             let help = "How much lighter or darker Light and Dark make it, as an eye sees it: from \
                         black to white is 100%. A \
@@ -79,7 +79,7 @@ impl Fitting {
     }
 }
 
-/// A button with a sun, half of it painted: above the picture there is no room for words.
+/// Shows a button with a half-painted sun: the bar has no room for words.
 fn sun(ui: &mut Ui, is_on: bool) -> Response {
     let (rect, response) =
         ui.allocate_exact_size(vec2(SUN, ui.spacing().interact_size.y), Sense::click());
@@ -105,7 +105,7 @@ fn sun(ui: &mut Ui, is_on: bool) -> Response {
     response
 }
 
-/// A part of a whole, shown in percent.
+/// Shows a field for a fraction, in percent.
 fn percent(
     ui: &mut Ui,
     is_enabled: bool,
@@ -117,10 +117,10 @@ fn percent(
     let mut shown = *value * 100.0;
     let range = range.start() * 100.0..=range.end() * 100.0;
     let drag = DragValue::new(&mut shown).range(range).speed(0.5).max_decimals(0).suffix("%");
-    // A narrow picture wraps them, each with its name.
+    // Fields wrap in a narrow picture, each together with its name.
     if ui.available_size_before_wrap().x < PERCENT {
         ui.end_row();
-        // A row is as high as its first thing, and a name is lower than what stands beside it.
+        // A row is as high as its first widget, and a label is lower than the field beside it.
         ui.allocate_exact_size(vec2(0.0, ui.spacing().interact_size.y), Sense::hover());
     }
     let id = ui.add_enabled(is_enabled, egui::Label::new(label)).on_hover_text(help).id;

@@ -1,25 +1,25 @@
-//! How much a stroke covers each pixel of a sketch.
+//! Coverage of a sketch's pixels by a stroke.
 //!
-//! A stroke is the way of a round brush: a pixel is covered as its distance from that way says, so
-//! that a stroke which crosses itself, or goes slowly, covers no more there, and its edge stays as
-//! soft as the brush's.
+//! A stroke is the path of a round brush: the coverage of a pixel depends on its distance from the
+//! path, so that a stroke that crosses itself, or goes slowly, covers no more there, and its edge
+//! stays as soft as the brush's.
 
 use glam::DVec2;
 
-/// What a stroke covers.
+/// Coverage of a stroke.
 pub(super) struct Cover {
     size: [u32; 2],
-    /// In pixels.
+    /// Radius of the brush, in pixels.
     radius: f64,
-    /// Of the radius, the part that is covered wholly, from 0 to 1.
+    /// Part of the radius that is covered fully, 0 to 1.
     hardness: f64,
     last: Option<DVec2>,
-    /// From 0 to 1, rows from the top.
+    /// Coverage of each pixel, rows from the top, 0 to 1.
     shares: Vec<f32>,
 }
 
 impl Cover {
-    /// Nothing of a sketch of this size.
+    /// Empty coverage of a sketch.
     pub(super) fn new(size: [u32; 2], radius: f64, hardness: f64) -> Self {
         Self {
             size,
@@ -30,8 +30,8 @@ impl Cover {
         }
     }
 
-    /// Goes on to a place in pixels, and returns the pixels that are covered more by that, with how
-    /// much they are now.
+    /// Extends the stroke to a place in pixels. Returns the pixels whose coverage has grown, with
+    /// their new coverage.
     pub(super) fn to(&mut self, at: DVec2) -> Vec<([u32; 2], f64)> {
         let from = self.last.replace(at).unwrap_or(at);
         let range = |axis: usize| {
@@ -54,16 +54,16 @@ impl Cover {
         more
     }
 
-    /// How much is covered at a distance from the way, in pixels.
+    /// Coverage at a distance from the path, in pixels.
     fn share(&self, distance: f64) -> f64 {
-        // The hardest edge is a pixel wide.
+        // The hardest edge is still one pixel wide.
         let soft = (1.0 - self.hardness) * self.radius + 1.0;
         let part = ((self.radius + 0.5 - distance) / soft).clamp(0.0, 1.0);
         part * part * (3.0 - 2.0 * part)
     }
 }
 
-/// From a place to a way between two.
+/// Distance of a place from the segment between two others.
 fn distance(place: DVec2, from: DVec2, to: DVec2) -> f64 {
     let way = to - from;
     let length = way.length_squared();
@@ -87,7 +87,7 @@ mod tests {
         assert_eq!(once.shares, first);
         let at = |x: usize, y: usize| once.shares[y * 60 + x];
         assert_eq!((at(30, 20), at(30, 22), at(30, 35)), (1.0, 1.0, 0.0));
-        // Half way out of the soft edge, which goes from 3.5 to 8.5 pixels.
+        // The place lies halfway through the soft edge, which reaches from 3.5 to 8.5 pixels.
         let half = Cover::new([1, 1], 8.0, 0.5).share(6.0);
         assert!((half - 0.5).abs() < 1e-12, "{half}");
     }

@@ -1,5 +1,4 @@
-//! A fit from its beginning to what becomes of it: asked for, stopped, previewed, applied or let
-//! go.
+//! Course of a fit: request, stop, preview, applying and discarding.
 
 use std::sync::Arc;
 
@@ -15,10 +14,10 @@ use crate::state::problem_text::sentence;
 use crate::state::revision::{DocumentNumber, LookRevision, PictureRevision};
 use crate::state::session::Session;
 
-/// Which look something is about: another revision is another look.
+/// State of the look and the scene that a fit belongs to: another revision is another state.
 pub(super) type FittedState = (DocumentNumber, LookRevision, Option<PictureRevision>);
 
-/// What was painted when something was asked for.
+/// Strokes at the time of a request.
 #[derive(Clone)]
 pub(super) struct Strokes(Option<Arc<Tile>>);
 
@@ -27,7 +26,7 @@ impl Strokes {
         Self(session.sketch().tile().cloned())
     }
 
-    /// Whether that is what is painted now.
+    /// True if the strokes are the present ones.
     pub(super) fn are(&self, session: &Session) -> bool {
         match (&self.0, session.sketch().tile()) {
             (Some(one), Some(other)) => Arc::ptr_eq(one, other),
@@ -37,9 +36,10 @@ impl Strokes {
     }
 }
 
-/// A smaller gain is seen by nobody, and shows in no figure that is told.
+/// Least gain that counts, as RMS of a channel: a smaller one is neither visible nor shown in any
+/// figure.
 const LEAST_GAIN: f64 = 0.05 / 255.0;
-/// What is told of a fit that was stopped too soon.
+/// Message on a fit that was stopped before it gained anything.
 const STOPPED: &str = "The fit was stopped before it came nearer: the look is as it was";
 
 pub(super) struct Running {
@@ -48,18 +48,19 @@ pub(super) struct Running {
     pub(super) progress: Progress,
 }
 
-/// What was fitted.
+/// Result of a fit.
 pub(super) struct Outcome {
     pub(super) what: FitGoal,
     pub(super) strokes: Strokes,
     pub(super) edit: Edit,
     pub(super) report: Report,
-    /// The look that it was applied to, once it is: what is told of it holds for no other.
+    /// State of the look that the edit was applied to, once it is: the result is shown for that
+    /// state only.
     pub(super) applied: Option<FittedState>,
 }
 
 impl Fitting {
-    /// Begins a fit; tells where that cannot be.
+    /// Begins a fit, or sets a message where a fit is not possible.
     pub(crate) fn fit(&mut self, what: FitGoal, session: &Session) {
         self.told = self.try_fit(what, session).err().map(str::to_owned);
     }
@@ -102,8 +103,8 @@ impl Fitting {
         Ok(())
     }
 
-    /// Ends the fit that is going on: what it has come to is shown soon after. Again, that is given
-    /// up too.
+    /// Stops the fit under way: its best result so far is shown soon after. A second call gives up
+    /// that result too.
     pub(crate) fn stop(&mut self) {
         let Some(running) = &self.running else { return };
         if running.progress.is_stopped() {
@@ -115,16 +116,16 @@ impl Fitting {
         }
     }
 
-    /// Gives up the fit that is going on, with what it has come to.
+    /// Gives up the fit under way, with its result.
     pub(super) fn give_up(&mut self) {
         if let Some(running) = self.running.take() {
             running.progress.stop();
         }
     }
 
-    /// Takes what a fit came to: the look to be shown in place of the open one, if any.
+    /// Takes a finished fit. Returns the look to show in place of the open one, if any.
     pub(super) fn take(&mut self, done: FitResult, session: &Session) -> Option<Arc<Look>> {
-        // What was given up, or is of a look that is gone, is nobody's.
+        // A result that was given up, or that is of another look, is dropped.
         if !self.running.as_ref().is_some_and(|running| running.progress.is_same(&done.progress)) {
             return None;
         }
@@ -154,7 +155,7 @@ impl Fitting {
         None
     }
 
-    /// Takes on what was fitted: the edit, one step.
+    /// Applies the fit: returns its edit, one step.
     pub(crate) fn take_on(&mut self, session: &Session) -> Option<Edit> {
         let outcome = self.outcome.as_mut().filter(|outcome| outcome.applied.is_none())?;
         outcome.applied = Some(of(session));
@@ -162,14 +163,14 @@ impl Fitting {
         Some(outcome.edit.clone())
     }
 
-    /// What was fitted has been taken on: from now on it is about the look as it is.
+    /// Notes that the edit was applied: from now on the result belongs to the look as it is.
     pub(crate) fn is_taken_on(&mut self, session: &Session) {
         if let Some(applied) = self.outcome.as_mut().and_then(|outcome| outcome.applied.as_mut()) {
             *applied = of(session);
         }
     }
 
-    /// Lets go of what was fitted.
+    /// Discards the fit.
     pub(crate) fn discard(&mut self) -> Vec<Command> {
         self.outcome = self.outcome.take().filter(|outcome| outcome.applied.is_some());
         self.told = None;
@@ -177,17 +178,17 @@ impl Fitting {
     }
 }
 
-/// Which look is open.
+/// State of the open look.
 pub(super) fn of(session: &Session) -> FittedState {
     (session.document_number(), session.revision(), session.stage_version())
 }
 
-/// Whether a whole search came no nearer than anybody sees.
+/// True if a complete search gained less than anybody sees.
 fn gains_nothing(report: &Report) -> bool {
     !report.is_stopped && report.before - report.after < LEAST_GAIN
 }
 
-/// Why a fit came to nothing, for who paints.
+/// Reason why a fit failed, for the user.
 fn why(problems: &[Diagnostic]) -> String {
     let Some(first) = problems.first() else { return "Nothing could be fitted".to_owned() };
     match first.code {

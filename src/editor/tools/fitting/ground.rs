@@ -1,9 +1,9 @@
-//! The picture under the strokes: small, and by the reference, so that what is compared is what the
-//! fit itself sees.
+//! Ground: the picture under the strokes, small and from the reference renderer, so that strokes
+//! are compared with the same picture that the fit uses.
 //!
-//! A wish for more light is a wish for a color, made of the one that is seen. So the look's
-//! picture is drawn once for each look and view, on a thread, at the size that is fitted at;
-//! strokes read it between its pixels.
+//! A stroke of more light asks for a color, made from the visible one. So the look's picture is
+//! drawn once for each look and view, on a thread, at the size of the fit; strokes read it between
+//! its pixels.
 
 use eframe::egui::ColorImage;
 
@@ -17,7 +17,7 @@ use crate::state::session::Session;
 use crate::state::snapshot::{RenderSnapshot, Reused, Stamp};
 use crate::state::worker::Worker;
 
-/// What a ground is of: the same again is known.
+/// Inputs of a ground: for the same inputs the known ground is used.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct GroundInputs {
     stamp: Stamp,
@@ -30,24 +30,24 @@ impl GroundInputs {
     }
 }
 
-/// What the look shows at each pixel of a small picture. Lists have a pixel each, rows from the
-/// top.
+/// The look's picture at a small size. Lists have one entry per pixel, rows from the top.
 pub(super) struct Ground {
     pub(super) size: [u32; 2],
     /// Straight RGB as shown.
     pub(super) colors: Vec<[f64; 3]>,
-    /// Whether something that wears the open look is there.
+    /// True for pixels that show an object with the open look.
     wears: Vec<bool>,
-    /// The same, and nothing else beside it: at outlines a smooth picture has mixed what is there.
+    /// True for pixels that show the open look and nothing else: at outlines a smooth picture has
+    /// mixed colors.
     pub(super) counts: Vec<bool>,
-    /// As a picture of the window.
+    /// The ground as an image of the window.
     pub(super) image: ColorImage,
 }
 
 impl Ground {
-    /// The color of the pixel at a place in pixels, and how much of what is around there wears the
-    /// look, from 0 to 1. It is not mixed of pixels: what is to stay as it is would be a wish for
-    /// another picture.
+    /// Color of the pixel at a place in pixels, and the share of its surroundings that show the
+    /// look, 0 to 1. Colors are not interpolated: a stroke that keeps the picture as it is would
+    /// otherwise ask for another picture.
     pub(super) fn at(&self, x: f64, y: f64) -> ([f64; 3], f64) {
         let [width, height] = self.size.map(|side| side as usize);
         let pixel = |at: f64, side: usize| (at.max(0.0) as usize).min(side - 1);
@@ -67,7 +67,7 @@ impl Ground {
 
 #[cfg(test)]
 impl Ground {
-    /// One color all over, on something that wears the look.
+    /// Ground of one color, which shows the look everywhere.
     pub(super) fn flat(size: [u32; 2], color: [f64; 3]) -> Self {
         let count = (size[0] * size[1]) as usize;
         let image =
@@ -93,7 +93,7 @@ struct GroundResult {
     result: Result<Ground, Vec<Diagnostic>>,
 }
 
-/// Keeps the ground up to date.
+/// Thread that draws grounds, with the last one.
 pub(super) struct Grounds {
     worker: Worker<GroundRequest, GroundResult>,
     asked: Option<GroundInputs>,
@@ -102,7 +102,7 @@ pub(super) struct Grounds {
 }
 
 impl Grounds {
-    /// `wake` is called from another thread when there is another ground.
+    /// `wake` is called from another thread when a new ground is drawn.
     pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
         let mut planner = Reused::new(|assets| Planner::new(assets).culling(Cull::Objects));
         let draw = move |job: GroundRequest| GroundResult {
@@ -117,10 +117,10 @@ impl Grounds {
         }
     }
 
-    /// Takes what was drawn, and asks for what is shown now.
+    /// Takes a finished ground, and requests one for what is shown now.
     pub(super) fn update(&mut self, session: &Session, moment: &GroundInputs) {
         for done in self.worker.answers() {
-            // The same may have been given up and asked for again.
+            // The same ground may have been given up and requested again.
             let is_whole =
                 done.result.as_ref().err().is_none_or(|problems| !Stopped::is_among(problems));
             if is_whole && self.asked.as_ref() == Some(&done.moment) {
@@ -140,7 +140,7 @@ impl Grounds {
         }
     }
 
-    /// Gives up what is being drawn: nobody sees it.
+    /// Gives up the ground that is being drawn, as it is not needed.
     pub(super) fn rest(&mut self) {
         self.progress.stop();
         if self.asked.as_ref() != self.known.as_ref().map(|known| &known.moment) {
@@ -148,26 +148,26 @@ impl Grounds {
         }
     }
 
-    /// The ground of what is shown now.
+    /// Ground of what is shown now.
     pub(super) fn current(&self) -> Option<&Ground> {
         let known =
             self.known.as_ref().filter(|known| Some(&known.moment) == self.asked.as_ref())?;
         known.result.as_ref().ok()
     }
 
-    /// The last one that there was, of whatever.
+    /// Last ground, whatever its inputs.
     pub(super) fn latest(&self) -> Option<&Ground> {
         self.known.as_ref()?.result.as_ref().ok()
     }
 
-    /// Why there is none.
+    /// Reason why there is no ground.
     pub(super) fn problem(&self) -> Option<&Diagnostic> {
         let known =
             self.known.as_ref().filter(|known| Some(&known.moment) == self.asked.as_ref())?;
         known.result.as_ref().err()?.first()
     }
 
-    /// The moment of the last one.
+    /// Inputs of the last ground.
     pub(super) fn moment(&self) -> Option<&GroundInputs> {
         self.known.as_ref().map(|known| &known.moment)
     }
@@ -208,7 +208,7 @@ fn draw(planner: &mut Reused, job: &GroundRequest) -> Result<Ground, Vec<Diagnos
     };
     let counts = places().zip(&wears).map(|(at, wears)| *wears && is_inner(at)).collect();
     let backdrop = plan.backdrop.unwrap_or_default();
-    // Over the backdrop where the look is transparent, as the picture is seen.
+    // Transparent parts of the look are laid over the backdrop, as in the viewport.
     let seen = |(x, y): (u32, u32)| -> [f64; 3] {
         let [r, g, b, a] = picture.straight(x, y);
         let rgb = [r, g, b];
@@ -223,7 +223,7 @@ fn draw(planner: &mut Reused, job: &GroundRequest) -> Result<Ground, Vec<Diagnos
     Ok(Ground { size: *size, colors, wears, counts, image })
 }
 
-/// Whether a draw wears the open look, which is the first.
+/// True if a draw shows the open look, which is the first of the setup.
 fn is_of_open_look(setup: &Setup, draw: &crate::frame::Draw) -> bool {
     let object = setup.objects.iter().find(|object| object.id == draw.object);
     object.is_some_and(|object| {

@@ -1,4 +1,4 @@
-//! What the pointer does on the picture: strokes, each one step of undo.
+//! The pointer on the picture: strokes, each one step of undo.
 
 use std::sync::Arc;
 
@@ -15,23 +15,23 @@ use crate::document::Tile;
 use crate::state::session::Session;
 use crate::state::sketch::Standpoint;
 
-/// A stroke that goes on: what is wished is made of how much it covers.
+/// Stroke under way; the painted goal of a pixel follows from its coverage.
 pub(super) struct LightStroke {
     cover: Cover,
     before: Arc<Tile>,
     pub(super) now: Arc<Tile>,
     tools: Tools,
-    /// Whether it met the object at all.
+    /// True once the stroke has met the object.
     meets: bool,
 }
 
-/// A stroke over a picture that is still being read.
+/// Stroke over a picture that is still being read.
 pub(super) struct WaitingStroke {
-    /// Where it went, in heights of the picture from its middle.
+    /// Path of the stroke, in heights of the picture from its center.
     pub(super) path: Vec<DVec2>,
-    /// The brush that was taken for it.
+    /// Brush at the beginning of the stroke.
     tools: Tools,
-    /// Whether the button is up again.
+    /// True once the button is up again.
     is_over: bool,
 }
 
@@ -42,7 +42,7 @@ impl LightStroke {
         Self { cover, now: before.clone(), before, tools: tools.clone(), meets: false }
     }
 
-    /// Goes on to a place in pixels of the sketch.
+    /// Extends the stroke to a place in pixels of the sketch.
     fn to(&mut self, at: DVec2, ground: &Ground) {
         let [width, _] = self.before.size();
         for ([x, y], cover) in self.cover.to(at) {
@@ -59,13 +59,13 @@ impl LightStroke {
     }
 }
 
-/// A place in heights of the picture from its middle, in pixels of one of this size.
+/// Converts a place in heights of the picture from its center to pixels of a sketch.
 fn on_sketch(at: DVec2, size: [u32; 2]) -> DVec2 {
     let [width, height] = size.map(f64::from);
     at * height + 0.5 * DVec2::new(width, height)
 }
 
-/// A pixel of a sketch after a stroke that covers it by so much.
+/// Pixel of a sketch after a stroke that covers it by `cover`.
 fn laid(before: &[u8], cover: f64, shown: [f64; 3], tools: &Tools) -> [u8; 4] {
     let [r, g, b, alpha] = [0, 1, 2, 3].map(|channel| f64::from(before[channel]) / 255.0);
     let was = [r, g, b];
@@ -81,7 +81,7 @@ fn laid(before: &[u8], cover: f64, shown: [f64; 3], tools: &Tools) -> [u8; 4] {
 }
 
 impl Fitting {
-    /// Does what the pointer asks for over the picture in `rect`.
+    /// Handles the pointer over the picture in `rect`.
     pub(super) fn paint(
         &mut self,
         ui: &Ui,
@@ -98,7 +98,7 @@ impl Fitting {
             )
         });
         let canvas = Self::canvas(rect, self.size(session));
-        // However wide the picture becomes, its middle and its height stay where they are.
+        // However wide the picture becomes, its center and its height stay the same.
         let place = |at: Pos2| {
             let [x, y] = (at - canvas.center()).into();
             DVec2::new(f64::from(x), f64::from(y)) / f64::from(canvas.height().max(1.0))
@@ -165,7 +165,7 @@ impl Fitting {
         None
     }
 
-    /// Begins the stroke that waits, as far as it went.
+    /// Begins the waiting stroke, and draws its path so far.
     fn catch_up(&mut self, session: &Session) -> Option<Command> {
         let waiting = self.waiting.take()?;
         if let Some(obstacle) = self.obstacle(session) {

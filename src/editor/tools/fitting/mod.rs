@@ -1,11 +1,11 @@
-//! Painted shading in the window (Okabe et al. 2007): paint on the picture where it should be
-//! lighter, darker or of a color, and the look's lights, profiles and colors are fitted to the
-//! strokes.
+//! Painted shading in the window (Okabe et al. 2007): the user paints on the picture where it
+//! should be lighter, darker or of a color, and the look's lights, profiles and colors are fitted
+//! to the strokes.
 //!
-//! `sketch` holds what was painted, and `session` holds that, so that undo knows it. `ground` is
-//! what the look shows under the strokes; `hand` paints, `target` makes wishes of it, `work` fits
-//! on a thread. What comes of that is shown as a preview of the session, which is no edit until it
-//! is applied, as one step.
+//! `sketch` is the painted layer, which `session` holds, so that undo covers it. `ground` is the
+//! look's picture under the strokes; `hand` paints, `target` turns strokes into goals, `work` fits
+//! on a thread. The result is shown as a preview of the session, which is no edit until it is
+//! applied, as one step.
 
 mod bar;
 mod cover;
@@ -54,62 +54,64 @@ pub(super) const TOOL: ToolRow = ToolRow::new(
     tools.fitting.over(ui, response, *rect, session, out);
 });
 
-/// The height of the picture that is fitted at, in pixels: what is painted is broad, and a fit
-/// looks at some hundred pixels only.
+/// Height of the picture that is fitted at, in pixels: strokes are broad, and a fit looks at some
+/// hundred pixels only.
 const HEIGHT: u32 = 128;
-/// The widest such picture, in parts of its height.
+/// Largest width of that picture, in heights.
 const WIDEST: f64 = 2.0;
-/// Fewer painted pixels than this tell nothing of lights.
+/// Least number of painted pixels for a fit: fewer do not determine lights.
 const LEAST_PAINTED: usize = 12;
-/// From how many beginnings a look is turned: lights that are far off are found by some of them.
+/// Number of starting points from which a look is fitted: lights that are far off are found from
+/// some of them.
 const STARTS: usize = 10;
-/// A hand is not so exact that more would be worth the time: RMS of a channel, from 0 to 1.
+/// RMS of a channel at which a fit ends, 0 to 1: painting by hand is not precise enough to be worth
+/// more time.
 const ENOUGH: f64 = 1.0 / 255.0;
-/// The view rests for so many seconds before the ground is drawn anew.
+/// Time that the view rests before the ground is drawn anew, in seconds.
 const REST: f64 = 0.15;
 
-/// How to fit.
+/// Settings of a fit.
 #[derive(Clone, Copy, Debug)]
 struct FitSettings {
     keep: Keep,
-    /// How far what is not painted stays as it is, from 0 to 1.
+    /// Weight of keeping unpainted parts as they are, 0 to 1.
     keep_rest: f64,
-    /// The most layers of a fit from nothing.
+    /// Largest number of layers of a fit from nothing.
     layers: usize,
-    /// From how many beginnings a look is turned.
+    /// Number of starting points from which a look is fitted.
     starts: usize,
 }
 
-/// What is seen over the picture.
+/// Overlays that are shown over the picture.
 #[derive(Clone, Copy, Debug)]
 struct OverlaySettings {
     strokes: bool,
     misses: bool,
 }
 
-/// Painted light: the brush, the fit that is going on, and what came of the last one.
+/// Painted light: the brush, the fit under way, and the result of the last one.
 pub struct Fitting {
     is_on: bool,
-    /// Of the picture that is fitted at, in pixels.
+    /// Height of the picture that is fitted at, in pixels.
     height: u32,
-    /// How wide the viewport is, in parts of its height.
+    /// Width of the viewport, in heights.
     aspect: f64,
     tools: Tools,
     how: FitSettings,
     shows: OverlaySettings,
     grounds: Grounds,
-    /// What was seen last, and when, in seconds of the window's clock.
+    /// Inputs that were seen last, and the time of that, in seconds of the window's clock.
     seen: Option<(GroundInputs, f64)>,
     going: Option<LightStroke>,
-    /// A stroke that waits until the picture under it is read.
+    /// Stroke that waits until the picture under it is read.
     waiting: Option<WaitingStroke>,
-    /// The document that is painted on: no other is.
+    /// Document that is painted on; painting ends when another is open.
     document: DocumentNumber,
     wishes: Option<(Arc<Tile>, GroundInputs, Vec<Painted>)>,
     fitter: Worker<FitRequest, FitResult>,
     running: Option<Running>,
     outcome: Option<Outcome>,
-    /// What there is to be said of the last fit, or why there was none.
+    /// Message on the last fit, or on why there was none.
     told: Option<String>,
     textures: Textures,
     hint: &'static str,
@@ -117,7 +119,8 @@ pub struct Fitting {
 }
 
 impl Fitting {
-    /// Nothing is painted yet. `wake` is called from another thread when there is news.
+    /// Starts without strokes. `wake` is called from another thread when a thread has a result or
+    /// progress.
     pub(crate) fn new(wake: impl Fn() + Clone + Send + Sync + 'static) -> Self {
         Self {
             is_on: false,
@@ -142,50 +145,50 @@ impl Fitting {
         }
     }
 
-    /// Whether the pointer paints on the picture.
+    /// True if the pointer paints on the picture.
     pub fn is_on(&self) -> bool {
         self.is_on
     }
 
-    /// Whether something is fitted at this moment.
+    /// True while a fit is under way.
     pub fn is_fitting(&self) -> bool {
         self.running.is_some()
     }
 
-    /// How many pixels of the object are painted, at the size that is fitted at.
+    /// Number of painted pixels of the object, at the size of the fit.
     pub fn painted(&self) -> usize {
         self.wishes.as_ref().map_or(0, |(.., wishes)| wishes.len())
     }
 
-    /// How far the picture was off what is painted before the last fit, and how far it is after it:
-    /// RMS of a channel, from 0 to 1.
+    /// Errors of the picture against the strokes before and after the last fit: RMS of a channel, 0
+    /// to 1.
     pub fn errors(&self) -> Option<[f64; 2]> {
         self.outcome.as_ref().map(|outcome| [outcome.report.before, outcome.report.after])
     }
 
-    /// What there is to be said, or why nothing could be fitted.
+    /// Message on the last fit, or the reason why nothing could be fitted.
     pub fn told(&self) -> Option<&str> {
         self.told.as_deref()
     }
 
-    /// Fits at pictures of another height, in pixels, and from another number of beginnings; for
-    /// programs that drive the window.
+    /// Sets the height of the picture that is fitted at, in pixels, and the number of starting
+    /// points; for programs that drive the window.
     pub fn set_effort(&mut self, height: u32, starts: usize) {
         self.height = height.clamp(16, 512);
         self.how.starts = starts.max(1);
     }
 
-    /// Lays up to so many layers from nothing; for programs that drive the window.
+    /// Sets the largest number of layers of a fit from nothing; for programs that drive the window.
     pub fn set_layers(&mut self, layers: usize) {
         self.how.layers = layers.clamp(1, panel::MOST_LAYERS);
     }
 
-    /// What may be done at the pointer; empty while nothing is painted on.
+    /// Hint on the actions possible at the pointer; empty while painting is off.
     pub(crate) fn hint(&self) -> &str {
         if self.is_on { self.hint } else { "" }
     }
 
-    /// Waits for what is under the strokes, and not for a fit.
+    /// Waits for the picture under the strokes, but not for a fit.
     pub fn wait_for_ground(&self) {
         self.grounds.wait();
     }
@@ -205,7 +208,7 @@ impl Fitting {
         out
     }
 
-    /// Gives up the nearest thing that is going on: a stroke, a fit, what was fitted, the painting.
+    /// Gives up the innermost activity: a stroke, a fit, a result, or painting itself.
     pub(crate) fn leave(&mut self, session: &Session) -> Vec<Command> {
         if self.going.take().is_some() || self.waiting.take().is_some() {
             return Vec::new();
@@ -222,11 +225,11 @@ impl Fitting {
         }
     }
 
-    /// Takes what was done on threads, and asks for what is missing.
+    /// Takes the results of threads, and requests what is missing.
     pub(crate) fn tick(&mut self, ui: &Ui, session: &Session) -> Vec<Command> {
         let mut out = Vec::new();
         if self.is_on && self.document != session.document_number() {
-            // Strokes went aside with their look, and nobody asked to paint on another.
+            // Strokes are kept with their look, and painting on another look was not asked for.
             out.extend(self.turn(false, session));
         }
         let mut previews = session.preview().is_some() && out.is_empty();
@@ -261,7 +264,7 @@ impl Fitting {
         }
         let applied = self.outcome.as_ref().and_then(|outcome| outcome.applied);
         if applied.is_some_and(|applied| applied != of(session)) {
-            // It was undone or gone on from, and what is told of it holds no more.
+            // The edit was undone or followed by another, so that the result no longer holds.
             self.outcome = None;
         }
         if !self.is_on {
@@ -281,7 +284,8 @@ impl Fitting {
         out
     }
 
-    /// The picture that is fitted at: that of the sketch, or as the viewport is.
+    /// Size of the picture that is fitted at: that of the sketch, or one with the viewport's aspect
+    /// ratio.
     fn size(&self, session: &Session) -> [u32; 2] {
         match session.sketch().tile() {
             Some(tile) => tile.size().map(|side| side / FINENESS),
@@ -292,13 +296,13 @@ impl Fitting {
         }
     }
 
-    /// What is under the strokes, if it is what is seen now.
+    /// Picture under the strokes, if it is that of what is shown now.
     fn ground(&self) -> Option<&Ground> {
         let is_it = self.grounds.moment() == self.seen.as_ref().map(|(seen, _)| seen);
         self.grounds.current().filter(|_| is_it)
     }
 
-    /// Makes wishes of the strokes, where either is another.
+    /// Turns the strokes into goals anew, where the strokes or the ground have changed.
     fn weigh(&mut self, session: &Session) {
         let moment = self.grounds.moment();
         let (Some(tile), Some(ground), Some(moment)) =
@@ -318,12 +322,12 @@ impl Fitting {
         self.wishes.as_ref().map(|(.., wishes)| wishes.as_slice()).unwrap_or_default()
     }
 
-    /// Whether something was fitted that is neither applied nor discarded.
+    /// True if a result is neither applied nor discarded.
     fn awaits(&self) -> bool {
         self.outcome.as_ref().is_some_and(|outcome| outcome.applied.is_none())
     }
 
-    /// Whether the view is the one that the strokes belong to.
+    /// True if the view is the one that the strokes belong to.
     fn is_at_view(session: &Session) -> bool {
         let sketch = session.sketch();
         sketch
@@ -331,7 +335,7 @@ impl Fitting {
             .is_none_or(|standpoint| standpoint.sees_as(&session.view.orbit, session.view.time))
     }
 
-    /// Why nothing can be painted or fitted now.
+    /// Reason why painting or fitting is not possible now.
     fn obstacle(&self, session: &Session) -> Option<&'static str> {
         if session.wire().is_some() {
             Some("A wire is shown in place of the look: show the look first")
@@ -350,7 +354,7 @@ impl Fitting {
         }
     }
 
-    /// Takes all strokes away.
+    /// Removes all strokes.
     pub(crate) fn clear(&mut self, session: &Session) -> Vec<Command> {
         (self.going, self.waiting) = (None, None);
         if session.sketch().is_empty() {
@@ -361,7 +365,7 @@ impl Fitting {
         vec![Command::Sketch(SketchCommand::Paint { label, from, tile: None })]
     }
 
-    /// Takes a brush in hand.
+    /// Selects a brush.
     pub(crate) fn take_brush(&mut self, brush: LightBrush) {
         self.tools.kind = brush;
     }
@@ -371,13 +375,14 @@ impl Fitting {
         self.tools.resize(is_larger);
     }
 
-    /// Where the sketch lies on the screen, of a viewport in `rect`: as high, in the middle.
+    /// Rectangle of the sketch on the screen, for a viewport in `rect`: of the same height,
+    /// centered.
     fn canvas(rect: Rect, size: [u32; 2]) -> Rect {
         let width = rect.height() * size[0] as f32 / size[1].max(1) as f32;
         Rect::from_center_size(rect.center(), egui::vec2(width, rect.height()))
     }
 
-    /// Takes in what the pointer paints over the picture in `rect`.
+    /// Handles the pointer's painting over the picture in `rect`.
     pub(crate) fn interact(
         &mut self,
         ui: &Ui,
@@ -392,7 +397,7 @@ impl Fitting {
         self.paint(ui, response, rect, session)
     }
 
-    /// Shows what is over the picture in `rect`.
+    /// Shows the overlays of the picture in `rect`.
     pub(crate) fn over(
         &mut self,
         ui: &mut Ui,
@@ -418,7 +423,7 @@ impl BackgroundJobs for Fitting {
     }
 }
 
-/// Shows a look in place of the open one, or the open one again.
+/// Command that shows a look in place of the open one, or the open one again.
 fn preview(look: Option<Arc<Look>>) -> Command {
     Command::Sketch(SketchCommand::Preview(look))
 }

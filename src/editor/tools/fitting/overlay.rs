@@ -1,5 +1,5 @@
-//! What is seen of the strokes over the picture: what they wish, where they end, where the look
-//! misses them.
+//! Overlay of the strokes over the picture: their goals, their outlines, and where the look misses
+//! them.
 
 use std::sync::Arc;
 
@@ -21,7 +21,7 @@ use crate::fit::picture_of;
 use crate::state::session::Session;
 use crate::widgets::theme;
 
-/// What a texture of strokes is of.
+/// Key of a texture of strokes.
 #[derive(PartialEq)]
 struct StrokesTextureKey {
     tile: usize,
@@ -29,7 +29,7 @@ struct StrokesTextureKey {
     outlines_only: bool,
 }
 
-/// What is on the GPU for it.
+/// Textures of the overlay.
 #[derive(Default)]
 pub(super) struct Textures {
     strokes: Option<(StrokesTextureKey, Arc<Tile>, TextureHandle)>,
@@ -38,7 +38,7 @@ pub(super) struct Textures {
 }
 
 impl Fitting {
-    /// What the look shows, as a picture in place of one that a GPU would draw.
+    /// Paints the ground as the picture, where no GPU draws one. Returns false if there is none.
     pub(crate) fn stand_in(&mut self, ui: &Ui, rect: Rect) -> bool {
         let (Some(ground), Some(moment)) =
             (self.grounds.latest().filter(|_| self.is_on), self.grounds.moment())
@@ -68,7 +68,7 @@ impl Fitting {
         true
     }
 
-    /// Strokes, misses, the brush, and what there is to be said over the picture.
+    /// Shows the strokes, the misses, the brush, and messages over the picture.
     pub(super) fn show_over(
         &mut self,
         ui: &mut Ui,
@@ -140,8 +140,8 @@ impl Fitting {
         ui.ctx().set_cursor_icon(if is_reading { CursorIcon::Progress } else { CursorIcon::None });
     }
 
-    /// The strokes as they are now. Under a preview, and where they are not to be seen, their
-    /// outlines alone.
+    /// Texture of the present strokes: of their outlines alone under a preview, and where strokes
+    /// are not to be shown.
     fn strokes(&mut self, ctx: &Context, session: &Session) -> Option<TextureId> {
         let tile = self.going.as_ref().map(|going| &going.now).or(session.sketch().tile())?.clone();
         let outlines_only = !self.shows.strokes || self.shows.misses || self.awaits();
@@ -162,7 +162,7 @@ impl Fitting {
             None => ctx.load_texture("strokes", image, options),
         };
         let id = handle.id();
-        // The tile is kept, so that no other one comes to lie where it lay.
+        // The tile is kept, so that no other tile gets its address, which the key holds.
         self.textures.strokes = Some((of, tile, handle));
         Some(id)
     }
@@ -194,7 +194,8 @@ fn whole() -> Rect {
     Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0))
 }
 
-/// What is seen now, above a corner of the picture; returns what the next is above.
+/// Shows a label on the present display, above a corner of the picture; returns the height that the
+/// next label is above.
 fn tag(ui: &Ui, corner: Pos2, text: &str) -> f32 {
     let font = FontId::proportional(theme::SMALL_TEXT);
     let galley = ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE);
@@ -204,7 +205,7 @@ fn tag(ui: &Ui, corner: Pos2, text: &str) -> f32 {
     place.top() - 10.0
 }
 
-/// Says that the strokes are not seen from here, and leads back.
+/// Says that the strokes belong to another view, with a button that leads back.
 fn elsewhere(ui: &mut Ui, rect: Rect, out: &mut Vec<Command>) {
     let room = Rect::from_min_max(
         pos2(rect.left() + 8.0, rect.bottom() - 44.0),

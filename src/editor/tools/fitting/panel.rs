@@ -1,4 +1,4 @@
-//! The panel of painted light: what is painted, how it is fitted, and what came of it.
+//! Panel of painted light: the painting, the settings of the fit, and its result.
 
 use eframe::egui;
 use eframe::egui::{
@@ -16,11 +16,11 @@ use crate::state::session::Session;
 use crate::widgets::text::hint;
 use crate::widgets::theme;
 
-/// The most layers that are fitted from nothing here.
+/// Largest number of layers that can be fitted from nothing here.
 pub(super) const MOST_LAYERS: usize = 5;
 
 impl Fitting {
-    /// The panel's content.
+    /// Shows the panel.
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut out = Vec::new();
         if !self.is_on {
@@ -39,7 +39,7 @@ impl Fitting {
         ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
             self.painted_row(ui, session, &mut out);
             ui.separator();
-            // What waits for an answer comes first, and there is nothing else to be chosen then.
+            // A result that waits for a decision comes first, and hides the other choices.
             if !self.awaits() {
                 self.how_rows(ui);
                 self.fit_row(ui, &mut out);
@@ -124,7 +124,7 @@ impl Fitting {
         });
     }
 
-    /// What came of a fit.
+    /// Shows the result of a fit.
     fn result(&self, ui: &mut Ui, outcome: &Outcome, session: &Session, out: &mut Vec<Command>) {
         let report = &outcome.report;
         errors(ui, report);
@@ -140,7 +140,7 @@ impl Fitting {
         changes(ui, report, session);
     }
 
-    /// What else may bring a look nearer to the strokes.
+    /// Advice on what else may bring a look nearer to the strokes.
     pub(super) fn advice(&self, what: FitGoal, report: &Report) -> String {
         let mut ways = Vec::new();
         if let Some(kept) = report.kept.told().filter(|_| what == FitGoal::ThisLook) {
@@ -190,7 +190,7 @@ impl Fitting {
     }
 }
 
-/// How far off it was and is.
+/// Shows the errors before and after the fit.
 fn errors(ui: &mut Ui, report: &Report) {
     ui.horizontal_wrapped(|ui| {
         let text = format!("Off by {}, before {}", steps(report.after), steps(report.before));
@@ -207,7 +207,7 @@ fn errors(ui: &mut Ui, report: &Report) {
     });
 }
 
-/// What is to be done with what was fitted.
+/// Shows the buttons that apply or discard a result.
 fn choice(ui: &mut Ui, outcome: &Outcome, out: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         if outcome.applied.is_some() {
@@ -228,7 +228,7 @@ fn choice(ui: &mut Ui, outcome: &Outcome, out: &mut Vec<Command>) {
     });
 }
 
-/// Everything that is another now.
+/// Shows everything that the fit has changed.
 fn changes(ui: &mut Ui, report: &Report, session: &Session) {
     let mut last = None;
     for change in &report.changed {
@@ -253,7 +253,7 @@ fn changes(ui: &mut Ui, report: &Report, session: &Session) {
     }
 }
 
-/// Whose it is and what of it, as people call them.
+/// Owner and name of a changed value, as shown to the user.
 fn named(change: &Changed, session: &Session) -> (String, String) {
     if change.what == "light" {
         let light = session.look().lights.get(change.place.as_str());
@@ -274,14 +274,14 @@ fn named(change: &Changed, session: &Session) -> (String, String) {
         None => port.to_owned(),
     };
     let id = node.split('/').next().unwrap_or(node);
-    // New layers are not in the open look yet.
+    // New layers are not in the open look yet, only in the preview.
     let fitted =
         session.preview().and_then(|look| look.graph.nodes.get(id)).map(|node| node.name.clone());
     let title = fitted.filter(|name| !name.is_empty()).unwrap_or_else(|| session.title(&id.into()));
     (title, port.replace('_', " "))
 }
 
-/// How far a light was turned, where it was there before.
+/// Angle by which a light was turned, if the light existed before.
 fn turned(change: &Changed) -> String {
     let direction = |text: &str| -> Option<glam::DVec3> {
         let numbers: Vec<f64> = text.split(' ').filter_map(|word| word.parse().ok()).collect();
@@ -293,7 +293,7 @@ fn turned(change: &Changed) -> String {
     }
 }
 
-/// A value; of a color its swatch.
+/// Shows a value; a color as a swatch.
 fn value(ui: &mut Ui, text: &str) {
     if let Some([r, g, b, _]) = text.starts_with('#').then(|| parse_hex(text)).flatten() {
         let byte = |x: f64| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
@@ -307,7 +307,7 @@ fn value(ui: &mut Ui, text: &str) {
     }
 }
 
-/// An error in steps of an eight-bit channel.
+/// Error in steps of an eight-bit channel.
 fn steps(error: f64) -> String {
     format!("{:.1}/255", 255.0 * error)
 }

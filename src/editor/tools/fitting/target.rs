@@ -1,16 +1,16 @@
-//! What is asked of the fit: the strokes at the size that is fitted at.
+//! Target of the fit: the strokes at the size of the fit.
 
 use super::ground::Ground;
 use crate::document::Tile;
 use crate::fit::{MissedPixel, PixelGoal};
 
-/// A sketch has so many pixels along each side of one that is fitted.
+/// Number of pixels of a sketch along each side of a pixel of the fit.
 pub(super) const FINENESS: u32 = 3;
-/// What is covered by less than this was hardly painted.
+/// Least coverage that counts as painted.
 const LEAST: f64 = 1.0 / 32.0;
 
-/// The wishes of a sketch at the pixels that can be compared. Colors are means of what covers a
-/// pixel, and the weight is how much of it is covered.
+/// Goals of a sketch at the pixels that can be compared. A goal's color is the mean of the strokes
+/// that cover its pixel, and its weight is the covered part of the pixel.
 pub(super) fn wishes(tile: &Tile, ground: &Ground) -> Vec<PixelGoal> {
     let [width, height] = ground.size;
     if tile.size() != ground.size.map(|side| side * FINENESS) {
@@ -46,7 +46,7 @@ pub(super) fn wishes(tile: &Tile, ground: &Ground) -> Vec<PixelGoal> {
     wishes
 }
 
-/// The RMS of a channel, weighted as painted, from 0 to 1.
+/// RMS of a channel, weighted by the goals, 0 to 1.
 pub(super) fn off(wishes: &[PixelGoal], shown: impl Fn([u32; 2]) -> Option<[f64; 3]>) -> f64 {
     let (mut sum, mut total) = (0.0, 0.0);
     for wish in wishes {
@@ -59,7 +59,7 @@ pub(super) fn off(wishes: &[PixelGoal], shown: impl Fn([u32; 2]) -> Option<[f64;
     if total > 0.0 { (sum / total).sqrt() } else { 0.0 }
 }
 
-/// How far each wish is from what the ground shows.
+/// Distance of each goal from the color of the ground.
 pub(super) fn misses(wishes: &[PixelGoal], ground: &Ground) -> Vec<MissedPixel> {
     let missed = |wish: &PixelGoal| {
         let shown = shown(ground, wish.pixel);
@@ -69,7 +69,7 @@ pub(super) fn misses(wishes: &[PixelGoal], ground: &Ground) -> Vec<MissedPixel> 
     wishes.iter().map(missed).collect()
 }
 
-/// What the ground shows at a pixel.
+/// Color of the ground at a pixel.
 pub(super) fn shown(ground: &Ground, [x, y]: [u32; 2]) -> [f64; 3] {
     ground.colors.get((y * ground.size[0] + x) as usize).copied().unwrap_or_default()
 }
@@ -83,7 +83,8 @@ mod tests {
         let mut ground = Ground::flat([40, 30], [0.2; 3]);
         ground.counts[1] = false;
         let mut tile = Tile::filled([120, 90], [0; 4]);
-        // Of the first three pixels all, the second of which does not count; of the fourth a third.
+        // The first three pixels are covered fully, but the second does not count; the fourth is
+        // covered by a third.
         for (x, y) in (0..3).flat_map(|y| (0..10).map(move |x| (x, y))) {
             tile.bytes_mut()[4 * (y * 120 + x)..][..4].copy_from_slice(&[255, 0, 51, 255]);
         }
@@ -95,7 +96,7 @@ mod tests {
         };
         assert!(painted.iter().all(near));
         assert!((painted[2].weight - 1.0 / 3.0).abs() < 1e-12 && painted[0].weight == 1.0);
-        // Of three pixels, of which each is off by 0.8, 0.2 and 0 in its channels.
+        // Each of the three pixels is off by 0.8, 0.2 and 0 in its channels.
         let off = off(&painted, |pixel| Some(shown(&ground, pixel)));
         assert!((off - ((0.64 + 0.04) / 3.0_f64).sqrt()).abs() < 1e-12);
         assert_eq!(misses(&painted, &ground).len(), 3);

@@ -1,23 +1,24 @@
-//! The brushes of painted light, and what each wishes where it goes.
+//! Brushes of painted light, and the goals that they set for pixels.
 
 use crate::commands::LightBrush;
 use crate::document::{linear_to_srgb, srgb_to_linear};
 
-/// What the hand holds.
+/// Settings of the brush.
 #[derive(Clone, Debug)]
 pub(super) struct Tools {
     pub(super) kind: LightBrush,
-    /// The brush's diameter, in parts of the picture's height.
+    /// Diameter of the brush, in heights of the picture.
     pub(super) size: f64,
-    /// From 0 to 1.
+    /// Hardness of the brush, 0 to 1.
     pub(super) hardness: f64,
-    /// How much lighter or darker a stroke makes it, as an eye sees it: from black to white is 1.
+    /// Change of lightness by a stroke of Light or Dark, as the eye sees it: from black to white is
+    /// 1.
     pub(super) amount: f64,
     /// Straight RGB as shown.
     pub(super) color: [f64; 3],
 }
 
-/// The smallest and the largest brush, in parts of the picture's height.
+/// Range of the brush's diameter, in heights of the picture.
 pub(super) const SIZES: std::ops::RangeInclusive<f64> = 0.01..=1.0;
 
 impl Default for Tools {
@@ -39,13 +40,13 @@ impl Tools {
         self.size = (self.size * factor).clamp(*SIZES.start(), *SIZES.end());
     }
 
-    /// Half the brush's diameter, on a sketch of so many pixels in height.
+    /// Radius of the brush, in pixels of a sketch of this height.
     pub(super) fn radius(&self, height: u32) -> f64 {
         (0.5 * self.size * f64::from(height)).max(0.5)
     }
 
-    /// What is wished of a pixel that the look shows as `shown` and that is seen, with what was
-    /// painted before, as `seen`; `None` for nothing.
+    /// Goal for a pixel that the look shows as `shown` and that is seen, with the strokes so far,
+    /// as `seen`; `None` to erase.
     pub(super) fn wish(&self, shown: [f64; 3], seen: [f64; 3]) -> Option<[f64; 3]> {
         match self.kind {
             LightBrush::Light => Some(lighter(seen, self.amount)),
@@ -57,14 +58,14 @@ impl Tools {
     }
 }
 
-/// The relative luminance of linear RGB (Rec. 709).
+/// Relative luminance of linear RGB (Rec. 709).
 fn luminance([r, g, b]: [f64; 3]) -> f64 {
     0.2126 * r + 0.7152 * g + 0.0722 * b
 }
 
-/// A color as shown under more light, or with a negative `by` under less: the cube root of its
-/// luminance, which goes about as lightness is seen, changes by so much. It keeps its hue; what
-/// would be brighter than its channels can show goes toward white instead.
+/// Color as shown under more light, or under less for a negative `by`: the cube root of the
+/// luminance, which roughly follows perceived lightness, changes by `by`. The hue stays; a color
+/// too bright for its channels goes toward white instead.
 pub(super) fn lighter(color: [f64; 3], by: f64) -> [f64; 3] {
     let linear = color.map(|x| srgb_to_linear(x.clamp(0.0, 1.0)));
     let before = luminance(linear);

@@ -1,9 +1,8 @@
-//! Strokes as a picture over the one that is painted on: veils of what they wish, hatched where it
-//! stays, with a dashed outline that is seen on anything.
+//! Strokes as a picture over the one that is painted on: veils of their goals, hatching where the
+//! picture is to stay, and a dashed outline that is visible on any ground.
 //!
-//! What is wished is made of the picture that is fitted at, whose pixels are large on the screen.
-//! So veils are smoothed over these, and outlines are as wide as their distance from the stroke's
-//! edge says.
+//! Goals are made from the picture of the fit, whose pixels are large on the screen. So veils are
+//! smoothed over these pixels, and outlines are drawn by the distance from the stroke's edge.
 
 use std::f32::consts::PI;
 use std::ops::Range;
@@ -14,21 +13,22 @@ use super::ground::Ground;
 use super::target::FINENESS;
 use crate::document::Tile;
 
-/// The outline of strokes is dashed: so many pixels of the sketch light, as many dark.
+/// Length of the light and of the dark dashes of an outline, in pixels of the sketch.
 const DASH: f32 = 4.0;
-/// What stays as it is, is hatched by lines so many pixels of the sketch apart.
+/// Distance between the hatching lines over parts that are to stay, in pixels of the sketch.
 const HATCH: u32 = 9;
-/// A wish that is no farther from what is shown is that it stays; the steps of eight bits.
+/// Largest difference from the shown color at which a goal counts as keeping it, about the steps of
+/// eight bits.
 const SAME: f64 = 2.5 / 255.0;
-/// The outline of strokes is about so wide, in pixels of the sketch.
+/// Approximate width of an outline, in pixels of the sketch.
 const WIDE: f32 = 1.5;
 
-/// The strokes as a picture, as large as their sketch.
+/// Picture of the strokes, as large as their sketch.
 pub(super) fn strokes(tile: &Tile, ground: Option<&Ground>, outlines_only: bool) -> ColorImage {
     let mut layer = Layer::of(tile);
     if let Some(ground) = ground.filter(|_| !outlines_only) {
         layer.lay_veils(tile, ground);
-        // A pixel that is fitted at is smeared over as much again on each side.
+        // Smoothing twice spreads a pixel of the fit over its own width on each side.
         layer.smooth();
         layer.smooth();
         layer.lay_hatching(tile, ground);
@@ -37,7 +37,7 @@ pub(super) fn strokes(tile: &Tile, ground: Option<&Ground>, outlines_only: bool)
     layer.into_image()
 }
 
-/// Premultiplied colors from 0 to 1, of which only a part is not clear.
+/// Layer of premultiplied colors, 0 to 1; outside `columns` and `rows` it is clear.
 struct Layer {
     size: [usize; 2],
     colors: Vec<[f32; 4]>,
@@ -46,7 +46,7 @@ struct Layer {
 }
 
 impl Layer {
-    /// Nothing yet over all that a sketch covers, and a little around it.
+    /// Clear layer over all that a sketch covers, with a small margin.
     fn of(tile: &Tile) -> Self {
         let size = tile.size().map(|side| side as usize);
         let (texels, _) = tile.bytes().as_chunks::<4>();
@@ -68,7 +68,7 @@ impl Layer {
         self.rows.clone().flat_map(move |y| columns.clone().map(move |x| ([x, y], y * width + x)))
     }
 
-    /// Every place where something is wished: what, and how much.
+    /// Every place with a goal: the place, its index, the goal's color and its weight.
     fn wishes<'a>(
         &self,
         tile: &'a Tile,
@@ -119,14 +119,14 @@ impl Layer {
         }
     }
 
-    /// Lays a grey over a place.
+    /// Lays a gray over a place.
     fn over(&mut self, index: usize, grey: f32, alpha: f32) {
         let below = self.colors[index];
         let new = [grey, grey, grey, 1.0];
         self.colors[index] = std::array::from_fn(|c| new[c] * alpha + below[c] * (1.0 - alpha));
     }
 
-    /// Means over as many pixels as one that is fitted at has, along both axes.
+    /// Blurs by means over as many pixels as a pixel of the fit has, along both axes.
     fn smooth(&mut self) {
         let half = FINENESS as usize / 2;
         for axis in [0, 1] {
@@ -158,19 +158,19 @@ impl Layer {
     }
 }
 
-/// What is shown under a pixel of the sketch.
+/// Color of the ground under a pixel of the sketch.
 fn shown(ground: &Ground, [x, y]: [usize; 2]) -> [f64; 3] {
     let place = |at: usize| (at as f64 + 0.5) / f64::from(FINENESS);
     ground.at(place(x), place(y)).0
 }
 
-/// Whether it is wished as it is.
+/// True if a goal keeps the shown color.
 fn stays(wish: [f64; 3], shown: [f64; 3]) -> bool {
     wish.iter().zip(shown).all(|(wish, shown)| (wish - shown).abs() < SAME)
 }
 
-/// The thinnest veil over what is shown through which it looks as wished, so that the picture's own
-/// detail is seen through it; as much of it as there is of the wish. Premultiplied.
+/// Thinnest veil over the shown color that gives the goal's color, so that the picture's own detail
+/// shows through, times the goal's share. Premultiplied.
 fn veil(shown: [f64; 3], wish: [f64; 3], share: f64) -> [f32; 4] {
     let cover = shown.iter().zip(wish).map(|(shown, wish)| {
         let room = if wish > *shown { 1.0 - shown } else { *shown };
@@ -185,7 +185,7 @@ fn veil(shown: [f64; 3], wish: [f64; 3], share: f64) -> [f32; 4] {
 mod tests {
     use super::*;
 
-    /// One block of a light wish amid of others: on the screen there is no step from one to the
+    /// A block of a light goal is surrounded by others: the screen shows no step from one to the
     /// next.
     #[test]
     fn veils_have_no_blocks_and_a_stroke_has_an_outline() {

@@ -11,7 +11,7 @@ use crate::progress::Progress;
 use crate::state::snapshot::RenderSnapshot;
 use crate::state::worker::Worker;
 
-/// A fit that is asked for.
+/// Request for a fit.
 pub(super) struct FitRequest {
     pub(super) what: FitGoal,
     pub(super) still: RenderSnapshot,
@@ -20,7 +20,7 @@ pub(super) struct FitRequest {
     pub(super) progress: Progress,
 }
 
-/// What became of a fit.
+/// Result of a fit.
 pub(super) struct FitResult {
     pub(super) what: FitGoal,
     pub(super) look: Arc<Look>,
@@ -28,7 +28,7 @@ pub(super) struct FitResult {
     pub(super) result: Result<FittedLook, Vec<Diagnostic>>,
 }
 
-/// A thread that fits.
+/// Starts the thread that fits.
 pub(super) fn start(wake: impl Fn() + Send + 'static) -> Worker<FitRequest, FitResult> {
     let mut assets = Assets::default();
     Worker::new("fit", wake, move |job: FitRequest| {
@@ -40,7 +40,7 @@ pub(super) fn start(wake: impl Fn() + Send + 'static) -> Worker<FitRequest, FitR
 fn fit(assets: &mut Assets, job: &FitRequest) -> Result<FittedLook, Vec<Diagnostic>> {
     let FitRequest { what, still, target, options, progress, .. } = job;
     let setup = still.setup(assets)?.value;
-    // The open look is the first.
+    // The open look is the first of the setup.
     match what {
         FitGoal::ThisLook => fit_look(&setup, 0, &still.library, target, options, progress),
         FitGoal::Layers(count) => {

@@ -1,5 +1,5 @@
-//! The probe: what every wire carries at the pixel under the pointer, computed in the background by
-//! the reference, once as a GPU rounds and once in f64.
+//! Probe: the value of every wire at the pixel under the pointer, computed in the background by the
+//! reference, once with the rounding of a GPU and once in f64.
 
 mod panel;
 
@@ -40,10 +40,10 @@ pub(super) const TOOL: ToolRow = ToolRow::new(
 })
 .with_mark(|tools, ui, rect| tools.probe.mark(ui, rect));
 
-/// The pointer rests after so many seconds.
+/// Time after which the pointer counts as resting, in seconds.
 const REST: f64 = 0.15;
 
-/// Where and when something was probed: the same again is known.
+/// Place and state of a probe: for the same ones the known result is used.
 #[derive(Clone, Debug, PartialEq)]
 struct Spot {
     stamp: Stamp,
@@ -59,15 +59,15 @@ struct Query {
 
 struct ProbeResult {
     spot: Spot,
-    /// `None` where nothing is drawn.
+    /// Values of the wires; `None` where nothing is drawn.
     result: Result<Option<Vec<WireValue>>, Vec<Diagnostic>>,
 }
 
-/// The probe and what it found last.
+/// The probe and its last result.
 pub struct Probe {
     worker: Worker<Query, ProbeResult>,
     is_on: bool,
-    /// Whether the pixel stays where it is while the pointer moves on.
+    /// True if the pixel stays where it is while the pointer moves on.
     is_pinned: bool,
     pixel: Option<[u32; 2]>,
     seen: Option<Spot>,
@@ -79,7 +79,7 @@ pub struct Probe {
 }
 
 impl Probe {
-    /// A probe that is off. `wake` is called from another thread when something was found.
+    /// Creates a probe that is off. `wake` is called from another thread when there is a result.
     pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
         let mut planner = Reused::new(Planner::for_truth);
         Self {
@@ -96,17 +96,17 @@ impl Probe {
         }
     }
 
-    /// Whether the pointer probes.
+    /// True if the pointer probes.
     pub fn is_on(&self) -> bool {
         self.is_on
     }
 
-    /// The pixel that stays, if one was clicked.
+    /// Pixel that was pinned by a click.
     pub fn pinned(&self) -> Option<[u32; 2]> {
         self.pixel.filter(|_| self.is_pinned)
     }
 
-    /// What was found last, in the order of computing.
+    /// Wires of the last result, in the order of their computation.
     pub fn wires(&self) -> &[WireValue] {
         self.found
             .as_ref()
@@ -125,7 +125,7 @@ impl Probe {
         }
     }
 
-    /// Lets go of the pixel, or else leaves.
+    /// Unpins the pixel, or else turns the probe off.
     pub(crate) fn escape(&mut self) {
         if self.is_pinned {
             self.is_pinned = false;
@@ -134,8 +134,8 @@ impl Probe {
         }
     }
 
-    /// Takes what was found, and asks for what is under the pointer once that rests. `pointer` is
-    /// over the picture in `rect`.
+    /// Takes a result, and probes under the pointer once it rests. `pointer` is over the picture in
+    /// `rect`.
     pub(crate) fn update(
         &mut self,
         ui: &Ui,
@@ -193,12 +193,12 @@ impl Probe {
         self.worker.request(|_| query);
     }
 
-    /// Whether what was found is what is there now.
+    /// True if the last result is of the present place and state.
     fn is_current(&self) -> bool {
         self.found.as_ref().is_some_and(|found| Some(&found.spot) == self.seen.as_ref())
     }
 
-    /// The cross-hair over the picture.
+    /// Draws the cross-hair over the picture.
     pub(crate) fn mark(&self, ui: &Ui, rect: Rect) {
         let Some(pixel) = self.pixel.filter(|_| self.is_on) else { return };
         let at =
@@ -247,17 +247,16 @@ impl Drop for Probe {
     }
 }
 
-/// The pixels of a picture that fills `rect`.
+/// Size in pixels of a picture that fills `rect`.
 pub(crate) fn picture_size(rect: Rect, scale: f32) -> [u32; 2] {
     [rect.width(), rect.height()].map(|side| (side * scale).round().clamp(0.0, 8192.0) as u32)
 }
 
-/// What is told where the object that is seen wears another look than the open one, whose nodes are
-/// not on the canvas.
+/// Note for an object that wears another look than the open one, whose nodes are not on the canvas.
 fn other_look(setup: &Setup, draw: &Draw) -> Option<Diagnostic> {
     let object = setup.objects.iter().find(|object| object.id == draw.object)?;
     let part = object.mesh.parts.iter().position(|part| part.indices == draw.indices)?;
-    // The open look is the first.
+    // The open look is the first of the setup.
     let is_other = *object.looks.get(part)? != Some(0);
     is_other.then(|| {
         let message = format!("`{}` wears another look, {}", draw.object, draw.look_name);

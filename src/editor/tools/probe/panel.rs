@@ -1,4 +1,4 @@
-//! What the probe found, as a table.
+//! Table of the probe's result.
 
 use eframe::egui;
 use eframe::egui::{Color32, FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
@@ -17,11 +17,11 @@ use crate::widgets::theme;
 
 const ROW: f32 = 20.0;
 
-/// Where columns begin, in parts of the width.
+/// Left ends of the columns, as parts of the width.
 const COLUMNS: [f32; 4] = [0.0, 0.3, 0.57, 0.84];
 
 impl Probe {
-    /// The table, or why there is none.
+    /// Shows the table, or why there is none.
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut commands = Vec::new();
         self.head(ui, &mut commands);
@@ -199,7 +199,7 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
     command
 }
 
-/// What the artist calls a node, with the groups that it lies in.
+/// Name of a node for the user, with the groups that the node lies in.
 pub(crate) fn wire_name(session: &Session, path: &NodePath) -> String {
     let [outer, inner @ ..] = path.ids() else { return String::new() };
     let node = session.look().graph.nodes.get(outer);
@@ -213,7 +213,7 @@ pub(crate) fn wire_name(session: &Session, path: &NodePath) -> String {
     name
 }
 
-/// Four or five scalars are a color with its alpha.
+/// Color of four or five scalars, which are a color with its alpha; `None` for other numbers.
 fn color_of(numbers: &[f64]) -> Option<Color32> {
     let [r, g, b, a, ..] = *numbers else { return None };
     let byte = |x: f64| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
@@ -232,7 +232,7 @@ fn short(numbers: &[f64]) -> String {
     numbers.iter().map(|&x| text(x)).collect::<Vec<_>>().join(" ")
 }
 
-/// Every scalar with all its digits.
+/// Shows every scalar with all its digits.
 fn in_full(ui: &mut Ui, wire: &WireValue) {
     ui.label(RichText::new(wire.node.to_string()).strong());
     ui.label(RichText::new(format!("{} in the WGSL", wire.name)).color(theme::of(ui).dim));

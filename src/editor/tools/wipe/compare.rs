@@ -1,4 +1,4 @@
-//! Makes both pictures, on the thread.
+//! Drawing of both pictures, on the thread.
 
 use eframe::egui::ColorImage;
 
@@ -11,10 +11,10 @@ use crate::frame::{Assets, Cull, Picture, PlanOptions, Planner, Setup};
 use crate::render::{Gpu, Renderer};
 use crate::state::snapshot::Reused;
 
-/// What it keeps between comparisons.
+/// State of the thread between comparisons.
 pub(super) struct Comparer {
-    /// Made when first needed, on a device of its own: the window's may not blend 32-bit floats,
-    /// and the rounding of a 16-bit picture would show in the difference.
+    /// Renderer, made when first needed, on a device of its own: the window's may not blend 32-bit
+    /// floats, and the rounding of a 16-bit picture would show in the difference.
     renderer: Option<Renderer>,
     window: Gpu,
     planner: Reused,

@@ -1,9 +1,9 @@
-//! The picture beside another of the same moment: the look in another tier, or the truth in f64. A
-//! divider wipes between both; or their difference is shown, magnified.
+//! Comparison of the picture with another of the same moment: the look in another tier, or the
+//! truth in f64. A divider wipes between both; or their difference is shown, magnified.
 //!
-//! Both are made in the background with one sample a pixel, so that like is held against like, and
-//! are dropped once anything changes. A tier is then compared again by itself; the truth, which
-//! takes long, only when it is asked for.
+//! Both pictures are made in the background with one sample a pixel, so that they can be compared,
+//! and are dropped once anything changes. A tier is then compared again by itself; the truth, which
+//! takes long, only on request.
 
 mod compare;
 mod show;
@@ -29,7 +29,7 @@ pub(super) const TOOL: ToolRow = ToolRow::new(
     SwitchPlace::Bar,
     |tools| tools.wipe.against.is_some(),
     |tools, ui, _| {
-        // Pictures beside it would be in the way of strokes.
+        // Pictures beside the viewport's would be in the way of strokes.
         if !tools.fitting.is_on() {
             tools.wipe.choice(ui);
         }
@@ -41,13 +41,13 @@ pub(super) const TOOL: ToolRow = ToolRow::new(
     tools.wipe.over(ui, *rect);
 });
 
-/// A tier is compared again after the hand rests for so many seconds.
+/// Time of rest after which a tier is compared again, in seconds.
 const REST: f64 = 0.2;
 
-/// How often a difference may be magnified.
+/// Factors by which a difference may be magnified.
 pub(crate) const GAINS: [u32; 3] = [16, 64, 256];
 
-/// What the picture is held against.
+/// Picture that the viewport's is compared with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ComparisonTarget {
     Tier(Tier),
@@ -68,7 +68,7 @@ impl ComparisonTarget {
     }
 }
 
-/// What is compared and when: the same again is known.
+/// Inputs of a comparison: for the same inputs the known result is used.
 #[derive(Clone, Debug, PartialEq)]
 struct ComparisonInputs {
     stamp: Stamp,
@@ -87,31 +87,31 @@ struct ComparisonResult {
     result: Result<Compared, Vec<Diagnostic>>,
 }
 
-/// Two pictures and how far they are apart.
+/// Two pictures and their difference.
 struct Compared {
-    /// As it is, and what that is held against.
+    /// The look's picture, and the one that it is compared with.
     pictures: [egui::ColorImage; 2],
-    /// The difference of each channel, red, green and blue; 0 on edges, where coverage may differ.
+    /// Difference of each channel, red, green and blue; 0 on edges, where coverage may differ.
     difference: Vec<[f32; 3]>,
     figures: ErrorFigures,
 }
 
-/// What is on the screen.
+/// Comparison on the screen.
 struct ComparisonView {
     moment: ComparisonInputs,
     compared: Compared,
     textures: [TextureHandle; 2],
-    /// The difference and how often it is magnified.
+    /// Texture of the difference, with the factor that it is magnified by.
     magnified: Option<(u32, TextureHandle)>,
 }
 
-/// The comparison and what it found last.
+/// Comparison of pictures, with the last result.
 pub struct Wipe {
     worker: Option<Worker<ComparisonRequest, ComparisonResult>>,
     against: Option<ComparisonTarget>,
-    /// `None` while the divider is shown.
+    /// Factor that the difference is magnified by; `None` while the divider is shown.
     gain: Option<u32>,
-    /// Where the divider is, in parts of the width.
+    /// Position of the divider, as a part of the width.
     split: f32,
     seen: Option<ComparisonInputs>,
     seen_at: f64,
@@ -124,8 +124,8 @@ pub struct Wipe {
 }
 
 impl Wipe {
-    /// A comparison that is off. `wake` is called from another thread when there is news. Without a
-    /// GPU there is none.
+    /// Creates a comparison that is off. `wake` is called from another thread when there is a
+    /// result or progress. Without a GPU nothing can be compared.
     pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Clone + Send + Sync + 'static) -> Self {
         let start = |gpu: Gpu| {
             let mut comparer = Comparer::new(gpu);
@@ -146,12 +146,12 @@ impl Wipe {
         }
     }
 
-    /// How far the picture is from what it is held against, if that is known of what is shown now.
+    /// Error figures of the comparison, if known for what is shown now.
     pub fn figures(&self) -> Option<&ErrorFigures> {
         self.current().map(|shown| &shown.compared.figures)
     }
 
-    /// Where the divider is, in parts of the width.
+    /// Position of the divider, as a part of the width.
     pub fn split(&self) -> f32 {
         self.split
     }
@@ -166,7 +166,7 @@ impl Wipe {
             self.against = against;
             self.shown = None;
             self.problems.clear();
-            // Chosen by hand: even the truth is wanted now.
+            // On a choice by hand even the truth is computed at once.
             self.asked = None;
             self.seen = None;
         }
@@ -176,7 +176,7 @@ impl Wipe {
         self.progress.stop();
     }
 
-    /// Takes what was compared, and asks for what should be.
+    /// Takes a result, and requests the comparison that is due.
     pub(crate) fn update(&mut self, ui: &Ui, session: &Session, size: [u32; 2]) {
         let answers = self.worker.as_ref().map(Worker::answers).unwrap_or_default();
         for done in answers {

@@ -1,4 +1,4 @@
-//! The comparison's controls, and what it shows over the picture.
+//! Controls of the comparison, and its display over the picture.
 
 use eframe::egui;
 use eframe::egui::{
@@ -12,11 +12,11 @@ use crate::state::session::Session;
 use crate::state::worker::BackgroundJobs;
 use crate::widgets::theme;
 
-/// Half of the width in which the divider is taken.
+/// Half of the width within which the divider can be grabbed, in points.
 const REACH: f32 = 6.0;
 
 impl Wipe {
-    /// What the picture is held against.
+    /// Shows the choice of the picture to compare with.
     pub(crate) fn choice(&mut self, ui: &mut Ui) {
         if self.worker.is_none() {
             return;
@@ -37,7 +37,7 @@ impl Wipe {
         );
     }
 
-    /// A second row of controls while something is compared.
+    /// Shows a second row of controls while the picture is compared.
     pub(crate) fn bar(&mut self, ui: &mut Ui, session: &Session) {
         let Some(against) = self.against else { return };
         ui.horizontal(|ui| {
@@ -113,7 +113,7 @@ impl Wipe {
         }
     }
 
-    /// What is over the picture.
+    /// Shows the divider, or the difference, over the picture.
     pub(crate) fn over(&mut self, ui: &mut Ui, rect: Rect) {
         if self.current().is_none() {
             return;

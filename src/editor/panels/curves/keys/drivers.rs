@@ -1,4 +1,5 @@
-//! Keys by drivers: which numbers decide, what they are now, and where each key lies among them.
+//! Keys by drivers: the numbers that decide, their present values, and the place of each key along
+//! them.
 
 use eframe::egui::{
     Button, Color32, ComboBox, DragValue, Grid, Rect, RichText, Role, ScrollArea, Sense, Stroke,
@@ -13,13 +14,14 @@ use crate::document::{Driver, KeyDirection};
 use crate::state::keying::{said, targets_of};
 use crate::widgets::theme;
 
-/// How tall a menu of drivers grows before it scrolls, in points.
+/// Height up to which a menu of drivers grows before it scrolls, in points.
 pub(super) const MENU: f32 = 360.0;
 
-/// How many pieces a strip of colors has.
+/// Number of pieces in a strip of colors.
 const PIECES: usize = 96;
 
-/// Shows the drivers of a set and the places of its keys; along one driver also who weighs where.
+/// Shows the drivers of a set and the places of its keys; with a single driver also a strip of the
+/// keys' weights along it.
 pub(super) fn show(
     ui: &mut Ui,
     shown: &KeySetView<'_>,
@@ -74,13 +76,13 @@ pub(super) fn show(
     }
 }
 
-/// What can drive the keys of a set: numbers of the scene, then wires of the look that may change.
+/// Possible drivers of a set's keys: numbers of the scene, then wires of the look that may change.
 fn all(shown: &KeySetView<'_>) -> impl Iterator<Item = Driver> {
     let [wires, _] = shown.session.wires(&targets_of(shown.keys));
     shown.session.drivers().into_iter().chain(wires)
 }
 
-/// Which driver an axis is of.
+/// Shows the choice of an axis's driver.
 fn chosen(
     ui: &mut Ui,
     shown: &KeySetView<'_>,
@@ -111,7 +113,7 @@ fn chosen(
     );
 }
 
-/// Where a key lies along an axis.
+/// Shows the field for a key's place along an axis.
 fn place(
     ui: &mut Ui,
     shown: &KeySetView<'_>,
@@ -134,7 +136,8 @@ fn place(
     }
 }
 
-/// Another driver beside those that decide: all keys lie where it is now.
+/// Shows the menu that adds a driver to a set; all keys get the driver's present value as their
+/// place.
 fn add(ui: &mut Ui, shown: &KeySetView<'_>, axes: &[Driver], out: &mut Vec<Command>) {
     let session = shown.session;
     ui.menu_button("Add driver", |ui| {
@@ -165,15 +168,15 @@ fn remove_axis(keys: &mut crate::document::DirectionKeys, axis: usize) {
     }
 }
 
-/// Where a key goes that is copied.
+/// Place of a copied key, beside its original.
 pub(super) fn beside(place: [f64; 3]) -> [f64; 3] {
     let [first, rest @ ..] = place;
     let moved = if first == 0.0 { 0.5 } else { first * 1.25 };
     [moved, rest[0], rest[1]]
 }
 
-/// Who weighs where along the one driver, with the keys and where it is now. A press chooses the
-/// nearest key.
+/// Shows the keys' weights along the only driver as colors, with the keys and the driver's present
+/// value. A press selects the nearest key.
 fn strip(ui: &mut Ui, shown: &KeySetView<'_>, ground: &mut Ground, out: &mut Vec<Command>) {
     let colors = theme::of(ui);
     let (rect, response) =

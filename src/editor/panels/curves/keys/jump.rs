@@ -1,5 +1,5 @@
-//! Bringing a light or the view to a key, to compare: what the window shows is turned, the document
-//! stays as it is.
+//! Turning of a light or the view to a key, for comparison: only the window's view changes, the
+//! document stays as it is.
 
 use glam::{DQuat, DVec3};
 
@@ -8,8 +8,8 @@ use crate::state::keying::camera_from_world;
 use crate::state::orbit::Orbit;
 use crate::state::session::Session;
 
-/// The view, or the illumination frame, in which `direction` decides; `None` where turning it does
-/// not move the light.
+/// View, or illumination frame, at which `direction` holds; `None` where turning the frame does not
+/// move the light.
 pub(super) fn to(session: &Session, by: &KeyDirection, direction: DVec3) -> Option<Orbit> {
     let direction = direction.try_normalize()?;
     let mut view = session.view.orbit.clone();

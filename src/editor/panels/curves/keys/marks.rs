@@ -1,4 +1,5 @@
-//! What lies on the sphere: the keys, the great circles, where the light or the view is now.
+//! Marks on the sphere: the keys, the great circles, and the present direction of the light or the
+//! view.
 
 use eframe::egui;
 use eframe::egui::{Align2, FontId, Key, Pos2, Rect, Stroke, Ui, pos2};
@@ -11,7 +12,7 @@ use crate::state::keying::rounded;
 use crate::widgets::handle::{self, handle};
 use crate::widgets::theme;
 
-/// A key on the sphere: dragged, selected, copied, deleted.
+/// Shows a key on the sphere, which can be dragged, selected, copied and deleted.
 pub(super) fn key_handle(
     ui: &Ui,
     shown: &KeySetView<'_>,
@@ -80,7 +81,7 @@ pub(super) fn key_handle(
     }
 }
 
-/// Where the light or the view is now: a sun.
+/// Draws the present direction of the light or the view, as a sun.
 pub(super) fn now_mark(ui: &Ui, shown: &KeySetView<'_>, globe: Globe) {
     let colors = theme::of(ui);
     let at = globe.project(shown.now);
@@ -94,7 +95,7 @@ pub(super) fn now_mark(ui: &Ui, shown: &KeySetView<'_>, globe: Globe) {
     }
 }
 
-/// The three great circles, on the near or the far side.
+/// Draws the three great circles, on the near or the far side.
 pub(super) fn graticule(ui: &Ui, globe: Globe, is_front: bool) {
     const PIECES: usize = 72;
     let colors = theme::of(ui);
@@ -116,7 +117,7 @@ pub(super) fn graticule(ui: &Ui, globe: Globe, is_front: bool) {
     }
 }
 
-/// What the axes mean, beside the ends of those that are seen from the side.
+/// Draws the names of the axes beside the ends of those that are seen from the side.
 pub(super) fn names_of_places(ui: &Ui, rect: Rect, globe: Globe, is_view: bool) {
     let names = if is_view {
         ["right", "above", "front", "left", "below", "back"]
@@ -128,7 +129,7 @@ pub(super) fn names_of_places(ui: &Ui, rect: Rect, globe: Globe, is_view: bool) 
     for (axis, text) in axes.into_iter().zip(names) {
         let at = globe.project(axis);
         let away: egui::Vec2 = at - globe.center;
-        // What points at the eye or away from it would lie on the keys in the middle.
+        // The name of an axis toward the eye or away from it would cover the keys in the middle.
         if away.length() < 0.55 * globe.radius {
             continue;
         }

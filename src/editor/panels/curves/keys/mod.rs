@@ -1,5 +1,6 @@
 //! Direction keys (BADF 3.4): the sphere of a light's or the view's directions with the keys on it,
-//! and what each key sets. Keys by drivers lie along one to three numbers instead, which are typed.
+//! and the values that each key sets. Keys by drivers lie along one to three numbers instead, which
+//! are typed.
 
 mod drivers;
 mod jump;
@@ -33,30 +34,30 @@ pub(crate) const PANEL: PanelRow = PanelRow::new(
     |bench, ui, context| bench.memory.of::<Keys>().show(ui, context.session),
 );
 
-/// A step by an arrow key, in radians.
+/// Step of an arrow key, in radians.
 const STEP: f64 = 2.0 * std::f64::consts::PI / 180.0;
-/// How far from its original a copied key lies, in radians.
+/// Angle between a copied key and its original, in radians.
 const BESIDE: f64 = 0.4;
 
-/// The panel.
+/// The panel of direction keys, and its state.
 #[derive(Default)]
 pub(crate) struct Keys {
     set: usize,
-    /// How the sphere is turned: yaw and pitch in radians, by the kind of direction.
+    /// Turn of the sphere: yaw and pitch in radians, for light directions and for view directions.
     turned: [Option<[f64; 2]>; 2],
     ground: Ground,
-    /// The same of the small sphere that shows the other side.
+    /// Colors of the small sphere that shows the other side.
     other_side: Ground,
-    /// Where the light or the view was before it was sent to a key.
+    /// View or illumination before it was turned to a key, to return to.
     back: Option<Orbit>,
 }
 
-/// A set that is shown.
+/// Set of keys that is shown.
 struct KeySetView<'a> {
     session: &'a Session,
     set: usize,
     keys: &'a DirectionKeys,
-    /// The key that values are set at.
+    /// Key at which values are set, by index.
     key: usize,
     weights: Vec<f64>,
     now: DVec3,
@@ -113,7 +114,7 @@ impl Keys {
             .show(ui, |ui| table::show(ui, shown, out));
     }
 
-    /// Which set, what decides between its keys, and how they are weighed.
+    /// Shows the choice of the set, of its driver, and of the scheme of weights.
     fn sets(&mut self, ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
         let KeySetView { session, set, keys, .. } = shown;
         ui.horizontal_wrapped(|ui| {
@@ -162,7 +163,7 @@ impl Keys {
         });
     }
 
-    /// What is done with the key that is selected.
+    /// Shows the buttons for the selected key.
     fn buttons(&mut self, ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
         let KeySetView { session, set, keys, key, .. } = shown;
         let can_edit = !keys.keys.is_empty();
@@ -256,7 +257,8 @@ impl Keys {
         self.other_side(ui, shown, rect, turned);
     }
 
-    /// A small sphere in the corner as seen from the other side; a press turns the large one there.
+    /// Shows a small sphere in the corner as seen from the other side; a press turns the large one
+    /// there.
     fn other_side(&mut self, ui: &Ui, shown: &KeySetView<'_>, rect: Rect, [yaw, pitch]: [f64; 2]) {
         let colors = theme::of(ui);
         let radius = (rect.width() * 0.11).clamp(14.0, 34.0);
@@ -293,7 +295,7 @@ fn name(response: &egui::Response, role: Role, text: &str) {
     response.widget_info(|| WidgetInfo::labeled(role, true, text));
 }
 
-/// Before there are any keys: what they are for, and how to begin.
+/// Shows the purpose of direction keys and how to begin, where the look has none.
 fn nothing(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     hint(
         ui,
@@ -399,7 +401,7 @@ fn scheme(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
     combo.response.on_hover_text("How the weights between keys are found");
 }
 
-/// The weight of each key now, as a bar.
+/// Shows the present weight of each key, as a bar.
 fn shares(ui: &mut Ui, shown: &KeySetView<'_>) {
     let colors = theme::of(ui);
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 12.0), Sense::hover());

@@ -1,5 +1,5 @@
-//! The sphere of all directions, in perspective: where it is on the screen, and the keys' weights
-//! on it as colors.
+//! Sphere of all directions, in perspective: its projection to the screen, and the keys' weights on
+//! it as colors.
 
 use eframe::egui::epaint::{Mesh, Vertex};
 use eframe::egui::{Color32, Pos2, Shape, Vec2, lerp, vec2};
@@ -8,17 +8,17 @@ use glam::DVec3;
 use crate::directions::KeyWeights;
 use crate::document::{DirectionKeys, KeyScheme};
 
-/// The eye, in radii from the middle.
+/// Distance of the eye from the sphere's center, in radii.
 const EYE: f64 = 3.4;
-/// Rings and spokes of the mesh that carries the colors.
+/// Numbers of rings and spokes of the mesh that carries the colors.
 const RINGS: usize = 22;
 const SPOKES: usize = 80;
 
-/// How the sphere is turned and where it is.
+/// Projection of the sphere: its turn and its place on the screen.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Globe {
     pub(super) center: Pos2,
-    /// On the screen, in points.
+    /// Radius on the screen, in points.
     pub(super) radius: f32,
     right: DVec3,
     up: DVec3,
@@ -26,7 +26,7 @@ pub(super) struct Globe {
 }
 
 impl Globe {
-    /// Turned by a yaw around the upright axis and a pitch, in radians.
+    /// Sphere turned by a yaw around the upright axis and a pitch, in radians.
     pub(super) fn new(center: Pos2, radius: f32, [yaw, pitch]: [f64; 2]) -> Self {
         let (sin_yaw, cos_yaw) = yaw.sin_cos();
         let (sin_pitch, cos_pitch) = pitch.sin_cos();
@@ -35,17 +35,18 @@ impl Globe {
         Self { center, radius, right, up: toward.cross(right), toward }
     }
 
-    /// Points for what is one radius wide in the plane at distance 1 from the eye.
+    /// Factor from the plane at distance 1 from the eye, in radii, to the screen, in points.
     fn scale(self) -> f64 {
         f64::from(self.radius) * (EYE * EYE - 1.0).sqrt()
     }
 
-    /// Whether a direction is on the side that is seen.
+    /// True if a direction lies on the visible side.
     pub(super) fn is_front(self, direction: DVec3) -> bool {
         direction.dot(self.toward) >= 1.0 / EYE
     }
 
-    /// Where a direction is on the screen; those behind are seen through the sphere.
+    /// Position of a direction on the screen; directions on the far side are seen through the
+    /// sphere.
     pub(super) fn project(self, direction: DVec3) -> Pos2 {
         let scale = self.scale() / (EYE - direction.dot(self.toward));
         let offset =
@@ -53,8 +54,8 @@ impl Globe {
         self.center + vec2(offset[0], offset[1])
     }
 
-    /// The direction at a point of the screen, on the near or the far side; beside the sphere it is
-    /// that of its rim.
+    /// Direction at a point of the screen, on the near or the far side; beside the sphere the
+    /// nearest direction of its rim.
     pub(super) fn direction(self, at: Pos2, is_front: bool) -> DVec3 {
         let offset = at - self.center;
         let inside = offset * (self.radius * 0.999_999 / offset.length().max(self.radius));
@@ -66,7 +67,7 @@ impl Globe {
         (self.toward * EYE + ray * along).normalize()
     }
 
-    /// A direction turned to the right and up as they are on the screen, by angles.
+    /// Turns a direction to the right and up as seen on the screen, by `steps` times `radians`.
     pub(super) fn nudge(self, direction: DVec3, steps: Vec2, radians: f64) -> DVec3 {
         let moved =
             direction + (self.right * f64::from(steps.x) + self.up * f64::from(steps.y)) * radians;
@@ -74,18 +75,18 @@ impl Globe {
     }
 }
 
-/// The colors of the sphere, kept until the keys or the view of it change.
+/// Colors of the sphere, kept until the keys or the sphere's turn change.
 #[derive(Default)]
 pub(super) struct Ground {
     weights: Option<(Vec<[f64; 3]>, KeyScheme, KeyWeights)>,
     turned: [f64; 2],
     inks: Vec<Color32>,
-    /// For each vertex its place in the unit disc, and its color.
+    /// Place in the unit disc, and color, of each vertex.
     vertices: Vec<(Vec2, Color32)>,
 }
 
 impl Ground {
-    /// The weights of a set's keys at a direction.
+    /// Weights of a set's keys as a function of the direction.
     pub(super) fn weights(&mut self, keys: &DirectionKeys) -> &KeyWeights {
         let places: Vec<[f64; 3]> = keys.keys.iter().map(|key| key.direction).collect();
         let is_known =
@@ -102,7 +103,8 @@ impl Ground {
         &self.weights.as_ref().expect("just solved").2
     }
 
-    /// The sphere as a mesh; `inks` has one color a key, `ground` what no key colors.
+    /// The sphere as a mesh; `inks` holds one color per key, `ground` is the color where no key has
+    /// weight.
     pub(super) fn mesh(
         &mut self,
         keys: &DirectionKeys,
@@ -145,7 +147,7 @@ fn vertices(
     let mut row = vec![0.0; weights.len()];
     let mut found = Vec::with_capacity((RINGS + 1) * SPOKES);
     for ring in 0..=RINGS {
-        // Closer together at the rim, where the sphere turns away.
+        // Rings are closer together at the rim, where the sphere turns away.
         let radius = (ring as f32 / RINGS as f32 * std::f32::consts::FRAC_PI_2).sin();
         for spoke in 0..SPOKES {
             let place = Vec2::angled(spoke as f32 / SPOKES as f32 * std::f32::consts::TAU) * radius;
@@ -158,7 +160,7 @@ fn vertices(
     found
 }
 
-/// The mean of the keys' colors by their weights, over the ground.
+/// Mean of the keys' colors by their weights, over the ground.
 pub(super) fn mixed(weights: &[f64], inks: &[Color32], ground: Color32, strength: f32) -> Color32 {
     let mut sum = [0.0_f32; 3];
     let mut total = 0.0;
@@ -187,7 +189,7 @@ mod tests {
     fn every_direction_is_found_where_it_is_drawn() {
         let globe = Globe::new(pos2(100.0, 80.0), 70.0, [0.7, -0.4]);
         for i in 0..200 {
-            // A spiral over the whole sphere.
+            // Directions on a spiral over the whole sphere.
             let z = 1.0 - (f64::from(i) + 0.5) / 100.0;
             let (sin, cos) = (f64::from(i) * 2.399_963).sin_cos();
             let side = (1.0 - z * z).sqrt();

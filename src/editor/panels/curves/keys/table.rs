@@ -1,4 +1,5 @@
-//! What the keys of a set change: a row for each value, a column for each key, edited in place.
+//! Table of the values that the keys of a set change: a row for each value, a column for each key,
+//! edited in place.
 
 use eframe::egui;
 use eframe::egui::{Button, Grid, RichText, Ui, WidgetInfo};
@@ -37,7 +38,7 @@ pub(super) fn show(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) 
 fn head(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
     let colors = theme::of(ui);
     ui.label(RichText::new("Value").small().color(colors.dim));
-    // A key that is selected on the sphere comes into view.
+    // A key that is newly selected on the sphere is scrolled into view.
     let seen = egui::Id::unique("key in view");
     let is_new = ui.data(|data| data.get_temp(seen)) != Some((shown.set, shown.key));
     ui.data_mut(|data| data.insert_temp(seen, (shown.set, shown.key)));
@@ -129,7 +130,8 @@ fn row(ui: &mut Ui, shown: &KeySetView<'_>, target: &Target, out: &mut Vec<Comma
     ui.end_row();
 }
 
-/// A menu of what of the selected nodes, or of the lights, can be keyed.
+/// Shows the menu of values that can be keyed: inputs of the selected nodes, and fields of the
+/// lights.
 fn add_value(ui: &mut Ui, shown: &KeySetView<'_>, known: &[Target], out: &mut Vec<Command>) {
     let session = shown.session;
     ui.menu_button("Add value", |ui| {
@@ -148,8 +150,8 @@ fn add_value(ui: &mut Ui, shown: &KeySetView<'_>, known: &[Target], out: &mut Ve
                 hint(ui, "Select a node to key its values.");
             }
             for (id, light) in &session.look().lights {
-                // Where a light is, or shines from, is no value of a table; the diamond beside it
-                // keys it.
+                // The position and the direction of a light are no values for a table; the diamonds
+                // beside these fields key them.
                 let is_cell = |field: &LightField| Type::of_light_field(*field) != Type::Vec3;
                 for field in LightField::of(light.kind).filter(is_cell) {
                     let target =

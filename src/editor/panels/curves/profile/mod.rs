@@ -1,5 +1,5 @@
-//! The profile of a layer as a curve over the angle, with its offset, fall-off and cut-off as
-//! handles, and the colors that come of it from convex to concave.
+//! Profile of a layer as a curve over the angle, with its offset, fall-off and cut-off as handles,
+//! and the resulting colors from convex to concave.
 
 mod plot;
 mod sample;
@@ -34,7 +34,7 @@ pub(crate) const PANEL: PanelRow = PanelRow::new(
     |bench, ui, context| bench.memory.of::<Profile>().show(ui, context.session),
 );
 
-/// The inputs that make a profile, in order, with their marks.
+/// Inputs that make up a profile, in order, with their symbols.
 const PARTS: [Part; 3] = [
     Part {
         port: "offset",
@@ -49,7 +49,7 @@ const PARTS: [Part; 3] = [
 struct Part {
     port: &'static str,
     label: &'static str,
-    /// As the BADF paper writes it, for its readers.
+    /// Symbol of the BADF paper, for its readers.
     symbol: &'static str,
     help: &'static str,
 }
@@ -60,35 +60,36 @@ impl Part {
     }
 }
 
-/// Sampled curves are kept while they are drawn; more than these are forgotten at once.
+/// Largest number of sampled curves that are kept; beyond it all are dropped.
 const MOST_CURVES: usize = 96;
 
-/// A sampled curve: angles in radians, and the tones there.
+/// Sampled curve: angles in radians, and the tones there.
 #[derive(Debug)]
 struct Curve {
     angles: Vec<f64>,
     tones: Vec<f64>,
 }
 
-/// The panel, and the curves that it drew.
+/// The panel, and the curves that it has drawn.
 #[derive(Default)]
 pub(crate) struct Profile {
-    /// The node that was shown last: another selection that has no profile changes nothing.
+    /// Node that was shown last, kept while nodes without a profile are selected.
     shown: Option<NodeId>,
     sampler: Option<(Arc<Library>, Tier, Option<Sampler>)>,
     curves: HashMap<[u64; 4], Arc<Curve>>,
     strip: strip::Strip,
 }
 
-/// A node with a profile.
+/// Node with a profile.
 struct Layer<'a> {
     session: &'a Session,
     id: &'a NodeId,
     node: &'a Node,
     kind: &'a Kind,
-    /// As it is set where it is looked at.
+    /// Shape that an edit would change: where the shape is keyed, that of the current direction
+    /// key or at the playhead.
     shape: Shape,
-    /// Which of offset, fall-off and cut-off are fed by a wire.
+    /// For offset, fall-off and cut-off, true if a wire feeds it.
     wired: [bool; 3],
 }
 
@@ -112,13 +113,14 @@ impl<'a> Layer<'a> {
         self.session.target(self.id, &port.into())
     }
 
-    /// A number that it has now, where it has such an input.
+    /// Present value of a numeric input; `None` where the node has no such input.
     fn number(&self, port: &str) -> Option<f64> {
         self.kind.input(port)?;
         self.session.value_now(&self.target(port)).map(|value| values::number(Some(&value)))
     }
 
-    /// How far curvature moves the profile at most, in radians; 0 where it moves nothing.
+    /// Largest distance that curvature moves the profile, in radians; 0 where curvature has no
+    /// effect.
     fn warp(&self) -> f64 {
         let is_wired =
             |port: &str| self.session.graph().wire_into(self.id, &PortName::from(port)).is_some();
@@ -134,7 +136,7 @@ impl<'a> Layer<'a> {
         self.node.tier.unwrap_or(self.session.look().tier)
     }
 
-    /// The shape at each key of the set that moves it, with the key's place.
+    /// Shape at each key of the set that moves the shape, with the key's index.
     fn shapes_of_keys(&self) -> Vec<(usize, Shape)> {
         let session = self.session;
         let set = PARTS.iter().find_map(|part| match session.keyed_by(&self.target(part.port)) {
@@ -168,7 +170,7 @@ fn name_of<'a>(node: &'a Node, kind: &'a Kind) -> &'a str {
 }
 
 impl Profile {
-    /// Shows the profile of the node that is selected, or of the last one that had one.
+    /// Shows the profile of the selected node, or of the last one that had a profile.
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut commands = Vec::new();
         let has_one = |id: &&NodeId| Layer::new(session, id).is_some();
@@ -224,7 +226,7 @@ impl Profile {
         }
     }
 
-    /// The curve of a shape; computed once.
+    /// Curve of a shape; sampled once and then kept.
     fn curve(&mut self, layer: &Layer<'_>, shape: Shape, shift: f64) -> Arc<Curve> {
         const COUNT: usize = 240;
         let tier = layer.tier();
@@ -253,7 +255,7 @@ impl Profile {
     }
 }
 
-/// Which layer it is, and the presets of the profile's own node.
+/// Shows the choice of the layer, and the presets of the Profile node.
 fn head(ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
     let session = layer.session;
     ui.horizontal_wrapped(|ui| {
@@ -312,7 +314,7 @@ fn head(ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
     });
 }
 
-/// Offset, fall-off and cut-off in degrees, typed or dragged.
+/// Shows offset, fall-off and cut-off in degrees, typed or dragged.
 fn numbers(ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
     let Shape { offset, falloff, cutoff } = layer.shape;
     ui.horizontal_wrapped(|ui| {
@@ -343,7 +345,7 @@ fn numbers(ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
     });
 }
 
-/// Says which key a number is of, where keys move it.
+/// Shows the mark of the key that a number belongs to, where keys move the number.
 fn mark(ui: &mut Ui, layer: &Layer<'_>, part: &Part) {
     let target = layer.target(part.port);
     if layer.session.keyed_by(&target) != KeyedBy::Nothing {
@@ -353,7 +355,7 @@ fn mark(ui: &mut Ui, layer: &Layer<'_>, part: &Part) {
     }
 }
 
-/// What is odd about the curve.
+/// Notes on oddities of the curve.
 fn notes(layer: &Layer<'_>, curve: &Curve) -> Vec<String> {
     let shape = layer.shape;
     let sane = shape.sanitized();

@@ -1,4 +1,4 @@
-//! The drawing of a profile: the tone over the angle, with handles that keep their order.
+//! Plot of a profile: the tone over the angle, with handles that keep their order.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -18,22 +18,22 @@ use crate::values;
 use crate::widgets::handle::{self, HandleResponse, handle};
 use crate::widgets::theme;
 
-/// Room for the numbers of the axes.
+/// Margins for the numbers of the axes, in points.
 const LEFT: f32 = 26.0;
 const RIGHT: f32 = 14.0;
 const TOP: f32 = 20.0;
 const BOTTOM: f32 = 18.0;
 
-/// What is drawn.
+/// Curves to draw.
 pub(super) struct Curves {
     pub(super) own: Arc<Curve>,
-    /// Where the surface is as convex, and as concave, as it can be.
+    /// Curves where the surface is as convex, and as concave, as it can be.
     pub(super) warped: [Arc<Curve>; 2],
-    /// At each key that moves it.
+    /// Curves at each key that moves the profile, with the key's index.
     pub(super) keys: Vec<(usize, Arc<Curve>)>,
 }
 
-/// Where angles and tones are on the screen.
+/// Area of the plot; maps angles and tones to the screen.
 #[derive(Clone, Copy)]
 struct Axes(Rect);
 
@@ -59,13 +59,14 @@ impl Axes {
     }
 }
 
-/// The color of offset, fall-off or cut-off.
+/// Color of offset, fall-off or cut-off.
 pub(super) fn color_of(ui: &Ui, part: usize) -> Color32 {
     let colors = theme::of(ui);
     [colors.accent, colors.second, colors.third][part]
 }
 
-/// Draws the curves and takes what hands do. Returns the range of x that angles have.
+/// Draws the curves and handles the pointer. Returns the area whose horizontal range is that of the
+/// angles.
 pub(super) fn show(
     ui: &mut Ui,
     layer: &Layer<'_>,
@@ -163,7 +164,7 @@ fn paint_curves(ui: &Ui, layer: &Layer<'_>, axes: Axes, curves: &Curves) {
     }
 }
 
-/// Says which of the faint curves is which, where a profile is seldom.
+/// Names the faint curves, as the reader rarely knows them.
 fn legend(ui: &Ui, axes: Axes) {
     let colors = theme::of(ui);
     let (painter, font) = (ui.painter(), FontId::proportional(theme::SMALL_TEXT));
@@ -185,14 +186,14 @@ fn legend(ui: &Ui, axes: Axes) {
     }
 }
 
-/// The tone of a sampled curve at an angle.
+/// Tone of a sampled curve at an angle.
 fn tone_at(curve: &Curve, u: f64) -> f64 {
     let index =
         curve.angles.partition_point(|&known| known < u).min(curve.angles.len().saturating_sub(1));
     curve.tones.get(index).copied().unwrap_or(0.0)
 }
 
-/// The handles and where they are: the offset on top, the cut-off below, the fall-off on the curve,
+/// Handles and their positions: the offset on top, the cut-off below, the fall-off on the curve,
 /// but never on one of the others.
 fn handles(
     ui: &Ui,
@@ -214,15 +215,15 @@ fn handles(
     })
 }
 
-/// What lies around a part: no less than the first, no more than the second.
+/// Range of a part, in radians: between its two neighbors.
 fn limits(layer: &Layer<'_>, part: usize) -> [f64; 2] {
     let shape = layer.shape.sanitized();
     let row = [0.0, shape.offset, shape.falloff, shape.cutoff, PI];
     [row[part], row[part + 2]]
 }
 
-/// The edit that a hand on a handle asks for: within its neighbours, or with Shift all three
-/// together.
+/// Edit that moving a handle asks for: the part moves between its neighbors; with Shift all three
+/// parts move together.
 fn moved(
     ui: &Ui,
     layer: &Layer<'_>,
@@ -289,14 +290,14 @@ fn paint_handle(
     if !is_held {
         handled.response.clone().on_hover_text(help);
     }
-    // A key that would leave the panel ends the focus.
+    // Escape ends the handle's focus here, before the same key can leave the panel.
     if handle::pressed(ui, &handled.response, Key::Escape) {
         handled.response.surrender_focus();
     }
 }
 
-/// Names the handles, each beside its own where no other's name or handle is: a cartoon's three are
-/// at one place nearly.
+/// Names the handles, each beside its handle where it covers no other handle or name: the three of
+/// a cartoon profile nearly coincide.
 fn labels(ui: &Ui, layer: &Layer<'_>, axes: Axes, handles: &[(Pos2, HandleResponse); 3]) {
     let shape = layer.shape.sanitized();
     let values = [shape.offset, shape.falloff, shape.cutoff];
@@ -304,7 +305,7 @@ fn labels(ui: &Ui, layer: &Layer<'_>, axes: Axes, handles: &[(Pos2, HandleRespon
     let room = axes.0.expand2(vec2(RIGHT, TOP + 4.0));
     let mut taken: Vec<Rect> =
         handles.iter().map(|(at, _)| Rect::from_center_size(*at, Vec2::splat(13.0))).collect();
-    // The one in hand first, as it says most and moves least.
+    // The handle in use is named first, as its name is the longest and must move the least.
     let mut order = [0, 2, 1];
     order.sort_by_key(|part| !is_hot(&handles[*part].1));
     for part in order {
@@ -319,7 +320,7 @@ fn labels(ui: &Ui, layer: &Layer<'_>, axes: Axes, handles: &[(Pos2, HandleRespon
         };
         let galley = ui.painter().layout_no_wrap(text, font.clone(), color_of(ui, part));
         let rect = place(&taken, room, *at, galley.size(), part);
-        // The curve and its stems run below names, not through them.
+        // The curve and its stems run below the names, not through them.
         ui.painter().rect_filled(
             rect.expand2(vec2(2.0, -1.0)),
             2.0,
@@ -334,8 +335,8 @@ fn is_hot(handled: &HandleResponse) -> bool {
     handled.response.dragged() || handled.response.hovered() || handled.response.has_focus()
 }
 
-/// Where a handle's name stands: of the places around it the first that covers least and is within
-/// the room.
+/// Rectangle of a handle's name: of the places around the handle, the first of those within the
+/// room that cover least.
 fn place(taken: &[Rect], room: Rect, at: Pos2, size: Vec2, part: usize) -> Rect {
     let above = (Align2::CENTER_BOTTOM, vec2(0.0, -7.0));
     let sides = [(Align2::LEFT_CENTER, 11.0), (Align2::RIGHT_CENTER, -11.0)];
@@ -367,7 +368,7 @@ fn place(taken: &[Rect], room: Rect, at: Pos2, size: Vec2, part: usize) -> Rect 
         .unwrap_or(Rect::from_min_size(at, size))
 }
 
-/// While a handle is dragged: how far it may go, and what stops it.
+/// Shows the range of a handle while it is dragged, and the limit that stops it.
 fn reach(ui: &Ui, layer: &Layer<'_>, axes: Axes, part: usize, handled: &HandleResponse) {
     let colors = theme::of(ui);
     let painter = ui.painter();
@@ -393,7 +394,7 @@ fn reach(ui: &Ui, layer: &Layer<'_>, axes: Axes, part: usize, handled: &HandleRe
     let font = FontId::proportional(theme::TEXT_SIZE);
     let galley = painter.layout_no_wrap(text, font, colors.warning);
     let at = align.anchor_size(pos2(axes.x(limit) + dx, axes.y(0.72)), galley.size());
-    // Where it is longer than there is room, it lies over the limit.
+    // A text that is longer than the room beside the limit lies over it.
     let room = axes.0.left()..=(axes.0.right() - at.width()).max(axes.0.left());
     let at =
         Rect::from_min_size(pos2(at.left().clamp(*room.start(), *room.end()), at.top()), at.size());
@@ -401,7 +402,7 @@ fn reach(ui: &Ui, layer: &Layer<'_>, axes: Axes, part: usize, handled: &HandleRe
     painter.galley(at.min, galley, colors.warning);
 }
 
-/// The tone under the pointer.
+/// Shows the tone under the pointer.
 fn read_off(ui: &Ui, axes: Axes, curve: &Curve, pointer: Pos2) {
     if !axes.0.contains(pointer) || curve.tones.is_empty() {
         return;

@@ -1,4 +1,4 @@
-//! The profile as numbers: run by the interpreter from the very WGSL that the shader has.
+//! The profile as numbers: run by the interpreter from the same WGSL that the shader contains.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
@@ -16,7 +16,7 @@ pub(super) struct Shape {
 }
 
 impl Shape {
-    /// In order, as the shader takes it (docs/math.md D2): the offset within a half turn, the
+    /// Shape in order, as the shader takes it (docs/math.md D2): the offset within a half turn, the
     /// cut-off after it, the fall-off between both.
     pub(super) fn sanitized(self) -> Self {
         let offset = self.offset.clamp(0.0, PI);
@@ -25,28 +25,28 @@ impl Shape {
     }
 }
 
-/// How a curve bends between its offset and its cut-off (docs/math.md 2.2); angles in radians.
+/// Bends of a curve between its offset and its cut-off (docs/math.md 2.2); angles in radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Bend {
-    /// 1 everywhere.
+    /// Curve that is 1 everywhere.
     Ambient,
-    /// From 1 to 0 at once.
+    /// Step from 1 to 0.
     Step,
-    /// Once, at the fall-off.
+    /// One bend, at the fall-off.
     Once,
-    /// The fall-off is the cut-off and at most a quarter turn from the offset: ever steeper up to
-    /// there.
+    /// Bend at the end: the fall-off is the cut-off and at most a quarter turn from the offset, so
+    /// that the curve grows steeper up to there.
     AtEnd,
-    /// At the fall-off and at a second place.
+    /// Bends at the fall-off and at a second place.
     Twice(f64),
-    /// Only elsewhere than at the fall-off.
+    /// One bend, elsewhere than at the fall-off.
     Elsewhere(f64),
-    /// Nowhere.
+    /// No bend.
     Never,
 }
 
 impl Bend {
-    /// How the curve of a shape bends.
+    /// Bends of a shape's curve.
     pub(super) fn of(shape: Shape) -> Self {
         const SAME: f64 = 1e-6;
         let Shape { offset, falloff, cutoff } = shape.sanitized();
@@ -61,13 +61,13 @@ impl Bend {
             return if c - f < SAME && f < FRAC_PI_2 - SAME { Self::AtEnd } else { Self::Once };
         }
         if c - f < SAME {
-            // The exponent is 1, and what is left is a cosine.
+            // The exponent is 1, and the rest is a cosine.
             return Self::Elsewhere(offset + FRAC_PI_2);
         }
         let cosine = (f.cos() - c.cos()) / (f.cos() * c.cos() - 1.0);
         let second = cosine.clamp(-1.0, 1.0).acos();
         match second {
-            // With a cut-off half a turn away it lies there.
+            // With a cut-off half a turn away the second bend lies at the cut-off.
             second if second >= c - 1e-4 => Self::Once,
             second if (second - f).abs() < 1e-4 => Self::Never,
             second => Self::Twice(offset + second),
@@ -75,11 +75,11 @@ impl Bend {
     }
 }
 
-/// The functions of the library that a profile is drawn with.
+/// Functions of the library that a profile is drawn with.
 pub(super) struct Sampler {
     prepare: Arc<Program>,
     profile: Arc<Program>,
-    /// What the function takes, in order.
+    /// Arguments of the profile function, in order.
     takes: Vec<Takes>,
 }
 
@@ -90,7 +90,7 @@ enum Takes {
 }
 
 impl Sampler {
-    /// The functions of a tier; `None` where the library has no such node.
+    /// Functions of a tier; `None` where the library has no such node.
     pub(super) fn new(library: &Library, tier: Tier) -> Option<Self> {
         let def = library.nodes.get("profile")?;
         let prepare = def.module.program(&def.prepare.as_ref()?.function).ok()?;
@@ -108,7 +108,7 @@ impl Sampler {
         Some(Self { prepare, profile, takes: takes.collect::<Option<_>>()? })
     }
 
-    /// The tone at each of these angles, moved by a warp. Radians.
+    /// Tone at each of the angles, for a profile moved by `shift`; all in radians.
     pub(super) fn tones(&self, shape: Shape, shift: f64, angles: &[f64]) -> Vec<f64> {
         let arguments = [shape.offset, shape.falloff, shape.cutoff].map(Value::Float);
         let Ok(prepared) = self.prepare.call(&arguments, Precision::F64) else { return Vec::new() };
@@ -132,13 +132,13 @@ impl Sampler {
     }
 }
 
-/// The function that serves a tier: its own, or the exact one.
+/// Variant that serves a tier: the tier's own, or the exact one.
 pub(super) fn variant_of(def: &NodeDef, tier: Tier) -> Option<&Variant> {
     let of = |tier| def.variants.iter().find(move |variant| variant.tier == tier);
     of(tier).or_else(|| of(Tier::Exact))
 }
 
-/// Where a curve is drawn: evenly, and at both sides of whatever may be an edge.
+/// Angles at which a curve is sampled: evenly, and on both sides of each possible edge.
 pub(super) fn places(shape: Shape, shift: f64, count: usize) -> Vec<f64> {
     const BESIDE: f64 = 1e-5;
     let mut places: Vec<f64> = (0..=count).map(|i| i as f64 / count as f64 * PI).collect();
@@ -152,7 +152,7 @@ pub(super) fn places(shape: Shape, shift: f64, count: usize) -> Vec<f64> {
     places
 }
 
-/// Where a sampled curve is steepest, and how far it falls there by the degree.
+/// Angle at which a sampled curve falls most steeply; `None` where it never falls.
 pub(super) fn steepest(angles: &[f64], tones: &[f64]) -> Option<f64> {
     let pairs = angles.windows(2).zip(tones.windows(2)).filter(|(u, _)| u[1] - u[0] > 1e-3);
     let slopes = pairs.map(|(u, t)| (0.5 * (u[0] + u[1]), (t[0] - t[1]) / (u[1] - u[0])));
@@ -191,8 +191,7 @@ mod tests {
         }
     }
 
-    /// Second differences of the curve change sign where the formula says that it bends, and
-    /// nowhere else.
+    /// Second differences of the curve change sign where the formula puts bends, and nowhere else.
     #[test]
     fn bends_are_where_the_curve_bends() {
         let shapes = [
@@ -207,7 +206,7 @@ mod tests {
             (0.0, 0.6, 0.6),
         ];
         for (offset, falloff, cutoff) in shapes {
-            // Wide enough that what the series round is far below a second difference.
+            // The step is so wide that the rounding of the series is far below a second difference.
             let h = 0.02;
             let count = ((cutoff - offset) / h) as usize - 2;
             let angles: Vec<f64> = (1..count).map(|i| offset + i as f64 * h).collect();

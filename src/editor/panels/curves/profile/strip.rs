@@ -1,5 +1,5 @@
-//! The colors that a profile gives, over the angle from left to right, from convex above to
-//! concave below: by the functions of the library's own nodes, over the look's base.
+//! Colors of a profile over the angle from left to right, from convex above to concave below:
+//! computed by the functions of the library's own nodes, over the look's base.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -17,25 +17,25 @@ use crate::interp::{Precision, Program, Value as Number};
 use crate::library::NodeDef;
 use crate::widgets::theme;
 
-/// How high it is, in points.
+/// Height of the strip, in points.
 pub(super) const HEIGHT: f32 = 34.0;
 
-/// The convexities that are drawn, from above.
+/// Convexities of the rows, from the top.
 pub(super) const ROWS: [f64; 5] = [1.0, 0.75, 0.5, 0.25, 0.0];
 
-/// Colors over the angle.
+/// Number of colors over the angle.
 const COLUMNS: usize = 90;
 
-/// The profile at each of the convexities.
+/// Profile at each of the convexities.
 pub(super) type Rows = [Arc<Curve>; ROWS.len()];
 
-/// The strip, and what it was computed from.
+/// The strip, with the inputs that it was computed from.
 #[derive(Default)]
 pub(super) struct Strip {
     known: Option<(Inputs, Rows, Vec<[f64; 4]>)>,
 }
 
-/// Everything that colors depend on, but for the curves.
+/// All inputs of the colors but the curves.
 #[derive(Clone, Debug, PartialEq)]
 struct Inputs {
     convex: [f64; 4],
@@ -75,7 +75,7 @@ impl Strip {
     }
 }
 
-/// A bump, or a hollow with `way` -1.
+/// Draws a bump, or a hollow where `way` is -1.
 fn bow(ui: &Ui, at: Pos2, way: f32) {
     let points = (0..=8).map(|i| {
         let x = i as f32 / 4.0 - 1.0;
@@ -129,7 +129,7 @@ fn inputs(layer: &Layer<'_>) -> Inputs {
     }
 }
 
-/// The functions of the library that make a layer of a tone.
+/// Functions of the library that turn a tone into a layer's color.
 struct Functions {
     mix: Arc<Program>,
     lit: Arc<Program>,
@@ -155,7 +155,7 @@ fn functions(layer: &Layer<'_>, mode: &str) -> Option<Functions> {
     })
 }
 
-/// Row by row; premultiplied.
+/// Colors row by row; premultiplied.
 fn colors(layer: &Layer<'_>, inputs: &Inputs, rows: &Rows) -> Option<Vec<[f64; 4]>> {
     let functions = functions(layer, &inputs.mode)?;
     let vec = |x: &[f64]| Number::vec(x);
@@ -216,7 +216,7 @@ fn paint(ui: &Ui, bar: Rect, colors: &[[f64; 4]], space: ColorSpace) {
     );
 }
 
-/// A premultiplied color of the look's space, as the screen has it.
+/// Converts a premultiplied color of the look's space to one of the screen.
 fn shown([r, g, b, a]: [f64; 4], space: ColorSpace) -> Color32 {
     let straight = |x: f64| if a > 1e-6 { (x / a).clamp(0.0, 1.0) } else { 0.0 };
     let encoded = |x: f64| match space {

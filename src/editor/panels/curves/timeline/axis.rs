@@ -1,14 +1,14 @@
-//! The time axis: where a second is on the screen, its ruler, zoom and pan.
+//! Time axis: mapping of seconds to the screen, ruler, zoom and pan.
 
 use eframe::egui::{Align2, Color32, FontId, Pos2, Rect, Response, Shape, Stroke, Ui, pos2, vec2};
 
 use crate::values;
 use crate::widgets::theme;
 
-/// The shortest and the longest time that is seen at once, in seconds.
+/// Shortest and longest visible range, in seconds.
 const SPAN: std::ops::RangeInclusive<f64> = 0.05..=36_000.0;
 
-/// Where times are on the screen.
+/// Mapping of times to the screen.
 #[derive(Clone, Copy)]
 pub(super) struct Axis {
     pub(super) lane: Rect,
@@ -28,7 +28,7 @@ impl Axis {
         self.seen[0] + f64::from((x - self.lane.left()) / self.lane.width().max(1.0)) * self.span()
     }
 
-    /// Nearer by a factor; what is under `x` stays there.
+    /// Visible range zoomed in by a factor; the time under `x` stays there.
     pub(super) fn zoomed(self, x: f32, factor: f64) -> [f64; 2] {
         let time = self.time(x);
         let span = (self.span() / factor).clamp(*SPAN.start(), *SPAN.end());
@@ -36,14 +36,13 @@ impl Axis {
         [time - before, time - before + span]
     }
 
-    /// Moved with a hand, by points.
+    /// Visible range dragged by a distance, in points.
     pub(super) fn panned(self, points: f32) -> [f64; 2] {
         let shift = f64::from(points / self.lane.width().max(1.0)) * self.span();
         self.seen.map(|time| time - shift)
     }
 
-    /// Seconds between two marks, so that they are far enough apart to be read: whole frames below
-    /// a second.
+    /// Seconds between two marks, far enough apart to be read: whole frames below a second.
     fn step(self, fps: f64) -> f64 {
         let least = 56.0 / f64::from(self.lane.width().max(1.0)) * self.span();
         let frames = [1.0, 2.0, 3.0, 4.0, 6.0, 12.0].map(|frames| frames / fps);
@@ -51,7 +50,7 @@ impl Axis {
         frames.into_iter().chain(seconds).find(|step| *step >= least).unwrap_or(7200.0)
     }
 
-    /// Draws the ruler, and what is played as a band.
+    /// Draws the ruler, and the played range as a band.
     pub(super) fn ruler(self, ui: &Ui, fps: f64, range: [f64; 2]) {
         let colors = theme::of(ui);
         let painter = ui.painter_at(self.lane.expand2(vec2(0.0, 1.0)));
@@ -84,7 +83,7 @@ impl Axis {
         }
     }
 
-    /// The times that have a mark.
+    /// Times that have a mark.
     pub(super) fn marks(self, fps: f64) -> impl Iterator<Item = f64> {
         let step = self.step(fps);
         let first = (self.seen[0] / step).ceil() as i64;
@@ -93,7 +92,7 @@ impl Axis {
     }
 }
 
-/// An end of the range, as a flag on the ruler.
+/// Draws an end of the range as a flag on the ruler.
 pub(super) fn flag(ui: &Ui, at: Pos2, is_end: bool, response: &Response) {
     let colors = theme::of(ui);
     let way = if is_end { -1.0 } else { 1.0 };

@@ -1,4 +1,4 @@
-//! Above the tracks: play, frame rate, range, what to key; and the key that is selected.
+//! Bar above the tracks: play, frame rate, range, values to key; and the selected key.
 
 use eframe::egui;
 use eframe::egui::{Button, ComboBox, DragValue, RichText, Role, Ui, WidgetInfo};
@@ -15,7 +15,7 @@ use crate::widgets::value;
 
 const RATES: [f64; 7] = [8.0, 12.0, 15.0, 24.0, 25.0, 30.0, 60.0];
 
-/// Play, step, rate and range.
+/// Shows the buttons to play and step, the frame rate and the range.
 pub(super) fn show(
     timeline: &mut Timeline,
     ui: &mut Ui,
@@ -57,7 +57,7 @@ pub(super) fn show(
     });
 }
 
-/// The nearest key before or after the playhead.
+/// Time of the nearest key before or after the playhead.
 fn neighbour(session: &Session, way: f64) -> Option<f64> {
     let times = session.look().time_keys.iter().flat_map(|track| &track.keys).map(|key| key.time);
     let beyond = times.filter(|time| (time - session.view.time) * way > super::LEAST / 2.0);
@@ -91,7 +91,7 @@ fn range(timeline: &mut Timeline, ui: &mut Ui) {
     }
 }
 
-/// A menu of what can be keyed: inputs of the selected nodes, and the lights.
+/// Shows the menu of values that can be keyed: inputs of the selected nodes, and the lights.
 fn add_value(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     let menu = ui.menu_button("Key a value", |ui| {
         egui::ScrollArea::vertical().max_height(320.0).show(ui, |ui| {
@@ -128,7 +128,7 @@ fn entry(ui: &mut Ui, session: &Session, target: &Target, out: &mut Vec<Command>
     }
 }
 
-/// The key that is selected: when, what, and how it goes on.
+/// Shows the selected key: its time, its value, and its interpolation.
 pub(super) fn key(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     let Some((track_at, key_at)) = timeline.selected else { return };
     let Some(track) = session.look().time_keys.get(track_at) else { return };
@@ -169,7 +169,7 @@ pub(super) fn key(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: 
     });
 }
 
-/// The edit that moves a key in time; it stays between its neighbours.
+/// Edit that moves a key in time, between its neighbors.
 pub(super) fn moved(
     timeline: &Timeline,
     session: &Session,
@@ -189,7 +189,7 @@ pub(super) fn moved(
     })
 }
 
-/// The edit that takes a key away; with the last one the value is the look's own again.
+/// Edit that removes a key; without its last key the value is the look's own again.
 pub(super) fn removed(session: &Session, track: usize, key: usize) -> Edit {
     let Some(of) = session.look().time_keys.get(track) else {
         return Edit::Group { edits: Vec::new() };

@@ -1,7 +1,7 @@
-//! The timeline: values over time, one row for each value that is keyed, played in real time.
+//! Timeline: values over time, one row for each keyed value, played in real time.
 //!
-//! The playhead is the window's, not the look's: nothing of the document changes while it plays.
-//! Frames are shown at the rate that is chosen, and asked for no more often; at rest nothing is.
+//! The playhead belongs to the window, not to the look: playing does not change the document.
+//! Frames are requested no more often than at the chosen frame rate, and not at all at rest.
 
 mod axis;
 mod bar;
@@ -36,27 +36,28 @@ pub(crate) const PANEL: PanelRow = PanelRow::new(
     timeline.tick(ui).map(Command::SetTime).into_iter().collect()
 });
 
-/// How wide the names of values are.
+/// Width of the names of values, in points.
 const NAMES: f32 = 190.0;
-/// How high the ruler is.
+/// Height of the ruler, in points.
 const RULER: f32 = 24.0;
-/// How high a row is.
+/// Height of a row, in points.
 const ROW: f32 = 32.0;
-/// Times are told apart down to this, in seconds.
+/// Smallest difference between two times, in seconds.
 const LEAST: f64 = 1e-3;
 
-/// The panel, the clock, and what of time is seen.
+/// The panel, its clock, and its visible range.
 pub(crate) struct Timeline {
-    /// While it plays: where it is, not on frames, and what the window's clock said then.
+    /// Time of the playhead, not rounded to frames, and the window's clock at that moment, both in
+    /// seconds; `None` while paused.
     playing: Option<(f64, f64)>,
     fps: f64,
     snaps: bool,
     loops: bool,
-    /// What is played, in seconds.
+    /// Range that is played, in seconds.
     range: [f64; 2],
-    /// What is seen, in seconds.
+    /// Range that is visible, in seconds.
     seen: [f64; 2],
-    /// The key that is selected: its track and its place there.
+    /// Selected key: the indices of its track and of the key within it.
     selected: Option<(usize, usize)>,
 }
 
@@ -75,7 +76,7 @@ impl Default for Timeline {
 }
 
 impl Timeline {
-    /// The moment that the playhead moves on to while it plays; asks for the next frame when that is
+    /// Time that the playhead moves on to while playing; requests the next frame for when it is
     /// due.
     fn tick(&mut self, ui: &Ui) -> Option<f64> {
         let (at, then) = self.playing?;
@@ -97,17 +98,17 @@ impl Timeline {
         Some(time)
     }
 
-    /// Stops where it is.
+    /// Stops the playhead at its present time.
     fn stop(&mut self) {
         self.playing = None;
     }
 
-    /// A time that is shown: the frame before it where times snap to frames.
+    /// Time as shown: the start of its frame where times snap to frames.
     fn on_frame(&self, time: f64) -> f64 {
         if self.snaps { tidy((time * self.fps + 1e-6).floor() / self.fps) } else { tidy(time) }
     }
 
-    /// A time that a hand chose: the nearest frame where times snap to frames.
+    /// Time as chosen by hand: the nearest frame where times snap to frames.
     fn snapped(&self, time: f64) -> f64 {
         if self.snaps { tidy((time * self.fps).round() / self.fps) } else { tidy(time) }
     }
@@ -115,7 +116,7 @@ impl Timeline {
     fn toggle(&mut self, ui: &Ui, session: &Session) {
         let now = ui.input(|input| input.time);
         let [start, end] = self.range;
-        // From the end it starts again.
+        // Playing from the end starts anew.
         let at = if session.view.time >= end - LEAST || session.view.time < start {
             start
         } else {
@@ -125,7 +126,7 @@ impl Timeline {
         ui.ctx().request_repaint();
     }
 
-    /// Asks for another time, also while it plays.
+    /// Moves the playhead to another time, also while playing.
     fn go(&mut self, time: f64, out: &mut Vec<Command>) {
         if let Some((at, _)) = &mut self.playing {
             *at = time;
@@ -133,7 +134,7 @@ impl Timeline {
         out.push(Command::SetTime(time));
     }
 
-    /// Shows what is keyed over time.
+    /// Shows the values that are keyed over time.
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut commands = Vec::new();
         let tracks = &session.look().time_keys;
@@ -180,7 +181,7 @@ impl Timeline {
         commands
     }
 
-    /// Drags on the ruler move the playhead, drags of its ends the range.
+    /// Handles drags on the ruler, which move the playhead, and drags of the range's ends.
     fn scrub(&mut self, ui: &mut Ui, session: &Session, axis: Axis, out: &mut Vec<Command>) {
         let id = ui.scope_id().with("ruler");
         let response = ui.interact(axis.lane, id, Sense::click_and_drag());
@@ -222,7 +223,8 @@ impl Timeline {
         }
     }
 
-    /// The wheel zooms over the ruler, and everywhere with Ctrl; a drag where no key is pans.
+    /// Moves the visible range: the wheel zooms over the ruler, and everywhere with Ctrl; a drag
+    /// beside the keys pans.
     fn navigate(&mut self, ui: &Ui, panel: Rect, axis: Axis, rows: Rect) {
         let Some(pointer) =
             ui.input(|input| input.pointer.hover_pos()).filter(|at| panel.contains(*at))
@@ -244,7 +246,7 @@ impl Timeline {
         }
     }
 
-    /// All keys and the range in view.
+    /// Fits all keys and the range into view.
     fn fit(&mut self, session: &Session) {
         let times =
             session.look().time_keys.iter().flat_map(|track| &track.keys).map(|key| key.time);
@@ -257,7 +259,7 @@ impl Timeline {
     }
 }
 
-/// Microseconds are enough, and read better in a file.
+/// Time rounded to microseconds, which are fine enough and read better in a file.
 fn tidy(time: f64) -> f64 {
     (time * 1e6).round() / 1e6
 }

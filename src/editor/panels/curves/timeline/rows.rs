@@ -1,4 +1,4 @@
-//! A track: its name, its values over time, and its keys.
+//! Track: its name, its values over time, and its keys.
 
 use eframe::egui;
 use eframe::egui::epaint::{Mesh, PathShape, Vertex};
@@ -61,7 +61,7 @@ pub(super) fn show(
     }
 }
 
-/// The diamond that keys it at the playhead, what it is called, and what it has now.
+/// Shows the diamond that keys the value at the playhead, the value's name, and its present value.
 fn name(ui: &mut Ui, session: &Session, index: usize, track: &TimeKeys, out: &mut Vec<Command>) {
     let colors = theme::of(ui);
     let [owner, what] = session.names_of(&track.target);
@@ -100,7 +100,7 @@ fn name(ui: &mut Ui, session: &Session, index: usize, track: &TimeKeys, out: &mu
     });
 }
 
-/// The values over time: numbers as a line, colors as they are.
+/// Draws the values over time: numbers as a line, colors as themselves.
 fn paint(ui: &Ui, session: &Session, axis: Axis, lane: Rect, track: &TimeKeys) {
     let colors = theme::of(ui);
     let painter = ui.painter_at(lane);
@@ -195,7 +195,7 @@ fn key_handle(
     ));
 }
 
-/// A circle goes on smoothly, a diamond straight, a square holds.
+/// Draws a key: a circle for smooth interpolation, a diamond for linear, a square for stepped.
 fn paint_key(ui: &Ui, at: Pos2, interpolation: Interpolation, is_selected: bool, is_hot: bool) {
     let colors = theme::of(ui);
     let fill = if is_selected { colors.accent } else { colors.text };
