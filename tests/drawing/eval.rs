@@ -93,7 +93,7 @@ pub fn content(
     }
 }
 
-/// [`eval_with`] on any device.
+/// Values of [`eval`] with any library and options, on any device.
 pub fn eval_on(
     renderer: &mut Renderer,
     look: &SetupLook,

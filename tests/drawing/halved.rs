@@ -30,7 +30,7 @@ pub fn text() -> Json {
     })
 }
 
-/// The look of [`text`].
+/// The look that shows half of the `facing` node's value.
 pub fn look() -> SetupLook {
     eval::look(&text())
 }

@@ -68,7 +68,7 @@ fn oklab(rgb: [f64; 3]) -> [f64; 3] {
     ]
 }
 
-/// Inverse of [`oklab`] by Newton's method, so that no second matrix is trusted.
+/// Inverse of `oklab` by Newton's method, so that no second matrix is trusted.
 fn rgb_of_oklab(lab: [f64; 3]) -> [f64; 3] {
     let mut rgb = DVec3::splat(0.5);
     for _ in 0..200 {

@@ -624,7 +624,7 @@ fn bands_are_flat() {
     }
 }
 
-// What comes from the surface
+// Inputs from the surface
 
 fn surface_sample(random: &mut Random) -> EvalSample {
     let short = |v: DVec3| DVec3::from_array(v.to_array().map(f32_of));

@@ -86,7 +86,7 @@ impl FragmentStage for Fragments<'_> {
     }
 }
 
-/// Draws both sides of triangles.
+/// Both sides of triangles are drawn.
 pub(crate) const BOTH: Sides = Sides { both: true, is_mirrored: false };
 /// A picture that begins transparent.
 pub(crate) const CLEAR: Target = Target::Picture([0.0; 4]);
