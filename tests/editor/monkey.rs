@@ -383,8 +383,8 @@ fn a_monkey_breaks_no_scene() {
     }
 }
 
-/// One eighth of a million gestures for each seed. Windows wait for work of the thread pool, so a
-/// window must not run on a thread of that pool: each part is a test on a thread of its own.
+/// Makes an eighth of a million gestures for each seed. Windows wait for work of the thread pool,
+/// so a window must not run on a thread of that pool: each part is a test on a thread of its own.
 fn soak(seeds: std::ops::Range<u64>) {
     let looks = ["figure1-layers", "figure5-directional", "figure6-comics", "figure7-pastel"];
     for seed in seeds {

@@ -402,8 +402,8 @@ fn the_two_forms_of_the_truth_agree() {
     let mut errors = Errors::new("f64: eq. 5, 10, 11 to the letter against 1 - q^2", 1e-11);
     for (u, shift, parameters) in grid(&[0.0, 0.4, 1.3], 0.05) {
         let [tau, _, c] = parameters;
-        // At c itself a base of 1e-17 in place of 0 is raised to a power below 1, which makes it
-        // large.
+        // At c itself a base of 1e-17 in place of 0 is raised to a power below 1, and the result
+        // exceeds the bound.
         if (u - c).abs() > 1e-3 && c - tau > 0.1 {
             errors.note(
                 badf::alpha_by_the_letter(u, shift, parameters),

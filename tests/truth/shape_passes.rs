@@ -116,8 +116,8 @@ fn place(index: usize) -> (f64, f64) {
 
 #[test]
 fn the_tensor_is_how_slopes_change() {
-    // nx / nz = 0.6 x + 0.5 y, ny / nz = 0.3 x - 0.4 y. Their derivatives are xx, xy and yy, of which
-    // xy is the mean of both. In 1/scene-unit.
+    // nx / nz = 0.6 x + 0.5 y, ny / nz = 0.3 x - 0.4 y. Their derivatives are xx, xy and yy, of
+    // which xy is the mean of both. In 1/scene-unit.
     let (xx, xy, yy) = (0.6_f64, 0.4, -0.4);
     let bent = |x: f64, y: f64| [0.6 * x + 0.5 * y, 0.3 * x - 0.4 * y, 1.0];
     let root = (0.25 * (xx - yy) * (xx - yy) + xy * xy).sqrt();
